@@ -11,7 +11,7 @@ from typing import Any, NoReturn, ParamSpec
 import typer
 from typer.core import TyperGroup
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.native.sources import LibraryError
 from hardware.errors import DeviceError
 
@@ -35,7 +35,7 @@ class FullHelpGroup(TyperGroup):
             formatter.write_dl(rows)
 
 
-def refusing(command: Callable[P, None]) -> Callable[P, None]:
+def report_errors(command: Callable[P, None]) -> Callable[P, None]:
     """A command whose failures end in one line on stderr and status 1, never in a traceback.
 
     Python's development mode (``python -X dev``) lets a fault of the program itself
@@ -46,7 +46,7 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
     def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
         try:
             command(*args, **kwargs)
-        except Refusal as refusal:
+        except OperationError as refusal:
             fail(refusal.line)
         except KeyboardInterrupt:
             fail("interrupted.", INTERRUPTED)
@@ -55,9 +55,9 @@ def refusing(command: Callable[P, None]) -> Callable[P, None]:
         except OSError as error:
             if error.errno == errno.EPIPE:  # who read our output has gone
                 raise
-            from app.formats.io_errors import refusal_of  # not what every command waits for
+            from app.formats.io_errors import error_from_os  # not what every command waits for
 
-            fail(refusal_of(error).line)
+            fail(error_from_os(error).line)
         except MemoryError:
             fail("there is not enough memory. Close other programs, or use less data.")
         except (typer.Exit, typer.Abort, typer.BadParameter):

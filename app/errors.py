@@ -1,7 +1,7 @@
 """The one exception by which the program declines a job."""
 
 
-class Refusal(Exception):
+class OperationError(Exception):
     """A job that cannot be done honestly with what was given.
 
     Carries what a person needs to go on: what happened, why, and what to do.

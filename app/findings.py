@@ -28,7 +28,7 @@ def figures(value: float, decimals: int = 0) -> str:
     return f"−{text}" if value < 0 and float(text) else text
 
 
-def signed(value: float, decimals: int = 0) -> str:
+def format_signed(value: float, decimals: int = 0) -> str:
     """With its sign always, but for nothing."""
     text = figures(value, decimals)
     return f"+{text}" if value > 0 and float(text) else text

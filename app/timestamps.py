@@ -8,7 +8,7 @@ def utc_now() -> str:
     return datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
-def moment_of(text: str) -> datetime:
+def parse_moment(text: str) -> datetime:
     """The moment that a record has, in UTC where it does not say; raises ``ValueError``."""
     found = datetime.fromisoformat(text)
     return found if found.tzinfo is not None else found.replace(tzinfo=UTC)
@@ -17,6 +17,6 @@ def moment_of(text: str) -> datetime:
 def is_moment(text: object) -> bool:
     """Whether something that was read says when it was."""
     try:
-        return isinstance(text, str) and bool(moment_of(text))
+        return isinstance(text, str) and bool(parse_moment(text))
     except ValueError:
         return False

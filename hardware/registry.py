@@ -27,12 +27,12 @@ BUILT_IN = {
 
 def arm_drivers() -> list[str]:
     """Names that ``[arm] driver`` may take."""
-    return sorted(_found(_ARMS))
+    return sorted(_find_drivers(_ARMS))
 
 
 def sensor_drivers() -> list[str]:
     """Names that ``[sensor] driver`` may take."""
-    return sorted(_found(_SENSORS))
+    return sorted(_find_drivers(_SENSORS))
 
 
 def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
@@ -53,7 +53,7 @@ def sensor_driver(name: str, options: Mapping[str, object]) -> SensorDriver:
     return cast(SensorDriver, _factory(_SENSORS, name)(options))
 
 
-def _found(group: str) -> dict[str, list[EntryPoint]]:
+def _find_drivers(group: str) -> dict[str, list[EntryPoint]]:
     """Every entry point of the group by name; the same one twice counts once."""
     found = {name: [EntryPoint(name, value, group)] for name, value in BUILT_IN[group].items()}
     for entry in entry_points(group=group):
@@ -65,7 +65,7 @@ def _found(group: str) -> dict[str, list[EntryPoint]]:
 
 def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
     table = "arm" if group == _ARMS else "sensor"
-    found = _found(group)
+    found = _find_drivers(group)
     if name not in found:
         near = get_close_matches(name, found, 1)
         meant = f"Did you mean {near[0]}? " if near else ""

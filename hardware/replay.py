@@ -21,8 +21,8 @@ REST_FRAME_NS = 300_000_000
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
 """Stamps (ns) and encoder angles (rad) in their order."""
-Picture = NDArray[np.uint8] | NDArray[np.uint16]
-Pictures = Iterable[tuple[int, Picture]]
+RecordedImage = NDArray[np.uint8] | NDArray[np.uint16]
+RecordedImages = Iterable[tuple[int, RecordedImage]]
 
 
 @dataclass
@@ -98,12 +98,12 @@ class ReplaySensor:
     """
 
     def __init__(
-        self, info: SensorInfo, clock: ReplayClock, pictures: Callable[[], Pictures]
+        self, info: SensorInfo, clock: ReplayClock, pictures: Callable[[], RecordedImages]
     ) -> None:
         self._info, self._clock, self._pictures = info, clock, pictures
-        self._coming: Iterator[tuple[int, Picture]] = iter(())
-        self._next: tuple[int, Picture] | None = None
-        self._last: Picture = np.zeros((info.height_px, info.width_px), np.uint8)
+        self._coming: Iterator[tuple[int, RecordedImage]] = iter(())
+        self._next: tuple[int, RecordedImage] | None = None
+        self._last: RecordedImage = np.zeros((info.height_px, info.width_px), np.uint8)
         self._rested_ns = 0
         self._health = LinkHealth()
         self._closed = threading.Event()
@@ -133,7 +133,7 @@ class ReplaySensor:
         self._next = next(self._coming, None)
         return self._frame(self._clock.due_ns(stamp_ns), self._last)
 
-    def _frame(self, stamp_ns: int, picture: Picture) -> Frame:
+    def _frame(self, stamp_ns: int, picture: RecordedImage) -> Frame:
         self._health.received += 1
         exposure_us = self._info.exposure_range_us[0]
         # no light burns now, whatever the picture shows

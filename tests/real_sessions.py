@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.formats.datasheets.arm import write_arm
-from app.formats.datasheets.sensor import SensorSheet, write_sensor
+from app.formats.datasheets.sensor import SensorDatasheet, write_sensor
 from app.formats.datasheets.target import write_object
 from app.formats.images import GreyImage, write_png
 from app.formats.session.calibration_session import ImageRow, write_images
@@ -21,34 +21,34 @@ BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)
 ROBOT = RobotArm("industrial robot", "")  # nothing was touched: it has no tip
 
 
-def session_of(recording: Path, folder: Path) -> Path:
+def write_real_session(recording: Path, folder: Path) -> Path:
     """Writes a folder of ``frameNNNN.png`` and ``poseNNNN.txt`` as a session."""
     frames = sorted(recording.glob("frame*.png"))
     (folder / "images").mkdir(parents=True)
-    height, width = grey_in(frames[0]).shape
+    height, width = read_grey_image(frames[0]).shape
     write_arm(folder / "arm.json", ROBOT)
     write_object(folder / "object.json", BOARD)
     sheet = {"name": "camera and laser", "serial_number": "", "stripe_axis": "v"}
-    sensor = SensorSheet.model_validate({**sheet, "width_px": width, "height_px": height})
+    sensor = SensorDatasheet.model_validate({**sheet, "width_px": width, "height_px": height})
     write_sensor(folder / "sensor.json", sensor)
     rows = []
     for frame in frames:
         number = frame.stem.removeprefix("frame")
-        write_png(folder / "images" / frame.name, grey_in(frame))
-        pose = pose_in(recording / f"pose{number}.txt")
+        write_png(folder / "images" / frame.name, read_grey_image(frame))
+        pose = read_pose(recording / f"pose{number}.txt")
         rows.append(ImageRow(int(number), f"images/{frame.name}", "both", np.zeros(0), pose))
     write_images(folder / "images.csv", rows)
     return folder
 
 
-def grey_in(path: Path) -> GreyImage:
+def read_grey_image(path: Path) -> GreyImage:
     """A frame, whose three channels are alike, as one."""
     image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     assert image is not None
     return np.ascontiguousarray(image if image.ndim == 2 else image[..., 0]).astype(np.uint8)
 
 
-def pose_in(path: Path) -> Floats:
+def read_pose(path: Path) -> Floats:
     """``T_arm_flange`` (4, 4) in mm of a file ``((x, y, z) in m, (qx, qy, qz, qw))``."""
     place_m, quaternion = ast.literal_eval(path.read_text())
     return rigid(Rotation.from_quat(quaternion).as_matrix(), 1e3 * np.array(place_m))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import httpx
 
 from app.strings.files import languages
-from app.strings.sentences import sentences_of
+from app.strings.sentences import load_sentences
 
 SENTENCES = frozenset(
     ("text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction")
@@ -20,11 +20,11 @@ TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
 """Names, paths and numbers within a sentence are as they are; words are not."""
 
 
-OWN = ("at lunch", "a test", "the admin", "the operator", "the viewer")
+TEST_TEXTS = ("at lunch", "a test", "the admin", "the operator", "the viewer")
 """What the tests say themselves: reasons, names, and events of their own."""
 
 
-class Heard:
+class MessageCollector:
     """Every sentence of answers and events."""
 
     def __init__(self) -> None:
@@ -51,10 +51,10 @@ class Heard:
         """What some language does not know, each with what of it."""
         found = []
         for language in languages()[1:]:
-            sentences = sentences_of(language)
+            sentences = load_sentences(language)
             for text in sorted(self._texts):
                 missed = [part for part in sentences.best(text).missed if TWO_WORDS.search(part)]
-                if missed and not any(own in text for own in OWN):
+                if missed and not any(own in text for own in TEST_TEXTS):
                     found.append(f"{language}: {text!r}: {missed}")
         return found
 

@@ -7,16 +7,22 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.auth import ROLE_NAMES
 from app.api.authorization import TheVisitor
-from app.api.problems import NotFound
+from app.api.problems import NotFoundError
 from app.operations.context import Context, TheContext
 from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
 from app.strings.files import ENGLISH
-from app.strings.sentences import saying
-from app.wire.schema import AccountChange, AccountSummary, NewAccount, NewWall, WallSummary
+from app.strings.sentences import translator
+from app.wire.schema import (
+    AccountChange,
+    AccountSummary,
+    KioskLinkSummary,
+    NewAccount,
+    NewKioskLink,
+)
 
 router = APIRouter(prefix="/api")
-AUDIT_SHOWN = 500
+AUDIT_LIMIT = 500
 Name = Annotated[str, Query(max_length=200)]
 """Of an account; in no path, since browsers take some names there for folders."""
 
@@ -60,27 +66,27 @@ def remove(name: Name, request: Request, context: TheContext) -> None:
 
 
 @router.get("/walls")
-def walls(context: TheContext) -> list[WallSummary]:
+def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
     """Every wall-screen link."""
     found = context.store.sign_ins.walls()
-    return [WallSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
+    return [KioskLinkSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
 
 
 @router.post("/walls")
-def add_wall(
-    asked: NewWall, request: Request, context: TheContext, visitor: TheVisitor
-) -> WallSummary:
+def add_kiosk_link(
+    asked: NewKioskLink, request: Request, context: TheContext, visitor: TheVisitor
+) -> KioskLinkSummary:
     """A new wall-screen link; its token is told this once."""
     request.state.detail = asked.name
     link, token = context.store.sign_ins.add_wall(asked.name, visitor.name)
-    return WallSummary(link.id, link.name, link.made_by, link.made_at, token)
+    return KioskLinkSummary(link.id, link.name, link.made_by, link.made_at, token)
 
 
 @router.delete("/walls/{wall_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_wall(wall_id: str, context: TheContext) -> None:
+def remove_kiosk_link(wall_id: str, context: TheContext) -> None:
     """A wall-screen link that shows nothing from now on."""
     if all(link.id != wall_id for link in context.store.sign_ins.walls()):
-        raise NotFound(f"There is no wall-screen link {wall_id}.")
+        raise NotFoundError(f"There is no wall-screen link {wall_id}.")
     context.store.sign_ins.remove_wall(wall_id)
 
 
@@ -94,13 +100,13 @@ def audit(
 
     They are sought as written, and as the reader's language has them.
     """
-    return context.store.audit.newest(AUDIT_SHOWN, words, saying(lang) or str)
+    return context.store.audit.newest(AUDIT_LIMIT, words, translator(lang) or str)
 
 
 def _account(context: Context, name: str) -> Account:
     account = context.store.accounts.get(name)
     if account is None:
-        raise NotFound(f"There is no account {name}.")
+        raise NotFoundError(f"There is no account {name}.")
     return account
 
 

@@ -8,28 +8,28 @@ from app.api.authorization import (
     ThePerson,
     TheVisitor,
     address_of,
-    known_as,
+    browser_token,
+    set_browser_token,
     set_cookie,
-    set_known,
     token_of,
     visitor_of,
 )
 from app.operations.context import Context, TheContext
-from app.security.errors import Denied
+from app.security.errors import AccessDeniedError
 from app.station.control_lease import Control
 from app.store.accounts import Role
-from app.store.login_sessions import Visitor
+from app.store.login_sessions import Principal
 from app.wire.readiness import READY, Readiness
 from app.wire.schema import (
-    Answer,
-    Code,
+    ControlReply,
+    CurrentUser,
     FirstAdmin,
     NewPassword,
-    Reason,
     RoleName,
-    Session,
     SignIn,
-    You,
+    SignInCode,
+    SignInState,
+    TakeoverReason,
 )
 
 router = APIRouter(prefix="/api")
@@ -41,7 +41,7 @@ ROLE_NAMES: dict[Role, RoleName] = {
 
 
 @router.get("/session")
-def session(request: Request, context: TheContext) -> Session:
+def session(request: Request, context: TheContext) -> SignInState:
     """Who is signed in here, or how one signs in."""
     return _session(context, visitor_of(request))
 
@@ -53,25 +53,29 @@ def starting() -> Readiness:
 
 
 @router.post("/session")
-def sign_in(asked: SignIn, request: Request, response: Response, context: TheContext) -> Session:
+def sign_in(
+    asked: SignIn, request: Request, response: Response, context: TheContext
+) -> SignInState:
     """Signs this browser in."""
     account = context.entrance.sign_in(
-        asked.name, asked.password, address_of(request), known_as(request)
+        asked.name, asked.password, address_of(request), browser_token(request)
     )
     if account is None:
         context.store.audit.note(asked.name, address_of(request), "signed in", "wrong password")
-        raise Denied(
+        raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
             "wrong-password",
             "Name and password do not belong together.",
             "Try again, or ask an administrator for a new password",
         )
-    _know(account.name, request, response, context)
+    _trust_browser(account.name, request, response, context)
     return _begin(account.name, request, response, context)
 
 
 @router.post("/session/code")
-def enter(asked: Code, request: Request, response: Response, context: TheContext) -> Session:
+def sign_in_guest(
+    asked: SignInCode, request: Request, response: Response, context: TheContext
+) -> SignInState:
     """Lets the guest of a demonstration in."""
     guest = context.entrance.enter(asked.code, address_of(request))
     if guest is None:
@@ -82,23 +86,25 @@ def enter(asked: Code, request: Request, response: Response, context: TheContext
 @router.post("/session/admin")
 def first_admin(
     asked: FirstAdmin, request: Request, response: Response, context: TheContext
-) -> Session:
+) -> SignInState:
     """Makes the first administrator, and signs this browser in."""
     account = context.entrance.make_admin(
         asked.code, asked.name, asked.password, address_of(request)
     )
     if account is None:
         raise _wrong_code(context, request, "made the first administrator")
-    _know(account.name, request, response, context)
+    _trust_browser(account.name, request, response, context)
     return _begin(account.name, request, response, context)
 
 
 @router.post("/session/wall")
-def wall(asked: Code, request: Request, response: Response, context: TheContext) -> Session:
+def sign_in_kiosk(
+    asked: SignInCode, request: Request, response: Response, context: TheContext
+) -> SignInState:
     """Makes this browser a wall screen."""
     visitor = context.entrance.wall(asked.code, address_of(request))
     if visitor is None:
-        raise Denied(
+        raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
             "wall-link",
             "This link is not good any more.",
@@ -110,7 +116,7 @@ def wall(asked: Code, request: Request, response: Response, context: TheContext)
 
 
 @router.delete("/session")
-def sign_out(request: Request, response: Response, context: TheContext) -> Session:
+def sign_out(request: Request, response: Response, context: TheContext) -> SignInState:
     """Signs this browser out; its control goes on to whoever asked, or is free."""
     visitor, token = visitor_of(request), token_of(request)
     if visitor is not None:
@@ -128,11 +134,11 @@ def change_password(
     response: Response,
     context: TheContext,
     visitor: TheVisitor,
-) -> Session:
+) -> SignInState:
     """Changes the own password; every other browser of this person is signed out."""
-    address, browser = address_of(request), known_as(request)
+    address, browser = address_of(request), browser_token(request)
     if context.entrance.sign_in(visitor.name, asked.old, address, browser) is None:
-        raise Denied(
+        raise AccessDeniedError(
             HTTPStatus.FORBIDDEN, "wrong-password", "The old password is wrong.", "Try again"
         )
     context.store.accounts.set_password(visitor.name, asked.new)
@@ -149,7 +155,7 @@ def ask(context: TheContext, person: ThePerson) -> Control:
 
 
 @router.post("/control/answer")
-def answer(asked: Answer, context: TheContext, person: ThePerson) -> Control:
+def answer(asked: ControlReply, context: TheContext, person: ThePerson) -> Control:
     """Hands over to whoever asked, or keeps control."""
     context.lease.answer(person, asked.give)
     return context.lease.control
@@ -163,42 +169,46 @@ def release(context: TheContext, person: ThePerson) -> Control:
 
 
 @router.post("/control/take")
-def take(asked: Reason, request: Request, context: TheContext, person: ThePerson) -> Control:
+def take(
+    asked: TakeoverReason, request: Request, context: TheContext, person: ThePerson
+) -> Control:
     """Takes control over, for a reason that all are told."""
     request.state.detail = asked.reason
     context.lease.take_over(person, asked.reason)
     return context.lease.control
 
 
-def you(visitor: Visitor | None) -> You | None:
+def current_user(visitor: Principal | None) -> CurrentUser | None:
     """A visitor as their own browser knows them."""
     if visitor is None:
         return None
-    return You(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.wall)
+    return CurrentUser(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.wall)
 
 
-def _begin(name: str, request: Request, response: Response, context: Context) -> Session:
+def _begin(name: str, request: Request, response: Response, context: Context) -> SignInState:
     token = context.store.sign_ins.begin(name, request.headers.get("user-agent", ""))
     set_cookie(response, request, token, wall=False)
     context.store.audit.note(name, address_of(request), "signed in")
     return _session(context, context.store.sign_ins.visitor(token))
 
 
-def _know(name: str, request: Request, response: Response, context: Context) -> None:
+def _trust_browser(name: str, request: Request, response: Response, context: Context) -> None:
     """Whoever knows a password is kept out by nobody's guesses at this browser any more."""
-    before = known_as(request)
+    before = browser_token(request)
     if not context.store.sign_ins.knows(before, name):
-        set_known(response, request, context.store.sign_ins.know(before, name))
+        set_browser_token(response, request, context.store.sign_ins.know(before, name))
 
 
-def _session(context: Context, visitor: Visitor | None) -> Session:
+def _session(context: Context, visitor: Principal | None) -> SignInState:
     entrance = context.entrance
-    return Session(context.station.name, you(visitor), entrance.first_start, entrance.by_code)
+    return SignInState(
+        context.station.name, current_user(visitor), entrance.first_start, entrance.by_code
+    )
 
 
-def _wrong_code(context: Context, request: Request, act: str) -> Denied:
+def _wrong_code(context: Context, request: Request, act: str) -> AccessDeniedError:
     context.store.audit.note("", address_of(request), act, "wrong code")
-    return Denied(
+    return AccessDeniedError(
         HTTPStatus.UNAUTHORIZED,
         "wrong-code",
         "The code is wrong.",

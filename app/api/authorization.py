@@ -13,22 +13,22 @@ from starlette.requests import HTTPConnection
 from starlette.responses import Response
 from starlette.websockets import WebSocket
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.operations.context import context_of
-from app.security.errors import Denied
-from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, allowed
+from app.security.errors import AccessDeniedError
+from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, has_right
 from app.station.control_lease import Person
-from app.store.login_sessions import LONGEST, Visitor
+from app.store.login_sessions import LONGEST, Principal
 
 log = logging.getLogger(__name__)
 POLICY_VIOLATION, SIGNED_OUT = 1008, 4401
-LOOKED_AFTER_S = 1.0
+SIGN_IN_CHECK_S = 1.0
 A_YEAR_S = 365 * 86400
 PORTS = {"http": 80, "ws": 80, "https": 443, "wss": 443}
 
 
 def authorise(connection: HTTPConnection) -> Iterator[None]:
-    """Lets a request pass to its route, or raises ``Denied``; notes in the audit log what it did.
+    """Lets a request pass to its route, and notes in the audit log what it did.
 
     Raises:
         Denied: nobody is signed in, the role does not do, or the route is in no table.
@@ -36,29 +36,29 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
         Refusal: somebody else has control.
     """
     context, rule = context_of(connection), _rule(connection)
-    if rule.right is Right.enter or (rule.right is Right.scrape and _scraper(connection)):
+    if rule.right is Right.enter or (rule.right is Right.scrape and _has_metrics_token(connection)):
         yield
         return
     visitor = visitor_of(connection)
     # who is nobody fills no log
-    with _noted(connection, rule, visitor) if rule.act and visitor else nullcontext():
-        connection.state.visitor = _let_in(connection, rule, visitor)
+    with _audit(connection, rule, visitor) if rule.act and visitor else nullcontext():
+        connection.state.visitor = _check_right(connection, rule, visitor)
         if rule.right is Right.act:
             context.lease.act(person_of(connection))
         yield
 
 
 @contextmanager
-def _noted(connection: HTTPConnection, rule: Rule, visitor: Visitor) -> Iterator[None]:
+def _audit(connection: HTTPConnection, rule: Rule, visitor: Principal) -> Iterator[None]:
     """Writes into the audit log what is done inside, or why it was not."""
     outcome = "failed"
     try:
         yield
         outcome = "done"
-    except Refusal as refusal:
+    except OperationError as refusal:
         outcome = refusal.line
         raise
-    except Denied as denied:
+    except AccessDeniedError as denied:
         outcome = denied.detail
         raise
     finally:
@@ -73,22 +73,22 @@ def _rule(connection: HTTPConnection) -> Rule:
     path = getattr(connection.scope.get("route"), "path", "")
     rule = ROUTES.get((connection.scope.get("method", WEBSOCKET), path))
     if rule is None:
-        raise Denied(
+        raise AccessDeniedError(
             HTTPStatus.FORBIDDEN, "not-allowed", f"Nobody may use {connection.url.path}.", ""
         )
     return rule
 
 
-def _let_in(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> Visitor:
+def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | None) -> Principal:
     """The visitor, who has the right; control is looked at after this."""
     if visitor is None:
-        denied = Denied(
+        denied = AccessDeniedError(
             HTTPStatus.UNAUTHORIZED, "signed-out", "Nobody is signed in here.", "Sign in, and go on"
         )
-    elif allowed(rule.right, visitor.role, visitor.wall):
+    elif has_right(rule.right, visitor.role, visitor.wall):
         return visitor
     elif visitor.wall:
-        denied = Denied(
+        denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
             "A wall screen may look on, not do this.",
@@ -96,7 +96,7 @@ def _let_in(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> 
         )
     else:
         needed = "an administrator" if rule.right is Right.administer else "an operator"
-        denied = Denied(
+        denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
             f"{visitor.name} may not do this: it takes {needed}.",
@@ -107,7 +107,7 @@ def _let_in(connection: HTTPConnection, rule: Rule, visitor: Visitor | None) -> 
     raise denied
 
 
-def _scraper(connection: HTTPConnection) -> bool:
+def _has_metrics_token(connection: HTTPConnection) -> bool:
     """Whether a program comes with a good token; a wrong one is slowed down as passwords are.
 
     Raises:
@@ -124,36 +124,36 @@ def token_of(connection: HTTPConnection) -> str:
     return connection.cookies.get(cookie_name(connection), "")
 
 
-def visitor_of(connection: HTTPConnection) -> Visitor | None:
+def visitor_of(connection: HTTPConnection) -> Principal | None:
     """Who is signed in at this browser."""
     token = token_of(connection)
     return context_of(connection).store.sign_ins.visitor(token) if token else None
 
 
-def signed_in(connection: HTTPConnection) -> Visitor:
+def current_visitor(connection: HTTPConnection) -> Principal:
     """Whom ``authorise`` let pass."""
-    return cast(Visitor, connection.state.visitor)
+    return cast(Principal, connection.state.visitor)
 
 
 def person_of(connection: HTTPConnection) -> Person:
     """The same, as control knows them."""
-    visitor = signed_in(connection)
+    visitor = current_visitor(connection)
     return Person(visitor.id, visitor.name)
 
 
-async def until_signed_out(socket: WebSocket) -> None:
+async def wait_for_sign_out(socket: WebSocket) -> None:
     """Returns once this browser's sign-in is no longer good, or allows something else.
 
     Control goes with it, also where another program ended the sign-in.
     """
-    visitor = signed_in(socket)
+    visitor = current_visitor(socket)
     while await asyncio.to_thread(visitor_of, socket) == visitor:
-        await asyncio.sleep(LOOKED_AFTER_S)
+        await asyncio.sleep(SIGN_IN_CHECK_S)
     context_of(socket).lease.leave(visitor.id)
     await socket.close(SIGNED_OUT, "signed out")
 
 
-TheVisitor = Annotated[Visitor, Depends(signed_in)]
+TheVisitor = Annotated[Principal, Depends(current_visitor)]
 ThePerson = Annotated[Person, Depends(person_of)]
 
 
@@ -173,7 +173,7 @@ def cookie_for(port: int) -> str:
     return f"crenel-{port}"
 
 
-def known_as(connection: HTTPConnection) -> str:
+def browser_token(connection: HTTPConnection) -> str:
     """The token by which this browser is known, or nothing; it lets nobody in."""
     return connection.cookies.get(f"{cookie_name(connection)}-known", "")
 
@@ -181,15 +181,15 @@ def known_as(connection: HTTPConnection) -> str:
 def set_cookie(response: Response, connection: HTTPConnection, token: str, wall: bool) -> None:
     """Signs this browser in with a token; no script can read it, no other page send it."""
     lasts_s = A_YEAR_S if wall else int(LONGEST.total_seconds())
-    _set(response, connection, cookie_name(connection), token, lasts_s)
+    _write_cookie(response, connection, cookie_name(connection), token, lasts_s)
 
 
-def set_known(response: Response, connection: HTTPConnection, token: str) -> None:
+def set_browser_token(response: Response, connection: HTTPConnection, token: str) -> None:
     """The browser is known from now on."""
-    _set(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
+    _write_cookie(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
 
 
-def _set(
+def _write_cookie(
     response: Response, connection: HTTPConnection, name: str, token: str, lasts_s: int
 ) -> None:
     response.set_cookie(

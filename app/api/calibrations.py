@@ -7,28 +7,28 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from starlette.responses import Response
 
-from app.api.files.file_response import sent_file
-from app.api.problems import NotFound
-from app.errors import Refusal
+from app.api.files.file_response import send_file
+from app.api.problems import NotFoundError
+from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
-from app.guide.calibration.accepted import recorded
+from app.guide.calibration.accepted import restore_result
 from app.guide.calibration.session_folder import SessionFolder
 from app.operations.context import Context, TheContext
-from app.operations.home import summary_of
+from app.operations.home import calibration_summary
 from app.store.calibrations import CalibrationRecord
-from app.wire.encoding import encoded
+from app.wire.encoding import encode_json
 from app.wire.schema import CalibrationPoint, RecordedCalibration
-from app.workflows.calibration_history import HistoryEntry, history
+from app.workflows.calibration_history import HistoryEntry, read_history
 
 router = APIRouter(prefix="/api")
 CalibrationId = Annotated[str, Path(max_length=128)]
 
 
 @router.get("/calibration-history")
-def over_time(context: TheContext) -> list[CalibrationPoint]:
+def list_history(context: TheContext) -> list[CalibrationPoint]:
     """Every calibration whose file can be read, the oldest first, with what moved since."""
     records = {record.id: record for record in reversed(context.store.calibrations.all())}
-    entries = history([(record.id, record.file) for record in records.values()])
+    entries = read_history([(record.id, record.file) for record in records.values()])
     return [_point(records[entry.id], entry) for entry in entries]
 
 
@@ -38,39 +38,39 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
     record = _record(context, calibration_id)
     folder = SessionFolder(record.file.parent)
     images = f"/api/calibrations/{record.id}/image/"
-    picture, findings = recorded(context.store.journal, folder, record.session_id, images)
+    picture, findings = restore_result(context.store.journal, folder, record.session_id, images)
     try:
         accepted = read_acceptance(folder.path)
-    except Refusal:
+    except OperationError:
         accepted = None
     shown = RecordedCalibration(
-        summary=summary_of(record),
+        summary=calibration_summary(record),
         operator=accepted.operator if accepted else "",
         station=accepted.station if accepted else "",
         temperature_c=accepted.temperature_c if accepted else None,
         picture=picture,
         findings=findings,
     )
-    return Response(encoded(shown), media_type="application/json")
+    return Response(encode_json(shown), media_type="application/json")
 
 
 @router.get("/calibrations/{calibration_id}/image/{name}")
 def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
     """One of its pictures."""
     found: Folder | None = SessionFolder(_record(context, calibration_id).file.parent).image(name)
-    return sent_file(found, f"This calibration has no picture {name}.", "image/png", cached=True)
+    return send_file(found, f"This calibration has no picture {name}.", "image/png", cached=True)
 
 
 def _record(context: Context, calibration_id: str) -> CalibrationRecord:
     record = context.store.calibrations.get(calibration_id)
     if record is None:
-        raise NotFound(f"There is no calibration {calibration_id}.")
+        raise NotFoundError(f"There is no calibration {calibration_id}.")
     return record
 
 
 def _point(record: CalibrationRecord, entry: HistoryEntry) -> CalibrationPoint:
     since = entry.since
-    moved = asdict(since.drift) if since else dict.fromkeys(MOVED)
+    moved = asdict(since.drift) if since else dict.fromkeys(DRIFT_FIELDS)
     return CalibrationPoint(
         id=record.id,
         name=record.name,
@@ -87,4 +87,4 @@ def _point(record: CalibrationRecord, entry: HistoryEntry) -> CalibrationPoint:
     )
 
 
-MOVED = ("sensor_um", "sensor_arcsec", "plane_um", "plane_arcsec", "points_um")
+DRIFT_FIELDS = ("sensor_um", "sensor_arcsec", "plane_um", "plane_arcsec", "points_um")

@@ -8,14 +8,14 @@ from fastapi import APIRouter, Query
 from starlette.responses import Response
 
 from app.api.support import bundle
-from app.errors import Refusal
+from app.errors import OperationError
 from app.monitoring.health import Health
 from app.monitoring.log_store import Level, LogLine
 from app.operations.context import Context, TheContext
-from app.operations.health_checks import Examiner
-from app.store.backup import BackupMade, shown_backup
+from app.operations.health_checks import HealthChecker
+from app.store.backup import BackupRecord, display_backup
 from app.strings.files import ENGLISH
-from app.strings.sentences import saying
+from app.strings.sentences import translator
 from app.timestamps import utc_now
 
 router = APIRouter(prefix="/api")
@@ -29,7 +29,7 @@ class BackupState:
 
     share: float | None
     folder: str
-    last: BackupMade | None
+    last: BackupRecord | None
     trouble: str
 
 
@@ -44,7 +44,7 @@ class HealthView:
 @router.get("/health")
 def health(context: TheContext) -> HealthView:
     """Every check with what was found, why it matters, and what to do."""
-    looked = context.watch.health or Examiner(context).look()
+    looked = context.watch.health or HealthChecker(context).look()
     return HealthView(looked, _backup(context))
 
 
@@ -59,7 +59,7 @@ def logs(
 
     They are sought as written, and as the reader's language has them.
     """
-    return context.watch.logs.read(level, words, LINES, saying(lang))
+    return context.watch.logs.read(level, words, LINES, translator(lang))
 
 
 @router.get("/support.zip")
@@ -70,7 +70,7 @@ def support(context: TheContext) -> Response:
         Refusal: one is being made: many at once would keep Stop waiting.
     """
     if not BUNDLING.acquire(blocking=False):
-        raise Refusal("busy", "A support bundle is being made already", remedy="Wait for it")
+        raise OperationError("busy", "A support bundle is being made already", remedy="Wait for it")
     try:
         content = bundle(context)
     finally:
@@ -91,5 +91,5 @@ def _backup(context: Context) -> BackupState:
     backups = context.watch.backups
     last = backups.last
     if last is not None:
-        last = replace(last, folder=shown_backup(last.folder))
-    return BackupState(backups.share, shown_backup(backups.folder), last, backups.trouble)
+        last = replace(last, folder=display_backup(last.folder))
+    return BackupState(backups.share, display_backup(backups.folder), last, backups.trouble)

@@ -13,16 +13,16 @@ from fastapi import APIRouter, WebSocket
 from pydantic import TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.auth import you
-from app.api.authorization import signed_in, until_signed_out
+from app.api.auth import current_user
+from app.api.authorization import current_visitor, wait_for_sign_out
 from app.operations.context import Context, context_of
-from app.security.permissions import MESSAGES, allowed
+from app.security.permissions import MESSAGES, has_right
 from app.station.bus import Event, Subscription, Updates
 from app.station.preview.preview import PreviewImage
 from app.station.scan.state import ScanState
-from app.store.login_sessions import Visitor
-from app.wire.encoding import encoded
-from app.wire.schema import Beat, LiveRequest, PreviewRequest, StationsRequest
+from app.store.login_sessions import Principal
+from app.wire.encoding import encode_json
+from app.wire.schema import Heartbeat, LiveRequest, PreviewRequest, StationsRequest
 
 router = APIRouter()
 log = logging.getLogger(__name__)
@@ -40,7 +40,7 @@ async def live(socket: WebSocket) -> None:
     context = context_of(socket)
     await socket.accept()
     with context.bus.subscribe(without={"preview", "stations"}) as subscription:
-        tab = _Tab(context, socket, subscription, signed_in(socket))
+        tab = _Tab(context, socket, subscription, current_visitor(socket))
         context.watch.tabs += 1
         try:
             await tab.run()
@@ -53,7 +53,7 @@ class _Tab:
     """One browser tab."""
 
     def __init__(
-        self, context: Context, socket: WebSocket, subscription: Subscription, visitor: Visitor
+        self, context: Context, socket: WebSocket, subscription: Subscription, visitor: Principal
     ) -> None:
         self._context, self._socket, self._subscription = context, socket, subscription
         self._visitor = visitor
@@ -64,7 +64,7 @@ class _Tab:
         tasks = [
             asyncio.create_task(self._send()),
             asyncio.create_task(self._receive()),
-            asyncio.create_task(until_signed_out(self._socket)),
+            asyncio.create_task(wait_for_sign_out(self._socket)),
         ]
         try:
             done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -80,7 +80,7 @@ class _Tab:
         self._set_preview(False)
 
     async def _send(self) -> None:
-        hello = {"station": self._context.station, "you": you(self._visitor)}
+        hello = {"station": self._context.station, "you": current_user(self._visitor)}
         await self._text({"type": "hello", **hello})
         beat_at = time.monotonic() + BEAT_S
         while True:
@@ -110,7 +110,7 @@ class _Tab:
         """Leaves a topic out that cannot be sent; the others go on."""
         message = {"type": "topic", "name": name, "value": value}
         try:
-            text = encoded(message).decode()
+            text = encode_json(message).decode()
         except (ValueError, TypeError, RecursionError):
             if name not in UNSENT:  # a topic may come many times a second
                 UNSENT.add(name)
@@ -119,7 +119,7 @@ class _Tab:
         await self._socket.send_text(text)
 
     async def _text(self, message: object) -> None:
-        await self._socket.send_text(encoded(message).decode())
+        await self._socket.send_text(encode_json(message).decode())
 
     async def _receive(self) -> None:
         while True:
@@ -136,9 +136,9 @@ class _Tab:
                 return
 
     def _obey(self, request: LiveRequest) -> None:
-        if not allowed(MESSAGES[request.type], self._visitor.role, self._visitor.wall):
+        if not has_right(MESSAGES[request.type], self._visitor.role, self._visitor.wall):
             raise ValueError
-        if isinstance(request, Beat):
+        if isinstance(request, Heartbeat):
             self._context.lease.beat(self._visitor.id)
         elif isinstance(request, PreviewRequest):
             self._set_preview(request.on)

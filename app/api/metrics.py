@@ -20,7 +20,7 @@ from starlette.responses import Response
 
 from app.guide.common.validity import SECONDS_A_DAY
 from app.operations.context import Context, TheContext
-from app.operations.home import summary_of
+from app.operations.home import calibration_summary
 from app.operations.services import BUCKETS_S
 
 router = APIRouter()
@@ -33,11 +33,11 @@ def metrics(context: TheContext) -> Response:
     """What Prometheus scrapes, by a token of its own."""
     registry = CollectorRegistry(auto_describe=False)
     ProcessCollector(registry=registry)
-    registry.register(_Station(context))
+    registry.register(_StationCollector(context))
     return Response(generate_latest(registry), media_type=CONTENT_TYPE_LATEST)
 
 
-class _Station(Collector):
+class _StationCollector(Collector):
     """One station's numbers as of now. Names and base units are as Prometheus wants them."""
 
     def __init__(self, context: Context) -> None:
@@ -119,7 +119,7 @@ class _Station(Collector):
         yield verdict
         if record is None:
             return
-        summary = summary_of(record)
+        summary = calibration_summary(record)
         yield _gauge(
             "calibration_age_seconds",
             "Age of the calibration in use",
@@ -145,7 +145,7 @@ class _Station(Collector):
         clients.add_metric(["live"], watch.tabs)
         clients.add_metric(["view"], context.viewing.pages)
         yield clients
-        yield _gauge("control_held", "Whether somebody has control", _held(context))
+        yield _gauge("control_held", "Whether somebody has control", _has_holder(context))
         findings = _family(GaugeMetricFamily, "health_checks", "Health checks", "quality")
         items = watch.health.items if watch.health else ()
         for quality in ("good", "neutral", "attention", "bad"):
@@ -177,7 +177,7 @@ class _Station(Collector):
         yield _gauge("notifications_waiting", "Notifications not sent yet", watch.webhook.waiting)
 
 
-def _held(context: Context) -> bool:
+def _has_holder(context: Context) -> bool:
     return context.lease.control.holder is not None
 
 

@@ -8,11 +8,11 @@ from pydantic import Field
 from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.authorization import TheVisitor
-from app.api.problems import NotFound
-from app.errors import Refusal
+from app.api.problems import NotFoundError
+from app.errors import OperationError
 from app.operations.context import Context, TheContext
 from app.supervision.webhook import WebhookSettings
-from app.wire.schema import Request as Asked
+from app.wire.schema import RequestBody as Asked
 
 router = APIRouter(prefix="/api")
 
@@ -42,12 +42,12 @@ class NotificationsChange(Asked):
     due: bool
 
 
-class NewScraper(Asked):
+class NewApiToken(Asked):
     name: Annotated[str, Field(min_length=1, max_length=60)]
 
 
 @dataclass(frozen=True)
-class ScraperSummary:
+class ApiTokenSummary:
     """``token`` only where it was made just now."""
 
     id: str
@@ -83,36 +83,36 @@ def change(asked: NotificationsChange, context: TheContext) -> Notifications:
 
 
 @router.post("/notifications/test")
-async def try_out(context: TheContext) -> Notifications:
+async def send_test(context: TheContext) -> Notifications:
     """Sends one; how it fared shows a moment later."""
     if not context.watch.webhook.settings.url:
-        raise Refusal("no-webhook", "There is no address yet", remedy="Give one first")
+        raise OperationError("no-webhook", "There is no address yet", remedy="Give one first")
     context.watch.tell("test", f"{context.station.name} says hello.")
     return _notifications(context)
 
 
 @router.get("/scrapers")
-def scrapers(context: TheContext) -> list[ScraperSummary]:
+def api_tokens(context: TheContext) -> list[ApiTokenSummary]:
     """Every token for the metrics."""
     found = context.store.scrapers.all()
-    return [ScraperSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
+    return [ApiTokenSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
 
 
 @router.post("/scrapers")
-def add_scraper(
-    asked: NewScraper, request: Request, context: TheContext, visitor: TheVisitor
-) -> ScraperSummary:
+def add_api_token(
+    asked: NewApiToken, request: Request, context: TheContext, visitor: TheVisitor
+) -> ApiTokenSummary:
     """A new token, which is told this once."""
     request.state.detail = asked.name
     one, token = context.store.scrapers.add(asked.name, visitor.name)
-    return ScraperSummary(one.id, one.name, one.made_by, one.made_at, token)
+    return ApiTokenSummary(one.id, one.name, one.made_by, one.made_at, token)
 
 
 @router.delete("/scrapers/{scraper_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_scraper(scraper_id: str, context: TheContext) -> None:
+def remove_api_token(scraper_id: str, context: TheContext) -> None:
     """A token that is good for nothing from now on."""
     if all(one.id != scraper_id for one in context.store.scrapers.all()):
-        raise NotFound(f"There is no token {scraper_id}.")
+        raise NotFoundError(f"There is no token {scraper_id}.")
     context.store.scrapers.remove(scraper_id)
 
 

@@ -9,51 +9,51 @@ from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.errors import Refusal
-from app.guide.calibration.guide import StaleCommand
+from app.errors import OperationError
+from app.guide.calibration.guide import StaleCommandError
 from app.guide.common.guided_session import STALE
-from app.security.errors import Denied, TooManyTries
-from app.store.database import NOT_KEPT
+from app.security.errors import AccessDeniedError, TooManyAttemptsError
+from app.store.database import NOT_SAVED
 from app.wire.problem import problem
 
 log = logging.getLogger(__name__)
 
 UNPROCESSABLE = 422
-STATUSES = {STALE: 409, NOT_KEPT: 507, "disk-full": 507}
+STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507}
 """Of refusals that programs know by their status."""
 
 
-def refusal_problem(refusal: Refusal, status: int = UNPROCESSABLE) -> Response:
+def operation_problem(refusal: OperationError, status: int = UNPROCESSABLE) -> Response:
     why = f": {refusal.why}" if refusal.why else ""
     detail = f"{refusal.what.rstrip('.')}{why}".rstrip(".") + "."
     return problem(status, refusal.code, detail, refusal.remedy)
 
 
-class NotFound(Exception):
+class NotFoundError(Exception):
     """What was asked for is not there (any more)."""
 
 
 def install(app: FastAPI) -> None:
     """Answers every exception of a route with a problem."""
-    app.add_exception_handler(Refusal, _refused)
-    app.add_exception_handler(StaleCommand, _stale)
-    app.add_exception_handler(NotFound, _missing)
-    app.add_exception_handler(Denied, _denied)
-    app.add_exception_handler(TooManyTries, _too_many)
-    app.add_exception_handler(RequestValidationError, _invalid)
-    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(OperationError, _answer_operation_error)
+    app.add_exception_handler(StaleCommandError, _answer_stale_command)
+    app.add_exception_handler(NotFoundError, _answer_not_found)
+    app.add_exception_handler(AccessDeniedError, _answer_access_denied)
+    app.add_exception_handler(TooManyAttemptsError, _answer_too_many)
+    app.add_exception_handler(RequestValidationError, _answer_invalid)
+    app.add_exception_handler(HTTPException, _answer_http_error)
     app.add_middleware(_Unexpected)
 
 
-async def _refused(request: Request, error: Exception) -> Response:
-    assert isinstance(error, Refusal)
-    if error.code == NOT_KEPT:
+async def _answer_operation_error(request: Request, error: Exception) -> Response:
+    assert isinstance(error, OperationError)
+    if error.code == NOT_SAVED:
         log.warning("%s %s was not kept: %s", request.method, request.url.path, error.why)
-    return refusal_problem(error, STATUSES.get(error.code, UNPROCESSABLE))
+    return operation_problem(error, STATUSES.get(error.code, UNPROCESSABLE))
 
 
-async def _stale(request: Request, error: Exception) -> Response:
-    assert isinstance(error, StaleCommand)
+async def _answer_stale_command(request: Request, error: Exception) -> Response:
+    assert isinstance(error, StaleCommandError)
     return problem(
         HTTPStatus.CONFLICT,
         "stale-view",
@@ -63,17 +63,17 @@ async def _stale(request: Request, error: Exception) -> Response:
     )
 
 
-async def _missing(request: Request, error: Exception) -> Response:
+async def _answer_not_found(request: Request, error: Exception) -> Response:
     return problem(HTTPStatus.NOT_FOUND, "not-found", str(error))
 
 
-async def _denied(request: Request, error: Exception) -> Response:
-    assert isinstance(error, Denied)
+async def _answer_access_denied(request: Request, error: Exception) -> Response:
+    assert isinstance(error, AccessDeniedError)
     return problem(error.status, error.code, error.detail, error.remedy)
 
 
-async def _too_many(request: Request, error: Exception) -> Response:
-    assert isinstance(error, TooManyTries)
+async def _answer_too_many(request: Request, error: Exception) -> Response:
+    assert isinstance(error, TooManyAttemptsError)
     wait_s = max(round(error.wait_s), 1)
     answer = problem(
         HTTPStatus.TOO_MANY_REQUESTS,
@@ -85,7 +85,7 @@ async def _too_many(request: Request, error: Exception) -> Response:
     return answer
 
 
-async def _invalid(request: Request, error: Exception) -> Response:
+async def _answer_invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     first = error.errors()[0]
     place = ".".join(str(part) for part in first["loc"] if part != "body")
@@ -93,7 +93,7 @@ async def _invalid(request: Request, error: Exception) -> Response:
     return problem(UNPROCESSABLE, "bad-request", f"The request is not understood: {text}.")
 
 
-async def _http(request: Request, error: Exception) -> Response:
+async def _answer_http_error(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     if error.status_code == HTTPStatus.NOT_FOUND:
         return problem(404, "not-found", f"There is nothing at {request.url.path}.")

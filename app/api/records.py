@@ -5,10 +5,10 @@ from pathlib import Path
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.files.file_response import sent_file
-from app.api.problems import NotFound
+from app.api.files.file_response import send_file
+from app.api.problems import NotFoundError
 from app.operations.context import TheContext
-from app.operations.home import home_of, summary_of
+from app.operations.home import build_home, calibration_summary
 from app.wire.schema import CalibrationSummary, Home, ScanSummary
 
 router = APIRouter(prefix="/api")
@@ -17,13 +17,13 @@ router = APIRouter(prefix="/api")
 @router.get("/home")
 def home(context: TheContext) -> Home:
     """What is valid, what is due, what to do next."""
-    return home_of(context)
+    return build_home(context)
 
 
 @router.get("/calibrations")
 def calibrations(context: TheContext) -> list[CalibrationSummary]:
     """Every accepted calibration, newest first."""
-    return [summary_of(record) for record in context.store.calibrations.all()]
+    return [calibration_summary(record) for record in context.store.calibrations.all()]
 
 
 @router.get("/calibrations/{calibration_id}/calibration.json")
@@ -31,7 +31,7 @@ def calibration_file(calibration_id: str, context: TheContext) -> Response:
     """An accepted calibration, as described in docs/formats.md."""
     record = context.store.calibrations.get(calibration_id)
     if record is None:
-        raise NotFound(f"There is no calibration {calibration_id}.")
+        raise NotFoundError(f"There is no calibration {calibration_id}.")
     return _download(record.file, "application/json", f"calibration-{record.id}.json")
 
 
@@ -58,9 +58,9 @@ def cloud(scan_id: str, context: TheContext) -> Response:
     """A scan's points in the arm frame."""
     scan = context.store.scans.get(scan_id)
     if scan is None:
-        raise NotFound(f"There is no scan {scan_id}.")
+        raise NotFoundError(f"There is no scan {scan_id}.")
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 
 
 def _download(path: Path, media_type: str, name: str) -> Response:
-    return sent_file(path, f"{path.name} is not in the data folder any more.", media_type, name)
+    return send_file(path, f"{path.name} is not in the data folder any more.", media_type, name)

@@ -12,14 +12,14 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Path, Query
 from starlette.responses import Response
 
-from app.api.problems import NotFound
+from app.api.problems import NotFoundError
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from app.operations.context import Context, TheContext
-from app.report.reports import report_as
+from app.report.reports import render_report
 
 router = APIRouter(prefix="/api")
 Form = Literal["html", "pdf"]
-OfArm = Literal["checks", "tips", "identifications"]
+ArmRecordKind = Literal["checks", "tips", "identifications"]
 RecordId = Annotated[str, Path(max_length=128, pattern=r"^[0-9A-Za-z-]+$")]
 Language = Annotated[str, Query(pattern="^[a-z]{2}$")]
 Finished = ArmCheckSummary | TipCheckSummary | IdentificationSummary
@@ -27,7 +27,7 @@ MEDIA: dict[Form, str] = {"html": "text/html; charset=utf-8", "pdf": "applicatio
 
 
 @router.get("/calibrations/{record_id}/report.{form}")
-async def of_calibration(
+async def calibration_report(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on an accepted calibration."""
@@ -35,15 +35,15 @@ async def of_calibration(
 
 
 @router.get("/arm/{kind}/{record_id}/report.{form}")
-async def of_arm(
-    kind: OfArm, record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+async def arm_report(
+    kind: ArmRecordKind, record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on a finished check of the arm or its tip, or on its identification."""
     return await _report(context, lambda: _session(context, kind, record_id), form, lang)
 
 
 @router.get("/verifications/{record_id}/report.{form}")
-async def of_verification(
+async def verification_report(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
     """The report on a verification."""
@@ -53,18 +53,18 @@ async def of_verification(
 def _calibration(context: Context, record_id: str) -> Folder:
     record = context.store.calibrations.get(record_id)
     if record is None:
-        raise NotFound(f"There is no calibration {record_id}.")
+        raise NotFoundError(f"There is no calibration {record_id}.")
     return record.file.parent
 
 
-def _session(context: Context, kind: OfArm, record_id: str) -> Folder:
+def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:
     """Of a finished session.
 
     Raises:
         NotFound: none of this kind has this number.
     """
     past = context.arm_guide.past
-    finished: dict[OfArm, tuple[Callable[[], Sequence[Finished]], str]] = {
+    finished: dict[ArmRecordKind, tuple[Callable[[], Sequence[Finished]], str]] = {
         "checks": (past.checks, f"There is no check of the arm {record_id}."),
         "tips": (past.tip_checks, f"There is no check of the tip {record_id}."),
         "identifications": (
@@ -74,14 +74,14 @@ def _session(context: Context, kind: OfArm, record_id: str) -> Folder:
     }
     all_of_kind, missing = finished[kind]
     if all(one.id != record_id for one in all_of_kind()):
-        raise NotFound(missing)
+        raise NotFoundError(missing)
     return context.store.folder / "sessions" / record_id
 
 
 def _verification(context: Context, record_id: str) -> Folder:
     folder = context.store.folder / "verifications" / record_id
     if not folder.is_dir():
-        raise NotFound(f"There is no verification {record_id}.")
+        raise NotFoundError(f"There is no verification {record_id}.")
     return folder
 
 
@@ -90,7 +90,7 @@ async def _report(
 ) -> Response:
     def make() -> tuple[str, bytes]:
         folder = find()
-        return folder.name, report_as(folder, f".{form}", language)
+        return folder.name, render_report(folder, f".{form}", language)
 
     async with context.printer:
         name, content = await asyncio.to_thread(make)

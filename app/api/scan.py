@@ -3,33 +3,35 @@
 from fastapi import APIRouter
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.errors import Refusal
-from app.guide.common.commands import stop_hand
+from app.errors import OperationError
+from app.guide.common.commands import stop_simulation
 from app.operations.context import Context, TheContext
 from app.station.devices.rig import Devices
-from app.wire.schema import Exposure, ScanStart, ScanState, Switch
+from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus
 
 router = APIRouter(prefix="/api")
 
 
 @router.get("/scan")
-def scan(context: TheContext) -> ScanState:
+def scan(context: TheContext) -> ScanStatus:
     """The running scan, or the last one."""
     return context.scan_state()
 
 
 @router.post("/scan/start")
-def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanState:
+def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatus:
     """Starts a scan and switches the laser on."""
     job = context.jobs.current
     if job is not None:
-        raise Refusal("busy", "A scan cannot start now", job.text or job.title, "Wait, or stop it")
+        raise OperationError(
+            "busy", "A scan cannot start now", job.text or job.title, "Wait, or stop it"
+        )
     context.scanner.start(asked.name if asked else "")
     return context.scan_state()
 
 
 @router.post("/scan/stop")
-def stop_scan(context: TheContext) -> ScanState:
+def stop_scan(context: TheContext) -> ScanStatus:
     """Stops the scan and saves it; nothing happens when none runs."""
     context.scan_hand.stop()
     context.scanner.stop()
@@ -37,7 +39,7 @@ def stop_scan(context: TheContext) -> ScanState:
 
 
 @router.post("/scan/hand")
-def scan_hand(asked: Switch, context: TheContext) -> ScanState:
+def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
     """Lets the twin's hand move the sensor over the parts, or stops it."""
     if asked.on:
         context.scan_hand.start()
@@ -79,6 +81,6 @@ def stop_everything(context: Context) -> None:
     context.rig.sensor.laser_off()
     context.scan_hand.stop()
     for guide in (context.guide, context.arm_guide, context.verify_guide):
-        stop_hand(guide)
+        stop_simulation(guide)
     context.scanner.stop()
     context.rig.sensor.laser_off()

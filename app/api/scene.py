@@ -7,15 +7,15 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.problems import NotFound
-from app.errors import Refusal
-from app.formats.io_errors import files_refused
+from app.api.problems import NotFoundError
+from app.errors import OperationError
+from app.formats.io_errors import convert_io_errors
 from app.operations.context import Context, TheContext
 from app.operations.recovery import DELETED
 from app.station.view3d.selection import Rectangle
 from app.station.view3d.view_controller import StoredScan, ViewState
 from app.store.scans import ScanRecord
-from app.wire.schema import Colouring, Region, Rename, Switch
+from app.wire.schema import Colouring, OnOff, Region, Rename
 
 router = APIRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -51,10 +51,10 @@ def remove_fit(fit_id: int, context: TheContext) -> ViewState:
 
 
 @router.post("/scans/{scan_id}/shown")
-def show(scan_id: ScanId, asked: Switch, context: TheContext) -> ViewState:
+def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
     """Puts a scan into the picture, or takes it out; its files stay."""
     if asked.on:
-        context.viewing.show(_stored(_scan(scan_id, context)))
+        context.viewing.show(_as_stored_scan(_scan(scan_id, context)))
     else:
         _refuse_running(scan_id, context, "It cannot be hidden now")
         context.viewing.hide(scan_id)
@@ -67,7 +67,7 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
     scan = _scan(scan_id, context)
     name = " ".join(asked.name.split())
     if not name:
-        raise Refusal("no-name", "A scan needs a name", remedy="write one")
+        raise OperationError("no-name", "A scan needs a name", remedy="write one")
     context.store.scans.rename(scan.id, name)
     context.viewing.note_records()
 
@@ -81,7 +81,7 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
     context.scanner.forget(scan.id)
     # under another name first: killed in between, no half of it is taken for a scan
     doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
-    with files_refused(scan.folder):
+    with convert_io_errors(scan.folder):
         if scan.folder.exists():
             scan.folder.rename(doomed)
         context.store.scans.delete(scan.id)
@@ -96,15 +96,15 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
 def _scan(scan_id: str, context: Context) -> ScanRecord:
     scan = context.store.scans.get(scan_id)
     if scan is None:
-        raise NotFound(f"There is no scan {scan_id}.")
+        raise NotFoundError(f"There is no scan {scan_id}.")
     return scan
 
 
-def _stored(scan: ScanRecord) -> StoredScan:
+def _as_stored_scan(scan: ScanRecord) -> StoredScan:
     return StoredScan(scan.id, scan.name, scan.folder, scan.frames, scan.seconds)
 
 
 def _refuse_running(scan_id: str, context: Context, what: str) -> None:
     state = context.scanner.state()
     if state.scan_id == scan_id and state.state in ("running", "stopping"):
-        raise Refusal("busy", what, "it is being recorded", "stop the scan first")
+        raise OperationError("busy", what, "it is being recorded", "stop the scan first")

@@ -4,11 +4,11 @@ from pathlib import Path
 
 from fastapi import APIRouter
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.session.calibration_session import ARM
 from app.operations.context import Context, TheContext
 from app.station.operator_settings import PassRecord, StationSettings
-from app.wire.schema import SettingsChange, Switch
+from app.wire.schema import OnOff, SettingsChange
 
 router = APIRouter(prefix="/api/settings")
 
@@ -39,7 +39,7 @@ def find_delay(context: TheContext) -> StationSettings:
     """Looks for the delay between arm and camera in the last scan."""
     scan = context.store.scans.newest()
     if scan is None:
-        raise Refusal(
+        raise OperationError(
             "no-scan",
             "There is no scan to find the delay from",
             remedy="Scan a flat plate, nearer and away again several times, then find it",
@@ -55,18 +55,18 @@ def pass_for_delay(context: TheContext) -> StationSettings:
     refusal = context.scanner.why_not()
     if refusal is not None:
         raise refusal
-    context.settings.find_delay(context.jobs, lambda: _passed(context))
+    context.settings.find_delay(context.jobs, lambda: _take_pass(context))
     return context.settings.view()
 
 
 @router.post("/delay")
-def use_delay(asked: Switch, context: TheContext) -> StationSettings:
+def use_delay(asked: OnOff, context: TheContext) -> StationSettings:
     """Applies the delay that was found, or none."""
     context.settings.use_delay(asked.on)
     return context.settings.view()
 
 
-def _passed(context: Context) -> PassRecord:
+def _take_pass(context: Context) -> PassRecord:
     """A scan that the hand has just taken."""
     context.scanner.start("Pass over the plate")
     try:
@@ -74,7 +74,7 @@ def _passed(context: Context) -> PassRecord:
     finally:
         result = context.scanner.stop()
     if not whole or result is None:
-        raise Refusal("pass-stopped", "The pass was stopped", remedy="Start it again")
+        raise OperationError("pass-stopped", "The pass was stopped", remedy="Start it again")
     return _source(context, result.name, result.folder, result.calibration_id)
 
 
@@ -82,6 +82,6 @@ def _source(context: Context, name: str, folder: Path, calibration_id: str) -> P
     """A scan with the calibration that it was taken with."""
     calibration = context.store.calibrations.get(calibration_id)
     if calibration is None:
-        raise Refusal("no-calibration", f"The calibration of {name} is not here any more")
+        raise OperationError("no-calibration", f"The calibration of {name} is not here any more")
     file = calibration.file
     return PassRecord(name, folder / "scan.mcap", file, file.parent / ARM)

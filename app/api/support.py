@@ -15,13 +15,13 @@ from pathlib import Path
 
 from pydantic_core import to_jsonable_python
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.open_file import read_tail
 from app.monitoring.health import Health
-from app.monitoring.redaction import Redactor, secrets_in, secrets_of
+from app.monitoring.redaction import Redactor, address_secrets, secrets_in
 from app.operations.context import Context
-from app.operations.health_checks import Examiner, packages, software
-from app.operations.status_report import report_of
+from app.operations.health_checks import HealthChecker, packages, software
+from app.operations.status_report import build_report
 from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
@@ -54,7 +54,7 @@ def bundle(context: Context) -> bytes:
     parts: dict[str, Callable[[], str]] = {
         "README.txt": lambda: README.format(at=utc_now()),
         "health.json": lambda: _document(redactor, asdict(_health(context))),
-        "report.json": lambda: _document(redactor, report_of(context).model_dump()),
+        "report.json": lambda: _document(redactor, build_report(context).model_dump()),
         "software.json": lambda: _document(
             redactor, {"software": software(context), "packages": packages()}
         ),
@@ -83,7 +83,7 @@ def _made(redactor: Redactor, make: Callable[[], str]) -> str:
 
 
 def _health(context: Context) -> Health:
-    return context.watch.health or Examiner(context).look()
+    return context.watch.health or HealthChecker(context).look()
 
 
 def _settings(context: Context) -> dict[str, object]:
@@ -111,10 +111,10 @@ def _audit(context: Context) -> list[dict[str, str]]:
 def _redactor(context: Context) -> Redactor:
     watch, store = context.watch, context.store
     webhook = watch.webhook.settings
-    secrets = [webhook.secret, *secrets_of(webhook.url), context.entrance.code or ""]
+    secrets = [webhook.secret, *address_secrets(webhook.url), context.entrance.code or ""]
     secrets += secrets_in(dict(watch.settings.told))
     if watch.settings.mqtt is not None:
-        with suppress(Refusal):  # what cannot be read cannot have leaked
+        with suppress(OperationError):  # what cannot be read cannot have leaked
             secrets.append(watch.settings.mqtt.password() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}

@@ -12,7 +12,7 @@ from app.console import (
     print_json,
     print_table,
     progress_bar,
-    refusing,
+    report_errors,
     warn,
 )
 
@@ -21,7 +21,7 @@ Limit = Annotated[
 ]
 
 
-@refusing
+@report_errors
 def identify(
     folder: Annotated[
         Path,
@@ -39,10 +39,10 @@ def identify(
 ) -> None:
     """Identify the arm's own geometry from seats, spheres and ball bars touched with it."""
     from app.workflows.identify_arm import (
-        correlated_figures,
-        figures_of,
-        held_figures,
+        correlation_figures,
+        identification_summary,
         identify_folder,
+        list_fixed_parameters,
         parameter_rows,
     )
 
@@ -55,17 +55,17 @@ def identify(
     if as_json:
         print_json({**sheet.fields(), "file": str(output), "seconds": seconds})
         return
-    print_figures(f"Arm of {folder}", figures_of(result))
+    print_figures(f"Arm of {folder}", identification_summary(result))
     columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")
     print_table("Moved", columns, parameter_rows(result))
-    if pairs := correlated_figures(result):
+    if pairs := correlation_figures(result):
         print_figures("Correlated (told together, each alone less well)", pairs)
-    print_figures("Held", held_figures(result))
+    print_figures("Held", list_fixed_parameters(result))
     print(f"{output} written in {seconds:.2f} s")
     print("The flange's frame is now this arm's: calibrate its sensors again with it.")
 
 
-@refusing
+@report_errors
 def articulation(
     place: Annotated[
         Path, typer.Argument(metavar="FOLDER|CSV", help="articulation.csv, or its folder.")
@@ -86,7 +86,12 @@ def articulation(
     Ends with status 1 where a limit is exceeded.
     """
     from app.metrology.arm.identification.articulation import ArticulationLimits
-    from app.workflows.check_articulation import check_table, overall, report_fields, report_rows
+    from app.workflows.check_articulation import (
+        check_table,
+        report_fields,
+        report_rows,
+        worst_verdict,
+    )
 
     reports = check_table(place, arm, ArticulationLimits(limit_um, limit_two_sigma_um))
     if as_json:
@@ -95,7 +100,7 @@ def articulation(
         columns = ["set", "points", "½range x", "y", "z", "2σ x", "y", "z"]
         columns += ["2σ encoders", "swing °", "verdict"]
         print_table(f"Articulation of {place}, µm", columns, report_rows(reports))
-    if overall(reports) == "fail":
+    if worst_verdict(reports) == "fail":
         worst = max(reports, key=lambda report: float(report.check.half_range_um.max()))
         fail(
             f"{place}: set {worst.name} scatters by {worst.check.half_range_um.max():.0f} µm "

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from app.console import FullHelpGroup, print_json, print_table, progress_bar, refusing
+from app.console import FullHelpGroup, print_json, print_table, progress_bar, report_errors
 
 bench = typer.Typer(
     help="Measure the figures of docs/accuracy.md here.",
@@ -19,7 +19,7 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print the result for progr
 
 
 @bench.command()
-@refusing
+@report_errors
 def calibration(
     solves: Annotated[int, typer.Option(min=20, help="Noisy solves of each set-up.")] = 200,
     as_json: AsJson = False,
@@ -36,7 +36,7 @@ def calibration(
 
 
 @bench.command()
-@refusing
+@report_errors
 def paper(
     arms: Annotated[int, typer.Option(min=1, help="Simulated arms, 250 µm off their models.")] = 5,
     as_json: AsJson = False,
@@ -53,7 +53,7 @@ def paper(
 
 
 @bench.command()
-@refusing
+@report_errors
 def detection(
     images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
     seed: Annotated[int, typer.Option(help="Of the first picture.")] = 0,
@@ -67,7 +67,7 @@ def detection(
 
 
 @bench.command()
-@refusing
+@report_errors
 def extraction(
     frames: Annotated[int, typer.Option(min=4, help="Frames of each kind for the errors.")] = 12,
     real: Annotated[
@@ -132,7 +132,7 @@ def _extraction_clipped(as_json: bool) -> None:
 
 
 @bench.command()
-@refusing
+@report_errors
 def live(
     seconds: Annotated[float, typer.Option(min=1.0, help="How long it scans.")] = 60.0,
     profiles_hz: Annotated[float, typer.Option(min=1.0, help="Frames a second.")] = 600.0,
@@ -141,10 +141,10 @@ def live(
 ) -> None:
     """The whole station on a swift simulated sensor: recording on, viewers watching."""
     from app.bench.station.live import COLUMNS, run, table
-    from hardware.simulator.devices.fast_simulator import Pace
+    from hardware.simulator.devices.fast_simulator import FastStationConfig
 
     with progress_bar("Scanning", not as_json) as tell:
-        found = run(Pace(profiles_hz=profiles_hz, width_px=points), seconds, tell)
+        found = run(FastStationConfig(profiles_hz=profiles_hz, width_px=points), seconds, tell)
     if as_json:
         print_json(asdict(found))
         return
@@ -152,7 +152,7 @@ def live(
 
 
 @bench.command()
-@refusing
+@report_errors
 def view(
     million_points: Annotated[float, typer.Option(min=0.1, help="Points that are scanned.")] = 50.0,
     as_json: AsJson = False,
@@ -169,7 +169,7 @@ def view(
 
 
 @bench.command()
-@refusing
+@report_errors
 def viewers(
     number: Annotated[int, typer.Option(min=2, help="Browsers that look on.")] = 20,
     seconds: Annotated[float, typer.Option(min=4.0, help="How long they do.")] = 30.0,
@@ -177,10 +177,10 @@ def viewers(
 ) -> None:
     """Many browsers on one station while it scans, one of them slow: how old their state is."""
     from app.bench.station.viewers import COLUMNS, run, table
-    from hardware.simulator.devices.fast_simulator import Pace
+    from hardware.simulator.devices.fast_simulator import FastStationConfig
 
     with progress_bar("Watching", not as_json) as tell:
-        found = run(Pace(profiles_hz=60.0, width_px=1280), number, seconds, tell)
+        found = run(FastStationConfig(profiles_hz=60.0, width_px=1280), number, seconds, tell)
     if as_json:
         print_json(asdict(found))
         return
@@ -188,7 +188,7 @@ def viewers(
 
 
 @bench.command()
-@refusing
+@report_errors
 def faults(
     only: Annotated[
         list[str] | None,
@@ -215,7 +215,7 @@ def faults(
 
 
 @bench.command()
-@refusing
+@report_errors
 def start(
     against: Annotated[
         Path | None,
@@ -234,9 +234,9 @@ def start(
 ) -> None:
     """How soon the program is there: first page, calibration, commands; memory and size."""
     from app.bench.station.start import Rounds, columns, run, table
-    from app.bench.station.started import copy_at, own_copy
+    from app.bench.station.started import find_copy, running_copy
 
-    copies = [own_copy(), *([copy_at("against", against)] if against else [])]
+    copies = [running_copy(), *([find_copy("against", against)] if against else [])]
     with progress_bar("Starting", not as_json) as tell:
         rows = run(copies, Rounds(cold, warm, busy), session, tell)
     if as_json:

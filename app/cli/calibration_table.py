@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from app.formats.results.calibration import CalibrationFile, PosePart, Residuals, Uncertainty
+from app.formats.results.calibration import CalibrationFile, PosePart, ResidualsPart, Uncertainty
 
 
-def figures_of(sheet: CalibrationFile) -> list[tuple[str, str]]:
+def calibration_summary(sheet: CalibrationFile) -> list[tuple[str, str]]:
     """The verdict and its reasons, uncertainty, residuals, lens and probe matrix."""
     figures: list[tuple[str, str]] = []
     if sheet.verdict:
@@ -44,7 +44,7 @@ def _uncertainty_figures(uncertainty: Uncertainty) -> list[tuple[str, str]]:
     return [*figures, ("depth range", f"{near_mm:.1f} to {far_mm:.1f} mm from the camera")]
 
 
-def _residual_figures(residuals: Residuals) -> list[tuple[str, str]]:
+def _residual_figures(residuals: ResidualsPart) -> list[tuple[str, str]]:
     figures = [("edges and corners", f"{residuals.reprojection_rms_px:.3f} px rms")]
     if residuals.corners_px:
         corners = f"{len(residuals.corners_px)}, {_rms_px(residuals):.3f} px rms"
@@ -61,7 +61,7 @@ def _residual_figures(residuals: Residuals) -> list[tuple[str, str]]:
     return figures
 
 
-def _rms_px(residuals: Residuals) -> float:
+def _rms_px(residuals: ResidualsPart) -> float:
     values = np.array(list(residuals.corners_px.values()))
     return float(np.sqrt(np.mean(np.sum(values**2, axis=1)))) if len(values) else 0.0
 

@@ -20,7 +20,7 @@ from app.console import (
     print_json,
     print_table,
     progress_bar,
-    refusing,
+    report_errors,
     warn,
 )
 
@@ -51,7 +51,7 @@ class Method(StrEnum):
     ONE_POSE = "one-pose"
 
 
-class Choice(StrEnum):
+class PeakOption(StrEnum):
     CONTINUITY = "continuity"
     STRENGTH = "strength"
     FIRST = "first"
@@ -65,7 +65,7 @@ class Axis(StrEnum):
     V = "v"
 
 
-class Shape(StrEnum):
+class ShapeOption(StrEnum):
     """What a gauge is."""
 
     PLANE = "plane"
@@ -74,11 +74,11 @@ class Shape(StrEnum):
 
 def main() -> None:
     """The entry point of ``crenel``."""
-    signal.signal(signal.SIGTERM, _terminated)
+    signal.signal(signal.SIGTERM, _terminate)
     cli()
 
 
-def _terminated(number: int, frame: object) -> NoReturn:
+def _terminate(number: int, frame: object) -> NoReturn:
     """Leaves by an exception, so that files under way are removed."""
     sys.exit(128 + number)
 
@@ -104,7 +104,7 @@ def _options(
 
 
 @cli.command()
-@refusing
+@report_errors
 def demo(
     data: DataFolder = None,
     host: Host = "127.0.0.1",
@@ -118,7 +118,7 @@ def demo(
 
 
 @cli.command()
-@refusing
+@report_errors
 def serve(
     config: Annotated[
         Path | None, typer.Option("--config", help="station.toml: which drivers, which data.")
@@ -135,7 +135,7 @@ def serve(
 
 
 @cli.command()
-@refusing
+@report_errors
 def calibrate(
     session: Annotated[Path, typer.Argument(help="Folder of a calibration session.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
@@ -156,7 +156,7 @@ def calibrate(
     as_json: AsJson = False,
 ) -> None:
     """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
-    from app.cli.calibration_table import figures_of
+    from app.cli.calibration_table import calibration_summary
     from app.metrology.limits import Limits
     from app.workflows.calibrate import calibrate_session
 
@@ -172,12 +172,12 @@ def calibrate(
         told = {"file": str(output), "seconds": seconds, "warnings": warnings}
         print_json({**sheet.fields(), **told})
         return
-    print_figures(f"Calibration of {session}", figures_of(sheet))
+    print_figures(f"Calibration of {session}", calibration_summary(sheet))
     print(f"{output} written in {seconds:.2f} s")
 
 
 @cli.command()
-@refusing
+@report_errors
 def extract(
     images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
@@ -196,8 +196,8 @@ def extract(
         float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
     ] = None,
     choice: Annotated[
-        Choice, typer.Option(help="Which of several peaks of a column is the stripe.")
-    ] = Choice.CONTINUITY,
+        PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
+    ] = PeakOption.CONTINUITY,
     mask: Annotated[
         Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
     ] = None,
@@ -207,13 +207,13 @@ def extract(
 
     Of several pictures, a last column ``image`` names the picture of each row.
     """
-    from app.formats.atomic_write import checked_target
+    from app.formats.atomic_write import check_output_path
     from app.formats.settings.mask import Mask
     from app.metrology.stripe import StripeSettings
-    from app.workflows.extract_stripes import extract as extract_all
+    from app.workflows.extract_stripes import extract_stripes as extract_all
     from app.workflows.extract_stripes import write_stripes
 
-    checked_target(output, images if mask is None else [*images, mask])
+    check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
     with progress_bar("Extracting", not as_json) as tell:
@@ -243,9 +243,9 @@ def extract(
 
 
 @cli.command()
-@refusing
+@report_errors
 def verify(
-    shape: Annotated[Shape, typer.Argument(help="What the gauge is.")],
+    shape: Annotated[ShapeOption, typer.Argument(help="What the gauge is.")],
     clouds: Annotated[
         list[Path], typer.Argument(help="Clouds of the gauge, in any format written here.")
     ],
@@ -258,12 +258,12 @@ def verify(
     as_json: AsJson = False,
 ) -> None:
     """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm."""
-    from app.formats.atomic_write import checked_target
+    from app.formats.atomic_write import check_output_path
     from app.workflows.verify_gauge import report_table
     from app.workflows.verify_gauge import verify as verify_all
 
     if output is not None:
-        checked_target(output, clouds if nominal is None else [*clouds, nominal])
+        check_output_path(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as tell:
         report = verify_all(shape.value, clouds, nominal, tell)
         if output is not None:

@@ -5,10 +5,10 @@ from typing import Annotated
 
 import typer
 
-from app.console import refusing
+from app.console import report_errors
 
 
-@refusing
+@report_errors
 def report(
     folder: Annotated[
         Path, typer.Argument(help="Folder of a calibration, an arm check or a verification.")
@@ -21,9 +21,9 @@ def report(
     ] = "en",
 ) -> None:
     """Write the report on a session from its folder alone, as the station serves it."""
-    from app.formats.atomic_write import checked_target, write_atomically
-    from app.report.reports import report_as
+    from app.formats.atomic_write import check_output_path, write_atomically
+    from app.report.reports import render_report
 
-    checked_target(output)
-    write_atomically(output, report_as(folder, output.suffix, language))
+    check_output_path(output)
+    write_atomically(output, render_report(folder, output.suffix, language))
     print(f"{output} written")

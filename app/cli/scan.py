@@ -7,12 +7,12 @@ from typing import Annotated
 
 import typer
 
-from app.console import print_figures, print_json, print_table, progress_bar, refusing, warn
+from app.console import print_figures, print_json, print_table, progress_bar, report_errors, warn
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
 
-@refusing
+@report_errors
 def reconstruct(
     recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
     calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
@@ -48,20 +48,20 @@ def reconstruct(
         )
     if delay_ms is not None and sync is not None:
         raise typer.BadParameter("give one of the two", param_hint="'--delay-ms', '--sync'")
-    from app.formats.atomic_write import checked_target
+    from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
     from app.formats.results.calibration import read_calibration
     from app.workflows.estimate_delay import read_sync
-    from app.workflows.reconstruct import rebuild
+    from app.workflows.reconstruct import reconstruct_cloud
 
     began = time.perf_counter()
-    checked_target(output, [recording, calibration, arm, *([sync] if sync else [])])
+    check_output_path(output, [recording, calibration, arm, *([sync] if sync else [])])
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
     delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
     if sync is not None:
         delay_ns = read_sync(sync, sensor, arm_model).delay_ns
     with progress_bar("Reconstructing", not as_json) as tell:
-        rebuilt = rebuild(recording, sensor, arm_model, output, tell, delay_ns)
+        rebuilt = reconstruct_cloud(recording, sensor, arm_model, output, tell, delay_ns)
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
@@ -78,7 +78,7 @@ def reconstruct(
     print(f"{output} written in {seconds:.2f} s")
 
 
-@refusing
+@report_errors
 def sync(
     recording: Annotated[
         Path,
@@ -98,12 +98,12 @@ def sync(
 
     For crenel reconstruct --sync; the station finds and applies it on its Settings page.
     """
-    from app.formats.atomic_write import checked_target
+    from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
     from app.formats.results.calibration import read_calibration
-    from app.workflows.estimate_delay import sync as run
+    from app.workflows.estimate_delay import estimate_recording_delay as run
 
-    checked_target(output, (recording, calibration, arm))
+    check_output_path(output, (recording, calibration, arm))
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
     with progress_bar("Looking for the delay", not as_json) as tell:
         sheet = run(recording, sensor, arm_model, tell)
@@ -125,7 +125,7 @@ def sync(
     print(f"{output} written")
 
 
-@refusing
+@report_errors
 def study(
     files: Annotated[
         list[Path],
@@ -151,11 +151,11 @@ def study(
 
     How far the plane turns and shifts between calibrations, and between clouds.
     """
-    from app.formats.atomic_write import checked_target
+    from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
     from app.formats.results.calibration import read_calibration
     from app.workflows.repeatability_study import range_rows
-    from app.workflows.repeatability_study import study as run
+    from app.workflows.repeatability_study import run_study as run
 
     sheets = [*(calibrations or []), *(path for path in files if path.suffix.lower() == ".json")]
     recordings = [path for path in files if path.suffix.lower() != ".json"]
@@ -163,7 +163,7 @@ def study(
         missing = "--calibrations" if not sheets else "RECORDING..."
         raise typer.BadParameter("none given", param_hint=f"'{missing}'")
     if output is not None:
-        checked_target(output, [*files, *sheets, arm])
+        check_output_path(output, [*files, *sheets, arm])
     known = [(path, read_calibration(path)) for path in sheets]
     arm_model = read_arm(arm)
     with progress_bar("Rebuilding", not as_json) as tell:
@@ -194,7 +194,7 @@ def study(
         print(f"{output} written")
 
 
-@refusing
+@report_errors
 def replay(
     recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
     calibration: Annotated[

@@ -7,10 +7,10 @@ from typing import Annotated
 
 import typer
 
-from app.console import print_json, progress_bar, refusing
+from app.console import print_json, progress_bar, report_errors
 
 
-@refusing
+@report_errors
 def backup(
     data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="The new folder of the copy.")],
@@ -31,18 +31,18 @@ def backup(
     print(f"{made.folder} written: {made.files} files, {made.bytes / 1e6:.1f} MB")
 
 
-@refusing
+@report_errors
 def password(
     data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
     name: Annotated[str, typer.Argument(help="Of the account.")],
 ) -> None:
     """Give an account a new password, where no administrator can; asked for, or read from stdin."""
-    from app.errors import Refusal
+    from app.errors import OperationError
     from app.store.accounts import AccountStore
     from app.store.audit import AuditLog
     from app.store.backup import DATABASE, check_data_folder
     from app.store.database import Database
-    from app.store.login_sessions import SignInStore
+    from app.store.login_sessions import LoginSessionStore
 
     check_data_folder(data)
     database = Database(data / DATABASE)
@@ -51,20 +51,20 @@ def password(
         account = accounts.get(name)
         if account is None:
             known = ", ".join(one.name for one in accounts.all()) or "none yet"
-            raise Refusal("no-account", f"There is no account {name}", f"there are: {known}")
+            raise OperationError("no-account", f"There is no account {name}", f"there are: {known}")
         if sys.stdin.isatty():
             new = typer.prompt("New password", hide_input=True, confirmation_prompt=True)
         else:
             new = sys.stdin.readline().rstrip("\r\n")
         accounts.set_password(account.name, new)
-        SignInStore(database).end_all(account.name)
+        LoginSessionStore(database).end_all(account.name)
         AuditLog(database).note("", "console", f"changed an account: {account.name}, new password")
     finally:
         database.close()
     print(f"{account.name} has a new password, and is signed out everywhere.")
 
 
-@refusing
+@report_errors
 def mqtt_schema() -> None:
     """The JSON schema of what stations publish over MQTT."""
     from app.supervision.messages import schema

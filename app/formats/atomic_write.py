@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
-from app.formats.io_errors import files_refused
+from app.errors import OperationError
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 
 
@@ -32,9 +32,9 @@ def atomic_file(path: Path) -> Iterator[BinaryIO]:
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
     """As ``atomic_file``, for a library that opens its file itself: the name to give it."""
-    target = checked_target(path)
+    target = check_output_path(path)
     part = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
-    with files_refused(path):
+    with convert_io_errors(path):
         try:
             yield part
             with open_file(part) as file:
@@ -52,7 +52,7 @@ def write_atomically(path: Path, content: bytes) -> None:
         file.write(content)
 
 
-def checked_target(path: Path, sources: Iterable[Path] = ()) -> Path:
+def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
     """Where a file of this name would be written, links followed.
 
     Args:
@@ -63,31 +63,33 @@ def checked_target(path: Path, sources: Iterable[Path] = ()) -> Path:
             something that is not a file, or by one of the sources. So a job can be
             refused before its work.
     """
-    with files_refused(path):
+    with convert_io_errors(path):
         target = path.resolve()
         if any(target == source.resolve() for source in sources):
-            raise Refusal(
+            raise OperationError(
                 "output-is-source",
-                shown_path(path),
+                display_path(path),
                 "the result would replace a file that it is made from",
                 "Name another file",
             )
         if target.exists() and not target.is_file():
             kind = "a folder" if target.is_dir() else "a pipe, a socket or a device"
-            raise Refusal("output-not-a-file", shown_path(path), f"it is {kind}", "Name a file")
+            raise OperationError(
+                "output-not-a-file", display_path(path), f"it is {kind}", "Name a file"
+            )
         folder = target.parent
         if not folder.is_dir():
-            raise Refusal(
+            raise OperationError(
                 "folder-missing",
-                shown_path(path),
-                f"there is no folder {shown_path(folder)}",
+                display_path(path),
+                f"there is no folder {display_path(folder)}",
                 "Create it, or choose another place",
             )
         if not os.access(folder, os.W_OK | os.X_OK):
-            raise Refusal(
+            raise OperationError(
                 "folder-forbidden",
-                shown_path(path),
-                f"the folder {shown_path(folder)} cannot be written to",
+                display_path(path),
+                f"the folder {display_path(folder)} cannot be written to",
                 "Choose another place",
             )
     return target

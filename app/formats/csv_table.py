@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.json_document import read_text
 
 
 @dataclass(frozen=True)
-class Row:
+class TableRow:
     """One row of a table, by column name."""
 
     path: Path
@@ -22,13 +22,13 @@ class Row:
 
     @property
     def place(self) -> str:
-        return f"{shown_path(self.path)} line {self.line}"
+        return f"{display_path(self.path)} line {self.line}"
 
     def text(self, column: str) -> str:
         """A cell that must not be empty."""
         value = self.cells[column].strip()
         if not value:
-            raise Refusal("cell-empty", f"{self.place}: column {column} is empty")
+            raise OperationError("cell-empty", f"{self.place}: column {column} is empty")
         return value
 
     def number(self, column: str) -> float:
@@ -39,7 +39,7 @@ class Row:
         except ValueError:
             number = math.nan
         if not math.isfinite(number):
-            raise Refusal(
+            raise OperationError(
                 "cell-not-a-number",
                 f"{self.place}: column {column} is {value!r}",
                 "a finite number with a decimal point is expected",
@@ -51,7 +51,7 @@ class Row:
         """A whole number, zero or more."""
         value = self.text(column)
         if not (value.isascii() and value.isdecimal()):
-            raise Refusal(
+            raise OperationError(
                 "cell-not-a-number",
                 f"{self.place}: column {column} is {value!r}",
                 "a whole number, zero or more, is expected",
@@ -60,13 +60,13 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Table:
+class CsvTable:
     path: Path
     columns: tuple[str, ...]
-    rows: tuple[Row, ...]
+    rows: tuple[TableRow, ...]
 
 
-def read_table(path: Path, required: Iterable[str]) -> Table:
+def read_table(path: Path, required: Iterable[str]) -> CsvTable:
     """Reads a CSV file whose first line names its columns, in any order.
 
     A byte-order mark, blank lines and either line end are accepted; columns that
@@ -78,7 +78,7 @@ def read_table(path: Path, required: Iterable[str]) -> Table:
     """
     lines = csv.reader(io.StringIO(read_text(path), newline=""), strict=True)
     columns: tuple[str, ...] = ()
-    rows: list[Row] = []
+    rows: list[TableRow] = []
     try:
         for cells in lines:
             if not any(cell.strip() for cell in cells):
@@ -88,16 +88,16 @@ def read_table(path: Path, required: Iterable[str]) -> Table:
                 _check_columns(path, columns, required)
                 continue
             _check_length(path, lines.line_num, cells, columns)
-            rows.append(Row(path, lines.line_num, dict(zip(columns, cells, strict=True))))
+            rows.append(TableRow(path, lines.line_num, dict(zip(columns, cells, strict=True))))
     except csv.Error as error:
-        raise Refusal(
-            "table-malformed", f"{shown_path(path)} line {lines.line_num}", str(error)
+        raise OperationError(
+            "table-malformed", f"{display_path(path)} line {lines.line_num}", str(error)
         ) from error
     if not columns:
-        raise Refusal(
-            "table-empty", shown_path(path), "it is empty; a line of column names is expected"
+        raise OperationError(
+            "table-empty", display_path(path), "it is empty; a line of column names is expected"
         )
-    return Table(path, columns, tuple(rows))
+    return CsvTable(path, columns, tuple(rows))
 
 
 def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int]]) -> str:
@@ -112,23 +112,23 @@ def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int
 def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]) -> None:
     missing = [name for name in required if name not in columns]
     if missing and any(";" in name or "\t" in name for name in columns):
-        raise Refusal(
+        raise OperationError(
             "table-separator",
-            shown_path(path),
+            display_path(path),
             "its columns are not separated by commas",
             "Save it with commas between the columns and a point in the numbers",
         )
     if missing:
-        raise Refusal(
+        raise OperationError(
             "columns-missing",
-            f"{shown_path(path)}: no column {', '.join(missing)}",
+            f"{display_path(path)}: no column {', '.join(missing)}",
             f"the first line names {', '.join(columns)}",
             f"It must name {', '.join(required)}",
         )
     twice = sorted({name for name in columns if name and columns.count(name) > 1})
     if twice:
-        raise Refusal(
-            "columns-twice", f"{shown_path(path)}: column {', '.join(twice)} stands there twice"
+        raise OperationError(
+            "columns-twice", f"{display_path(path)}: column {', '.join(twice)} stands there twice"
         )
 
 
@@ -139,4 +139,6 @@ def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, .
     remedy = "Complete or delete the row"
     if len(cells) > len(columns):
         remedy = "Numbers need a decimal point, not a comma; names no comma at all"
-    raise Refusal("row-length", f"{shown_path(path)} line {line}: {len(cells)} cells", why, remedy)
+    raise OperationError(
+        "row-length", f"{display_path(path)} line {line}: {len(cells)} cells", why, remedy
+    )

@@ -3,24 +3,24 @@
 from contextlib import suppress
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 
-LONGEST_SHOWN = 200
+LONGEST_DISPLAYED = 200
 _data_folders: list[Path] = []
 
 
-def name_from(folder: Path) -> None:
+def register_data_folder(folder: Path) -> None:
     """From here on messages name what is in this data folder as from it."""
     _data_folders.append(folder.absolute())
 
 
-def name_whole(folder: Path) -> None:
-    """Ends a ``name_from``; idempotent."""
+def unregister_data_folder(folder: Path) -> None:
+    """Ends a ``register_data_folder``; idempotent."""
     with suppress(ValueError):
         _data_folders.remove(folder.absolute())
 
 
-def shown_path(path: Path | str) -> str:
+def display_path(path: Path | str) -> str:
     """How a message names a file: as from the data folder, where a station has it open.
 
     Nobody else's browser needs to know where on the station's disk that is. What is no
@@ -31,32 +31,33 @@ def shown_path(path: Path | str) -> str:
         if text.startswith(f"{folder}/") or text == f"{folder}":
             text = text[len(f"{folder}/") :] or folder.name
             break
-    text = printable(text)
-    return text if len(text) <= LONGEST_SHOWN else f"…{text[-LONGEST_SHOWN:]}"
+    text = escape_unprintable(text)
+    return text if len(text) <= LONGEST_DISPLAYED else f"…{text[-LONGEST_DISPLAYED:]}"
 
 
 def check_name(path: Path) -> None:
-    """Raises ``Refusal`` where a file's name is no valid Unicode, as one in Latin-1 is not."""
+    """Raises ``OperationError`` where a file's name is no valid Unicode, as in Latin-1."""
     try:
         path.name.encode()
     except UnicodeEncodeError as error:
-        raise Refusal(
+        raise OperationError(
             "name-not-text",
-            f"The name of {printable(path.name)} is not UTF-8 text",
+            f"The name of {escape_unprintable(path.name)} is not UTF-8 text",
             remedy="Rename it",
         ) from error
 
 
-def printable(text: str, kept: str = "") -> str:
+def escape_unprintable(text: str, kept: str = "") -> str:
     """The text with all that is no letter, sign or space as its number, save what is kept."""
     if text.isprintable():
         return text
     return "".join(
-        sign if sign.isprintable() or sign in kept else _escaped(ord(sign)) for sign in text
+        sign if sign.isprintable() or sign in kept else _escape_character(ord(sign))
+        for sign in text
     )
 
 
-def _escaped(code: int) -> str:
+def _escape_character(code: int) -> str:
     if code < 0x100:
         return f"\\x{code:02x}"
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

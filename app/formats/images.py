@@ -8,11 +8,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
-from app.formats.file_names import shown_path
+from app.formats.file_names import display_path
 from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file, read_bounded
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
@@ -28,9 +28,9 @@ def read_grey(path: Path) -> GreyImage:
         Refusal: missing, no image, damaged or cut off, in colour, or of more than
             ``MOST_PIXELS``.
     """
-    with files_refused(path):
+    with convert_io_errors(path):
         raw = read_bounded(path)
-    return decode_grey(raw, shown_path(path))
+    return decode_grey(raw, display_path(path))
 
 
 def decode_grey(raw: bytes, named: str) -> GreyImage:
@@ -57,10 +57,10 @@ def decode_grey(raw: bytes, named: str) -> GreyImage:
 
 
 def _check_announced(announced: Announced, named: str) -> None:
-    """Raises ``Refusal`` for what would be decoded only to be refused, and for what is too large:
+    """Raises ``OperationError`` for what would be decoded only to be refused, or is too large:
     a file of a megabyte may open to gigabytes."""
     if announced.pixels > MOST_PIXELS:
-        raise Refusal(
+        raise OperationError(
             "image-too-large",
             f"{named} has {announced.width} × {announced.height} pixels",
             f"at most {MOST_PIXELS // 1_000_000} million are read",
@@ -72,13 +72,13 @@ def _check_announced(announced: Announced, named: str) -> None:
         raise _not_so_deep(named, f"{announced.bits} bits a pixel")
 
 
-def _no_image(raw: bytes, named: str) -> Refusal:
+def _no_image(raw: bytes, named: str) -> OperationError:
     why = "it is no image, or was cut off" if raw else "it is empty"
-    return Refusal("image-unreadable", named, why, "Restore it, or take the picture again")
+    return OperationError("image-unreadable", named, why, "Restore it, or take the picture again")
 
 
-def _not_grey(what: str) -> Refusal:
-    return Refusal(
+def _not_grey(what: str) -> OperationError:
+    return OperationError(
         "image-not-grey",
         what,
         "only a grey image tells how bright the laser's line was at a pixel",
@@ -86,16 +86,16 @@ def _not_grey(what: str) -> Refusal:
     )
 
 
-def _not_so_deep(named: str, held: str) -> Refusal:
-    return Refusal("image-depth", f"{named} holds {held}", "8 or 16 bits are expected")
+def _not_so_deep(named: str, held: str) -> OperationError:
+    return OperationError("image-depth", f"{named} holds {held}", "8 or 16 bits are expected")
 
 
 def write_png(path: Path, image: GreyImage) -> None:
     """Writes a grey image (height, width) as PNG, atomically."""
     done, encoded = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
     if not done:
-        raise Refusal(
-            "image-unwritable", shown_path(path), "the picture could not be encoded as PNG"
+        raise OperationError(
+            "image-unwritable", display_path(path), "the picture could not be encoded as PNG"
         )
     write_atomically(path, encoded.tobytes())
 
@@ -106,18 +106,18 @@ def grey_png_size(path: Path) -> tuple[int, int]:
     Raises:
         Refusal: missing, no PNG, or in colour.
     """
-    with files_refused(path), open_file(path) as file:
+    with convert_io_errors(path), open_file(path) as file:
         head = file.read(29)
     if len(head) < 29 or not head.startswith(PNG_SIGNATURE) or head[12:16] != b"IHDR":
-        raise Refusal(
+        raise OperationError(
             "image-unreadable",
-            shown_path(path),
+            display_path(path),
             "it is no PNG image" if head else "it is empty",
             "Restore it, or take the picture again",
         )
     width, height, _bits, colour = struct.unpack(">IIBB", head[16:26])
     if colour != 0:
-        raise _not_grey(f"{shown_path(path)} holds colour or transparency")
+        raise _not_grey(f"{display_path(path)} holds colour or transparency")
     return width, height
 
 
@@ -132,7 +132,7 @@ def _check_png(raw: bytes, named: str) -> None:
             break
         (expected,) = struct.unpack_from(">I", raw, end)
         if zlib.crc32(memoryview(raw)[at + 4 : end]) != expected:
-            raise Refusal(
+            raise OperationError(
                 "image-damaged",
                 f"{named}: the checksum at byte {at} is wrong",
                 "the file was damaged",
@@ -141,7 +141,7 @@ def _check_png(raw: bytes, named: str) -> None:
         if kind == b"IEND":
             return
         at = end + 4
-    raise Refusal(
+    raise OperationError(
         "image-cut-off",
         f"{named} ends after {len(raw)} bytes",
         "the file was cut off",

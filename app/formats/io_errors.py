@@ -7,8 +7,8 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 
 _BY_ERRNO: dict[int, tuple[str, str, str]] = {
     errno.ENOENT: ("file-missing", "there is no such file or folder", "Check the path"),
@@ -36,39 +36,39 @@ _BY_ERRNO: dict[int, tuple[str, str, str]] = {
 }
 
 
-def refusal_of(error: OSError, path: Path | str | None = None) -> Refusal:
+def error_from_os(error: OSError, path: Path | str | None = None) -> OperationError:
     """The refusal that an operating system's error on a file amounts to.
 
     ``path`` is the file as whoever asked for it knows it, where that is known.
     """
     named = path if path is not None else error.filename
-    what = shown_path(named) if named is not None else "a file"
+    what = display_path(named) if named is not None else "a file"
     code, why, remedy = _BY_ERRNO.get(
         error.errno or 0, ("file-error", error.strerror or str(error), "")
     )
-    return Refusal(code, what, why, remedy)
+    return OperationError(code, what, why, remedy)
 
 
 @contextmanager
-def files_refused(path: Path | str) -> Iterator[None]:
-    """Turns any ``OSError`` of the block into a ``Refusal`` naming the file."""
+def convert_io_errors(path: Path | str) -> Iterator[None]:
+    """Turns any ``OSError`` of the block into a ``OperationError`` naming the file."""
     try:
         yield
     except OSError as error:
-        raise refusal_of(error, path) from error
+        raise error_from_os(error, path) from error
 
 
 @contextmanager
-def refusals_naming(path: Path | str) -> Iterator[None]:
+def prefix_errors(path: Path | str) -> Iterator[None]:
     """Puts a file's name before what the mathematics refuses of its content."""
     try:
         yield
-    except Refusal as refusal:
-        named = f"{shown_path(path)}: {refusal.what}"
-        raise Refusal(refusal.code, named, refusal.why, refusal.remedy) from refusal
+    except OperationError as refusal:
+        named = f"{display_path(path)}: {refusal.what}"
+        raise OperationError(refusal.code, named, refusal.why, refusal.remedy) from refusal
 
 
-def refusal_of_invalid(path: Path | str, error: ValidationError) -> Refusal:
+def error_from_validation(path: Path | str, error: ValidationError) -> OperationError:
     """The refusal for a document whose fields are not as described in docs/formats.md."""
     problems = error.errors(include_url=False)
     first = problems[0]
@@ -78,21 +78,21 @@ def refusal_of_invalid(path: Path | str, error: ValidationError) -> Refusal:
     more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
     message = first["msg"].removeprefix("Value error, ")
     if first["type"] == "json_invalid":
-        return Refusal(
+        return OperationError(
             "file-not-json",
-            shown_path(path),
+            display_path(path),
             f"it is not JSON, or was cut off: {first.get('ctx', {}).get('error', message)}",
             "Restore the file from its source",
         )
     if first["type"] == "missing":
-        return Refusal("field-missing", f"{shown_path(path)}: {place} is missing{more}")
+        return OperationError("field-missing", f"{display_path(path)}: {place} is missing{more}")
     value = repr(first["input"])
     if len(value) > 60:
         value = value[:57] + "..."
     shown = f" is {value}" if place and not isinstance(first["input"], dict) else ""
-    return Refusal(
+    return OperationError(
         "field-invalid",
-        f"{shown_path(path)}: {place}{shown}".rstrip(": "),
+        f"{display_path(path)}: {place}{shown}".rstrip(": "),
         f"{_lower_first(message)}{more}",
     )
 

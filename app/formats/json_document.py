@@ -9,10 +9,10 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
-from app.formats.file_names import shown_path
-from app.formats.io_errors import files_refused, refusal_of_invalid
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_io_errors, error_from_validation
 from app.formats.open_file import open_file, read_bounded
 
 # no line break can stand within a text of JSON
@@ -44,13 +44,13 @@ Matrix34 = tuple[Row4, Row4, Row4]
 Matrix4 = tuple[Row4, Row4, Row4, Row4]
 
 
-class Part(BaseModel):
+class DocumentPart(BaseModel):
     """A piece of a document. Fields that the program does not know are ignored."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
 
-class Document(Part):
+class Document(DocumentPart):
     """A whole file: names its format and version beside its fields."""
 
     FORMAT: ClassVar[str]
@@ -64,15 +64,15 @@ class Document(Part):
             Refusal: missing, unreadable, not JSON, of another format or of a newer
                 version, or a field that is missing or wrong.
         """
-        fields = _object_of(path)
+        fields = _read_object(path)
         cls._check_format(path, fields)
         try:
             return cls.model_validate(fields)
         except ValidationError as error:
-            raise refusal_of_invalid(path, error) from error
+            raise error_from_validation(path, error) from error
 
     def write(self, path: Path) -> None:
-        """Writes the file atomically; raises ``Refusal`` where it cannot."""
+        """Writes the file atomically; raises ``OperationError`` where it cannot."""
         write_atomically(path, self.text().encode())
 
     def text(self) -> str:
@@ -93,21 +93,21 @@ class Document(Part):
     def _check_format(cls, path: Path, fields: dict[str, Any]) -> None:
         found, version = fields.get("format"), fields.get("version")
         if found != cls.FORMAT:
-            raise Refusal(
+            raise OperationError(
                 "file-of-another-format",
-                f"{shown_path(path)}: format is {found!r}",
+                f"{display_path(path)}: format is {found!r}",
                 f"{cls.FORMAT!r} is expected here",
                 "Give the right file",
             )
         if version != cls.VERSION or isinstance(version, bool):
-            raise Refusal(
+            raise OperationError(
                 "file-of-another-version",
-                f"{shown_path(path)}: version is {version!r}",
+                f"{display_path(path)}: version is {version!r}",
                 f"this program reads version {cls.VERSION} of {cls.FORMAT}",
             )
 
 
-def _object_of(path: Path) -> dict[str, Any]:
+def _read_object(path: Path) -> dict[str, Any]:
     text = read_text(path)
     try:
         fields = json.loads(text)
@@ -120,13 +120,13 @@ def _object_of(path: Path) -> dict[str, Any]:
             why = "it is nested too deeply"
         else:
             why = "one of its numbers has too many digits"
-        raise Refusal(
-            "file-not-json", shown_path(path), why, "Restore the file from its source"
+        raise OperationError(
+            "file-not-json", display_path(path), why, "Restore the file from its source"
         ) from error
     if _HALF.search(text):
         _check_characters(path, fields)
     if not isinstance(fields, dict):
-        raise Refusal("file-not-json", shown_path(path), "a JSON object { … } is expected")
+        raise OperationError("file-not-json", display_path(path), "a JSON object { … } is expected")
     return fields
 
 
@@ -134,30 +134,30 @@ def _check_characters(path: Path, fields: object) -> None:
     try:
         json.dumps(fields, ensure_ascii=False).encode()
     except UnicodeEncodeError as error:
-        raise Refusal(
+        raise OperationError(
             "file-not-text",
-            shown_path(path),
+            display_path(path),
             "half a character stands in one of its texts",
             "Save it as UTF-8",
         ) from error
 
 
 def read_text(path: Path) -> str:
-    """A UTF-8 text file, a byte-order mark taken off; raises ``Refusal`` where it cannot."""
-    with files_refused(path):
+    """A UTF-8 text file, a byte-order mark taken off; raises ``OperationError`` where it cannot."""
+    with convert_io_errors(path):
         raw = read_bounded(path)
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise Refusal(
+        raise OperationError(
             "file-not-text",
-            shown_path(path),
+            display_path(path),
             f"byte {error.start} is not UTF-8 text",
             "Save it as UTF-8",
         ) from error
 
 
-def sha256_of(path: Path) -> str:
-    """The file's SHA-256 in hexadecimal; raises ``Refusal`` where it cannot be read."""
-    with files_refused(path), open_file(path) as file:
+def file_sha256(path: Path) -> str:
+    """The file's SHA-256 in hexadecimal; raises ``OperationError`` where it cannot be read."""
+    with convert_io_errors(path), open_file(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()

@@ -2,10 +2,10 @@
 
 from importlib.metadata import PackageNotFoundError, version
 
-from app.formats.json_document import Part
+from app.formats.json_document import DocumentPart
 
 
-class Software(Part):
+class Software(DocumentPart):
     name: str
     version: str
 

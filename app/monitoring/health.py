@@ -6,8 +6,8 @@ Checks take plain values and are free of clocks and devices.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.errors import Refusal
-from app.findings import Quality, capital, figures, signed
+from app.errors import OperationError
+from app.findings import Quality, capital, figures, format_signed
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
 from app.station.devices.link_state import DeviceState, Losses
@@ -15,7 +15,7 @@ from app.station.devices.temperature import Temperature
 
 LOSS_ATTENTION, LOSS_BAD = 0.001, 0.01
 DISK_ATTENTION_GB, DISK_BAD_GB = 10.0, 1.0
-MEMORY_OWN_BYTES, MEMORY_FREE_BYTES = 3_000_000_000, 500_000_000
+PROCESS_MEMORY_BYTES, MEMORY_FREE_BYTES = 3_000_000_000, 500_000_000
 STALLS_BAD_S = 2.0
 BACKUP_DAYS = 7.0
 READINGS_BAD_S = 600.0
@@ -45,7 +45,7 @@ class Health:
     items: Sequence[HealthItem]
 
 
-def health_of(items: Sequence[HealthItem], at: str) -> Health:
+def summarise_health(items: Sequence[HealthItem], at: str) -> Health:
     """The worst check says how the station is."""
     ordered = sorted(items, key=lambda item: ORDER[item.quality])
     worst: Quality = ordered[0].quality if ordered else "good"
@@ -98,7 +98,7 @@ def losses(title: str, lately: Losses) -> HealthItem:
     )
 
 
-def readings(kept_back: int, newest: Refusal | None, ago_s: float | None) -> HealthItem:
+def readings(kept_back: int, newest: OperationError | None, ago_s: float | None) -> HealthItem:
     """Whether what the arm's encoders say can be true.
 
     Args:
@@ -139,7 +139,8 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
             "clock",
             "Clock",
             "attention",
-            f"The clock was set {_times(jumps)} since the start, last by {signed(last_jump_s)} s.",
+            f"The clock was set {_times(jumps)} since the start, "
+            f"last by {format_signed(last_jump_s)} s.",
             why,
             "Let it be kept by a time server, which moves it gently.",
         )
@@ -247,7 +248,7 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
 def memory_use(used: Memory) -> HealthItem:
     """Whether memory suffices."""
     short = used.free is not None and used.free < MEMORY_FREE_BYTES
-    much = used.own > MEMORY_OWN_BYTES
+    much = used.own > PROCESS_MEMORY_BYTES
     free = "" if used.free is None else f"; {used.free / 1e9:.1f} GB are free"
     return HealthItem(
         "memory",
@@ -292,7 +293,7 @@ def backup(days: float | None, place: str, same_disk: bool, trouble: str) -> Hea
     return HealthItem("backup", "Backup", "good", what, why, "")
 
 
-def room(now: Temperature, change_c: float | None) -> HealthItem:
+def temperature(now: Temperature, change_c: float | None) -> HealthItem:
     """Whether it is as warm as it was when the station was calibrated."""
     why = "Everything grows with it, a metre of aluminium by 23 µm a degree."
     if now.celsius is None and not now.trouble:
@@ -307,7 +308,7 @@ def room(now: Temperature, change_c: float | None) -> HealthItem:
         "room",
         "Temperature",
         "attention" if moved else "good",
-        f"{what}, {signed(change_c, 1)} °C since the calibration.",
+        f"{what}, {format_signed(change_c, 1)} °C since the calibration.",
         why,
         "Verify against a gauge, or calibrate again." if moved else "",
     )

@@ -4,13 +4,13 @@ from collections.abc import Mapping
 
 from app.monitoring.health import HealthItem
 
-TOLD_S = 3600.0
+REPORTED_S = 3600.0
 """For so long after the newest."""
 
 
 def messages(counts: Mapping[str, int], ago_s: float | None) -> list[HealthItem]:
     """What on the broker was not read, by the reason; nothing where all was for an hour."""
-    if ago_s is None or ago_s > TOLD_S:
+    if ago_s is None or ago_s > REPORTED_S:
         return []
     number = sum(counts.values())
     parts = [_part(why, counts.get(why, 0)) for why in ("long", "strange", "often", "crowded")]

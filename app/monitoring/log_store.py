@@ -17,21 +17,21 @@ from itertools import islice
 from pathlib import Path
 from typing import Literal
 
-from app.errors import Refusal
-from app.formats.file_names import printable
+from app.errors import OperationError
+from app.formats.file_names import escape_unprintable
 from app.formats.open_file import check_ordinary, read_bounded
-from app.monitoring.log_text import NUMBER, Repeats
+from app.monitoring.log_text import NUMBER, RepeatFilter
 
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
 LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
-TOLD = ("app", "hardware")
+STATION_LOGGERS = ("app", "hardware")
 """Loggers that are heard from ``info`` on; all others from ``warning`` on."""
 
-MOST_RETOLD = 1000
+MAX_TRANSLATED = 1000
 """Sentences of a log that are put into another language for one search of it."""
 
-Say = Callable[[str], str]
+Translate = Callable[[str], str]
 Level = Literal["info", "warning", "error"]
 LEVELS: dict[Level, int] = {
     "info": logging.INFO,
@@ -52,7 +52,7 @@ class LogLine:
     trace: str
 
 
-class LogBook:
+class LogStore:
     """Writes on a thread of its own, so that no disk holds up the event loop.
 
     Args:
@@ -72,7 +72,7 @@ class LogBook:
                 self.folder / FILE, maxBytes=FILE_BYTES, backupCount=FILES - 1, encoding="utf-8"
             )
         except OSError as error:
-            raise Refusal(
+            raise OperationError(
                 "data-folder-unwritable",
                 f"The logs in {self.folder} cannot be written",
                 error.strerror or str(error),
@@ -82,13 +82,13 @@ class LogBook:
         self._errors: deque[float] = deque(maxlen=1000)
         lines: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
         self._handler = _Handler(lines)
-        self._handler.addFilter(_Counted(self._errors))
-        self._handler.addFilter(Repeats())
+        self._handler.addFilter(_ErrorCounter(self._errors))
+        self._handler.addFilter(RepeatFilter())
         self._file = file
         self._listener = logging.handlers.QueueListener(lines, file)
         self._listener.start()
-        self._levels = {name: logging.getLogger(name).level for name in TOLD}
-        for name in TOLD:
+        self._levels = {name: logging.getLogger(name).level for name in STATION_LOGGERS}
+        for name in STATION_LOGGERS:
             logging.getLogger(name).setLevel(logging.INFO)
         logging.getLogger().addHandler(self._handler)
 
@@ -112,7 +112,9 @@ class LogBook:
         numbered = [self.folder / f"{FILE}.{number}" for number in range(1, FILES)]
         return [path for path in (self.folder / FILE, *numbered) if path.is_file()]
 
-    def read(self, level: Level, words: str, count: int, say: Say | None = None) -> list[LogLine]:
+    def read(
+        self, level: Level, words: str, count: int, say: Translate | None = None
+    ) -> list[LogLine]:
         """The newest lines of a level or above that contain the words, newest first.
 
         Args:
@@ -121,7 +123,7 @@ class LogBook:
         wanted = words.lower().split()
         # most lines are passed over without being parsed; these signs are spelled otherwise in JSON
         plain = [word for word in wanted if say is None and not set(word) & {'"', "\\"}]
-        sought = _Sought(wanted, say)
+        sought = _SearchWords(wanted, say)
         high = (one for one in self._newest_first(plain) if LEVELS[one.level] >= LEVELS[level])
         return list(islice(filter(sought.is_in, high), count))
 
@@ -133,15 +135,15 @@ class LogBook:
                 continue
             for text in reversed(raw):
                 low = text.lower()
-                line = _parsed(text) if all(word in low for word in words) else None
+                line = _parse_line(text) if all(word in low for word in words) else None
                 if line is not None:
                     yield line
 
 
-class _Sought:
+class _SearchWords:
     """Words, in small letters, that lines are sought by."""
 
-    def __init__(self, words: Sequence[str], say: Say | None) -> None:
+    def __init__(self, words: Sequence[str], say: Translate | None) -> None:
         self._words, self._say = words, say
         self._retold: dict[str, str] = {}
 
@@ -154,15 +156,15 @@ class _Sought:
         said = self._said(line.text, self._say)
         return all(word in said for word in missing)
 
-    def _said(self, text: str, say: Say) -> str:
+    def _said(self, text: str, say: Translate) -> str:
         """Lines that differ in their numbers only are put into the language once."""
         alike = NUMBER.sub("#", text)
-        if alike not in self._retold and len(self._retold) < MOST_RETOLD:
+        if alike not in self._retold and len(self._retold) < MAX_TRANSLATED:
             self._retold[alike] = say(alike).lower()
         return self._retold.get(alike, "")
 
 
-class _Counted(logging.Filter):
+class _ErrorCounter(logging.Filter):
     """Counts errors as they are logged."""
 
     def __init__(self, errors: deque[float]) -> None:
@@ -212,10 +214,10 @@ class _JsonLine(logging.Formatter):
             "level": _level(record.levelno),
             "logger": record.name,
             "thread": record.threadName or "",
-            "text": printable(str(record.msg), "\n\t"),
+            "text": escape_unprintable(str(record.msg), "\n\t"),
         }
         if record.exc_text:
-            line["trace"] = printable(record.exc_text[-LONGEST_TRACE:], "\n\t")
+            line["trace"] = escape_unprintable(record.exc_text[-LONGEST_TRACE:], "\n\t")
         return json.dumps(line, ensure_ascii=False)
 
 
@@ -225,7 +227,7 @@ def _level(number: int) -> Level:
     return "warning" if number >= logging.WARNING else "info"
 
 
-def _parsed(text: str) -> LogLine | None:
+def _parse_line(text: str) -> LogLine | None:
     """A line; None for one that a killed server left half."""
     try:
         line = json.loads(text)

@@ -25,14 +25,14 @@ _Key = tuple[str, int, str]
 
 
 @dataclass
-class _Kind:
+class _RepeatCount:
     count: int
     began: float
     seen_s: float
     written_s: float
 
 
-class Repeats(logging.Filter):
+class RepeatFilter(logging.Filter):
     """Lets warnings and errors of one kind pass three times; then the tenth, the hundredth, the
     thousandth and so on, and one every ten minutes, which say how many there were.
 
@@ -45,7 +45,7 @@ class Repeats(logging.Filter):
         super().__init__()
         self._clock = clock
         self._lock = threading.Lock()
-        self._kinds: OrderedDict[_Key, _Kind] = OrderedDict()
+        self._kinds: OrderedDict[_Key, _RepeatCount] = OrderedDict()
 
     def filter(self, record: logging.LogRecord) -> bool:
         record.repeated = ""
@@ -72,10 +72,10 @@ class Repeats(logging.Filter):
             known[:2] == key[:2] and kind.seen_s > soon_s for known, kind in self._kinds.items()
         )
 
-    def _counted(self, key: _Key, now: float) -> _Kind:
+    def _counted(self, key: _Key, now: float) -> _RepeatCount:
         known, now_s = self._kinds.pop(key, None), self._clock()
         if known is None or now_s - known.seen_s > FORGOTTEN_S:
-            known = _Kind(0, now, now_s, now_s)
+            known = _RepeatCount(0, now, now_s, now_s)
         known.count, known.seen_s = known.count + 1, now_s
         self._kinds[key] = known
         while len(self._kinds) > MOST_KINDS:

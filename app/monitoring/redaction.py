@@ -105,7 +105,7 @@ def secrets_in(value: object, key: str = "") -> Iterator[str]:
                 yield user.partition(":")[2]
 
 
-def secrets_of(address: str) -> Iterator[str]:
+def address_secrets(address: str) -> Iterator[str]:
     """What of an address may be a key to it: the parts of its path and of its query."""
     yield address
     parts = urlsplit(address)

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.native.library import Library
+from app.native.library import NativeLibrary
 
 F64, F32 = np.dtype(np.float64), np.dtype(np.float32)
 I64, I32, I8 = np.dtype(np.int64), np.dtype(np.int32), np.dtype(np.int8)
@@ -58,7 +58,7 @@ class Array:
 
 
 @dataclass(frozen=True)
-class Whole:
+class Integer:
     """A whole number, ``int64_t`` in C."""
 
 
@@ -74,7 +74,7 @@ class Record:
     kind: type[ctypes.Structure]
 
 
-Parameter = Array | Whole | Real | Record
+Parameter = Array | Integer | Real | Record
 RESULTS: dict[Any, Any] = {int: ctypes.c_int64, float: ctypes.c_double}
 
 
@@ -86,7 +86,7 @@ class Function:
 
     def __init__(
         self,
-        library: Library,
+        library: NativeLibrary,
         name: str,
         *parameters: Parameter,
         returns: type[int] | type[float] | None = None,
@@ -117,7 +117,7 @@ class Function:
                 if value is None and parameter.optional:
                     passed.append(None)
                     continue
-                trouble = _trouble(parameter, value, sizes)
+                trouble = _mismatch(parameter, value, sizes)
                 if trouble:
                     raise ArgumentError(f"Argument {at + 1} of {self.name}: {trouble}")
                 passed.append(_address(value))
@@ -132,17 +132,17 @@ class Function:
         variant = self._library.variant
         found = self._library.symbol(self.name, variant)
         kinds: list[Any] = [ctypes.c_int64] * len(self._sizes)
-        kinds += [_passed_as(one) for one in self._parameters]
+        kinds += [_ctype(one) for one in self._parameters]
         found.argtypes = kinds
         found.restype = RESULTS.get(self._returns)
         self._variants[variant] = found
         return found
 
 
-def _passed_as(parameter: Parameter) -> Any:
+def _ctype(parameter: Parameter) -> Any:
     if isinstance(parameter, Record):
         return ctypes.POINTER(parameter.kind)
-    return {Array: ctypes.c_void_p, Whole: ctypes.c_int64, Real: ctypes.c_double}[type(parameter)]
+    return {Array: ctypes.c_void_p, Integer: ctypes.c_int64, Real: ctypes.c_double}[type(parameter)]
 
 
 def pointer(array: NDArray[Any], parameter: Array) -> int:
@@ -151,7 +151,7 @@ def pointer(array: NDArray[Any], parameter: Array) -> int:
     Raises:
         ArgumentError: it is not as declared; symbolic sizes may be any.
     """
-    trouble = _trouble(parameter, array, dict.fromkeys(parameter.symbols, -1))
+    trouble = _mismatch(parameter, array, dict.fromkeys(parameter.symbols, -1))
     if trouble:
         raise ArgumentError(trouble)
     return _address(array)
@@ -170,7 +170,7 @@ def _symbols(parameters: tuple[Parameter, ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(symbol for one in arrays for symbol in one.symbols))
 
 
-def _trouble(parameter: Array, value: object, sizes: dict[str, int]) -> str:
+def _mismatch(parameter: Array, value: object, sizes: dict[str, int]) -> str:
     """What is wrong with an array, or nothing; notes what symbolic sizes stand for."""
     if not isinstance(value, np.ndarray):
         return f"an array is needed, not {type(value).__name__}"

@@ -13,7 +13,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-from app.native.sources import FLAGS, LIBRARIES, SHARED, Source, Target, source_hash, variants_of
+from app.native.sources import (
+    FLAGS,
+    LIBRARIES,
+    SHARED,
+    BuildTarget,
+    LibrarySource,
+    source_hash,
+    variant_flags,
+)
 
 ZIG_TARGETS = {
     "linux": "{machine}-linux-gnu.2.17",
@@ -28,8 +36,8 @@ class BuildError(RuntimeError):
 
 
 def build(
-    source: Source,
-    target: Target | None = None,
+    source: LibrarySource,
+    target: BuildTarget | None = None,
     output: Path | None = None,
     extra_flags: tuple[str, ...] = (),
     cache: Path | None = None,
@@ -49,7 +57,7 @@ def build(
     Raises:
         BuildError: no compiler is here, or it failed; the message holds its output.
     """
-    target = target or Target.here()
+    target = target or BuildTarget.here()
     output = output or source.built(target.system)
     compiler, zig = _compiler(target)
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
@@ -57,7 +65,7 @@ def build(
         common = (*compiler, *FLAGS, *extra_flags)
         code, about = str(source.folder / "c" / "library.c"), str(SHARED / "about.c")
         commands, objects = [], []
-        for variant, flags in variants_of(target).items():
+        for variant, flags in variant_flags(target).items():
             named = flags if zig else [flag.replace("x86_64_v", "x86-64-v") for flag in flags]
             objects.append(f"{folder}/{variant}.o")
             commands.append((*common, *named, f"-DVARIANT={variant}", "-c", code))
@@ -68,7 +76,7 @@ def build(
             environment,
         )
         linked = f"{folder}/{output.name}"  # here, since for Windows more comes beside it
-        linking = (*_linking(target, "-g" in extra_flags), *objects, "-o", linked, "-lm")
+        linking = (*_link_flags(target, "-g" in extra_flags), *objects, "-o", linked, "-lm")
         _run_all([(*common, *linking)], environment)
         part = output.with_name(f"{output.name}.{os.getpid()}.part")
         shutil.copy(linked, part)
@@ -82,7 +90,7 @@ def build_plain(code: Path, output: Path) -> Path:
     Raises:
         BuildError: no compiler is here, or it failed; the message holds its output.
     """
-    compiler, zig = _compiler(Target.here())
+    compiler, zig = _compiler(BuildTarget.here())
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
         environment = (_zig_caches(Path(folder)) if zig else {}) | os.environ
         command = (*compiler, *FLAGS, "-shared", str(code), "-o", str(output), "-ldl")
@@ -90,9 +98,9 @@ def build_plain(code: Path, output: Path) -> Path:
     return output
 
 
-def wheel_tag(target: Target | None = None) -> str:
+def wheel_tag(target: BuildTarget | None = None) -> str:
     """Of a wheel that holds the libraries: any Python 3, one platform."""
-    target = target or Target.here()
+    target = target or BuildTarget.here()
     plain = f"{target.system}_{target.machine}"
     named = plain if os.environ.get("CC") else WHEEL_PLATFORMS.get(target.system, plain)
     if target.system != "linux":
@@ -102,7 +110,7 @@ def wheel_tag(target: Target | None = None) -> str:
     return f"py3-none-{named.format(machine=target.machine)}"
 
 
-def _compiler(target: Target) -> tuple[tuple[str, ...], bool]:
+def _compiler(target: BuildTarget) -> tuple[tuple[str, ...], bool]:
     """The compiler's command, and whether it is zig."""
     if chosen := os.environ.get("CC"):
         return tuple(shlex.split(chosen)), False
@@ -123,7 +131,7 @@ def _zig_caches(folder: Path) -> dict[str, str]:
     return {"ZIG_LOCAL_CACHE_DIR": str(folder / "zig"), "ZIG_GLOBAL_CACHE_DIR": str(folder / "zig")}
 
 
-def _linking(target: Target, debugged: bool) -> tuple[str, ...]:
+def _link_flags(target: BuildTarget, debugged: bool) -> tuple[str, ...]:
     """Flags that export the library's own functions and nothing of the compiler's."""
     if target.system != "linux":
         return ("-shared",)
@@ -154,12 +162,12 @@ def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> No
             print(text.rstrip(), file=sys.stderr)
 
 
-def _parse_target(text: str) -> Target:
+def _parse_target(text: str) -> BuildTarget:
     """Exits where there is no such system."""
     system, _, machine = text.partition("-")
     if system not in ZIG_TARGETS or not machine:
         sys.exit(f"{text} is no target: name one of {', '.join(ZIG_TARGETS)}, and the machine")
-    return Target(system, machine)
+    return BuildTarget(system, machine)
 
 
 def main() -> None:
@@ -169,7 +177,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, help="a folder to write them to; else in place")
     parser.add_argument("--flags", default="", help="more flags for the compiler")
     chosen = parser.parse_args()
-    target = _parse_target(chosen.target) if chosen.target else Target.here()
+    target = _parse_target(chosen.target) if chosen.target else BuildTarget.here()
     for source in LIBRARIES:
         output = chosen.output / source.built(target.system).name if chosen.output else None
         try:

@@ -7,17 +7,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
 
-from app.native.sources import LibraryError, Source, Target, source_hash, variants_of
+from app.native.sources import BuildTarget, LibraryError, LibrarySource, source_hash, variant_flags
 
 VARIANT_SETTING = "CRENEL_VARIANT"
 """Environment variable that names a variant, such as v1; else the best one is used."""
 REBUILD = "python -m app.native.build"
 
 
-class Library:
+class NativeLibrary:
     """A compiled library, loaded when one of its functions is first asked for."""
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: LibrarySource) -> None:
         self._source = source
         self._variant = ""
 
@@ -40,7 +40,7 @@ class Library:
     def variants(self) -> tuple[str, ...]:
         """Those that this processor runs, the least demanding first."""
         best = f"v{self._loaded.crenel_best_variant()}"
-        known = tuple(variants_of(Target.here()))
+        known = tuple(variant_flags(BuildTarget.here()))
         return known[: known.index(best) + 1]
 
     @contextmanager

@@ -1,6 +1,6 @@
 """The product's own library."""
 
-from app.native.library import Library
+from app.native.library import NativeLibrary
 from app.native.sources import LIBRARIES
 
-CRENEL = Library(LIBRARIES[0])
+CRENEL = NativeLibrary(LIBRARIES[0])

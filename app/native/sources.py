@@ -40,7 +40,7 @@ class LibraryError(ImportError):
 
 
 @dataclass(frozen=True)
-class Source:
+class LibrarySource:
     """A library's name and its folder, which holds the sources in ``c``."""
 
     name: str
@@ -59,31 +59,31 @@ class Source:
 
 
 LIBRARIES = (
-    Source("crenel", ROOT / "app" / "native"),
-    Source("simulator", ROOT / "hardware" / "simulator" / "native"),
+    LibrarySource("crenel", ROOT / "app" / "native"),
+    LibrarySource("simulator", ROOT / "hardware" / "simulator" / "native"),
 )
 
 
 @dataclass(frozen=True)
-class Target:
+class BuildTarget:
     """The system and the machine that a library is for."""
 
     system: str
     machine: str
 
     @classmethod
-    def here(cls) -> "Target":
+    def here(cls) -> "BuildTarget":
         names = {"amd64": "x86_64", "arm64": "aarch64"}
         machine = platform.machine().lower()
         return cls(sys.platform, names.get(machine, machine))
 
 
-def variants_of(target: Target) -> dict[str, tuple[str, ...]]:
+def variant_flags(target: BuildTarget) -> dict[str, tuple[str, ...]]:
     """The variants of a target's library, each with its flags, the least demanding first."""
     return VARIANTS.get(target.machine, {"v1": ()})
 
 
-def source_hash(source: Source) -> str:
+def source_hash(source: LibrarySource) -> str:
     """Identifies what a library is built from: the sources, the flags and the variants."""
     digest = hashlib.sha256(repr((FLAGS, VARIANTS)).encode())
     for path in (SHARED / "export.h", SHARED / "about.c", SHARED / "exported.map", *source.files):

@@ -3,10 +3,10 @@
 from functools import lru_cache
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm
-from app.formats.file_names import shown_path
-from app.formats.results.calibration import CalibrationFile, calibration_in
+from app.formats.file_names import display_path
+from app.formats.results.calibration import CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
 from app.station.scan.pipeline import ScanCalibration
 from app.store.calibrations import CalibrationRecord
@@ -17,9 +17,9 @@ Stamp = tuple[int, int, int] | None
 REMEMBERED = 16
 
 
-def cannot_use(why: str) -> Refusal:
+def unreadable_calibration_error(why: str) -> OperationError:
     """What Home and a scan say of a calibration whose files cannot be read."""
-    return Refusal(
+    return OperationError(
         "calibration-unreadable",
         "The calibration in use cannot be read",
         why,
@@ -34,10 +34,12 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
         Refusal: a file of it cannot be read, or they do not belong together.
     """
     sheet = CalibrationFile.read(record.file)
-    found = calibration_in(sheet)
+    found = calibration_from_document(sheet)
     uncertainty = sheet.uncertainty
     if uncertainty is None:
-        raise Refusal("field-missing", f"{shown_path(record.file)}: uncertainty is missing")
+        raise OperationError(
+            "field-missing", f"{display_path(record.file)}: uncertainty is missing"
+        )
     arm = read_arm(record.file.parent / ARM)
     check_serials(found, arm)
     return ScanCalibration(
@@ -54,7 +56,7 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
     )
 
 
-def trouble_now(record: CalibrationRecord) -> Refusal | None:
+def calibration_error(record: CalibrationRecord) -> OperationError | None:
     """Why the files of a calibration cannot be read any more; None where they can.
 
     They are read again only where they changed: this is asked every time that Home is shown.
@@ -63,11 +65,11 @@ def trouble_now(record: CalibrationRecord) -> Refusal | None:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _trouble(record: CalibrationRecord, *stamps: Stamp) -> Refusal | None:
+def _trouble(record: CalibrationRecord, *stamps: Stamp) -> OperationError | None:
     try:
         scan_calibration(record)
-    except Refusal as refusal:
-        return cannot_use(refusal.line)
+    except OperationError as refusal:
+        return unreadable_calibration_error(refusal.line)
     return None
 
 

@@ -8,13 +8,13 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from app.guide.arm.guide import ArmGuide
-from app.guide.calibration.guide import Guide
-from app.guide.common.simulated_scan import ScanHand
+from app.guide.calibration.guide import CalibrationGuide
+from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.guide import VerifyGuide
 from app.operations.recovery import Recovery
-from app.operations.services import Watch
-from app.security.authentication import Entrance
+from app.operations.services import MonitoringServices
+from app.security.authentication import Authenticator
 from app.station.bus import Bus
 from app.station.control_lease import Lease
 from app.station.devices.rig import Rig
@@ -24,42 +24,42 @@ from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanState as RoomScanState
 from app.station.view3d.scene import Scene
-from app.station.view3d.view_controller import Viewing
+from app.station.view3d.view_controller import ViewController
 from app.store.store import Store
-from app.wire.schema import ScanState, Station
+from app.wire.schema import ScanStatus, StationInfo
 
 
 @dataclass(frozen=True)
 class Context:
     """The station's parts, wired."""
 
-    station: Station
+    station: StationInfo
     bus: Bus
     rig: Rig
     preview: Preview
     scene: Scene
     scanner: Scanner
-    viewing: Viewing
+    viewing: ViewController
     jobs: Jobs
     store: Store
-    guide: Guide
-    scan_hand: ScanHand
+    guide: CalibrationGuide
+    scan_hand: SimulatedScan
     arm_guide: ArmGuide
     verify_guide: VerifyGuide
     settings: OperatorSettings
     lease: Lease
-    entrance: Entrance
-    watch: Watch
+    entrance: Authenticator
+    watch: MonitoringServices
     recovery: Recovery
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made in turn: many at once would keep Stop waiting."""
 
-    def scan_state(self, state: RoomScanState | None = None) -> ScanState:
+    def scan_state(self, state: RoomScanState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()
         values = {**asdict(known), "findings": known.findings}
-        return ScanState(**values, hand_running=self.scan_hand.running)
+        return ScanStatus(**values, hand_running=self.scan_hand.running)
 
 
 def context_of(connection: HTTPConnection) -> Context:

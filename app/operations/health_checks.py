@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import TypeVar, cast
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.software import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
 from app.monitoring import health
@@ -17,11 +17,11 @@ from app.monitoring import health_topics as health_messages
 from app.monitoring.health import Health, HealthItem
 from app.monitoring.system_info import memory, versions, writable
 from app.operations.context import Context
-from app.operations.unreadable_files import set_aside
-from app.station.devices.arm_device import ArmSide
-from app.station.devices.sensor_device import SensorSide
-from app.store.backup import shown_backup
-from app.timestamps import is_moment, moment_of, utc_now
+from app.operations.unreadable_files import list_unreadable
+from app.station.devices.arm_device import StationArm
+from app.station.devices.sensor_device import StationSensor
+from app.store.backup import display_backup
+from app.timestamps import is_moment, parse_moment, utc_now
 
 log = logging.getLogger(__name__)
 T = TypeVar("T")
@@ -33,7 +33,7 @@ AHEAD_S = 60.0
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "fastapi", "uvicorn", "viser")
 
 
-class Examiner:
+class HealthChecker:
     """Looks at everything; called every few seconds away from the event loop."""
 
     def __init__(self, context: Context) -> None:
@@ -46,12 +46,12 @@ class Examiner:
         for name, check in self._checks().items():
             try:
                 items += check()
-            except Refusal as refusal:
+            except OperationError as refusal:
                 items.append(health_messages.not_made(name, refusal.line))
             except Exception as error:
                 log.exception("the health check %s failed", name)
                 items.append(health_messages.not_made(name, type(error).__name__))
-        return health.health_of(items, utc_now())
+        return health.summarise_health(items, utc_now())
 
     def _checks(self) -> dict[str, Callable[[], list[HealthItem]]]:
         rig = self._context.rig
@@ -76,7 +76,7 @@ class Examiner:
             "webhook": self._webhook,
         }
 
-    def _device(self, name: str, side: ArmSide | SensorSide) -> list[HealthItem]:
+    def _device(self, name: str, side: StationArm | StationSensor) -> list[HealthItem]:
         state = side.link()
         counts = (state.received, state.lost, state.corrupt)
         window = self._context.watch.losses[name]
@@ -89,7 +89,7 @@ class Examiner:
 
     def _room(self) -> list[HealthItem]:
         temperature = self._context.watch.temperature
-        return [health.room(temperature.now, self._warmer_c())] if temperature.there else []
+        return [health.temperature(temperature.now, self._warmer_c())] if temperature.there else []
 
     def _warmer_c(self) -> float | None:
         """Than when the station was calibrated."""
@@ -113,7 +113,7 @@ class Examiner:
         return [health.database((store.folder / "station.db").stat().st_size / 1e6, damage)]
 
     def _records(self) -> list[HealthItem]:
-        aside = self._every(DATABASE_EVERY_S, "records", lambda: set_aside(self._context))
+        aside = self._every(DATABASE_EVERY_S, "records", lambda: list_unreadable(self._context))
         return [health.records(aside)]
 
     def _recordings(self) -> list[HealthItem]:
@@ -125,7 +125,7 @@ class Examiner:
         backups.look()
         last = backups.last
         days = None if last is None else age_days(last.at, datetime.now(UTC))
-        place = "" if last is None else shown_backup(last.folder)
+        place = "" if last is None else display_backup(last.folder)
         return [health.backup(days, place, backups.same_disk, backups.trouble)]
 
     def _clock(self) -> list[HealthItem]:
@@ -149,7 +149,7 @@ class Examiner:
         newest = [calibration.accepted_at] if calibration else []
         newest += [scan.started_at] if scan else []
         now = datetime.now(UTC)
-        ahead = [(moment_of(at) - now).total_seconds() for at in newest if is_moment(at)]
+        ahead = [(parse_moment(at) - now).total_seconds() for at in newest if is_moment(at)]
         ahead_s = max(ahead, default=0.0)
         return ahead_s / SECONDS_A_DAY if ahead_s > AHEAD_S else 0.0
 

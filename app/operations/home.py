@@ -2,19 +2,19 @@
 
 from datetime import UTC, datetime
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding, Quality
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.view import ArmCheckSummary
 from app.guide.common.validity import (
-    Checked,
+    CheckResult,
     DueLimits,
-    Known,
     State,
+    ValidityInputs,
     age_days,
-    next_of,
+    check_validity,
+    choose_next_action,
     tip_finding,
-    validity_of,
 )
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
@@ -27,16 +27,16 @@ PASSING = ("busy", "arm-lost", "sensor-lost")
 RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}
 
 
-def home_of(context: Context) -> Home:
+def build_home(context: Context) -> Home:
     """The home page as of now."""
     record = context.store.calibrations.active()
-    summary = summary_of(record) if record else None
+    summary = calibration_summary(record) if record else None
     findings: list[Finding] = []
     for link in (context.rig.arm.link(), context.rig.sensor.link()):
         if link.state in ("lost", "off"):
             findings.append(Finding("bad", f"{link.title}: {link.text}", "Check its connection."))
-    known = known_of(context, record)
-    lines = validity_of(known, datetime.now(UTC), context.due)
+    known = validity_inputs(context, record)
+    lines = check_validity(known, datetime.now(UTC), context.due)
     refusal = context.scanner.why_not() if record is not None else None
     blocked = "" if refusal is None or refusal.code in PASSING else refusal.line
     reading = context.store.temperatures.newest()
@@ -46,41 +46,47 @@ def home_of(context: Context) -> Home:
         lines,
         None if reading is None else reading.celsius,
         tuple(findings),
-        next_of(lines, context.guide.running, context.verify_guide.running, blocked),
+        choose_next_action(lines, context.guide.running, context.verify_guide.running, blocked),
     )
 
 
-def known_of(context: Context, record: CalibrationRecord | None) -> Known:
+def validity_inputs(context: Context, record: CalibrationRecord | None) -> ValidityInputs:
     """What the station remembers of all that must be in order."""
     store, arm_guide = context.store, context.arm_guide
     verified = store.verifications.newest_of(record.id) if record else None
     tip, arm = arm_guide.past.last_tip_check(), arm_guide.past.last_check()
-    return Known(
+    return ValidityInputs(
         calibration=_calibration(record, context.scanner.trouble),
         verification=None
         if verified is None
-        else Checked(verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text),
+        else CheckResult(
+            verified.accepted_at, RESULTS[verified.figures.result], verified.figures.text
+        ),
         verified_before=store.verifications.newest() is not None,
-        tip=None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text),
-        arm=None if arm is None else Checked(arm.at, _state(arm.verdict), _of_arm(arm)),
+        tip=None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text),
+        arm=None if arm is None else CheckResult(arm.at, _state(arm.verdict), _arm_text(arm)),
         warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
     )
 
 
-def _calibration(record: CalibrationRecord | None, trouble: Refusal | None) -> Checked | None:
+def _calibration(
+    record: CalibrationRecord | None, trouble: OperationError | None
+) -> CheckResult | None:
     at = record.accepted_at if record is not None else ""
     if trouble is not None:
-        return Checked(at, "failed", trouble.why)
+        return CheckResult(at, "failed", trouble.why)
     figures = record.figures if record is not None else None
-    return None if figures is None else Checked(at, "valid", f"{figures.total_um:.0f} µm (k = 1)")
+    return (
+        None if figures is None else CheckResult(at, "valid", f"{figures.total_um:.0f} µm (k = 1)")
+    )
 
 
-def tip_of(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
+def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
     """What the last check of the tip says to who is about to touch with it."""
     tip = arm_guide.past.last_tip_check()
-    found = None if tip is None else Checked(tip.at, _state(tip.verdict), tip.text)
-    known = Known(None, None, False, found, None, None)
-    lines = validity_of(known, datetime.now(UTC), limits)
+    found = None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text)
+    known = ValidityInputs(None, None, False, found, None, None)
+    lines = check_validity(known, datetime.now(UTC), limits)
     return tip_finding(next(line for line in lines if line.id == "tip"))
 
 
@@ -88,12 +94,12 @@ def _state(verdict: Quality) -> State:
     return "failed" if verdict == "bad" else "valid"
 
 
-def _of_arm(check: ArmCheckSummary) -> str:
+def _arm_text(check: ArmCheckSummary) -> str:
     limit = "no limit was set" if check.limit_um is None else f"limit {check.limit_um:.0f} µm"
     return f"{max(check.half_range_um):.0f} µm, {limit}."
 
 
-def summary_of(record: CalibrationRecord) -> CalibrationSummary:
+def calibration_summary(record: CalibrationRecord) -> CalibrationSummary:
     """A calibration as it is listed."""
     return CalibrationSummary(
         id=record.id,

@@ -4,13 +4,13 @@ import asyncio
 import logging
 from collections.abc import Coroutine
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.operations.context import Context
-from app.operations.health_checks import Examiner
-from app.operations.status_report import report_of
+from app.operations.health_checks import HealthChecker
+from app.operations.status_report import build_report
 from app.station.bus import Event
 from app.supervision.messages import StationEvent
-from app.supervision.notifications import kind_of
+from app.supervision.notifications import notice_kind
 from app.timestamps import utc_now
 from app.wire.schema import Home
 
@@ -36,7 +36,7 @@ async def observe(context: Context) -> None:
     ]
     if watch.broker is not None:
         works.append(watch.broker.run())
-    tasks = [asyncio.create_task(_told(work)) for work in works]
+    tasks = [asyncio.create_task(_run_and_log(work)) for work in works]
     try:
         await asyncio.wait(tasks)
     finally:  # each is cancelled once: the broker's last words are spoken after that
@@ -45,7 +45,7 @@ async def observe(context: Context) -> None:
         await asyncio.wait(tasks, timeout=END_S)
 
 
-async def _told(work: Coroutine[object, object, None]) -> None:
+async def _run_and_log(work: Coroutine[object, object, None]) -> None:
     """One of these works failing ends none of the others."""
     try:
         await work
@@ -57,19 +57,19 @@ async def _reports(context: Context) -> None:
     due: set[tuple[str, str | None]] = set()
     while True:
         try:
-            report = await asyncio.to_thread(report_of, context)
+            report = await asyncio.to_thread(build_report, context)
             context.bus.publish("report", report)
             if context.watch.broker is not None:
                 context.watch.broker.report(report)
-            due = _tell_due(context, due)
-        except Refusal as refusal:  # of a damaged database or its disk; Health tells of it
+            due = _notify_due(context, due)
+        except OperationError as refusal:  # of a damaged database or its disk; Health tells of it
             log.warning("the station's report could not be made: %s", refusal.line)
         except Exception:  # the station lives on, and the next may succeed
             log.exception("the station's report could not be made")
         await asyncio.sleep(REPORT_S)
 
 
-def _tell_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[str, str | None]]:
+def _notify_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[str, str | None]]:
     """Tells once of each thing that has come due; what is due now."""
     home = context.bus.latest("home")
     if not isinstance(home, Home):
@@ -127,17 +127,17 @@ def _pass_on(context: Context, event: Event) -> None:
                 text=event.text[:400],
             )
         )
-    kind = kind_of(event)
+    kind = notice_kind(event)
     if kind is not None:
         watch.tell(kind, event.text[:400])
 
 
 async def _health(context: Context) -> None:
-    examiner = Examiner(context)
+    examiner = HealthChecker(context)
     while True:
         try:
             context.watch.health = await asyncio.to_thread(examiner.look)
-        except Refusal as refusal:
+        except OperationError as refusal:
             log.warning("the station's health could not be looked at: %s", refusal.line)
         except Exception:
             log.exception("the station's health could not be looked at")
@@ -148,7 +148,7 @@ async def _temperature(context: Context) -> None:
     while context.watch.temperature.there:
         try:
             await asyncio.to_thread(context.watch.temperature.read)
-        except Refusal as refusal:
+        except OperationError as refusal:
             log.warning("the temperature could not be kept: %s", refusal.line)
         except Exception:
             log.exception("the temperature could not be read")

@@ -9,16 +9,16 @@ from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_arm
-from app.formats.io_errors import files_refused
-from app.formats.json_document import read_text, sha256_of
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import file_sha256, read_text
 from app.formats.recording.reader import (
     SCAN_CALIBRATION,
     SCAN_NAME,
     SCAN_STARTED,
-    damage_of,
+    find_damage,
     open_recording,
 )
 from app.formats.results.calibration import read_calibration
@@ -30,20 +30,20 @@ from app.station.scan.storage import CLOUD, RECORDING, ScanFolders
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import is_moment
-from app.workflows.reconstruct import rebuild
+from app.workflows.reconstruct import reconstruct_cloud
 
 log = logging.getLogger(__name__)
 DELETED = ".deleted-"
 """Folders of scans that are being deleted are called so."""
 KILLED = "The station ended during this scan."
-AGAIN_S = 10.0
+RETRY_S = 10.0
 END_S = 5.0
 RECORD = "verification.json"
 LONGEST_NAME = 120
 """Of what a recording tells of itself."""
 
 
-class _EndedError(Exception):
+class _CloudPostponedError(Exception):
     """The cloud is made later: a scan begins, or the program ends."""
 
 
@@ -66,7 +66,7 @@ class Recovery:
         self._note_records = note_records
         self._scans = store.folder / "scans"
         self._folders = ScanFolders(self._scans)
-        self._refused: dict[str, Refusal] = {}
+        self._refused: dict[str, OperationError] = {}
         self._hashed: dict[tuple[Path, int], str] = {}
         self._not_before_s = 0.0
         self._ending = threading.Event()
@@ -86,8 +86,8 @@ class Recovery:
         for folder in found:
             try:
                 self._settle(folder, folder in listed)
-            except (OSError, Refusal) as error:
-                text = error.line if isinstance(error, Refusal) else str(error)
+            except (OSError, OperationError) as error:
+                text = error.line if isinstance(error, OperationError) else str(error)
                 log.warning("%s is left as it is: %s", folder, text)
 
     def _settle(self, folder: Path, listed: bool) -> None:
@@ -104,7 +104,7 @@ class Recovery:
         if not recording.stat().st_size:
             _remove_empty(folder)
             return
-        scan = _found(folder, open_recording(recording).told())
+        scan = _scan_record(folder, open_recording(recording).told())
         for path in (recording, folder / CLOUD):
             if path.is_file():
                 sync_file(path)
@@ -123,12 +123,12 @@ class Recovery:
             return
         try:
             self._store.scans.add_waiting()
-        except Refusal:
-            self._not_before_s = now_s + AGAIN_S
+        except OperationError:
+            self._not_before_s = now_s + RETRY_S
             return
         scan = next(iter(self._without_cloud()), None)
         if scan is None or self._folders.no_room_to_start() is not None:
-            self._not_before_s = now_s + AGAIN_S / 4
+            self._not_before_s = now_s + RETRY_S / 4
             return
         self._thread = threading.Thread(
             target=self._make_cloud, args=(scan,), name="recovery", daemon=True
@@ -153,25 +153,27 @@ class Recovery:
         try:
             points = self._rebuild(scan)
             self._bus.event("scan-rebuilt", f"{scan.name}: {points} points made.", "good")
-        except _EndedError:
+        except _CloudPostponedError:
             return
-        except Refusal as refusal:
+        except OperationError as refusal:
             if refusal.code in ("disk-full", "not-kept"):
-                self._not_before_s = time.monotonic() + AGAIN_S
+                self._not_before_s = time.monotonic() + RETRY_S
                 return
             self._refused[scan.id] = refusal
             log.warning("no cloud for scan %s: %s", scan.id, refusal.line)
         except Exception as error:  # the station lives on
             log.exception("the cloud of scan %s cannot be made", scan.id)
-            self._refused[scan.id] = Refusal("failed", "the program failed at it", f"{error}")
+            self._refused[scan.id] = OperationError(
+                "failed", "the program failed at it", f"{error}"
+            )
         self._note_records()
 
     def _rebuild(self, scan: ScanRecord) -> int:
         """Makes a scan's cloud as it would have been made live; how many points it has."""
         record = self._store.calibrations.get(scan.calibration_id)
         if record is None:
-            raise Refusal("no-calibration", "its calibration is not known here")
-        made = rebuild(
+            raise OperationError("no-calibration", "its calibration is not known here")
+        made = reconstruct_cloud(
             scan.folder / RECORDING,
             read_calibration(record.file),
             read_arm(record.file.parent / ARM),
@@ -183,13 +185,13 @@ class Recovery:
 
     def _progress(self, share: float, text: str) -> None:
         if self._ending.is_set() or self._is_busy():
-            raise _EndedError
+            raise _CloudPostponedError
 
     # -- what is told --------------------------------------------------------
 
     def note_of(self, scan: ScanRecord) -> str:
         """What is wrong with a scan's recording, or why it ended early; mostly empty."""
-        damage = damage_of(scan.folder / RECORDING, scan.recording_bytes)
+        damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
             return f"{damage[:1].upper()}{damage[1:]}."
         if not scan.interrupted:
@@ -206,12 +208,12 @@ class Recovery:
         """The recordings of scans and verifications that are not what they were, in words."""
         found = []
         for scan in self._store.scans.all():
-            if damage := damage_of(scan.folder / RECORDING, scan.recording_bytes):
+            if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
                 found.append(f"{scan.name}: {damage}")
         for verification in self._store.verifications.all():
-            for name, sha256 in _recordings_of(verification.folder):
+            for name, sha256 in _recording_hashes(verification.folder):
                 path = verification.folder / name
-                if (damage := damage_of(path)) and not self._is_as_hashed(path, sha256):
+                if (damage := find_damage(path)) and not self._is_as_hashed(path, sha256):
                     found.append(f"{verification.id}, {name}: {damage}")
         return found
 
@@ -220,13 +222,13 @@ class Recovery:
         try:
             key = path, path.stat().st_size
             if key not in self._hashed:
-                self._hashed[key] = sha256_of(path)
+                self._hashed[key] = file_sha256(path)
         except OSError:
             return False
         return self._hashed[key] == sha256
 
 
-def _found(folder: Path, told: dict[str, str]) -> ScanRecord:
+def _scan_record(folder: Path, told: dict[str, str]) -> ScanRecord:
     """The record of a scan, by what its recording and its folder say of it."""
     began = told.get(SCAN_STARTED, "")
     if not is_moment(began):
@@ -252,11 +254,11 @@ def _remove_empty(folder: Path) -> None:
         folder.rmdir()
 
 
-def _recordings_of(folder: Path) -> list[tuple[str, str]]:
+def _recording_hashes(folder: Path) -> list[tuple[str, str]]:
     """Names and hashes of the recordings that a verification's record has."""
     try:
-        with files_refused(folder):
+        with convert_io_errors(folder):
             inputs = json.loads(read_text(folder / RECORD))["inputs"]
         return [(one["file"], one["sha256"]) for one in inputs if one["file"].endswith(RECORDING)]
-    except (Refusal, ValueError, KeyError, TypeError, AttributeError):
+    except (OperationError, ValueError, KeyError, TypeError, AttributeError):
         return []

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.errors import Refusal
-from app.formats.file_names import name_from, name_whole
+from app.errors import OperationError
+from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.monitoring.health import Health
-from app.monitoring.log_store import LogBook
+from app.monitoring.log_store import LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog
 from app.monitoring.network import Network
 from app.monitoring.system_info import WallClock
@@ -20,11 +20,11 @@ from app.station.devices.link_state import LossWindow
 from app.station.devices.temperature import TemperatureWatch, Thermometer
 from app.station.jobs import Jobs
 from app.station.scan.state import ScanResult
-from app.store.backup import BackupMade, backup, last_backup, shown_backup, stamped_name
+from app.store.backup import BackupRecord, backup, display_backup, last_backup, new_backup_name
 from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import new_instance, station_id
-from app.supervision.notifications import Notice, NoticeKind, Repeats
+from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind
 from app.supervision.remote_stations import Fleet
 from app.supervision.webhook import Webhook, WebhookStore
 from app.timestamps import utc_now
@@ -36,7 +36,7 @@ BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
 
 
 @dataclass(frozen=True)
-class Watching:
+class MonitoringSettings:
     """What ``station.toml`` has of it."""
 
     address: str = ""
@@ -73,31 +73,33 @@ class Backups:
         self.trouble = ""
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
-        self.last: BackupMade | None = last_backup(data)
+        self.last: BackupRecord | None = last_backup(data)
 
     def look(self) -> None:
         """Whether one was made, or taken away, by somebody else."""
         self.last = last_backup(self._data)
 
     def start(self) -> None:
-        """Raises ``Refusal`` while one is being made."""
+        """Raises ``OperationError`` while one is being made."""
         with self._lock:
             if self.share is not None:
-                raise Refusal("busy", "A backup is being made already", remedy="Wait for it")
+                raise OperationError("busy", "A backup is being made already", remedy="Wait for it")
             self.share, self.trouble = 0.0, ""
         self._thread = threading.Thread(target=self._run, name="backup", daemon=True)
         self._thread.start()
 
     def _run(self) -> None:
-        name_from(self.folder.parent)
+        register_data_folder(self.folder.parent)
         try:
-            self.last = backup(self._data, self.folder / stamped_name(), self._progress)
-            self._bus.event("backup", f"The backup is in {shown_backup(self.last.folder)}.", "good")
-        except Refusal as refusal:
+            self.last = backup(self._data, self.folder / new_backup_name(), self._progress)
+            self._bus.event(
+                "backup", f"The backup is in {display_backup(self.last.folder)}.", "good"
+            )
+        except OperationError as refusal:
             self.trouble = refusal.line
             self._bus.event("backup", f"No backup was made: {refusal.line}", "bad")
         finally:
-            name_whole(self.folder.parent)
+            unregister_data_folder(self.folder.parent)
             self.share = None
 
     def _progress(self, share: float, text: str) -> None:
@@ -111,17 +113,19 @@ def _disk(folder: Path) -> int | None:
     return None
 
 
-class Watch:
+class MonitoringServices:
     """The parts that watch over one station."""
 
-    def __init__(self, settings: Watching, name: str, bus: Bus, store: Store, jobs: Jobs) -> None:
+    def __init__(
+        self, settings: MonitoringSettings, name: str, bus: Bus, store: Store, jobs: Jobs
+    ) -> None:
         self.settings = settings
         self.instance = new_instance()
         mqtt = settings.mqtt
         self.station = (mqtt.station if mqtt else None) or station_id(name)
         self.name = name
         self.started_s = time.monotonic()
-        self.logs = LogBook(store.folder)
+        self.logs = LogStore(store.folder)
         self.watchdog = LoopWatchdog()
         self.clock = WallClock()
         self.temperature = TemperatureWatch(
@@ -143,8 +147,8 @@ class Watch:
         """Live connections that are open."""
         self._bus = bus
         self._numbers = 0
-        self._repeats = Repeats()
-        self.warned = Repeats()
+        self._repeats = NoticeDeduplicator()
+        self.warned = NoticeDeduplicator()
         """Events that the log warns of: what is repeated, like Stop, is only told there."""
 
     def _broker_of(self, settings: BrokerSettings) -> "Broker":

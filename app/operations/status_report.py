@@ -24,7 +24,7 @@ from app.wire.schema import CalibrationSummary, Home
 LONGEST = 400
 
 
-def report_of(context: Context) -> StationReport:
+def build_report(context: Context) -> StationReport:
     """Everything of this station as of now."""
     watch, home = context.watch, context.bus.latest("home")
     devices = context.rig.devices()

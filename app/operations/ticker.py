@@ -3,10 +3,10 @@
 import asyncio
 import logging
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.verify.commands import measure_waiting
 from app.operations.context import Context
-from app.operations.home import home_of
+from app.operations.home import build_home
 
 log = logging.getLogger(__name__)
 PERIOD_S = 0.2
@@ -26,11 +26,11 @@ async def tick(context: Context) -> None:
             if count % HOME_EVERY == 0:
                 await asyncio.to_thread(context.recovery.step)
             if count % HOME_EVERY == 0:
-                found = await asyncio.to_thread(home_of, context)
+                found = await asyncio.to_thread(build_home, context)
                 if found != home:
                     home = found
                     context.bus.publish("home", home)
-        except Refusal as refusal:  # of a damaged database or its disk; Health tells of it
+        except OperationError as refusal:  # of a damaged database or its disk; Health tells of it
             log.warning("the live state could not be refreshed: %s", refusal.line)
         except Exception:  # the station lives on, and the next tick may succeed
             log.exception("the live state could not be refreshed")

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm
 from app.formats.results.calibration import CalibrationFile
 from app.formats.results.verification import VERIFICATION, VerificationFile
@@ -11,7 +11,7 @@ from app.formats.session.calibration_session import ARM
 from app.operations.context import Context
 
 
-def set_aside(context: Context) -> list[str]:
+def list_unreadable(context: Context) -> list[str]:
     """Each a sentence. It reads every record, which may take seconds."""
     store, sessions = context.store, (context.guide, context.arm_guide, context.verify_guide)
     found = [session.aside for session in sessions if session.aside]
@@ -33,6 +33,6 @@ def set_aside(context: Context) -> list[str]:
 def _trouble(path: Path, read: Callable[[Path], object]) -> list[str]:
     try:
         read(path)
-    except Refusal as refusal:
+    except OperationError as refusal:
         return [refusal.line]
     return []

@@ -26,7 +26,7 @@ class Facts:
 
 
 @dataclass(frozen=True)
-class Table:
+class ReportTable:
     """``widths`` are shares of the page; columns from ``numbers`` on are set to the right."""
 
     columns: Sequence[str]
@@ -43,7 +43,7 @@ class Text:
 
 
 @dataclass(frozen=True)
-class Finding:
+class ReportFinding:
     quality: Quality
     text: str
     remedy: str = ""
@@ -51,7 +51,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Findings:
-    rows: Sequence[Finding]
+    rows: Sequence[ReportFinding]
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Signatures:
     lines: Sequence[tuple[str, str]]
 
 
-Block = Facts | Table | Text | Findings | Pictures | Signatures
+Block = Facts | ReportTable | Text | Findings | Pictures | Signatures
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,11 @@ Anchor = Literal["start", "middle", "end"]
 
 INK, SOFT, FAINT, LINE = "#12161b", "#434d59", "#7c8794", "#b9c1cc"
 BLUE, RED, ORANGE, GREEN = "#1d5bd0", "#c8232a", "#b45309", "#17794a"
-PAPER, GROUND = "#ffffff", "#f2f4f7"
+WHITE, GROUND = "#ffffff", "#f2f4f7"
 
 
 @dataclass(frozen=True)
-class Shape:
+class Polyline:
     """A line through points, or where it is ``closed`` a face."""
 
     points: tuple[Point, ...]
@@ -38,7 +38,7 @@ class Dot:
 
 
 @dataclass(frozen=True)
-class Words:
+class Label:
     """One line of text; ``at`` is on its base line."""
 
     at: Point
@@ -50,7 +50,7 @@ class Words:
 
 
 @dataclass(frozen=True)
-class Photograph:
+class Photo:
     """A JPEG in a rectangle given by its upper left corner."""
 
     at: Point
@@ -59,7 +59,7 @@ class Photograph:
     jpeg: bytes
 
 
-Item = Shape | Dot | Words | Photograph
+Item = Polyline | Dot | Label | Photo
 
 
 @dataclass
@@ -73,10 +73,10 @@ class Figure:
     items: list[Item] = field(default_factory=list)
 
     def line(self, *points: Point, stroke: str = LINE, width: float = 0.75) -> None:
-        self.items.append(Shape(points, stroke, width))
+        self.items.append(Polyline(points, stroke, width))
 
     def face(self, *points: Point, fill: str, stroke: str = "", width: float = 0.5) -> None:
-        self.items.append(Shape(points, stroke, width, fill, closed=True))
+        self.items.append(Polyline(points, stroke, width, fill, closed=True))
 
     def box(self, at: Point, width: float, height: float, fill: str, stroke: str = "") -> None:
         x, y = at
@@ -104,7 +104,7 @@ class Figure:
         anchor: Anchor = "start",
         bold: bool = False,
     ) -> None:
-        self.items.append(Words(at, text, size, colour, anchor, bold))
+        self.items.append(Label(at, text, size, colour, anchor, bold))
 
 
 def magnification(largest: float, room: float) -> float:

@@ -12,18 +12,18 @@ from app.report.content import (
     Findings,
     Pictures,
     Report,
+    ReportTable,
     Section,
     Signatures,
-    Table,
     Text,
 )
 from app.report.fonts import REGULAR, SEMIBOLD
-from app.report.formatting import tied
+from app.report.formatting import join_units
 from app.report.html_policy import POLICY
 from app.report.svg import svg
-from app.report.translation import Say
-from app.strings.isolated import with_isolated
-from app.strings.sentences import sentences_of
+from app.report.translation import Translate
+from app.strings.isolated import isolate_names
+from app.strings.sentences import load_sentences
 
 MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
 
@@ -90,7 +90,7 @@ footer { margin-top: 10mm; padding-top: 2mm; border-top: 1px solid #dde1e7; font
 
 
 @cache
-def _faces() -> str:
+def _font_faces() -> str:
     """The same face as on paper, within the page."""
     rules = (
         f"@font-face {{ font-family: Report; font-weight: {weight}; "
@@ -100,10 +100,10 @@ def _faces() -> str:
     return "".join(rules)
 
 
-def page(report: Report) -> bytes:
+def html_page(report: Report) -> bytes:
     """The whole file, UTF-8."""
     notes = "".join(f'<p class="note">{escape(note)}</p>' for note in report.notes)
-    verdict, say = report.verdict, sentences_of(report.language).said
+    verdict, say = report.verdict, load_sentences(report.language).said
     of = f"<b>{escape(report.station)}</b><br>{escape(report.number)}<br>{escape(report.date)}"
     text = f"""<!doctype html>
 <html lang="{report.language}">
@@ -112,7 +112,7 @@ def page(report: Report) -> bytes:
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(report.title)} {escape(report.number)}</title>
-<style>{_faces()}{STYLE}</style>
+<style>{_font_faces()}{STYLE}</style>
 </head>
 <body>
 <header>
@@ -122,7 +122,7 @@ def page(report: Report) -> bytes:
 {notes}
 <div class="verdict {verdict.quality}"><b>{escape(verdict.word)}</b>{escape(verdict.text)}</div>
 {"".join(_section(section, say) for section in report.sections)}
-<footer>{escape(say(made_by()))}</footer>
+<footer>{escape(say(producer_text()))}</footer>
 </body>
 </html>
 """
@@ -131,20 +131,20 @@ def page(report: Report) -> bytes:
 
 def escape(text: str) -> str:
     """A text as it may stand in the page."""
-    return html.escape(with_isolated(tied(text)))
+    return html.escape(isolate_names(join_units(text)))
 
 
-def made_by() -> str:
+def producer_text() -> str:
     """What made the report."""
     return f"Report made by Crenel {SOFTWARE.version} from the files of the session alone."
 
 
-def _section(section: Section, say: Say) -> str:
+def _section(section: Section, say: Translate) -> str:
     blocks = "".join(_block(block, say) for block in section.blocks)
     return f"<section><h2>{escape(section.title)}</h2>{blocks}</section>\n"
 
 
-def _block(block: Block, say: Say) -> str:
+def _block(block: Block, say: Translate) -> str:
     match block:
         case Facts():
             rows = "".join(
@@ -152,7 +152,7 @@ def _block(block: Block, say: Say) -> str:
                 for name, value in block.rows
             )
             return f'<dl class="facts">{rows}</dl>'
-        case Table():
+        case ReportTable():
             return _table(block)
         case Text():
             kind = ' class="small"' if block.small else ""
@@ -180,7 +180,7 @@ def _block(block: Block, say: Say) -> str:
             return f'<div class="signatures">{lines}</div>'
 
 
-def _table(table: Table) -> str:
+def _table(table: ReportTable) -> str:
     def cells(row: Sequence[str], tag: str) -> str:
         kinds = ["" if i < table.numbers else ' class="n"' for i in range(len(row))]
         texts = zip(kinds, row, strict=True)

@@ -30,19 +30,19 @@ from app.report.content import (
     Findings,
     Pictures,
     Report,
+    ReportTable,
     Section,
     Signatures,
-    Table,
     Text,
 )
 from app.report.figure import FAINT, INK, SOFT
 from app.report.fonts import REGULAR, SEMIBOLD
-from app.report.formatting import tied
-from app.report.html import MARKS, made_by
+from app.report.formatting import join_units
+from app.report.html import MARKS, producer_text
 from app.report.pdf_figure import BOLD, PLAIN, Drawing
-from app.report.translation import Say
+from app.report.translation import Translate
 from app.strings.isolated import TURNING
-from app.strings.sentences import sentences_of
+from app.strings.sentences import load_sentences
 
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
@@ -55,21 +55,21 @@ COLOURS = {
     "bad": ("#bf2329", "#fdeaea"),
     "neutral": ("#5f6b79", "#f2f4f7"),
 }
-LEAST_ROOM = 45 * mm
+LEAST_SPACE = 45 * mm
 """Where less than this is left of a sheet, the next section begins on another."""
 
 
-def paper(report: Report) -> bytes:
+def pdf_document(report: Report) -> bytes:
     """The whole file."""
     _fonts()
     # how many sheets there are is said on each, and known once they are laid out
-    _, sheets = _laid_out(report, 0)
-    return _laid_out(report, sheets)[0]
+    _, sheets = _lay_out(report, 0)
+    return _lay_out(report, sheets)[0]
 
 
-def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
+def _lay_out(report: Report, sheets: int) -> tuple[bytes, int]:
     """The file, each sheet saying that there are so many, and how many there are."""
-    whole, say = io.BytesIO(), sentences_of(report.language).said
+    whole, say = io.BytesIO(), load_sentences(report.language).said
     document = SimpleDocTemplate(
         whole,
         pagesize=A4,
@@ -83,14 +83,14 @@ def _laid_out(report: Report, sheets: int) -> tuple[bytes, int]:
         lang=report.language,
         invariant=1,
     )
-    foot = _shown(f"{report.title} {report.number}")
+    foot = _replace_missing(f"{report.title} {report.number}")
 
     def footer(canvas: Canvas, own: SimpleDocTemplate) -> None:
         canvas.setFont(PLAIN, 7)
         canvas.setFillColor(HexColor(FAINT))
         canvas.drawString(MARGIN, 9 * mm, foot[:90])
         canvas.drawRightString(A4[0] - MARGIN, 9 * mm, say(f"{own.page} of {sheets}"))
-        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, say(made_by()))
+        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, say(producer_text()))
 
     story = [
         *_head(report),
@@ -110,7 +110,7 @@ def _fonts() -> frozenset[int]:
     return frozenset(regular.face.charToGlyph)
 
 
-def _shown(text: str) -> str:
+def _replace_missing(text: str) -> str:
     """The text with a box for each character that the face does not have, or that turns it."""
     known = _fonts()
     shown = TURNING.sub("□", text)
@@ -128,19 +128,23 @@ def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:
     )
 
 
-def _words(
+def _paragraph(
     text: str, size: float = 8.5, colour: str = INK, bold: bool = False, right: bool = False
 ) -> Paragraph:
-    return Paragraph(escape(_shown(tied(text)), quote=False), _style(size, colour, bold, right))
+    return Paragraph(
+        escape(_replace_missing(join_units(text)), quote=False), _style(size, colour, bold, right)
+    )
 
 
 def _head(report: Report) -> list[Flowable]:
     of = [
-        _words(report.station, 8.5, INK, True, True),
-        _words(report.number, 8, SOFT, False, True),
-        _words(report.date, 8, SOFT, False, True),
+        _paragraph(report.station, 8.5, INK, True, True),
+        _paragraph(report.number, 8, SOFT, False, True),
+        _paragraph(report.date, 8, SOFT, False, True),
     ]
-    head = Grid([[_words(report.title, 18, INK, True), of]], colWidths=[0.58 * WIDTH, 0.42 * WIDTH])
+    head = Grid(
+        [[_paragraph(report.title, 18, INK, True), of]], colWidths=[0.58 * WIDTH, 0.42 * WIDTH]
+    )
     head.setStyle(
         TableStyle(
             [
@@ -151,12 +155,12 @@ def _head(report: Report) -> list[Flowable]:
         )
     )
     notes = [
-        _boxed([_words(note, 8.5, INK, True)], HexColor("#ffffff"), HexColor("#b9c1cc"))
+        _box([_paragraph(note, 8.5, INK, True)], HexColor("#ffffff"), HexColor("#b9c1cc"))
         for note in report.notes
     ]
     strong, soft = COLOURS[report.verdict.quality]
-    verdict = _boxed(
-        [_words(report.verdict.word, 13, strong, True), _words(report.verdict.text, 9)],
+    verdict = _box(
+        [_paragraph(report.verdict.word, 13, strong, True), _paragraph(report.verdict.text, 9)],
         HexColor(soft),
         None,
         HexColor(strong),
@@ -164,7 +168,7 @@ def _head(report: Report) -> list[Flowable]:
     return [head, *[part for note in notes for part in (Spacer(1, 8), note)], Spacer(1, 8), verdict]
 
 
-def _boxed(
+def _box(
     inner: list[Paragraph], ground: Color, border: Color | None, bar: Color | None = None
 ) -> Grid:
     grid = Grid([[inner]], colWidths=[WIDTH])
@@ -182,8 +186,8 @@ def _padding(left: float, top: float, right: float, bottom: float) -> list[tuple
     return [(f"{name}PADDING", (0, 0), (-1, -1), value) for name, value in sides]
 
 
-def _section(section: Section, say: Say) -> list[Flowable]:
-    title = _words(section.title, 11, INK, True)
+def _section(section: Section, say: Translate) -> list[Flowable]:
+    title = _paragraph(section.title, 11, INK, True)
     parts: list[Flowable] = []
     for block in section.blocks:
         parts += _block(block, say)
@@ -193,18 +197,18 @@ def _section(section: Section, say: Say) -> list[Flowable]:
     if section.blocks and isinstance(section.blocks[0], Pictures):
         # a row of pictures is higher than the least room, and a title stays with what it names
         return [KeepTogether([*headed, *parts[:1]]), *parts[1:]]
-    return [CondPageBreak(LEAST_ROOM), *headed, *parts]
+    return [CondPageBreak(LEAST_SPACE), *headed, *parts]
 
 
-def _block(block: Block, say: Say) -> list[Flowable]:
+def _block(block: Block, say: Translate) -> list[Flowable]:
     match block:
         case Facts():
             return [_facts(block)]
-        case Table():
+        case ReportTable():
             return [_table(block), Spacer(1, 6)]
         case Text():
             size, colour = (7.5, SOFT) if block.small else (8.5, INK)
-            return [_words(block.text, size, colour), Spacer(1, 4)]
+            return [_paragraph(block.text, size, colour), Spacer(1, 4)]
         case Findings():
             return [_findings(block, say)]
         case Pictures():
@@ -218,7 +222,7 @@ def _facts(facts: Facts) -> Grid:
     half = -(-len(rows) // 2)
     left, right = rows[:half], [*rows[half:], *[("", "")] * (2 * half - len(rows))]
     cells = [
-        [_words(a, colour=SOFT), _words(b), "", _words(c, colour=SOFT), _words(d)]
+        [_paragraph(a, colour=SOFT), _paragraph(b), "", _paragraph(c, colour=SOFT), _paragraph(d)]
         for (a, b), (c, d) in zip(left, right, strict=True)
     ]
     label, gap = 0.16 * WIDTH, 0.03 * WIDTH
@@ -229,12 +233,12 @@ def _facts(facts: Facts) -> Grid:
     return grid
 
 
-def _table(table: Table) -> Grid:
+def _table(table: ReportTable) -> Grid:
     size = 7.0 if table.small else 8.5
 
     def cells(row: Sequence[str], head: bool) -> list[Paragraph]:
         look = (7.0 if table.small else 7.5, SOFT, True) if head else (size, INK, False)
-        return [_words(cell, *look, i >= table.numbers) for i, cell in enumerate(row)]
+        return [_paragraph(cell, *look, i >= table.numbers) for i, cell in enumerate(row)]
 
     total = sum(table.widths)
     grid = Grid(
@@ -255,11 +259,11 @@ def _table(table: Table) -> Grid:
     return grid
 
 
-def _findings(findings: Findings, say: Say) -> Grid:
+def _findings(findings: Findings, say: Translate) -> Grid:
     rows = [
         [
-            _words(say(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
-            [_words(row.text), *([_words(row.remedy, 7.5, SOFT)] if row.remedy else [])],
+            _paragraph(say(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
+            [_paragraph(row.text), *([_paragraph(row.remedy, 7.5, SOFT)] if row.remedy else [])],
         ]
         for row in findings.rows
     ]
@@ -284,7 +288,7 @@ def _pictures(pictures: Pictures) -> list[Flowable]:
         row = pictures.figures[first : first + pictures.across]
         cells: list[object] = []
         for figure, caption in row:
-            cells += [[Drawing(figure, each), Spacer(1, 3), _words(caption, 7.5, SOFT)], ""]
+            cells += [[Drawing(figure, each), Spacer(1, 3), _paragraph(caption, 7.5, SOFT)], ""]
         grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (len(row) - 1)], hAlign="LEFT")
         grid.setStyle(TableStyle([("VALIGN", (0, 0), (-1, -1), "TOP"), *_padding(0, 0, 0, 8)]))
         parts.append(grid)
@@ -296,7 +300,7 @@ def _signatures(signatures: Signatures) -> Grid:
     each = (WIDTH - gap * (count - 1)) / count
     cells: list[object] = []
     for role, name in signatures.lines:
-        cells += [_words(f"{role}: {name}" if name else role, 8, SOFT), ""]
+        cells += [_paragraph(f"{role}: {name}" if name else role, 8, SOFT), ""]
     grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (count - 1)])
     lines = [("LINEABOVE", (2 * i, 0), (2 * i, 0), 0.75, HexColor(INK)) for i in range(count)]
     grid.setStyle(TableStyle([*lines, *_padding(0, 3, 0, 0)]))

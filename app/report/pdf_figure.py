@@ -7,7 +7,7 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable
 
-from app.report.figure import Dot, Figure, Photograph, Shape, Words
+from app.report.figure import Dot, Figure, Label, Photo, Polyline
 
 PLAIN, BOLD = "Crenel", "Crenel-Bold"
 
@@ -29,12 +29,12 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         canvas.saveState()
         canvas.scale(self.scale, self.scale)
         for item in self.figure.items:
-            if isinstance(item, Shape):
+            if isinstance(item, Polyline):
                 self._shape(canvas, item)
             elif isinstance(item, Dot):
                 filled = _paint(canvas, item)
                 canvas.circle(*self._up(item.at), item.radius, int(bool(item.stroke)), filled)
-            elif isinstance(item, Photograph):
+            elif isinstance(item, Photo):
                 x, y = self._up(item.at)
                 picture = ImageReader(io.BytesIO(item.jpeg))
                 canvas.drawImage(picture, x, y - item.height, item.width, item.height)
@@ -46,7 +46,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         """On paper y grows upward."""
         return at[0], self.figure.height - at[1]
 
-    def _shape(self, canvas: Canvas, shape: Shape) -> None:
+    def _shape(self, canvas: Canvas, shape: Polyline) -> None:
         filled = _paint(canvas, shape)
         canvas.setDash(list(shape.dash or ()))
         path = canvas.beginPath()
@@ -58,7 +58,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         canvas.drawPath(path, int(bool(shape.stroke)), filled)
         canvas.setDash([])
 
-    def _words(self, canvas: Canvas, words: Words) -> None:
+    def _words(self, canvas: Canvas, words: Label) -> None:
         canvas.setFont(BOLD if words.bold else PLAIN, words.size)
         canvas.setFillColor(HexColor(words.colour))
         draw = {
@@ -69,7 +69,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         draw(*self._up(words.at), words.text)
 
 
-def _paint(canvas: Canvas, item: Shape | Dot) -> int:
+def _paint(canvas: Canvas, item: Polyline | Dot) -> int:
     """Sets line and filling; whether there is a filling."""
     if item.stroke:
         canvas.setStrokeColor(HexColor(item.stroke))

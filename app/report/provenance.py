@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.formats.json_document import sha256_of
+from app.formats.json_document import file_sha256
 from app.formats.results.calibration import Input
-from app.report.content import Block, Finding, Findings, Section, Table, Text
+from app.report.content import Block, Findings, ReportFinding, ReportTable, Section, Text
 
 SAME, RESULT = "unchanged", "the result"
 
@@ -15,13 +15,13 @@ def inputs_section(
 ) -> Section:
     """The files with their hashes, and the ``result`` with what was ``promised`` of it."""
     rows = [(one.file, one.sha256, _state(folder, one)) for one in inputs]
-    own = sha256_of(folder / result)
+    own = file_sha256(folder / result)
     rows.append((result, own, RESULT if promised_sha256 in (None, own) else "changed"))
     changed = sum(row[2] not in (SAME, RESULT) for row in rows)
-    table = Table(("File", "SHA-256", "Now"), rows, (34, 70, 15), 3, small=True)
+    table = ReportTable(("File", "SHA-256", "Now"), rows, (34, 70, 15), 3, small=True)
     if changed:
         text = f"{changed} of these files are not what the result was made from and accepted as."
-        told = Finding("bad", text, "The result cannot be traced to them.")
+        told = ReportFinding("bad", text, "The result cannot be traced to them.")
         blocks: list[Block] = [Findings([told]), table]
     else:
         blocks = [table, Text("Every file has the content that the result was made from.", True)]
@@ -32,4 +32,4 @@ def _state(folder: Path, one: Input) -> str:
     path = folder / one.file
     if not path.is_file():
         return "missing"
-    return SAME if sha256_of(path) == one.sha256 else "changed"
+    return SAME if file_sha256(path) == one.sha256 else "changed"

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK
 from app.formats.results.verification import VERIFICATION
 from app.formats.session.arm_session import IDENTIFIED
@@ -13,8 +13,8 @@ from app.report.contents.calibration import CALIBRATION, calibration_report
 from app.report.contents.identification import identification_report
 from app.report.contents.tip_check import tip_check_report
 from app.report.contents.verification import verification_report
-from app.report.html import page
-from app.report.translation import in_language
+from app.report.html import html_page
+from app.report.translation import translate_report
 
 KINDS = (
     (VERIFICATION, verification_report),
@@ -25,16 +25,16 @@ KINDS = (
 )
 
 
-def _paper(report: Report) -> bytes:
-    from app.report.pdf import paper  # the PDF library is loaded by who prints
+def _pdf(report: Report) -> bytes:
+    from app.report.pdf import pdf_document  # the PDF library is loaded by who prints
 
-    return paper(report)
-
-
-FORMS = {".html": page, ".pdf": _paper}
+    return pdf_document(report)
 
 
-def report_of(folder: Path) -> Report:
+FORMS = {".html": html_page, ".pdf": _pdf}
+
+
+def folder_report(folder: Path) -> Report:
     """The report on whatever a folder records.
 
     Raises:
@@ -44,26 +44,26 @@ def report_of(folder: Path) -> Report:
         if (folder / name).is_file():
             return report(folder)
     there = "it holds no record of one" if folder.is_dir() else "there is no such folder"
-    raise Refusal(
+    raise OperationError(
         "no-record",
-        shown_path(folder),
+        display_path(folder),
         there,
         f"Name the folder of a calibration, a check or a verification: it has one of "
         f"{', '.join(name for name, _ in KINDS)}",
     )
 
 
-def report_as(folder: Path, suffix: str, language: str = "en") -> bytes:
+def render_report(folder: Path, suffix: str, language: str = "en") -> bytes:
     """The report on a folder as ``.html`` or ``.pdf``, the same bytes for the same files.
 
     Raises:
-        Refusal: as ``report_of``, or for another ``suffix`` or an unknown ``language``.
+        Refusal: as ``folder_report``, or for another ``suffix`` or an unknown ``language``.
     """
     form = FORMS.get(suffix.lower())
     if form is None:
-        raise Refusal(
+        raise OperationError(
             "report-form",
             f"a report cannot be written as '{suffix}'",
             remedy=f"End the name with {' or '.join(FORMS)}",
         )
-    return form(in_language(report_of(folder), language))
+    return form(translate_report(folder_report(folder), language))

@@ -3,8 +3,8 @@
 import base64
 from html import escape
 
-from app.report.figure import Dot, Figure, Item, Photograph, Shape
-from app.strings.isolated import with_isolated
+from app.report.figure import Dot, Figure, Item, Photo, Polyline
+from app.strings.isolated import isolate_names
 
 
 def svg(figure: Figure) -> str:
@@ -15,29 +15,29 @@ def svg(figure: Figure) -> str:
 
 
 def _item(item: Item) -> str:
-    if isinstance(item, Shape):
+    if isinstance(item, Polyline):
         return _shape(item)
     if isinstance(item, Dot):
         x, y = item.at
         return f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{item.radius:g}"{_paint(item)}/>'
     x, y = item.at
-    if isinstance(item, Photograph):
+    if isinstance(item, Photo):
         data = base64.b64encode(item.jpeg).decode()
         place = f'x="{x:.2f}" y="{y:.2f}" width="{item.width:.2f}" height="{item.height:.2f}"'
         return f'<image {place} href="data:image/jpeg;base64,{data}"/>'
     weight = ' font-weight="600"' if item.bold else ""
     look = f'font-size="{item.size:g}" fill="{item.colour}" text-anchor="{item.anchor}"{weight}'
-    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(with_isolated(item.text))}</text>'
+    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(isolate_names(item.text))}</text>'
 
 
-def _shape(shape: Shape) -> str:
+def _shape(shape: Polyline) -> str:
     points = " ".join(f"{x:.2f},{y:.2f}" for x, y in shape.points)
     dash = f' stroke-dasharray="{shape.dash[0]:g} {shape.dash[1]:g}"' if shape.dash else ""
     name = "polygon" if shape.closed else "polyline"
     return f'<{name} points="{points}"{_paint(shape)}{dash}/>'
 
 
-def _paint(item: Shape | Dot) -> str:
+def _paint(item: Polyline | Dot) -> str:
     fill = f' fill="{item.fill or "none"}"'
     if not item.stroke:
         return fill

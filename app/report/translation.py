@@ -3,45 +3,45 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.report.content import (
     Block,
     Facts,
-    Finding,
     Findings,
     Pictures,
     Report,
+    ReportFinding,
+    ReportTable,
     Section,
     Signatures,
-    Table,
     Text,
     Verdict,
 )
-from app.report.figure import Figure, Words
+from app.report.figure import Figure, Label
 from app.strings.files import ENGLISH, languages
-from app.strings.sentences import sentences_of
+from app.strings.sentences import load_sentences
 
-Say = Callable[[str], str]
+Translate = Callable[[str], str]
 
 
-def in_language(report: Report, language: str) -> Report:
+def translate_report(report: Report, language: str) -> Report:
     """The report in a language.
 
     Raises:
         Refusal: there is no such language.
     """
     if language not in languages():
-        raise Refusal(
+        raise OperationError(
             "report-language",
             f"there is no language '{language}'",
             remedy=f"Take one of {', '.join(languages())}",
         )
     if language == ENGLISH:
         return report
-    return replace(said_by(report, sentences_of(language).said), language=language)
+    return replace(apply_translation(report, load_sentences(language).said), language=language)
 
 
-def said_by(report: Report, say: Say) -> Report:
+def apply_translation(report: Report, say: Translate) -> Report:
     """The report with each of its texts as ``say`` says it; who signs keeps the name."""
     return replace(
         report,
@@ -56,17 +56,19 @@ def said_by(report: Report, say: Say) -> Report:
     )
 
 
-def _block(block: Block, say: Say) -> Block:
+def _block(block: Block, say: Translate) -> Block:
     match block:
         case Facts():
             return Facts([(say(name), say(value)) for name, value in block.rows])
-        case Table():
+        case ReportTable():
             rows = [[say(cell) for cell in row] for row in block.rows]
             return replace(block, columns=[say(cell) for cell in block.columns], rows=rows)
         case Text():
             return replace(block, text=say(block.text))
         case Findings():
-            found = [Finding(row.quality, say(row.text), say(row.remedy)) for row in block.rows]
+            found = [
+                ReportFinding(row.quality, say(row.text), say(row.remedy)) for row in block.rows
+            ]
             return Findings(found)
         case Pictures():
             figures = [(_figure(figure, say), say(caption)) for figure, caption in block.figures]
@@ -75,9 +77,9 @@ def _block(block: Block, say: Say) -> Block:
             return Signatures([(say(role), name) for role, name in block.lines])
 
 
-def _figure(figure: Figure, say: Say) -> Figure:
+def _figure(figure: Figure, say: Translate) -> Figure:
     items = [
-        replace(item, text=say(item.text)) if isinstance(item, Words) else item
+        replace(item, text=say(item.text)) if isinstance(item, Label) else item
         for item in figure.items
     ]
     return Figure(figure.width, figure.height, say(figure.title), items)

@@ -22,7 +22,7 @@ IS_CONNECTED = "is_connected"
 """In a request's state: tells whether its connection is still there."""
 
 
-class Strangers:
+class AnonymousQueue:
     """ASGI middleware around the whole application."""
 
     def __init__(self, app: ASGIApp) -> None:

@@ -3,15 +3,15 @@
 import threading
 from hmac import compare_digest
 
-from app.errors import Refusal
-from app.security.errors import TooManyTries
-from app.security.login_throttle import Throttle, counted_address
+from app.errors import OperationError
+from app.security.errors import TooManyAttemptsError
+from app.security.login_throttle import Throttle, address_key
 from app.store.accounts import Account, AccountStore, Role, plain_name
-from app.store.api_tokens import ScraperStore
-from app.store.login_sessions import SignInStore, Visitor
+from app.store.api_tokens import ApiTokenStore
+from app.store.login_sessions import LoginSessionStore, Principal
 
 
-class Entrance:
+class Authenticator:
     """Who may come in; any thread may call, one at a time is looked at.
 
     On the first start, while nobody can administer the station, a code on the console
@@ -22,8 +22,8 @@ class Entrance:
     def __init__(
         self,
         accounts: AccountStore,
-        sign_ins: SignInStore,
-        scrapers: ScraperStore,
+        sign_ins: LoginSessionStore,
+        scrapers: ApiTokenStore,
         guest: str | None,
         code: str,
     ) -> None:
@@ -65,7 +65,7 @@ class Entrance:
             if self._sign_ins.knows(browser, plain):
                 keys: tuple[str, ...] = (f"browser {browser}",)
             else:
-                keys = (f"name {plain}", counted_address(address))
+                keys = (f"name {plain}", address_key(address))
             self._let_try(*keys)
             account = self._accounts.matching(name, password)
             self._note(account is not None, *keys)
@@ -84,7 +84,7 @@ class Entrance:
         """
         with self._lock:
             if not self.first_start:
-                raise Refusal(
+                raise OperationError(
                     "not-first-start",
                     "The station has an administrator already",
                     remedy="Sign in, or ask the administrator for an account",
@@ -93,9 +93,9 @@ class Entrance:
                 return None
             return self._accounts.add(name, Role.admin, password)
 
-    def wall(self, token: str, address: str) -> Visitor | None:
+    def wall(self, token: str, address: str) -> Principal | None:
         """The wall screen whose link this is."""
-        key = counted_address(address)
+        key = address_key(address)
         with self._lock:
             self._let_try(key)
             visitor = self._sign_ins.visitor(token)
@@ -105,7 +105,7 @@ class Entrance:
 
     def scraper(self, token: str, address: str) -> bool:
         """Whether a program may read the metrics by this token."""
-        key = f"scraper {counted_address(address)}"
+        key = f"scraper {address_key(address)}"
         with self._lock:
             self._let_try(key)
             good = self._scrapers.good(token)
@@ -113,7 +113,7 @@ class Entrance:
         return good
 
     def _matches(self, code: str, address: str) -> bool:
-        key = counted_address(address)
+        key = address_key(address)
         self._let_try(key)
         plain = "".join(code.upper().replace("-", "").split())
         good = compare_digest(plain.encode(), self._code.encode())
@@ -123,7 +123,7 @@ class Entrance:
     def _let_try(self, *keys: str) -> None:
         wait_s = self._throttle.wait_s(*keys)
         if wait_s > 0:
-            raise TooManyTries(wait_s)
+            raise TooManyAttemptsError(wait_s)
 
     def _note(self, good: bool, *keys: str) -> None:
         if good:

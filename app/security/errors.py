@@ -3,7 +3,7 @@
 from http import HTTPStatus
 
 
-class Denied(Exception):
+class AccessDeniedError(Exception):
     """A request that its sender has no right to."""
 
     def __init__(self, status: HTTPStatus, code: str, detail: str, remedy: str) -> None:
@@ -11,7 +11,7 @@ class Denied(Exception):
         self.status, self.code, self.detail, self.remedy = status, code, detail, remedy
 
 
-class TooManyTries(Exception):
+class TooManyAttemptsError(Exception):
     """Passwords or codes are tried too fast."""
 
     def __init__(self, wait_s: float) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 FREE_TRIES = 5
 LONGEST_WAIT_S = 60.0
 FORGOTTEN_S = 900.0
-MOST_KEPT = 10_000
+MAX_KEYS = 10_000
 
 
 class Throttle:
@@ -28,7 +28,7 @@ class Throttle:
         """Notes a failure."""
         now = self._clock()
         with self._lock:
-            if len(self._failures) > MOST_KEPT:
+            if len(self._failures) > MAX_KEYS:
                 recent = {k: v for k, v in self._failures.items() if now - v[1] < LONGEST_WAIT_S}
                 self._failures = recent
             for key in keys:
@@ -49,7 +49,7 @@ class Throttle:
         return max(at + wait_s - self._clock(), 0.0)
 
 
-def counted_address(address: str) -> str:
+def address_key(address: str) -> str:
     """What tries and connections are counted by: a machine may have a whole IPv6 network."""
     try:
         plain = ipaddress.ip_address(address.partition("%")[0])

@@ -155,7 +155,7 @@ MESSAGES: dict[str, Right] = {
 """What each kind of message of a live connection asks."""
 
 
-def allowed(right: Right, role: Role | None, wall: bool) -> bool:
+def has_right(right: Right, role: Role | None, wall: bool) -> bool:
     """Whether a visitor has a right, leaving control aside; ``role`` is None for nobody."""
     if right is Right.enter:
         return True

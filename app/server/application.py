@@ -23,12 +23,12 @@ from app.formats.software import SOFTWARE
 from app.operations.context import Context
 from app.operations.publishers import observe
 from app.operations.ticker import tick
-from app.security.anonymous_queue import Strangers
-from app.server.composition import Parts, close_context, open_context
+from app.security.anonymous_queue import AnonymousQueue
+from app.server.composition import StationParts, close_context, open_context
 from app.server.middleware import Guard
 
 
-def build_app(parts: Parts) -> FastAPI:
+def build_app(parts: StationParts) -> FastAPI:
     """The application; devices are opened when it starts and closed when it ends.
 
     Raises:
@@ -68,7 +68,7 @@ def build_app(parts: Parts) -> FastAPI:
     ):
         app.include_router(room.router)
     app.add_middleware(Guard, hosts=parts.hosts)
-    app.add_middleware(Strangers)
+    app.add_middleware(AnonymousQueue)
     return app
 
 

@@ -5,28 +5,32 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.api.scan import stop_everything
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.software import SOFTWARE
 from app.guide.arm.commands import press as press_arm
-from app.guide.arm.guide import ArmGuide, ArmStation
+from app.guide.arm.guide import ArmGuide, ArmServices
 from app.guide.calibration.commands import press
-from app.guide.calibration.guide import Guide
-from app.guide.calibration.guide import Station as GuidedStation
+from app.guide.calibration.guide import CalibrationGuide
+from app.guide.calibration.guide import CalibrationServices as GuidedStation
 from app.guide.common.buttons import Buttons, Press
-from app.guide.common.provenance import Signing
-from app.guide.common.simulated_operator import Hand
-from app.guide.common.simulated_scan import ScanHand
+from app.guide.common.provenance import Provenance
+from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.commands import press as press_verify
-from app.guide.verify.guide import VerifyGuide, VerifyStation
+from app.guide.verify.guide import VerificationServices, VerifyGuide
 from app.metrology.limits import LIMITS, Limits
-from app.operations.calibration_in_use import cannot_use, scan_calibration, trouble_now
+from app.operations.calibration_in_use import (
+    calibration_error,
+    scan_calibration,
+    unreadable_calibration_error,
+)
 from app.operations.context import Context
-from app.operations.home import tip_of
+from app.operations.home import last_tip_finding
 from app.operations.recovery import Recovery
-from app.operations.services import Watch, Watching
-from app.security.authentication import Entrance
+from app.operations.services import MonitoringServices, MonitoringSettings
+from app.security.authentication import Authenticator
 from app.security.console_code import new_code
 from app.station.bus import Bus
 from app.station.control_lease import Lease
@@ -37,19 +41,19 @@ from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
 from app.station.view3d.scene import Scene
-from app.station.view3d.view_controller import Viewing
-from app.station.working_distance import DistanceWatch
+from app.station.view3d.view_controller import ViewController
+from app.station.working_distance import WorkingRange
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
 from app.store.store import Store
-from app.wire.schema import Station
+from app.wire.schema import StationInfo
 from hardware.interfaces import ArmDriver, SensorDriver
 
 JOB_END_S = 3.0
 
 
 @dataclass(frozen=True)
-class Parts:
+class StationParts:
     """What distinguishes one station from another."""
 
     name: str
@@ -57,7 +61,7 @@ class Parts:
     arm: Callable[[], ArmDriver]
     sensor: Callable[[], SensorDriver]
     hosts: tuple[str, ...] = ()
-    hand: Hand | None = None
+    hand: SimulatedOperator | None = None
     """Of the simulated station."""
     limits: Limits = LIMITS
     """What the verdict on a calibration goes by."""
@@ -69,11 +73,11 @@ class Parts:
     """The account that a link on the console enters, of a demonstration or a replay."""
     code: str = field(default_factory=new_code)
     """What the console shows."""
-    watching: Watching = field(default_factory=Watching)
+    watching: MonitoringSettings = field(default_factory=MonitoringSettings)
     """Who is told of the station, and what else is looked at."""
 
 
-def open_context(parts: Parts) -> Context:
+def open_context(parts: StationParts) -> Context:
     """Opens the data folder and wires the parts; devices are not touched yet.
 
     Raises:
@@ -81,21 +85,21 @@ def open_context(parts: Parts) -> Context:
     """
     store = Store(parts.data)
     try:
-        return _wired(parts, store)
+        return _build_context(parts, store)
     except BaseException:
         store.close()
         raise
 
 
-def _wired(parts: Parts, store: Store) -> Context:
+def _build_context(parts: StationParts, store: Store) -> Context:
     bus = Bus()
     rig = Rig(bus, parts.arm, parts.sensor, store.folder)
     scene = Scene()
     scanner = Scanner(bus, rig, scene, store.folder / "scans")
-    viewing = Viewing(bus, scene, store.folder / "scans", scanner.distance)
+    viewing = ViewController(bus, scene, store.folder / "scans", scanner.distance)
     preview = Preview(bus, rig.arm, rig.sensor)
     jobs = Jobs(bus)
-    watch = Watch(parts.watching, parts.name, bus, store, jobs)
+    watch = MonitoringServices(parts.watching, parts.name, bus, store, jobs)
     settings = OperatorSettings(
         bus, rig, scanner, preview, store.settings.read(), store.settings.keep
     )
@@ -109,13 +113,13 @@ def _wired(parts: Parts, store: Store) -> Context:
         reading = store.temperatures.newest()
         return reading.celsius if reading else None
 
-    signing = Signing(parts.name, simulated, lambda: lease.last_name, celsius_now)
+    signing = Provenance(parts.name, simulated, lambda: lease.last_name, celsius_now)
 
     def use_active() -> None:
-        _use(store.calibrations.active(), store, rig, preview, scanner, bus)
+        _use_calibration(store.calibrations.active(), store, rig, preview, scanner, bus)
 
     use_active()  # an open session then puts its own choice over it
-    guide = Guide(
+    guide = CalibrationGuide(
         GuidedStation(bus, rig, preview, scene, jobs, parts.hand),
         store.journal,
         store.calibrations,
@@ -126,13 +130,13 @@ def _wired(parts: Parts, store: Store) -> Context:
     )
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
-    scan_hand = ScanHand(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
-    scanner.on_finished = lambda result: _finished(result, store, watch)
-    arm_station = ArmStation(bus, rig, jobs, parts.hand)
+    scan_hand = SimulatedScan(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
+    scanner.on_finished = lambda result: _record_scan(result, store, watch)
+    arm_station = ArmServices(bus, rig, jobs, parts.hand)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
-    guide.tip = lambda: tip_of(arm_guide, parts.due)
+    guide.tip = lambda: last_tip_finding(arm_guide, parts.due)
     verify_guide = VerifyGuide(
-        VerifyStation(bus, rig, jobs, scanner, scene, parts.hand),
+        VerificationServices(bus, rig, jobs, scanner, scene, parts.hand),
         store.journal,
         store.calibrations,
         store.verifications,
@@ -141,10 +145,10 @@ def _wired(parts: Parts, store: Store) -> Context:
         signing,
     )
     rig.arm.on_button = Buttons(
-        _pressed(guide, arm_guide, verify_guide),
+        _button_handler(guide, arm_guide, verify_guide),
         there=lambda: rig.arm.link().state == "connected",
     ).edge
-    station = Station(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
+    station = StationInfo(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
     return Context(
         station,
         bus,
@@ -161,7 +165,7 @@ def _wired(parts: Parts, store: Store) -> Context:
         verify_guide,
         settings,
         lease,
-        Entrance(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
+        Authenticator(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
         watch,
         recovery,
         parts.due,
@@ -180,8 +184,8 @@ def close_context(context: Context) -> None:
     context.scene.close()
 
 
-def _pressed(
-    guide: Guide, arm_guide: ArmGuide, verify_guide: VerifyGuide
+def _button_handler(
+    guide: CalibrationGuide, arm_guide: ArmGuide, verify_guide: VerifyGuide
 ) -> Callable[[Press], None]:
     """A press belongs to whichever of the open sessions waits for it and was last gone on with."""
 
@@ -198,7 +202,7 @@ def _pressed(
     return pressed
 
 
-def _finished(result: ScanResult, store: Store, watch: Watch) -> None:
+def _record_scan(result: ScanResult, store: Store, watch: MonitoringServices) -> None:
     """A scan of its own is listed; a cloud of a verification belongs to that."""
     if result.folder.parent == store.folder / "scans":
         store.scans.add(_record(result))
@@ -220,7 +224,7 @@ def _record(result: ScanResult) -> ScanRecord:
     )
 
 
-def _use(
+def _use_calibration(
     record: CalibrationRecord | None,
     store: Store,
     rig: Rig,
@@ -235,15 +239,15 @@ def _use(
         return
     try:
         calibration = scan_calibration(record)
-    except Refusal as refusal:
+    except OperationError as refusal:
         bus.event("refused", f"The calibration in use cannot be read: {refusal.line}", "bad")
-        scanner.set_calibration(None, cannot_use(refusal.line))
+        scanner.set_calibration(None, unreadable_calibration_error(refusal.line))
         return
     rig.arm.set_model(calibration.arm)
     preview.set_stripe_axis(calibration.stripe_axis)
-    scanner.set_calibration(calibration, look=lambda: trouble_now(record))
+    scanner.set_calibration(calibration, look=lambda: calibration_error(record))
     preview.set_calibration(
-        DistanceWatch(
+        WorkingRange(
             calibration.camera,
             calibration.plane,
             calibration.depth_range_mm,
@@ -252,7 +256,11 @@ def _use(
     )
 
 
-def _unreadable(store: Store) -> Refusal | None:
+def _unreadable(store: Store) -> OperationError | None:
     """Why there is none although one was accepted."""
     active = next((one for one in store.calibrations.unreadable() if one.active), None)
-    return None if active is None else cannot_use(f"{active.name} has no readable figures.")
+    return (
+        None
+        if active is None
+        else unreadable_calibration_error(f"{active.name} has no readable figures.")
+    )

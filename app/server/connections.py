@@ -15,7 +15,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
 from app.security.anonymous_queue import IS_CONNECTED
-from app.security.login_throttle import counted_address
+from app.security.login_throttle import address_key
 
 LARGEST_HEAD = 1 << 15
 """Of a request: its first line with all its headers, or what follows its body."""
@@ -168,13 +168,15 @@ def make_space(connections: set[Any], grace_s: float = GRACE_S) -> None:
         places.setdefault(_address(connection), []).append(connection)
     for crowd in places.values():
         if not _is_proxy(crowd[0]):
-            _leave(crowd, len(crowd) - MOST_OF_ONE, grace_s)
+            _drop_surplus(crowd, len(crowd) - MOST_OF_ONE, grace_s)
     if len(connections) > MOST:
         everybody = sorted(places.values(), key=len, reverse=True)
-        _leave([one for crowd in everybody for one in crowd], len(connections) - MOST, grace_s)
+        _drop_surplus(
+            [one for crowd in everybody for one in crowd], len(connections) - MOST, grace_s
+        )
 
 
-def _leave(crowd: list[Any], surplus: int, grace_s: float) -> None:
+def _drop_surplus(crowd: list[Any], surplus: int, grace_s: float) -> None:
     """Takes its surplus out of a crowd, as far as that is not served just now."""
     if surplus <= 0:
         return
@@ -192,10 +194,10 @@ def _rank(connection: BoundedHttp) -> tuple[int, float]:
 
 
 def _address(connection: Any) -> str:
-    return _counted(connection.client[0]) if connection.client else ""
+    return _client_address(connection.client[0]) if connection.client else ""
 
 
-_counted = lru_cache(4096)(counted_address)
+_client_address = lru_cache(4096)(address_key)
 
 
 def _is_proxy(connection: Any) -> bool:

@@ -13,9 +13,9 @@ import webbrowser
 import uvicorn
 from starlette.types import ASGIApp
 
-from app.errors import Refusal
-from app.formats.file_names import printable
-from app.formats.io_errors import files_refused
+from app.errors import OperationError
+from app.formats.file_names import escape_unprintable
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.monitoring.network import Network
 from app.server.connections import BoundedWebSocket, http_protocol, make_space
@@ -25,7 +25,7 @@ LOCAL = Serving()
 SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
-WORDLESS_S = 15.0
+SILENT_S = 15.0
 """A connection on which nothing is asked for so long is closed."""
 ACCEPTED_AT_ONCE, WAITING = 2, 4096
 """Connections that are taken in one turn of the loop, and those that the system keeps meanwhile.
@@ -67,7 +67,7 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
         if offset:
             print(f"Port {port} is in use; taking {port + offset}.", file=sys.stderr)
         return listening
-    raise Refusal(
+    raise OperationError(
         "port",
         f"Cannot listen on {host} port {port}",
         reason,
@@ -75,7 +75,7 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
     )
 
 
-def network_of(host: str, serving: Serving) -> Network:
+def network_exposure(host: str, serving: Serving) -> Network:
     """Who can reach the station, and whether on the way anybody can read along."""
     if host in LOOPBACK:
         return "here"
@@ -84,7 +84,7 @@ def network_of(host: str, serving: Serving) -> Network:
     return "proxied" if serving.proxies else "open"
 
 
-def address_of(host: str, listening: socket.socket, serving: Serving) -> str:
+def local_address(host: str, listening: socket.socket, serving: Serving) -> str:
     """Of the station's pages, as a browser on this machine takes it."""
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
@@ -92,7 +92,7 @@ def address_of(host: str, listening: socket.socket, serving: Serving) -> str:
     return f"{scheme}://{bracketed}:{listening.getsockname()[1]}/"
 
 
-class FirstLine(logging.Formatter):
+class OneLineFormatter(logging.Formatter):
     """For the console: what happened, on one line that does nothing to a terminal.
 
     The log has stacks and traces.
@@ -104,7 +104,7 @@ class FirstLine(logging.Formatter):
         if record.exc_info and record.exc_info[1] is not None:
             error = " ".join(str(record.exc_info[1]).split())
             plain.msg += f": {type(record.exc_info[1]).__name__}: {error} (the log has more)"
-        plain.msg = printable(plain.msg[:LONGEST_LINE]) + getattr(record, "repeated", "")
+        plain.msg = escape_unprintable(plain.msg[:LONGEST_LINE]) + getattr(record, "repeated", "")
         plain.exc_info = plain.exc_text = plain.stack_info = None
         return super().format(plain)
 
@@ -135,7 +135,7 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
     try:
         config.load()
     except ssl.SSLError as error:
-        raise Refusal(
+        raise OperationError(
             "tls",
             f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
             "they are no certificate with its key in PEM format"
@@ -149,10 +149,10 @@ def _check_key(serving: Serving) -> None:
     for file in (serving.tls_certificate, serving.tls_key):
         if file is None:
             continue
-        with files_refused(file):
+        with convert_io_errors(file):
             content = read_bounded(file)
         if file == serving.tls_key and b"ENCRYPTED" in content:
-            raise Refusal(
+            raise OperationError(
                 "tls",
                 f"{file} cannot be used",
                 "it is locked by a password, and nobody is there to give it",
@@ -197,7 +197,7 @@ class StationServer(uvicorn.Server):
             asked_last, since_s = before.get(connection, (cycle, now_s))
             if asked_last is not cycle:
                 since_s = now_s
-            if now_s - since_s > WORDLESS_S:
+            if now_s - since_s > SILENT_S:
                 connection.transport.close()
             self._wordless[connection] = cycle, since_s
 

@@ -11,21 +11,21 @@ from typing import Literal
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.recording.joint_samples import JointReader
 from app.formats.recording.reader import ImageRecord, last_stamp_ns, open_recording
-from app.formats.recording.stream import blocks
+from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
 from app.metrology.arm.kinematics import Arm
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid
 from app.station.bus import Bus
 from app.station.view3d.scene import Scene
-from app.workflows.reconstruct import rebuild_into
+from app.workflows.reconstruct import reconstruct_into
 from hardware.clock import now_ns
 from hardware.interfaces import ArmInfo, SensorInfo
-from hardware.replay import Pictures, Readings, ReplayArm, ReplayClock, ReplaySensor
+from hardware.replay import Readings, RecordedImages, ReplayArm, ReplayClock, ReplaySensor
 
 PIECE_S = 0.05
 """Points are shown in pieces of so much time."""
@@ -35,7 +35,7 @@ DEPTH_MM = (-50.0, 50.0)
 
 TOPIC = "replay"
 State = Literal["playing", "ended", "failed"]
-TOLD_S = 0.2
+PUBLISH_PERIOD_S = 0.2
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Replay:
     """Plays one recording: its arm moves, its pictures come, and its points appear."""
 
     def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
-        """Looks at the recording's start; raises ``Refusal`` where it cannot be replayed."""
+        """Looks at the recording's start; raises ``OperationError`` where it cannot be replayed."""
         self._path, self._calibration, self._arm = path, calibration, arm
         self._rate_hz, first_ns = self._looked()
         self._clock = ReplayClock(first_ns, speed)
@@ -108,20 +108,20 @@ class Replay:
         """The arm's rate in readings a second, and the first stamp."""
         stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
         if len(stamps) < 2:
-            raise Refusal("recording-without-joints", f"{self._path}: no joint angles")
+            raise OperationError("recording-without-joints", f"{self._path}: no joint angles")
         return 1e9 * (len(stamps) - 1) / max(stamps[-1] - stamps[0], 1), stamps[0]
 
     def _readings(self) -> Readings:
         reader = JointReader(self._path, self._arm)
         with ThreadPoolExecutor(1, "replay-joints") as pool:
-            for block in blocks(open_recording(self._path), pool, 1):
+            for block in read_blocks(open_recording(self._path), pool, 1):
                 for samples in block.joints:
                     stamps_ns, q_rad = reader.readings(samples)
                     yield from zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
 
-    def _pictures(self) -> Pictures:
+    def _pictures(self) -> RecordedImages:
         with ThreadPoolExecutor(1, "replay-pictures") as pool:
-            for block in blocks(open_recording(self._path), pool, 1):
+            for block in read_blocks(open_recording(self._path), pool, 1):
                 for frame in block.frames:
                     if isinstance(frame.source, ImageRecord):
                         yield frame.stamp_ns, frame.source.picture()
@@ -139,10 +139,10 @@ class Replay:
 
         self._tell(scene, bus, last_ns)
         try:
-            rebuilt = rebuild_into(self._path, self._calibration, self._arm, take)
-        except _EndedError:
+            rebuilt = reconstruct_into(self._path, self._calibration, self._arm, take)
+        except _ReplayEndedError:
             return
-        except Refusal as refusal:
+        except OperationError as refusal:
             self._tell(scene, bus, last_ns, "failed", refusal.line)
             bus.event("replay", refusal.line, "bad")
             return
@@ -158,7 +158,7 @@ class Replay:
             stamp_ns = first_ns + (last_ns - first_ns) * (k + 1) // pieces
             wait_s = (self._clock.due_ns(stamp_ns) - now_ns()) / 1e9
             if self._ended.wait(max(wait_s, 0.0)):
-                raise _EndedError
+                raise _ReplayEndedError
             yield piece, stamp_ns
 
     def _tell(
@@ -166,7 +166,7 @@ class Replay:
     ) -> None:
         """Says how far it is, some times a second."""
         now = time.monotonic()
-        if state == "playing" and now - self._told_s < TOLD_S:
+        if state == "playing" and now - self._told_s < PUBLISH_PERIOD_S:
             return
         self._told_s = now
         first_ns, last_ns = self._clock.first_ns, self._last_ns
@@ -186,7 +186,7 @@ class Replay:
         )
 
 
-class _EndedError(Exception):
+class _ReplayEndedError(Exception):
     """Told to stop."""
 
 

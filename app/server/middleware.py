@@ -23,11 +23,11 @@ from app.wire.problem import problem
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 LARGEST_BODY = 1 << 18
 BODY_S = 15.0
-OWN = ("/api/", "/metrics")
+PRIVATE_PATHS = ("/api/", "/metrics")
 """What is nobody else's to see, a later user of the same browser included."""
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
 SCHEMES = ("http", "https", "ws", "wss")
-OWN_PAGES = ("same-origin", "none")
+OWNED_SITES = ("same-origin", "none")
 """What a browser says of a request by the station's own pages, or of what somebody typed."""
 LONGEST_PATH, LONGEST_PART = 1024, 200
 NOTHING = "No page or file has such an address."
@@ -86,7 +86,7 @@ class Guard:
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return ""
         origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
-        if (origin is not None and _place(origin) != host) or site.lower() not in OWN_PAGES:
+        if (origin is not None and _place(origin) != host) or site.lower() not in OWNED_SITES:
             return "Only the station's own pages may do this."
         return ""
 
@@ -172,7 +172,7 @@ async def _refuse(text: str, scope: Scope, receive: Receive, send: Send, status:
 
 
 def _with_headers(send: Send, policy: str, path: str) -> Send:
-    own = path.startswith(OWN)
+    own = path.startswith(PRIVATE_PATHS)
 
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":

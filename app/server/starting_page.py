@@ -1,6 +1,6 @@
 """The station while it is prepared: from its first second on it says how far it is.
 
-``Starting`` answers in the application's place, behind the same guard, and gives way to it
+``StartingApp`` answers in the application's place, behind the same guard, and gives way to it
 once the steps are done: the socket, the server and its connections stay as they are. Only
 what is light may be imported here.
 """
@@ -25,7 +25,7 @@ from app.wire.readiness import Readiness
 
 PAGE = "starting.html"
 PROGRESS = "/api/starting"
-STATION_ROOMS = ("api", "metrics", "viewer")
+STATION_PATHS = ("api", "metrics", "viewer")
 """First parts of the addresses that only the station itself can answer."""
 TRY_AGAIN_LATER = 1013
 ABANDONED_AFTER_S = 3.0
@@ -44,7 +44,7 @@ T_co = TypeVar("T_co", covariant=True)
 
 
 @dataclass(frozen=True)
-class Step(Generic[T_co]):
+class StartStep(Generic[T_co]):
     """One thing that is prepared: what it is, the seconds it takes cold, and the work itself."""
 
     words: str
@@ -52,11 +52,11 @@ class Step(Generic[T_co]):
     prepare: Callable[[], T_co]
 
 
-class _EndedError(Exception):
+class _StartCancelledError(Exception):
     """The program is ended while it is prepared."""
 
 
-class Starting:
+class StartingApp:
     """ASGI application: the starting page, then the station.
 
     Args:
@@ -69,8 +69,8 @@ class Starting:
     def __init__(
         self,
         station: str,
-        steps: Sequence[Step[object]],
-        building: Step[Starlette],
+        steps: Sequence[StartStep[object]],
+        building: StartStep[Starlette],
         hosts: Collection[str] = (),
     ) -> None:
         self._station, self._steps, self._building = station, steps, building
@@ -120,7 +120,7 @@ class Starting:
                 if not self._ending.is_set():
                     self.on_ready(app, time.monotonic() - began_s)
                 await self._ending.wait()
-        except _EndedError:
+        except _StartCancelledError:
             pass
         except BaseException as error:
             self.failure = error
@@ -149,7 +149,7 @@ class Starting:
         ending.cancel()
         await asyncio.wait([built], timeout=ABANDONED_AFTER_S)
         if not built.done():
-            raise _EndedError
+            raise _StartCancelledError
         return await built
 
     def _prepare(self) -> Starlette:
@@ -157,7 +157,7 @@ class Starting:
             step.prepare()
             self._done += 1
             if self._ending.is_set():
-                raise _EndedError
+                raise _StartCancelledError
         return self._building.prepare()
 
     async def _answer(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -171,24 +171,24 @@ class Starting:
 
     def _response(self, method: str, path: str) -> Response:
         asked = path.removeprefix("/")
-        if method not in ("GET", "HEAD") or asked.split("/")[0] in STATION_ROOMS:
-            return self._progress() if path == PROGRESS else _not_yet()
+        if method not in ("GET", "HEAD") or asked.split("/")[0] in STATION_PATHS:
+            return self._progress() if path == PROGRESS else _starting_problem()
         found = file_response(asked)
         if found is None and names_a_file(asked):
             return problem(404, "not-found", f"There is nothing at {path}.")
-        return found or _unkept(page_response(PAGE))
+        return found or _forbid_caching(page_response(PAGE))
 
     def _progress(self) -> Response:
         return Response(to_json(self.readiness), media_type="application/json")
 
 
-def _not_yet() -> Response:
+def _starting_problem() -> Response:
     answer = problem(503, "starting", "The station is starting.", "Try again in a moment")
     answer.headers["Retry-After"] = "1"
     return answer
 
 
-def _unkept(page: Response) -> Response:
+def _forbid_caching(page: Response) -> Response:
     """The address is the client's: no browser may keep this page in its stead."""
     page.headers["Cache-Control"] = "no-store"
     return page

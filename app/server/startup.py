@@ -15,18 +15,18 @@ from typing import TYPE_CHECKING
 
 from starlette.applications import Starlette
 
-from app.errors import Refusal
-from app.monitoring.log_text import Repeats
+from app.errors import OperationError
+from app.monitoring.log_text import RepeatFilter
 from app.monitoring.network import Network
 from app.security.console_code import new_code
 from app.server.listener import (
     LOCAL,
     NETWORK_WORDS,
-    FirstLine,
-    address_of,
+    OneLineFormatter,
     listen,
+    local_address,
     make_server,
-    network_of,
+    network_exposure,
     raise_file_limit,
 )
 from app.server.starting_page import (
@@ -37,15 +37,15 @@ from app.server.starting_page import (
     NUMERICS,
     PICTURES,
     VIEW,
-    Starting,
-    Step,
+    StartingApp,
+    StartStep,
 )
 from app.settings.settings import DEFAULT_FILE, Serving, Settings, read_settings, user_data_folder
 
 if TYPE_CHECKING:
     from app.operations.context import Context
-    from app.operations.services import Watching
-    from app.server.composition import Parts
+    from app.operations.services import MonitoringSettings
+    from app.server.composition import StationParts
     from app.server.live_replay import Replay
 
 PORTS_TRIED = 20
@@ -56,7 +56,7 @@ class Plan:
     """What is known of a station before anything of it is loaded."""
 
     name: str
-    parts: Callable[[], "Parts"]
+    parts: Callable[[], "StationParts"]
     """Loads the drivers, or starts the simulated devices."""
     host: str
     """Address that it listens on."""
@@ -78,7 +78,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     listening = listen(host, port, 1)
     plan = Plan(
         settings.name,
-        lambda: _configured_parts(settings, data),
+        lambda: _load_parts(settings, data),
         host,
         settings.hosts,
         serving=settings.serving,
@@ -101,16 +101,16 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
         sensor_driver(settings.sensor.driver, settings.sensor.options)
     except DeviceError as error:
         named = error.what.replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
-        raise Refusal("driver", named, remedy=error.remedy) from error
+        raise OperationError("driver", named, remedy=error.remedy) from error
 
 
-def _configured_parts(settings: Settings, data: Path | None) -> "Parts":
+def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
     """The parts that the settings name; no device is touched yet."""
-    from app.server.composition import Parts
+    from app.server.composition import StationParts
     from hardware.registry import arm_driver, sensor_driver
 
     arm, sensor = settings.arm, settings.sensor
-    return Parts(
+    return StationParts(
         name=settings.name,
         data=data or settings.data,
         arm=lambda: arm_driver(arm.driver, arm.options),
@@ -118,13 +118,13 @@ def _configured_parts(settings: Settings, data: Path | None) -> "Parts":
         limits=settings.limits,
         verification=settings.verification,
         due=settings.due,
-        watching=_watching(settings),
+        watching=_monitoring_settings(settings),
     )
 
 
-def _watching(settings: Settings) -> "Watching":
+def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
     """What the settings have of it, and the settings themselves as they may be looked at."""
-    from app.operations.services import Watching
+    from app.operations.services import MonitoringSettings
     from hardware.thermometer import FileThermometer
 
     mqtt = settings.mqtt
@@ -141,7 +141,7 @@ def _watching(settings: Settings) -> "Watching":
         "mqtt": None if mqtt is None else {k: str(v) for k, v in asdict(mqtt).items()},
         "temperature": None if file is None else str(file),
     }
-    return Watching(
+    return MonitoringSettings(
         address=settings.address,
         backups=settings.backups,
         mqtt=mqtt,
@@ -160,10 +160,10 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     folder = data or user_data_folder() / "demo"
     with ExitStack() as devices:
 
-        def parts() -> "Parts":
-            from app.server.demo import simulated_parts
+        def parts() -> "StationParts":
+            from app.server.demo import open_simulation
 
-            return devices.enter_context(simulated_parts(folder))
+            return devices.enter_context(open_simulation(folder))
 
         print("Starting the simulated station.", flush=True)
         run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)
@@ -175,11 +175,11 @@ def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool)
     Raises:
         Refusal: no port is free.
     """
-    from app.server.composition import Parts
+    from app.server.composition import StationParts
 
     listening = listen(host, port, PORTS_TRIED)
     with tempfile.TemporaryDirectory(prefix="crenel-replay-") as data:
-        parts = Parts(title, Path(data), show.arm, show.sensor, guest="Replay")
+        parts = StationParts(title, Path(data), show.arm, show.sensor, guest="Replay")
         plan = Plan(title, lambda: parts, host, by_link=True)
         try:
             run(plan, listening, open_browser, lambda ready: show.start(ready.scene, ready.bus))
@@ -203,16 +203,16 @@ def run(
             folder is in use by another server.
     """
     raise_file_limit()
-    network, code = network_of(plan.host, plan.serving), new_code()
-    station = _Station(plan, network, code)
-    starting = Starting(plan.name, station.steps(), station.building(), station.hosts)
+    network, code = network_exposure(plan.host, plan.serving), new_code()
+    station = _StationLoader(plan, network, code)
+    starting = StartingApp(plan.name, station.steps(), station.building(), station.hosts)
     server = make_server(starting, plan.serving)
     console = logging.StreamHandler()
     console.setLevel(logging.WARNING)  # the rest is in the log of the Health page
-    console.setFormatter(FirstLine("%(asctime)s %(name)s: %(message)s"))
-    console.addFilter(Repeats())
+    console.setFormatter(OneLineFormatter("%(asctime)s %(name)s: %(message)s"))
+    console.addFilter(RepeatFilter())
     logging.getLogger().addHandler(console)
-    server.address = address_of(plan.host, listening, plan.serving)
+    server.address = local_address(plan.host, listening, plan.serving)
     if plan.by_link:
         server.address += f"#code={code}"
     server.first_words += NETWORK_WORDS[network]
@@ -242,28 +242,28 @@ def run(
         raise starting.failure
 
 
-class _Station:
+class _StationLoader:
     """Loads one station, step by step; the seconds of each are of a cold start on two cores."""
 
     def __init__(self, plan: Plan, network: Network, code: str) -> None:
         self._plan, self._network, self._code = plan, network, code
         self.hosts = (*plan.hosts, plan.host)
-        self._parts: Parts | None = None
+        self._parts: StationParts | None = None
 
-    def steps(self) -> list[Step[object]]:
+    def steps(self) -> list[StartStep[object]]:
         """What is done before the application can be built."""
         return [
-            Step(NUMERICS, 1.0, _importing("scipy.optimize", "scipy.spatial.transform")),
-            Step(PICTURES, 0.3, _importing("cv2")),
-            Step(VIEW, 0.9, _importing("viser")),
-            Step(GUIDE, 2.0, _importing("app.server.application")),
-            Step(DEVICES, 0.7, self._load_devices),
-            Step(MEASURING, 0.1, _load_libraries),
+            StartStep(NUMERICS, 1.0, _import_step("scipy.optimize", "scipy.spatial.transform")),
+            StartStep(PICTURES, 0.3, _import_step("cv2")),
+            StartStep(VIEW, 0.9, _import_step("viser")),
+            StartStep(GUIDE, 2.0, _import_step("app.server.application")),
+            StartStep(DEVICES, 0.7, self._load_devices),
+            StartStep(MEASURING, 0.1, _load_libraries),
         ]
 
-    def building(self) -> Step[Starlette]:
+    def building(self) -> StartStep[Starlette]:
         """The last step: it opens the data folder."""
-        return Step(DATA, 0.2, self._build)
+        return StartStep(DATA, 0.2, self._build)
 
     def _load_devices(self) -> None:
         self._parts = self._plan.parts()
@@ -276,7 +276,7 @@ class _Station:
         return build_app(replace(self._parts, hosts=self.hosts, code=self._code, watching=watching))
 
 
-def _importing(*modules: str) -> Callable[[], object]:
+def _import_step(*modules: str) -> Callable[[], object]:
     return lambda: [import_module(module) for module in modules]
 
 

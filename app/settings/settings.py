@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.open_file import check_ordinary
 from app.guide.common.validity import DUE, DueLimits
@@ -74,30 +74,30 @@ def read_settings(path: Path | None) -> Settings:
         limits=_limits(path, sheet.limits),
         serving=_serving(path, station),
         address=station.address or "",
-        backups=_beside(path, station.backups),
+        backups=_resolve_path(path, station.backups),
         mqtt=_mqtt(path, sheet.mqtt),
-        temperature=_beside(path, sheet.temperature.file if sheet.temperature else None),
+        temperature=_resolve_path(path, sheet.temperature.file if sheet.temperature else None),
         verification=sheet.verification.over(DEFAULT_LIMITS),
         due=DueLimits(**sheet.due.model_dump()),
     )
 
 
-def _beside(path: Path, file: str | None) -> Path | None:
+def _resolve_path(path: Path, file: str | None) -> Path | None:
     """A path as the settings' file has it: relative ones are beside it."""
     return None if file is None else path.absolute().parent / Path(file).expanduser()
 
 
 def _mqtt(path: Path, table: MqttTable | None) -> BrokerSettings | None:
-    """Raises ``Refusal`` where a file is not there or cannot be read."""
+    """Raises ``OperationError`` where a file is not there or cannot be read."""
     if table is None:
         return None
     settings = BrokerSettings(
         host=table.host,
         port=table.port,
         user=table.user,
-        password_file=_beside(path, table.password_file),
+        password_file=_resolve_path(path, table.password_file),
         tls=table.tls,
-        ca_file=_beside(path, table.ca_file),
+        ca_file=_resolve_path(path, table.ca_file),
         prefix=table.prefix,
         station=table.station,
     )
@@ -108,7 +108,7 @@ def _mqtt(path: Path, table: MqttTable | None) -> BrokerSettings | None:
             ssl.create_default_context(cafile=settings.ca_file)
         except OSError as error:  # those of TLS are of this kind
             unreadable = isinstance(error, ssl.SSLError)
-            raise Refusal(
+            raise OperationError(
                 "settings-mqtt",
                 f"{path}, [mqtt]: ca_file = {str(settings.ca_file)!r}",
                 "it holds no certificates" if unreadable else "there is no such file",
@@ -125,7 +125,7 @@ def _serving(path: Path, station: StationTable) -> Serving:
         if file is not None
     }
     if len(files) == 1:
-        raise Refusal(
+        raise OperationError(
             "settings-tls",
             f"{path}, [station]: {next(iter(files))} is given alone",
             "certificate and key belong together",
@@ -133,7 +133,7 @@ def _serving(path: Path, station: StationTable) -> Serving:
         )
     for name, file in files.items():
         if not file.is_file():
-            raise Refusal(
+            raise OperationError(
                 "settings-tls",
                 f"{path}, [station]: {name} = {str(file)!r}",
                 "there is no such file",
@@ -143,7 +143,7 @@ def _serving(path: Path, station: StationTable) -> Serving:
         try:
             ipaddress.ip_network(proxy, strict=False)
         except ValueError as error:
-            raise Refusal(
+            raise OperationError(
                 "settings-proxies",
                 f"{path}, [station]: proxies has {proxy!r}",
                 "it is no address",
@@ -154,7 +154,7 @@ def _serving(path: Path, station: StationTable) -> Serving:
 
 def _limits(path: Path, table: LimitsTable) -> Limits:
     if table.usable_um < table.good_um:
-        raise Refusal(
+        raise OperationError(
             "settings-limits",
             f"{path}, [limits]: usable_um = {table.usable_um:g} is below good_um = "
             f"{table.good_um:g}",

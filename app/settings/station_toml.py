@@ -54,9 +54,9 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.gauge import VerificationLimits
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.guide.common.validity import DUE
 from app.metrology.limits import LIMITS
@@ -162,23 +162,23 @@ def read_file(path: Path) -> StationFile:
             or of the wrong kind; the key is named.
     """
     if not path.exists():
-        raise Refusal(
+        raise OperationError(
             "settings-missing",
             f"{path}: there is no such file",
             "it says which arm and which sensor are connected",
             "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
         )
-    with files_refused(path):
+    with convert_io_errors(path):
         raw = read_bounded(path)
     try:
         return StationFile.model_validate(tomllib.loads(raw.decode()))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise Refusal("settings-not-toml", str(path), f"it is not TOML: {error}") from error
+        raise OperationError("settings-not-toml", str(path), f"it is not TOML: {error}") from error
     except ValidationError as error:
         raise _invalid(path, error) from error
 
 
-def _invalid(path: Path, error: ValidationError) -> Refusal:
+def _invalid(path: Path, error: ValidationError) -> OperationError:
     first = error.errors(include_url=False)[0]
     place = [str(part) for part in first["loc"]]
     table = f"[{place[0]}]"
@@ -186,13 +186,15 @@ def _invalid(path: Path, error: ValidationError) -> Refusal:
     named = f"{path}, {table}: {key}" if key else f"{path}: the table {table}"
     if first["type"] == "missing":
         remedy = "Add it as docs/formats.md shows"
-        return Refusal("settings-key-missing", f"{named} is missing", remedy=remedy)
+        return OperationError("settings-key-missing", f"{named} is missing", remedy=remedy)
     if first["type"] == "extra_forbidden":
-        return Refusal("settings-key-unknown", f"{named} is not known", remedy="Correct its name")
+        return OperationError(
+            "settings-key-unknown", f"{named} is not known", remedy="Correct its name"
+        )
     message = str(first["msg"]).replace("Input should", "it must")
     if first["type"] == "string_pattern_mismatch":
         message = PATTERN_WORDS[place[-1]]
-    return Refusal(
+    return OperationError(
         "settings-key-invalid",
         f"{named} = {first['input']!r}",
         WORDS.get(first["type"], message),

@@ -16,7 +16,7 @@ from app.findings import Quality
 
 P = ParamSpec("P")
 
-EVENTS_KEPT = 256
+EVENT_BUFFER = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Bus:
         self._values: dict[str, object] = {}
         self._versions: dict[str, int] = {}
         self._version = 0
-        self._events: deque[Event] = deque(maxlen=EVENTS_KEPT)
+        self._events: deque[Event] = deque(maxlen=EVENT_BUFFER)
         self._event_id = 0
         self._subscriptions: set[Subscription] = set()
 

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 
 LAPSES_S = 20.0
@@ -64,7 +64,7 @@ class Lease:
             if holder is None:
                 self._set(Control(person))
             elif holder.id != person.id:
-                raise Refusal(
+                raise OperationError(
                     "control",
                     f"{holder.name} has control" + (self._elsewhere(person, holder)),
                     "one browser acts at a time",
@@ -94,7 +94,7 @@ class Lease:
         with self._lock:
             asked_by = self._held_by(person).asked_by
             if asked_by is None:
-                raise Refusal("control-not-asked", "Nobody asks for control")
+                raise OperationError("control-not-asked", "Nobody asks for control")
             if give:
                 self._set(Control(asked_by))
                 self._beat_s = self._clock()
@@ -121,7 +121,7 @@ class Lease:
             holder = self.control.holder
             others = holder is not None and holder.name != person.name
             if others and not reason:
-                raise Refusal(
+                raise OperationError(
                     "control-reason",
                     "No reason is given",
                     "the one who loses control is told why",
@@ -153,7 +153,7 @@ class Lease:
     def _held_by(self, person: Person) -> Control:
         control = self.control
         if control.holder is None or control.holder.id != person.id:
-            raise Refusal("control-not-yours", "You do not have control")
+            raise OperationError("control-not-yours", "You do not have control")
         return control
 
     def _lapse(self) -> None:

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 
 log = logging.getLogger(__name__)
@@ -24,7 +24,7 @@ class Job(Generic[T]):
         self.text = ""
         self.fraction: float | None = None
         self.result: T | None = None
-        self.refusal: Refusal | None = None
+        self.refusal: OperationError | None = None
         """Why there is no result; an unexpected error is told as one, too."""
         self.finished = False
 
@@ -60,7 +60,7 @@ class Jobs:
         job: Job[T] = Job(title)
         with self._lock:
             if self._current is not None:
-                raise Refusal(
+                raise OperationError(
                     "busy",
                     f"{title} cannot start",
                     f"{self._current.title} is still running",
@@ -85,11 +85,11 @@ class Jobs:
         began_s = time.monotonic()
         try:
             job.result = work(job.progress)
-        except Refusal as refusal:
+        except OperationError as refusal:
             job.refusal = refusal
         except Exception as error:  # the operator is told, and the station lives on
             log.exception("%s failed", job.title)
-            job.refusal = Refusal(
+            job.refusal = OperationError(
                 "failed",
                 f"{job.title} failed",
                 f"{type(error).__name__}: {error}",

@@ -7,22 +7,22 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.arm import read_arm
-from app.formats.io_errors import refusal_of_invalid
+from app.formats.io_errors import error_from_validation
 from app.formats.results.calibration import read_calibration
 from app.formats.results.delay import Sync
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings
-from app.metrology.stripe import Choice
+from app.metrology.stripe import PeakChoice
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import better_line_exposure_us
 from app.station.devices.rig import Rig
 from app.station.jobs import Job, Jobs, Progress
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
-from app.workflows.estimate_delay import sync
+from app.workflows.estimate_delay import estimate_recording_delay
 from hardware.interfaces import Frame
 
 TOPIC = "settings"
@@ -49,7 +49,7 @@ class StationSettings:
 
     threshold: float | None
     min_width_px: float | None
-    choice: Choice
+    choice: PeakChoice
     exposure_us: float | None
     zones: tuple[tuple[Corner, ...], ...]
     """Where nothing is measured: corners in pixels of the full frame."""
@@ -130,7 +130,7 @@ class OperatorSettings:
                     {**fields, "mask": mask, "sync": self._settings.sync}
                 )
             except ValidationError as error:
-                raise refusal_of_invalid("settings", error) from error
+                raise error_from_validation("settings", error) from error
             self._set(new)
             if new.exposure_us is not None and self._rig.sensor.fresh:
                 self._rig.sensor.set_exposure_us(new.exposure_us)
@@ -144,7 +144,7 @@ class OperatorSettings:
         """
         sensor, extraction = self._rig.sensor, self._preview.extraction
         if not sensor.laser_on:
-            raise Refusal(
+            raise OperationError(
                 "laser-off",
                 "The exposure is set by the laser's line",
                 "the laser is off",
@@ -163,7 +163,7 @@ class OperatorSettings:
         if not seen:
             if before_us is not None:
                 sensor.set_exposure_us(before_us)
-            raise Refusal(
+            raise OperationError(
                 "no-line",
                 "The exposure is set by the laser's line",
                 "no line is seen",
@@ -173,7 +173,7 @@ class OperatorSettings:
             self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
 
     def find_delay(self, jobs: Jobs, taken: Callable[[], PassRecord]) -> None:
-        """Looks for the delay in a scan, as a job; raises ``Refusal`` while another runs.
+        """Looks for the delay in a scan, as a job; raises ``OperationError`` while another runs.
 
         Args:
             taken: called within the job; it may take the scan first.
@@ -182,7 +182,7 @@ class OperatorSettings:
         def work(progress: Progress) -> Sync:
             source = taken()
             calibration, arm = read_calibration(source.calibration), read_arm(source.arm)
-            return sync(
+            return estimate_recording_delay(
                 source.recording,
                 calibration,
                 arm,
@@ -205,7 +205,7 @@ class OperatorSettings:
             if on and self._found is None:
                 if self._settings.sync is not None:
                     return  # somebody else was faster
-                raise Refusal(
+                raise OperationError(
                     "no-delay", "No delay was found yet", remedy="Pass over a plane and find it"
                 )
             self._found, sync = (None, self._found) if on else (self._found, None)
@@ -241,7 +241,7 @@ class OperatorSettings:
             return held
         info = self._rig.sensor.info
         if info is None:
-            raise Refusal(
+            raise OperationError(
                 "sensor-lost",
                 "zones cannot be set now",
                 "the sensor is not connected",
@@ -257,7 +257,7 @@ class OperatorSettings:
                 }
             )
         except ValidationError as error:
-            raise refusal_of_invalid("zones", error) from error
+            raise error_from_validation("zones", error) from error
 
     def _findings(self) -> tuple[Finding, ...]:
         mask, info = self._settings.mask, self._rig.sensor.info

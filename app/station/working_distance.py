@@ -22,7 +22,7 @@ class Distance:
     state: Literal["in", "near", "far"]
 
 
-def distance_of(mm: float, range_mm: tuple[float, float]) -> Distance:
+def classify_distance(mm: float, range_mm: tuple[float, float]) -> Distance:
     """A distance within the calibrated range, or to which side of it."""
     near_mm, far_mm = range_mm
     state: Literal["in", "near", "far"] = "in"
@@ -48,7 +48,7 @@ class Band:
     far: Line
 
 
-class DistanceWatch:
+class WorkingRange:
     """By one calibration; for a picture of another size it knows nothing."""
 
     def __init__(
@@ -71,7 +71,7 @@ class DistanceWatch:
             return None
         away = _distances(self._camera, self._plane, stripe.uv_px[:: max(1, len(stripe.u) // 100)])
         away = away[np.isfinite(away)]
-        return distance_of(float(np.median(away)), self._range_mm) if len(away) else None
+        return classify_distance(float(np.median(away)), self._range_mm) if len(away) else None
 
 
 def _distances(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:

@@ -9,7 +9,7 @@ from functools import cache
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerificationError
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.store.database import Database
 from app.timestamps import utc_now
 
@@ -64,13 +64,13 @@ class AccountStore:
         Raises:
             Refusal: the name is taken or no name, or the password will not do.
         """
-        name = _name(name)
+        name = _check_account_name(name)
         hashed = NO_PASSWORD if password is None else self._hashed(name, password)
         account = Account(name, role, utc_now())
         with self._database.writing() as connection:
             taken = connection.execute("SELECT 1 FROM account WHERE name = ?", (name,)).fetchone()
             if taken:
-                raise Refusal(
+                raise OperationError(
                     "account-taken",
                     f"There is an account {name} already",
                     remedy="Choose another name",
@@ -84,7 +84,7 @@ class AccountStore:
     def matching(self, name: str, password: str) -> Account | None:
         """The account that name and password belong to; as slow for a name that is not known."""
         rows = self._database.read("SELECT * FROM account WHERE name = ?", plain_name(name))
-        hashed = rows[0]["password"] if rows else _nobody()
+        hashed = rows[0]["password"] if rows else _dummy_hash()
         try:
             HASHER.verify(hashed, password)
         except (VerificationError, InvalidHashError):
@@ -92,19 +92,19 @@ class AccountStore:
         return _account(rows[0]) if rows else None
 
     def set_password(self, name: str, password: str) -> None:
-        """Raises ``Refusal`` where the password will not do."""
+        """Raises ``OperationError`` where the password will not do."""
         hashed = self._hashed(name, password)
         with self._database.writing() as connection:
             connection.execute("UPDATE account SET password = ? WHERE name = ?", (hashed, name))
 
     def set_role(self, name: str, role: Role) -> None:
-        """Raises ``Refusal`` where nobody would be left who can administer the station."""
+        """Raises ``OperationError`` where nobody would be left who can administer the station."""
         self._check_admin_left(name, role)
         with self._database.writing() as connection:
             connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
 
     def remove(self, name: str) -> None:
-        """Removes an account with its sign-ins; raises ``Refusal`` as ``set_role`` does."""
+        """Removes an account with its sign-ins; raises ``OperationError`` as ``set_role`` does."""
         self._check_admin_left(name, None)
         with self._database.writing() as connection:
             connection.execute("DELETE FROM account WHERE name = ?", (name,))
@@ -112,7 +112,7 @@ class AccountStore:
     def _check_admin_left(self, name: str, role: Role | None) -> None:
         admins = {admin.lower() for admin in self._admins()}
         if role is not Role.admin and admins == {name.lower()}:
-            raise Refusal(
+            raise OperationError(
                 "last-admin",
                 f"{name} is the only administrator",
                 "somebody must be able to give people access",
@@ -128,14 +128,16 @@ class AccountStore:
 
     def _hashed(self, name: str, password: str) -> str:
         if not SHORTEST_PASSWORD <= len(password) <= LONGEST_PASSWORD:
-            raise Refusal(
+            raise OperationError(
                 "password-length",
                 f"The password has {len(password)} characters",
                 f"{SHORTEST_PASSWORD} to {LONGEST_PASSWORD} are wanted",
                 "Take a longer one; three unrelated words are good",
             )
         if password.lower() == name.lower():
-            raise Refusal("password-is-name", "The password is the name", remedy="Take another")
+            raise OperationError(
+                "password-is-name", "The password is the name", remedy="Take another"
+            )
         return HASHER.hash(password)
 
     def _read(self, clause: str, *values: str) -> list[Account]:
@@ -145,7 +147,7 @@ class AccountStore:
 
 
 @cache
-def _nobody() -> str:
+def _dummy_hash() -> str:
     """A hash to compare with where there is none."""
     return HASHER.hash("nobody has this password")
 
@@ -159,10 +161,10 @@ def plain_name(name: str) -> str:
     return " ".join(unicodedata.normalize("NFKC", name).split())
 
 
-def _name(name: str) -> str:
+def _check_account_name(name: str) -> str:
     plain = plain_name(name)
     if not plain or len(plain) > LONGEST_NAME or not plain.isprintable():
-        raise Refusal(
+        raise OperationError(
             "account-name",
             f"{plain!r} is no name of an account" if plain else "The account has no name",
             f"1 to {LONGEST_NAME} letters, digits and signs",

@@ -14,7 +14,7 @@ TOKEN_BYTES = 32
 
 
 @dataclass(frozen=True, slots=True)
-class Scraper:
+class ApiToken:
     """One token, without what opens."""
 
     id: str
@@ -23,16 +23,16 @@ class Scraper:
     made_at: str
 
 
-class ScraperStore:
+class ApiTokenStore:
     """Tokens for ``/metrics``."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def add(self, name: str, made_by: str) -> tuple[Scraper, str]:
+    def add(self, name: str, made_by: str) -> tuple[ApiToken, str]:
         """A new one and its token, which is told this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
-        scraper = Scraper(secrets.token_hex(6), name, made_by, utc_now())
+        scraper = ApiToken(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.writing() as connection:
             connection.execute(
                 "INSERT INTO scraper (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
@@ -40,10 +40,10 @@ class ScraperStore:
             )
         return scraper, token
 
-    def all(self) -> list[Scraper]:
+    def all(self) -> list[ApiToken]:
         """Every one, oldest first."""
         rows = self._database.read("SELECT * FROM scraper ORDER BY made_at")
-        return [Scraper(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
+        return [ApiToken(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
     def good(self, token: str) -> bool:
         """Whether the token is one of these."""

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from itertools import islice
 from sqlite3 import Row
 
-from app.errors import Refusal
-from app.store.database import NOT_KEPT, Database
+from app.errors import OperationError
+from app.store.database import NOT_SAVED, Database
 from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
 
-Say = Callable[[str], str]
+Translate = Callable[[str], str]
 LONGEST = 200
 MOST_WAITING = 1000
 ALL = -1
@@ -56,14 +56,14 @@ class AuditLog:
                         "INSERT INTO audit (at, who, address, act, outcome) VALUES (?, ?, ?, ?, ?)",
                         self._waiting,
                     )
-            except Refusal as refusal:
-                if refusal.code != NOT_KEPT:
+            except OperationError as refusal:
+                if refusal.code != NOT_SAVED:
                     raise
                 log.warning("not in the audit log yet: %s: %s", act[:LONGEST], refusal.why)
             else:
                 self._waiting.clear()
 
-    def newest(self, count: int, words: str = "", say: Say = str) -> list[AuditEntry]:
+    def newest(self, count: int, words: str = "", say: Translate = str) -> list[AuditEntry]:
         """The last entries that have all the words, newest first.
 
         Args:
@@ -77,7 +77,7 @@ class AuditLog:
         return list(islice(found, count))
 
 
-def _has(entry: AuditEntry, wanted: Sequence[str], say: Say) -> bool:
+def _has(entry: AuditEntry, wanted: Sequence[str], say: Translate) -> bool:
     """Whether all the words, in small letters, stand in an entry."""
     told = (entry.at, entry.who, entry.address, entry.act, entry.outcome)
     line = " ".join((*told, say(entry.act), say(entry.outcome))).lower()

@@ -18,11 +18,11 @@ from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder, write_atomically
-from app.formats.file_names import printable, shown_path
-from app.formats.io_errors import files_refused, refusal_of
-from app.formats.json_document import sha256_of
+from app.formats.file_names import display_path, escape_unprintable
+from app.formats.io_errors import convert_io_errors, error_from_os
+from app.formats.json_document import file_sha256
 from app.formats.open_file import open_file, read_bounded
 from app.formats.software import SOFTWARE
 from app.timestamps import is_moment, utc_now
@@ -31,16 +31,16 @@ DATABASE = "station.db"
 NOTE = "backup.json"
 """In a backup: what it is of. In a data folder: where its last backup is."""
 LAST = "last_backup.json"
-LEFT_OUT = {"station.lock", LAST, "backups", "logs"}
+EXCLUDED = {"station.lock", LAST, "backups", "logs"}
 PARTS = ".*.backup.part"
 DATABASE_PARTS = {DATABASE, f"{DATABASE}-wal", f"{DATABASE}-shm"}
 PIECE_BYTES = 1 << 20
-ROOM_BYTES = 200_000_000
+RESERVE_BYTES = 200_000_000
 """Left free on the disk of the copy."""
 
 
 @dataclass(frozen=True)
-class BackupMade:
+class BackupRecord:
     """A backup that is whole."""
 
     folder: str
@@ -51,7 +51,7 @@ class BackupMade:
 
 def backup(
     data: Path, output: Path, progress: Callable[[float, str], None] = lambda share, text: None
-) -> BackupMade:
+) -> BackupRecord:
     """Copies a data folder into a new one.
 
     Args:
@@ -64,13 +64,13 @@ def backup(
     data, output = data.resolve(), output.absolute()
     _check(data, output)
     part = output.with_name(f".{output.name}.backup.part")
-    with files_refused(output):
+    with convert_io_errors(output):
         output.parent.mkdir(parents=True, exist_ok=True)
         for left in output.parent.glob(PARTS):  # of processes that were killed
             shutil.rmtree(left, ignore_errors=True)
         part.mkdir(mode=0o700)
     try:
-        with files_refused(output):
+        with convert_io_errors(output):
             made = _copy(data, part, output, progress)
             if output.is_dir():
                 output.rmdir()
@@ -83,30 +83,30 @@ def backup(
     return made
 
 
-def last_backup(data: Path) -> BackupMade | None:
+def last_backup(data: Path) -> BackupRecord | None:
     """The last backup of a data folder that is still where it was put."""
     try:
-        made = BackupMade(**json.loads(read_bounded(data / LAST)))
+        made = BackupRecord(**json.loads(read_bounded(data / LAST)))
         there = is_moment(made.at) and (Path(made.folder) / NOTE).is_file()
     except (OSError, ValueError, TypeError, RecursionError):
         return None
     return made if there else None
 
 
-def shown_backup(folder: Path | str) -> str:
+def display_backup(folder: Path | str) -> str:
     """How messages name a backup, or the folder that has them: by what it lies in alone."""
-    return printable("/".join(Path(folder).parts[-2:]))
+    return escape_unprintable("/".join(Path(folder).parts[-2:]))
 
 
-def stamped_name() -> str:
+def new_backup_name() -> str:
     """A name for a backup made now."""
     return f"crenel-{datetime.now(UTC):%Y%m%d-%H%M%S}"
 
 
 def check_data_folder(data: Path) -> None:
-    """Raises ``Refusal`` for a folder that no station was started with."""
+    """Raises ``OperationError`` for a folder that no station was started with."""
     if not (data / DATABASE).is_file():
-        raise Refusal(
+        raise OperationError(
             "no-data-folder",
             f"{data} is no station's data folder",
             f"there is no {DATABASE}",
@@ -118,14 +118,14 @@ def _check(data: Path, output: Path) -> None:
     check_data_folder(data)
     inside = output.resolve().is_relative_to(data)
     if inside and not output.resolve().is_relative_to(data / "backups"):
-        raise Refusal(
+        raise OperationError(
             "output-inside",
             f"{output} is inside the data folder",
             "the next backup would hold this one",
             "Choose a folder elsewhere, best on another disk",
         )
     if output.exists() and (not output.is_dir() or any(output.iterdir())):
-        raise Refusal(
+        raise OperationError(
             "output-taken",
             f"{output} is there already",
             "a backup replaces nothing",
@@ -135,17 +135,17 @@ def _check(data: Path, output: Path) -> None:
 
 def _copy(
     data: Path, part: Path, output: Path, progress: Callable[[float, str], None]
-) -> BackupMade:
+) -> BackupRecord:
     at = utc_now()
     _copy_database(data / DATABASE, part / DATABASE)
     files = list(_files(data))
     total = sum(size for _, size in files)
     free = shutil.disk_usage(part).free
-    if total + ROOM_BYTES > free:
-        raise Refusal(
+    if total + RESERVE_BYTES > free:
+        raise OperationError(
             "disk-full",
             f"The backup needs {total / 1e9:.2f} GB",
-            f"{free / 1e9:.2f} GB are free on the disk of {shown_path(output)}",
+            f"{free / 1e9:.2f} GB are free on the disk of {display_path(output)}",
             "Free some space, or choose another disk",
         )
     done = 0
@@ -159,7 +159,7 @@ def _copy(
         done += size
         progress(done / max(total, 1), path.name)
     total += (part / DATABASE).stat().st_size
-    made = BackupMade(str(output), at, len(files) + 1, total)
+    made = BackupRecord(str(output), at, len(files) + 1, total)
     note = {**asdict(made), "of": str(data), "version": SOFTWARE.version}
     write_atomically(part / NOTE, _json(note))
     for folder, _, _ in os.walk(part):
@@ -183,10 +183,10 @@ def _copy_file(source: Path, target: Path) -> None:
         # else the comparison would read the memory that was just written
         os.posix_fadvise(writing.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
     shutil.copystat(source, target)
-    if sha256_of(target) != read.hexdigest():
-        raise Refusal(
+    if file_sha256(target) != read.hexdigest():
+        raise OperationError(
             "backup-differs",
-            f"The copy is not what was read from {shown_path(source)}",
+            f"The copy is not what was read from {display_path(source)}",
             "the disk of the backup does not keep what is written to it",
             "Make the backup on another disk",
         )
@@ -209,9 +209,9 @@ def _copy_database(source: Path, target: Path) -> None:
     os.chmod(target, 0o600)
     sync_file(target)
     if found != "ok":
-        raise Refusal(
+        raise OperationError(
             "database-unreadable",
-            f"{shown_path(source)} cannot be copied",
+            f"{display_path(source)} cannot be copied",
             found,
             "Keep the data folder as it is, and start from an earlier backup",
         )
@@ -221,10 +221,10 @@ def _files(data: Path) -> Iterator[tuple[Path, int]]:
     """Every file with its size, but for what belongs to the running server alone."""
     for folder, folders, names in os.walk(data, onerror=_raise):
         top = Path(folder) == data
-        folders[:] = sorted(name for name in folders if not (top and name in LEFT_OUT))
+        folders[:] = sorted(name for name in folders if not (top and name in EXCLUDED))
         for name in sorted(names):
             path = Path(folder) / name
-            unwanted = top and (name in LEFT_OUT or name in DATABASE_PARTS)
+            unwanted = top and (name in EXCLUDED or name in DATABASE_PARTS)
             if unwanted or name.endswith(".part") or not path.is_file() or path.is_symlink():
                 continue
             try:
@@ -234,7 +234,7 @@ def _files(data: Path) -> Iterator[tuple[Path, int]]:
 
 
 def _raise(error: OSError) -> None:
-    raise refusal_of(error) from error
+    raise error_from_os(error) from error
 
 
 def _json(fields: dict[str, object]) -> bytes:

@@ -11,8 +11,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, TypeAdapter
 
 from app.store.database import Database
-from app.store.journal import Check, JournalRow, append_row, unchecked
-from app.timestamps import moment_of, utc_now
+from app.store.journal import Check, JournalRow, accept_any, append_row
+from app.timestamps import parse_moment, utc_now
 
 MOST_UM = 1e9
 """A kilometre: no calibration comes near."""
@@ -20,7 +20,7 @@ COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 
 
 @dataclass(frozen=True, slots=True)
-class Figures:
+class CalibrationFigures:
     """What is listed of a calibration without opening its file."""
 
     total_um: Annotated[float, Field(ge=0, le=MOST_UM, allow_inf_nan=False)]
@@ -40,11 +40,11 @@ class CalibrationRecord:
     name: str
     file: Path
     accepted_at: str
-    figures: Figures
+    figures: CalibrationFigures
     active: bool
 
 
-FIGURES = TypeAdapter(Figures)
+FIGURES = TypeAdapter(CalibrationFigures)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,15 +70,15 @@ class CalibrationStore:
         file: Path,
         figures: Mapping[str, Any],
         key: str | None,
-        check: Check = unchecked,
+        check: Check = accept_any,
     ) -> JournalRow:
         """Makes a session's calibration the active one, and closes the session.
 
         The journal row ``accepted``, the record and the change of the active
         calibration are one transaction. The calibration's id is its session's.
-        ``figures`` has the fields of ``Figures``.
+        ``figures`` has the fields of ``CalibrationFigures``.
         """
-        kept = Figures(**figures)
+        kept = CalibrationFigures(**figures)
         with self._database.writing() as connection:
             row = append_row(connection, session_id, "accepted", {"name": name}, key, check)
             connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
@@ -127,7 +127,7 @@ class CalibrationStore:
 
     def _record(self, row: Row) -> CalibrationRecord:
         """Raises ``ValueError`` for figures or a moment that cannot be read."""
-        moment_of(row["accepted_at"])
+        parse_moment(row["accepted_at"])
         return CalibrationRecord(
             row["id"],
             row["session_id"],

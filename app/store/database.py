@@ -13,13 +13,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
-from app.formats.io_errors import refusal_of
+from app.errors import OperationError
+from app.formats.file_names import display_path
+from app.formats.io_errors import error_from_os
 from app.formats.open_file import check_ordinary
-from app.store.schemas import SCHEMA_VERSION, SCHEMAS, columns_made, columns_of
+from app.store.schemas import SCHEMA_VERSION, SCHEMAS, current_columns, read_columns
 
-NOT_KEPT = "not-kept"
+NOT_SAVED = "not-kept"
 NO_OBJECT = """
 SELECT number FROM journal
 WHERE CASE WHEN json_valid(payload) THEN json_type(payload) <> 'object' ELSE 1 END
@@ -51,7 +51,7 @@ class Database:
             self._path.chmod(0o600)  # passwords' hashes are nobody else's; its journals follow it
             self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         except (OSError, sqlite3.OperationalError) as error:
-            raise _unreadable(path, error) from error
+            raise _open_error(path, error) from error
         try:
             self._connection.row_factory = sqlite3.Row
             self._connection.text_factory = _text
@@ -61,8 +61,8 @@ class Database:
             self._prepare(path)
         except sqlite3.DatabaseError as error:
             self._connection.close()
-            raise _unreadable(path, error) from error
-        except Refusal:
+            raise _open_error(path, error) from error
+        except OperationError:
             self._connection.close()
             raise
 
@@ -71,13 +71,13 @@ class Database:
         tables = self._connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
         names = {row["name"] for row in tables}
         if names and (version == 0 or "journal" not in names):
-            raise Refusal(
+            raise OperationError(
                 "database-foreign",
                 f"{path} is another program's database",
                 remedy="Give the station a data folder of its own",
             )
         if version > SCHEMA_VERSION:
-            raise Refusal(
+            raise OperationError(
                 "database-newer",
                 f"{path} was written by a later version of Crenel (schema {version}, "
                 f"this one knows {SCHEMA_VERSION})",
@@ -88,12 +88,12 @@ class Database:
             self._connection.executescript(
                 f"BEGIN; {added} PRAGMA user_version = {SCHEMA_VERSION}; COMMIT;"
             )
-        missing = sorted(columns_made() - columns_of(self._connection))
+        missing = sorted(current_columns() - read_columns(self._connection))
         if missing:
             table, column = missing[0]
-            raise Refusal(
+            raise OperationError(
                 "database-unreadable",
-                f"{shown_path(path)} cannot be read as a station's database",
+                f"{display_path(path)} cannot be read as a station's database",
                 f"its table {table} has no {column}",
                 "Put the last backup in its place, or move it away to begin anew",
             )
@@ -112,13 +112,13 @@ class Database:
                 self._connection.execute("COMMIT")
             except sqlite3.OperationalError as error:
                 self._undo()
-                raise _not_kept(error) from error
+                raise _not_saved_error(error) from error
             except sqlite3.IntegrityError:
                 self._undo()
                 raise
             except sqlite3.DatabaseError as error:
                 self._undo()
-                raise _unreadable(self._path, error) from error
+                raise _open_error(self._path, error) from error
             except BaseException:
                 self._undo()
                 raise
@@ -138,7 +138,7 @@ class Database:
             try:
                 return self._connection.execute(query, values).fetchall()
             except sqlite3.DatabaseError as error:
-                raise _unreadable(self._path, error) from error
+                raise _open_error(self._path, error) from error
 
     def check(self) -> str:
         """What is wrong with the file; empty where nothing is. On a connection of its own."""
@@ -173,52 +173,52 @@ def _text(raw: bytes) -> str:
 
 
 def _check_file(path: Path, is_database: bool) -> None:
-    """Raises ``Refusal`` where something else than an ordinary file has a database file's name."""
+    """Raises ``OperationError`` where a database file is no ordinary file."""
     try:
         if path.is_symlink() and not is_database:
             path.stat()  # SQLite makes no file where a link leads
         check_ordinary(path)
     except OSError as error:
         if error.errno not in NO_FILE and not path.is_symlink():
-            raise _unreadable(path, error) from error
+            raise _open_error(path, error) from error
         if is_database:
-            what = f"{shown_path(path)} cannot be read as a station's database"
+            what = f"{display_path(path)} cannot be read as a station's database"
             remedy = "Put the last backup in its place, or move it away to begin anew"
         else:
-            what = f"{shown_path(path)} cannot be used beside the station's database"
+            what = f"{display_path(path)} cannot be used beside the station's database"
             remedy = "Move it away, and start again"
-        why = refusal_of(error, path).why
-        raise Refusal("database-unreadable", what, why, remedy) from error
+        why = error_from_os(error, path).why
+        raise OperationError("database-unreadable", what, why, remedy) from error
 
 
-def _unreadable(path: Path, error: Exception) -> Refusal:
+def _open_error(path: Path, error: Exception) -> OperationError:
     """Why a database cannot be opened: its disk is told from its content."""
     code = (getattr(error, "sqlite_errorcode", None) or 0) & 0xFF
     if _is_full(path.parent, error, code):
-        return Refusal(
+        return OperationError(
             "disk-full",
-            f"The disk of {shown_path(path.parent)} is full",
+            f"The disk of {display_path(path.parent)} is full",
             "the station's database cannot be opened there; it is not damaged",
             "Free some space, and start again",
         )
     if code == sqlite3.SQLITE_IOERR or getattr(error, "errno", None) == errno.EIO:
-        return Refusal(
+        return OperationError(
             "disk-failing",
-            f"The disk of {shown_path(path.parent)} does not read or write as it should",
+            f"The disk of {display_path(path.parent)} does not read or write as it should",
             str(error),
             "Look at the system's log and at the disk; keep the data folder as it is",
         )
     forbidden = (sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_READONLY, sqlite3.SQLITE_PERM)
     if code in forbidden or isinstance(error, OSError):
-        return Refusal(
+        return OperationError(
             "database-forbidden",
-            f"{shown_path(path)} cannot be opened for writing",
+            f"{display_path(path)} cannot be opened for writing",
             str(getattr(error, "strerror", None) or error),
             "Look at its owner and permissions, and at whether its disk is mounted read-only",
         )
-    return Refusal(
+    return OperationError(
         "database-unreadable",
-        f"{shown_path(path)} cannot be read as a station's database",
+        f"{display_path(path)} cannot be read as a station's database",
         str(getattr(error, "strerror", None) or error),
         "Put the last backup in its place, or move it away to begin anew",
     )
@@ -236,9 +236,9 @@ def _is_full(folder: Path, error: Exception, code: int) -> bool:
         return False
 
 
-def _not_kept(error: sqlite3.OperationalError) -> Refusal:
+def _not_saved_error(error: sqlite3.OperationalError) -> OperationError:
     if error.sqlite_errorcode == sqlite3.SQLITE_FULL:
         why, remedy = "the station's disk is full", "Free some space, then do it again"
     else:
         why, remedy = f"the database cannot be written: {error}", "Look at the station's disk"
-    return Refusal(NOT_KEPT, "This was not kept", why, remedy)
+    return OperationError(NOT_SAVED, "This was not kept", why, remedy)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.store.database import Database
 from app.timestamps import utc_now
 
@@ -40,7 +40,7 @@ Check = Callable[[JournalRow], None]
 """Is given a row before it is committed; what it raises undoes the row."""
 
 
-def unchecked(row: JournalRow) -> None:
+def accept_any(row: JournalRow) -> None:
     """Takes any row."""
 
 
@@ -83,7 +83,7 @@ class JournalStore:
         kind: str,
         payload: Mapping[str, object],
         key: str | None = None,
-        check: Check = unchecked,
+        check: Check = accept_any,
     ) -> JournalRow:
         """Writes one row; it is on the disk when this returns.
 
@@ -176,7 +176,9 @@ def append_row(
     try:
         text = json.dumps(payload, allow_nan=False)
     except (TypeError, ValueError) as error:
-        raise Refusal(NOT_READABLE, "This was not kept", f"it is no JSON: {error}") from error
+        raise OperationError(
+            NOT_READABLE, "This was not kept", f"it is no JSON: {error}"
+        ) from error
     cursor = connection.execute(
         "INSERT INTO journal (session_id, at, kind, payload, command_key) VALUES (?, ?, ?, ?, ?)",
         (session_id, at, kind, text, key),

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from app.errors import Refusal
+from app.errors import OperationError
 
 
 class FolderLock:
@@ -28,7 +28,7 @@ class FolderLock:
         except OSError:
             holder = os.pread(self._file, 32, 0).decode("ascii", "replace").strip() or "unknown"
             os.close(self._file)
-            raise Refusal(
+            raise OperationError(
                 "data-folder-in-use",
                 f"The data folder {folder} is in use by another Crenel server (process {holder})",
                 remedy="Stop that server, or give this one a data folder of its own with --data",

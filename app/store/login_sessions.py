@@ -13,23 +13,23 @@ import sqlite3
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.store.accounts import Role
-from app.store.database import NOT_KEPT, Database
-from app.timestamps import is_moment, moment_of, utc_now
+from app.store.database import NOT_SAVED, Database
+from app.timestamps import is_moment, parse_moment, utc_now
 
 log = logging.getLogger(__name__)
 IDLE = timedelta(hours=14)
 """A person's browser that was not used for so long must sign in again: longer than a shift."""
 LONGEST = timedelta(days=7)
 """So long after signing in a person signs in again, used or not: a page may be left open."""
-SEEN_EVERY = timedelta(minutes=1)
+ACTIVITY_STEP = timedelta(minutes=1)
 TOKEN_BYTES = 32
 ID_DIGITS = 12
 
 
 @dataclass(frozen=True, slots=True)
-class Visitor:
+class Principal:
     """Who is behind a request."""
 
     id: str
@@ -41,7 +41,7 @@ class Visitor:
 
 
 @dataclass(frozen=True, slots=True)
-class WallLink:
+class KioskLink:
     """A link that shows the station and lets nobody do anything."""
 
     id: str
@@ -50,7 +50,7 @@ class WallLink:
     made_at: str
 
 
-class SignInStore:
+class LoginSessionStore:
     """Cookies that are good, and wall links."""
 
     def __init__(self, database: Database) -> None:
@@ -69,14 +69,14 @@ class SignInStore:
                     " VALUES (?, ?, ?, ?, ?)",
                     (_digest(token), account, device[:200], now, now),
                 )
-        except Refusal as refusal:  # a full disk keeps nobody out; the next start does
-            if refusal.code != NOT_KEPT:
+        except OperationError as refusal:  # a full disk keeps nobody out; the next start does
+            if refusal.code != NOT_SAVED:
                 raise
             log.warning("a sign-in is kept in memory alone: %s", refusal.why)
             self._unkept[_digest(token)] = account, now
         return token
 
-    def visitor(self, token: str) -> Visitor | None:
+    def visitor(self, token: str) -> Principal | None:
         """Whose cookie or wall link it is; None for one that is not good (any more)."""
         digest = _digest(token)
         rows = self._database.read(
@@ -90,36 +90,36 @@ class SignInStore:
             return self._unkept_person(digest)
         links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
         if links:
-            return Visitor(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
+            return Principal(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
         return None
 
-    def _unkept_person(self, digest: str) -> Visitor | None:
+    def _unkept_person(self, digest: str) -> Principal | None:
         account, begun_at = self._unkept[digest]
         rows = self._database.read("SELECT name, role FROM account WHERE name = ?", account)
         late = datetime.now(UTC) - datetime.fromisoformat(begun_at) > IDLE
         if late or not rows:
             self._unkept.pop(digest, None)
             return None
-        return Visitor(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], wall=False)
+        return Principal(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], wall=False)
 
-    def _person(self, digest: str, row: sqlite3.Row) -> Visitor | None:
+    def _person(self, digest: str, row: sqlite3.Row) -> Principal | None:
         now = datetime.now(UTC)
         if not (is_moment(row["seen_at"]) and is_moment(row["begun_at"])):
             self._end("token = ?", digest)  # of a damaged page
             return None
-        idle = now - moment_of(row["seen_at"])
-        if idle > IDLE or now - moment_of(row["begun_at"]) > LONGEST:
+        idle = now - parse_moment(row["seen_at"])
+        if idle > IDLE or now - parse_moment(row["begun_at"]) > LONGEST:
             self._end("token = ?", digest)
             return None
-        if abs(idle) > SEEN_EVERY:  # or the clock was set back
+        if abs(idle) > ACTIVITY_STEP:  # or the clock was set back
             try:
                 with self._database.writing() as connection:
                     connection.execute(
                         "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
                     )
-            except Refusal as refusal:  # a full disk keeps nobody from Stop
+            except OperationError as refusal:  # a full disk keeps nobody from Stop
                 log.warning("a sign-in is not noted as used: %s", refusal.why)
-        return Visitor(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
+        return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
 
     def end(self, token: str) -> None:
         """Signs one browser out."""
@@ -145,8 +145,8 @@ class SignInStore:
                     " VALUES (?, ?, ?)",
                     (_digest(token), account, utc_now()),
                 )
-        except Refusal as refusal:  # it is known from the next time on
-            if refusal.code != NOT_KEPT:
+        except OperationError as refusal:  # it is known from the next time on
+            if refusal.code != NOT_SAVED:
                 raise
         return token
 
@@ -159,10 +159,10 @@ class SignInStore:
         with self._database.writing() as connection:
             connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
 
-    def add_wall(self, name: str, made_by: str) -> tuple[WallLink, str]:
+    def add_wall(self, name: str, made_by: str) -> tuple[KioskLink, str]:
         """A new wall link and its token, which is told this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
-        link = WallLink(secrets.token_hex(6), name, made_by, utc_now())
+        link = KioskLink(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.writing() as connection:
             connection.execute(
                 "INSERT INTO wall_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
@@ -170,10 +170,10 @@ class SignInStore:
             )
         return link, token
 
-    def walls(self) -> list[WallLink]:
+    def walls(self) -> list[KioskLink]:
         """Every wall link, oldest first."""
         rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
-        return [WallLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
+        return [KioskLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
     def remove_wall(self, link_id: str) -> None:
         """Its screens show nothing from now on."""

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 
 FILE = "scan_settings.json"
@@ -13,7 +13,7 @@ class SettingsStore:
 
     def __init__(self, folder: Path) -> None:
         self._path = folder / FILE
-        self.trouble: Refusal | None = None
+        self.trouble: OperationError | None = None
         """Why what was kept could not be read; everything is then automatic."""
 
     def read(self) -> ScanSettings:
@@ -22,10 +22,10 @@ class SettingsStore:
             return AUTOMATIC
         try:
             return ScanSettings.read(self._path)
-        except Refusal as refusal:
+        except OperationError as refusal:
             self.trouble = refusal
             return AUTOMATIC
 
     def keep(self, settings: ScanSettings) -> None:
-        """Raises ``Refusal`` where the disk does not take it."""
+        """Raises ``OperationError`` where the disk does not take it."""
         settings.write(self._path)

@@ -5,8 +5,8 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
-from app.store.database import NOT_KEPT, Database
+from app.errors import OperationError
+from app.store.database import NOT_SAVED, Database
 
 log = logging.getLogger(__name__)
 
@@ -43,18 +43,18 @@ class ScanStore:
         self._waiting: dict[str, ScanRecord] = {}
 
     def add(self, scan: ScanRecord) -> None:
-        """Lists a scan; raises ``Refusal`` only where it is not the disk that does not take it."""
+        """Lists a scan; raises ``OperationError`` only where the disk is not at fault."""
         try:
             self._insert(scan)
-        except Refusal as refusal:
-            if refusal.code != NOT_KEPT:
+        except OperationError as refusal:
+            if refusal.code != NOT_SAVED:
                 raise
             log.warning("scan %s waits to be listed: %s", scan.id, refusal.why)
             with self._lock:
                 self._waiting[scan.id] = scan
 
     def add_waiting(self) -> None:
-        """Lists what waits for the disk; raises ``Refusal`` where it is still full."""
+        """Lists what waits for the disk; raises ``OperationError`` where it is still full."""
         with self._lock:
             for scan in list(self._waiting.values()):
                 self._insert(scan)

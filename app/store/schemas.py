@@ -129,7 +129,7 @@ SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS, KNOWN_BROWSERS, RECORDINGS
 SCHEMA_VERSION = len(SCHEMAS)
 
 
-def columns_of(connection: sqlite3.Connection) -> set[tuple[str, str]]:
+def read_columns(connection: sqlite3.Connection) -> set[tuple[str, str]]:
     """Every column as the names of its table and its own."""
     found = connection.execute(
         "SELECT one.name, its.name FROM sqlite_master AS one, pragma_table_info(one.name) AS its"
@@ -139,8 +139,8 @@ def columns_of(connection: sqlite3.Connection) -> set[tuple[str, str]]:
 
 
 @lru_cache
-def columns_made() -> set[tuple[str, str]]:
+def current_columns() -> set[tuple[str, str]]:
     """Those of a database that is made now."""
     with closing(sqlite3.connect(":memory:")) as made:
         made.executescript(" ".join(SCHEMAS))
-        return columns_of(made)
+        return read_columns(made)

@@ -2,27 +2,27 @@
 
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
-from app.formats.file_names import name_from, name_whole
-from app.formats.io_errors import refusal_of
+from app.formats.file_names import register_data_folder, unregister_data_folder
+from app.formats.io_errors import error_from_os
 from app.store.accounts import AccountStore
-from app.store.api_tokens import ScraperStore
+from app.store.api_tokens import ApiTokenStore
 from app.store.audit import AuditLog
 from app.store.backup import DATABASE, last_backup
 from app.store.calibrations import CalibrationStore
 from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
-from app.store.login_sessions import SignInStore
+from app.store.login_sessions import LoginSessionStore
 from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
 from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
 
-KEPT = ("sessions", "scans", "verifications")
+RECORD_FOLDERS = ("sessions", "scans", "verifications")
 """Folders that the database knows the content of."""
-FOLDERS = ("arms", "objects", "sensors", "gauges", *KEPT)
+FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
 
 
 class Store:
@@ -41,14 +41,14 @@ class Store:
             self._lock = FolderLock(self.folder)
         except OSError as error:
             if error.errno in FULL:
-                raise Refusal(
+                raise OperationError(
                     "disk-full",
                     f"The disk of the data folder {folder} is full",
                     error.strerror or str(error),
                     "Free some space, and start again",
                 ) from error
-            found = refusal_of(error)
-            raise Refusal(
+            found = error_from_os(error)
+            raise OperationError(
                 "data-folder-unwritable",
                 f"The data folder {folder} cannot be used",
                 f"{found.what}: {found.why}",
@@ -60,7 +60,7 @@ class Store:
         except BaseException:
             self._lock.release()
             raise
-        name_from(self.folder)
+        register_data_folder(self.folder)
         self.journal = JournalStore(self._database)
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.verifications = VerificationStore(self._database, self.folder)
@@ -68,20 +68,20 @@ class Store:
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)
         self.accounts = AccountStore(self._database)
-        self.sign_ins = SignInStore(self._database)
+        self.sign_ins = LoginSessionStore(self._database)
         self.audit = AuditLog(self._database)
-        self.scrapers = ScraperStore(self._database)
+        self.scrapers = ApiTokenStore(self._database)
 
     def _check_database_there(self) -> None:
-        """Raises ``Refusal`` where folders are full and the database is missing or empty."""
+        """Raises ``OperationError`` where folders are full and the database is missing or empty."""
         database = self.folder / DATABASE
         if database.exists() and (not database.is_file() or database.stat().st_size):
             return
-        full = [name for name in KEPT if any((self.folder / name).iterdir())]
+        full = [name for name in RECORD_FOLDERS if any((self.folder / name).iterdir())]
         if full:
             last = last_backup(self.folder)
             at = f" from {last.folder}" if last is not None else " from the last backup"
-            raise Refusal(
+            raise OperationError(
                 "database-missing",
                 f"{database} is {'empty' if database.exists() else 'not there'}",
                 f"{' and '.join(full)} beside it are not empty",
@@ -100,4 +100,4 @@ class Store:
         """Closes the database and lets another server have the folder; idempotent."""
         self._database.close()
         self._lock.release()
-        name_whole(self.folder)
+        unregister_data_folder(self.folder)

@@ -4,14 +4,14 @@ from dataclasses import dataclass
 from datetime import timedelta
 
 from app.store.database import Database
-from app.timestamps import is_moment, moment_of, utc_now
+from app.timestamps import is_moment, parse_moment, utc_now
 
 NEAR = timedelta(hours=3)
 """A reading says nothing of a time further away than this."""
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class TemperatureReading:
     """One temperature."""
 
     at: str
@@ -25,8 +25,8 @@ class TemperatureStore:
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def add(self, celsius: float, source: str) -> Reading:
-        reading = Reading(utc_now(), celsius, source)
+    def add(self, celsius: float, source: str) -> TemperatureReading:
+        reading = TemperatureReading(utc_now(), celsius, source)
         with self._database.writing() as connection:
             connection.execute(
                 "INSERT INTO temperature (at, celsius, source) VALUES (?, ?, ?)",
@@ -34,12 +34,12 @@ class TemperatureStore:
             )
         return reading
 
-    def near(self, at: str) -> Reading | None:
+    def near(self, at: str) -> TemperatureReading | None:
         """The reading nearest to a time (ISO 8601), if one is near enough."""
         before = self._read("at <= ? ORDER BY at DESC LIMIT 1", at)
         after = self._read("at > ? ORDER BY at LIMIT 1", at)
-        moment, readings = moment_of(at), before + after
-        found = [(abs(moment_of(r.at) - moment), r) for r in readings if is_moment(r.at)]
+        moment, readings = parse_moment(at), before + after
+        found = [(abs(parse_moment(r.at) - moment), r) for r in readings if is_moment(r.at)]
         best = min(found, key=lambda pair: pair[0], default=None)
         return best[1] if best is not None and best[0] <= NEAR else None
 
@@ -55,13 +55,13 @@ class TemperatureStore:
         reading = self.near(at)
         return None if reading is None else reading.celsius
 
-    def newest(self) -> Reading | None:
+    def newest(self) -> TemperatureReading | None:
         """The last reading, unless it is too old to say what it is now."""
         return self.near(utc_now())
 
-    def _read(self, clause: str, at: str) -> list[Reading]:
+    def _read(self, clause: str, at: str) -> list[TemperatureReading]:
         return [
-            Reading(row["at"], row["celsius"], row["source"])
+            TemperatureReading(row["at"], row["celsius"], row["source"])
             for row in self._database.read(
                 f"SELECT at, celsius, source FROM temperature WHERE {clause}", at
             )

@@ -11,8 +11,8 @@ from typing import Any, Literal
 from pydantic import TypeAdapter
 
 from app.store.database import Database
-from app.store.journal import Check, JournalRow, append_row, unchecked
-from app.timestamps import moment_of, utc_now
+from app.store.journal import Check, JournalRow, accept_any, append_row
+from app.timestamps import parse_moment, utc_now
 
 COLUMNS = "id, calibration_id, folder, accepted_at, figures"
 
@@ -59,7 +59,7 @@ class VerificationStore:
         folder: Path,
         figures: Mapping[str, Any],
         key: str | None,
-        check: Check = unchecked,
+        check: Check = accept_any,
     ) -> JournalRow:
         """Keeps a session's verification and closes the session, in one transaction.
 
@@ -115,7 +115,7 @@ class VerificationStore:
 
     def _record(self, row: Row) -> VerificationRecord:
         """Raises ``ValueError`` for figures or a moment that cannot be read."""
-        moment_of(row["accepted_at"])
+        parse_moment(row["accepted_at"])
         return VerificationRecord(
             row["id"],
             row["calibration_id"],

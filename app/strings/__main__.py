@@ -4,15 +4,15 @@ English is written anew. Of another language what is no longer said is left out,
 still to be translated is told.
 """
 
-from app.strings.collect import collected
-from app.strings.files import ENGLISH, languages, strings_of, write
+from app.strings.collect import collect_texts
+from app.strings.files import ENGLISH, languages, load_strings, write
 
 
 def main() -> None:
-    texts = collected()
+    texts = collect_texts()
     write(ENGLISH, {text: text for text in texts})
     for language in languages()[1:]:
-        known = strings_of(language)
+        known = load_strings(language)
         write(language, {text: known[text] for text in texts if text in known})
         missing = [text for text in texts if text not in known]
         print(f"{language}: {len(texts) - len(missing)} of {len(texts)} texts")

@@ -14,7 +14,7 @@ from pathlib import Path
 from app.strings.words import WORDS
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = (
+PACKAGES = (
     *(f"app/{package}" for package in ("api", "formats", "guide", "metrology", "monitoring")),
     *(
         f"app/{package}"
@@ -23,7 +23,7 @@ ROOMS = (
     *("app/wire", "app/workflows", "hardware"),
     *("app/server/middleware.py", "app/server/starting_page.py"),
 )
-SILENT = (
+EXCLUDED = (
     *("app/api/metrics.py", "app/server/composition.py", "app/api/support.py"),
     *("hardware/arm/protocol.py", "hardware/simulator", "app/formats/recording/blocks.py"),
     *("app/formats/recording/wire_format.py", "app/formats/recording/raw.py"),
@@ -67,30 +67,30 @@ _QUIET_FUNCTIONS = frozenset(_FUNCTIONS.split())
 _QUIET_KEYWORDS = frozenset(("description", "name", "pattern", "dtype", "tags", "alias", "mode"))
 
 
-def collected(root: Path = ROOT) -> list[str]:
+def collect_texts(root: Path = ROOT) -> list[str]:
     """Every text, sorted."""
     found: set[str] = set()
-    for room in ROOMS:
+    for room in PACKAGES:
         place = root / room
         for path in [place] if place.is_file() else sorted(place.rglob("*.py")):
-            if not path.relative_to(root).as_posix().startswith(SILENT):
-                found.update(of_python(path.read_text(encoding="utf-8")))
+            if not path.relative_to(root).as_posix().startswith(EXCLUDED):
+                found.update(python_texts(path.read_text(encoding="utf-8")))
     found.update(WORDS)
     for path in sorted((root / "frontend" / "src").rglob("*.ts*")):
-        found.update(of_typescript(path.read_text(encoding="utf-8")))
+        found.update(typescript_texts(path.read_text(encoding="utf-8")))
     return sorted(found)
 
 
-def of_python(source: str) -> Iterator[str]:
+def python_texts(source: str) -> Iterator[str]:
     """What one module says."""
-    speech = _Speech()
+    speech = _TextCollector()
     speech.visit(ast.parse(source))
     # what only goes on with a sentence is looked up without what joins it
     texts = (text.strip(" ,;·") for text in speech.found)
-    yield from (text for text in texts if is_said(text))
+    yield from (text for text in texts if is_user_text(text))
 
 
-def is_said(text: str) -> bool:
+def is_user_text(text: str) -> bool:
     """Whether it is for people: words beside the places, and not the program's own."""
     rest = _UNITS.sub("", _PLACE.sub("", text))
     if not _LETTERS.search(rest) or _PROGRAM.search(rest):
@@ -98,7 +98,7 @@ def is_said(text: str) -> bool:
     return bool(_SENTENCE.match(text))
 
 
-class _Speech(ast.NodeVisitor):
+class _TextCollector(ast.NodeVisitor):
     def __init__(self) -> None:
         self.found: list[str] = []
 
@@ -111,7 +111,7 @@ class _Speech(ast.NodeVisitor):
             self.found.append(node.value)
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
-        self.found.extend(forms_of(node))
+        self.found.extend(template_forms(node))
         for part in node.values:
             if isinstance(part, ast.FormattedValue):
                 # the words that are chosen between are part of the forms
@@ -171,7 +171,7 @@ class _Speech(ast.NodeVisitor):
                 self.visit(keyword.value)
 
 
-def forms_of(node: ast.JoinedStr) -> Iterator[str]:
+def template_forms(node: ast.JoinedStr) -> Iterator[str]:
     """The templates of an f-string: one for each of the choices between fixed words in it."""
     parts = [_part(part) for part in node.values]
     for chosen in islice(product(*parts), MOST_FORMS):
@@ -181,7 +181,7 @@ def forms_of(node: ast.JoinedStr) -> Iterator[str]:
             if isinstance(part, str):
                 text += part
                 continue
-            name = name_of(part)
+            name = placeholder_name(part)
             names[name] = names.get(name, 0) + 1
             text += f"{{{name}{names[name] if names[name] > 1 else ''}}}"
         yield text
@@ -195,7 +195,7 @@ def _part(part: ast.expr) -> list[str | ast.expr]:
 
 
 def _choices(value: ast.expr) -> Iterator[str | ast.expr]:
-    if isinstance(value, ast.IfExp) and (_fixed(value.body) or _fixed(value.orelse)):
+    if isinstance(value, ast.IfExp) and (_is_fixed(value.body) or _is_fixed(value.orelse)):
         yield from _choices(value.body)
         yield from _choices(value.orelse)
     elif isinstance(value, ast.Constant) and isinstance(value.value, str):
@@ -204,41 +204,43 @@ def _choices(value: ast.expr) -> Iterator[str | ast.expr]:
         yield value
 
 
-def _fixed(value: ast.expr) -> bool:
+def _is_fixed(value: ast.expr) -> bool:
     return isinstance(value, ast.Constant) and isinstance(value.value, str)
 
 
-def name_of(value: ast.expr) -> str:
+def placeholder_name(value: ast.expr) -> str:
     """What a place is called: after the expression, where that has a name."""
     match value:
         case ast.Name():
             return value.id
         case ast.Attribute():
             return value.attr
-        case ast.Call(func=ast.Name(id="shown_path" | "shown_backup")):
-            return name_of(value.args[0])
+        case ast.Call(func=ast.Name(id="display_path" | "display_backup")):
+            return placeholder_name(value.args[0])
         case ast.Call(func=ast.Name(id="len" | "abs" | "round" | "max" | "min" | "sum" | "float")):
-            return name_of(value.args[0]) if value.args else "value"
+            return placeholder_name(value.args[0]) if value.args else "value"
         case ast.Call():
-            return name_of(value.func)
+            return placeholder_name(value.func)
         case ast.Subscript() | ast.Starred():
-            return name_of(value.value)
+            return placeholder_name(value.value)
         case ast.BinOp():
-            names = (name_of(value.left), name_of(value.right))
+            names = (placeholder_name(value.left), placeholder_name(value.right))
             return next((name for name in names if name != "value"), "value")
         case ast.UnaryOp():
-            return name_of(value.operand)
+            return placeholder_name(value.operand)
     return "value"
 
 
 _TEXT = r"\"((?:[^\"\\]|\\.)*)\"|`([^`$\\]*)`"
-_TOLD = re.compile(rf"\b(?:t|words)\(\s*(?:{_TEXT})")
-_COUNTED = re.compile(rf"\bcounted\((?:[^()\"`]|\([^()]*\))+?,\s*(?:{_TEXT}),\s*(?:{_TEXT})", re.S)
+_TEXT_CALL = re.compile(rf"\b(?:t|words)\(\s*(?:{_TEXT})")
+_PLURAL_CALL = re.compile(
+    rf"\bcounted\((?:[^()\"`]|\([^()]*\))+?,\s*(?:{_TEXT}),\s*(?:{_TEXT})", re.S
+)
 
 
-def of_typescript(source: str) -> Iterator[str]:
+def typescript_texts(source: str) -> Iterator[str]:
     """What is given to ``t``, ``words`` and ``counted``."""
-    for match in (*_TOLD.finditer(source), *_COUNTED.finditer(source)):
+    for match in (*_TEXT_CALL.finditer(source), *_PLURAL_CALL.finditer(source)):
         for text in match.groups():
             if text:
                 yield text.replace('\\"', '"').replace("\\u00a0", "\u00a0")

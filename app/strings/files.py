@@ -17,7 +17,7 @@ def languages() -> tuple[str, ...]:
 
 
 @cache
-def strings_of(language: str) -> Strings:
+def load_strings(language: str) -> Strings:
     """A language's texts.
 
     Raises:

@@ -10,18 +10,18 @@ _LEFTWARDS = (
 )
 _RUN = re.compile(f"{_LEFTWARDS}(?:[\\d _'’-]*{_LEFTWARDS})*")
 """Letters from right to left with what stands between them."""
-_STRAY = re.compile(f"\u2068[^\u202a-\u202e\u2066-\u2069]*\u2069|{TURNING.pattern}")
+_ISOLATES = re.compile(f"\u2068[^\u202a-\u202e\u2066-\u2069]*\u2069|{TURNING.pattern}")
 """Those that are not of a text that was isolated before."""
 
 
-def with_isolated(text: str) -> str:
+def isolate_names(text: str) -> str:
     """A text in which what is written from right to left leaves the rest in its place.
 
     Signs that turn the text are seen and do nothing.
     """
     if text.isascii():
         return text
-    plain = _STRAY.sub(lambda found: found[0] if len(found[0]) > 1 else "\ufffd", text)
+    plain = _ISOLATES.sub(lambda found: found[0] if len(found[0]) > 1 else "\ufffd", text)
     if FIRST_STRONG in plain:
         return plain
     return _RUN.sub(lambda run: f"{FIRST_STRONG}{run[0]}{POP}", plain)

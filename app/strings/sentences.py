@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from app.strings.files import ENGLISH, languages, strings_of
+from app.strings.files import ENGLISH, languages, load_strings
 
 PLACE = re.compile(r"\{(\w+)\}")
 SENTENCE_END = re.compile(r"(?<=[.?]) (?=[A-Z])")
@@ -20,13 +20,13 @@ LOOSE = " ,;·"
 UNITS = frozenset(
     ["mm", "µm", "µs", "ms", "ns", "px", "rms", "Hz", "fps", "GB", "MB", "UTC", "rad", "min"]
 )
-HELD = 2000
+CACHE_SIZE = 2000
 """Texts whose wording is remembered: every report has numbers of its own."""
 _WORDS = re.compile(r"[^\W\d_]{2,}")
 
 
 @dataclass(frozen=True)
-class Said:
+class Translation:
     """A text in the other language, and how many letters of it are not."""
 
     text: str
@@ -41,37 +41,39 @@ class Sentences:
     def __init__(self, strings: Mapping[str, str]) -> None:
         self._strings = strings
         self._templates: dict[str, list[tuple[re.Pattern[str], list[str], str]]] = {}
-        self._held: dict[str, Said] = {}
-        for text in sorted((text for text in strings if "{" in text), key=_said_by_itself):
+        self._held: dict[str, Translation] = {}
+        for text in sorted((text for text in strings if "{" in text), key=_template_rank):
             names = PLACE.findall(text)
             literals = (re.escape(literal) for literal in re.split(r"\{\w+\}", text))
             pattern = re.compile("(.*?)".join(literals), re.S)
-            self._templates.setdefault(_key(text), []).append((pattern, names, strings[text]))
+            self._templates.setdefault(_template_key(text), []).append(
+                (pattern, names, strings[text])
+            )
 
     def said(self, text: str) -> str:
         """The text in the language."""
         return self.best(text).text
 
-    def best(self, text: str) -> Said:
+    def best(self, text: str) -> Translation:
         """Of all ways to say it, the one that leaves least in English."""
         best = self._held.get(text)
         if best is None:
             best = self._found(text)
-            if len(self._held) >= HELD:
+            if len(self._held) >= CACHE_SIZE:
                 self._held.clear()
             self._held[text] = best
         return best
 
-    def _found(self, text: str) -> Said:
+    def _found(self, text: str) -> Translation:
         core = text.strip(LOOSE)
         if core and core != text:
             # it goes on with a sentence: what joins it stays
             before, _, after = text.partition(core)
             said = self.best(core)
             return replace(said, text=before + said.text + after)
-        best = Said(text, _letters(text), frozenset({text}))
+        best = Translation(text, _letters(text), frozenset({text}))
         if best.left == 0 or "\n" in text:  # what has lines is of the program's log
-            return Said(text, 0)
+            return Translation(text, 0)
         for said in self._ways(text):
             if said.left < best.left:
                 best = said
@@ -79,7 +81,7 @@ class Sentences:
                 break
         return best
 
-    def _ways(self, text: str) -> Iterator[Said]:
+    def _ways(self, text: str) -> Iterator[Translation]:
         """With or without its full stop, with its first letter either way, and in parts."""
         yield from self._either_case(text)
         stop = text.endswith(".")
@@ -87,7 +89,7 @@ class Sentences:
             yield replace(said, text=f"{said.text}." if stop else said.text.removesuffix("."))
         yield from self._parts(text)
 
-    def _either_case(self, text: str) -> Iterator[Said]:
+    def _either_case(self, text: str) -> Iterator[Translation]:
         small = text[:1] == text[:1].lower()
         other = (text[:1].upper() if small else text[:1].lower()) + text[1:]
         # a name known whole is not put together of its words: "Contact points" is no "{n} points"
@@ -100,9 +102,9 @@ class Sentences:
         if whole:
             yield from self._one(text)
 
-    def _one(self, text: str) -> Iterator[Said]:
+    def _one(self, text: str) -> Iterator[Translation]:
         if text in self._strings:
-            yield Said(self._strings[text], 0)
+            yield Translation(self._strings[text], 0)
         words = text.split(" ")
         for key in (f"{words[0]} ", f" {words[-1]}", ""):
             for pattern, names, other in self._templates.get(key, ()):
@@ -112,44 +114,44 @@ class Sentences:
                     continue
                 caught = [self.best(part) for part in match.groups()]
                 values = {name: said.text for name, said in zip(names, caught, strict=True)}
-                yield _together(filled(other, values), caught)
+                yield _join_parts(format_message(other, values), caught)
 
-    def _parts(self, text: str) -> Iterator[Said]:
+    def _parts(self, text: str) -> Iterator[Translation]:
         """Parted at each joint in turn, where there are few; else at all of a kind at once."""
         for joint in JOINTS:
             found = list(joint.finditer(text))
             if len(found) > MOST_JOINTS:
                 said = [self.best(piece) for piece in joint.split(text)]
-                yield _together(found[0][0].join(part.text for part in said), said)
+                yield _join_parts(found[0][0].join(part.text for part in said), said)
                 continue
             for at in found:
                 said = [self.best(text[: at.start()]), self.best(text[at.end() :])]
-                yield _together(at[0].join(part.text for part in said), said)
+                yield _join_parts(at[0].join(part.text for part in said), said)
 
 
-def filled(text: str, values: Mapping[str, object]) -> str:
+def format_message(text: str, values: Mapping[str, object]) -> str:
     """The places replaced by their values; one without a value stays."""
     return PLACE.sub(lambda place: str(values.get(place[1], place[0])), text)
 
 
 @cache
-def sentences_of(language: str) -> Sentences:
+def load_sentences(language: str) -> Sentences:
     """The sentences of a language; English has none to look up.
 
     Raises:
         FileNotFoundError: there is no such language.
     """
-    return Sentences({} if language == ENGLISH else strings_of(language))
+    return Sentences({} if language == ENGLISH else load_strings(language))
 
 
-def saying(language: str) -> Callable[[str], str] | None:
+def translator(language: str) -> Callable[[str], str] | None:
     """What puts texts into a language; None for English, and where there is none such."""
-    return sentences_of(language).said if language in languages()[1:] else None
+    return load_sentences(language).said if language in languages()[1:] else None
 
 
-def _together(text: str, parts: Sequence[Said]) -> Said:
+def _join_parts(text: str, parts: Sequence[Translation]) -> Translation:
     left = sum(part.left for part in parts)
-    return Said(text, left, frozenset[str]().union(*(part.missed for part in parts)))
+    return Translation(text, left, frozenset[str]().union(*(part.missed for part in parts)))
 
 
 def _letters(text: str) -> int:
@@ -158,12 +160,12 @@ def _letters(text: str) -> int:
     return sum(len(word) for word in words if word not in UNITS and word != word.upper())
 
 
-def _said_by_itself(text: str) -> int:
+def _template_rank(text: str) -> int:
     """Of two templates that fit alike, the one that says more itself is tried first."""
     return -len(PLACE.sub("", text))
 
 
-def _key(text: str) -> str:
+def _template_key(text: str) -> str:
     """What a text must begin or end with to fit: a whole word, where the template has one there."""
     words = text.split(" ")
     if len(words) > 1 and "{" not in words[0]:

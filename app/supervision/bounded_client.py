@@ -16,10 +16,10 @@ from paho.mqtt.enums import MQTTErrorCode
 
 from app.supervision.inbox import LONGEST_BYTES
 
-Take = Callable[[str, bytes, bool], None]
+MessageHandler = Callable[[str, bytes, bool], None]
 """Of a topic, a payload, and whether the broker kept it from before."""
 LONGEST_PAYLOAD = max(LONGEST_BYTES.values())
-_KEPT = 2 + 0xFFFF + 2 + LONGEST_PAYLOAD + 1
+_BUFFER_BYTES = 2 + 0xFFFF + 2 + LONGEST_PAYLOAD + 1
 """Bytes of a packet: the longest topic, its number, and one more than the longest payload."""
 _READ_BYTES = 64 * 1024
 _QOS, _EXACTLY_ONCE = 0x06, 0x04
@@ -40,7 +40,7 @@ class BoundedClient(aiomqtt.Client):
         self,
         host: str,
         port: int,
-        take: Take,
+        take: MessageHandler,
         *,
         user: str | None,
         password: str | None,
@@ -92,18 +92,18 @@ class BoundedClient(aiomqtt.Client):
                 self._client.drop()
 
 
-class _Beginning(bytearray):
+class _BoundedBuffer(bytearray):
     """Bytes that are added to; beyond the bound they are forgotten."""
 
     def __iadd__(self, more: Any) -> Self:  # type: ignore[misc]
-        self.extend(more[: max(_KEPT - len(self), 0)])
+        self.extend(more[: max(_BUFFER_BYTES - len(self), 0)])
         return self
 
 
 class _BoundedPaho(paho.Client):
     def _packet_read(self) -> MQTTErrorCode:
         if type(self._in_packet["packet"]) is bytearray:
-            self._in_packet["packet"] = _Beginning(self._in_packet["packet"])
+            self._in_packet["packet"] = _BoundedBuffer(self._in_packet["packet"])
         return super()._packet_read()
 
     def _sock_recv(self, bufsize: int) -> bytes:

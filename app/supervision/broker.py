@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import aiomqtt
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.supervision.bounded_client import BoundedClient
 from app.supervision.broker_settings import BrokerSettings
-from app.supervision.inbox import Heard, Inbox
+from app.supervision.inbox import Inbox, ReceivedMessage
 from app.supervision.messages import (
     BEAT_S,
     Payload,
@@ -30,7 +30,7 @@ KEEPALIVE_S = 2
 ANSWER_S = 3.0
 FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
 EVENTS_WAITING = 100
-LOOK_S, LOOK_BYTES = 0.1, 1_000_000
+READ_PAUSE_S, READ_BYTES = 0.1, 1_000_000
 """Of what has come so much is looked at, so often; the rest waits, or is overtaken."""
 
 
@@ -94,8 +94,8 @@ class Broker:
             began_s = time.monotonic()
             try:
                 await self._connection()
-            except (aiomqtt.MqttError, Refusal, OSError, ssl.SSLError, ValueError) as error:
-                text = error.line if isinstance(error, Refusal) else str(error)
+            except (aiomqtt.MqttError, OperationError, OSError, ssl.SSLError, ValueError) as error:
+                text = error.line if isinstance(error, OperationError) else str(error)
                 if self._state.connected:
                     log.warning("the connection to the broker was lost: %s", text)
                     tries = 0
@@ -139,19 +139,19 @@ class Broker:
                 asyncio.create_task(self._tell(client)),
                 asyncio.create_task(self._tell_events(client)),
                 asyncio.create_task(self._hear(client, inbox)),
-                asyncio.create_task(_until_lost(client)),
+                asyncio.create_task(_wait_until_lost(client)),
             ]
             try:
                 done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
                 for task in done:
                     task.result()
             except asyncio.CancelledError:
-                await _ended(tasks)
+                await _end_tasks(tasks)
                 with contextlib.suppress(aiomqtt.MqttError):
                     await self._send(client, "presence", self._presence("off"), retain=True)
                 raise
             finally:
-                await _ended(tasks)
+                await _end_tasks(tasks)
 
     async def _tell(self, client: aiomqtt.Client) -> None:
         """Reports, once a beat."""
@@ -170,16 +170,16 @@ class Broker:
         """Bounded in what it reads at a time: much that comes holds up nothing else."""
         while True:
             await inbox.wait()
-            left_bytes = LOOK_BYTES
+            left_bytes = READ_BYTES
             while left_bytes > 0 and (heard := inbox.take()):
                 for one in heard:
                     left_bytes -= len(one.payload)
                     await self._fold(client, one)
                 await asyncio.sleep(0)
             self.on_heard()
-            await asyncio.sleep(LOOK_S)
+            await asyncio.sleep(READ_PAUSE_S)
 
-    async def _fold(self, client: aiomqtt.Client, heard: Heard) -> None:
+    async def _fold(self, client: aiomqtt.Client, heard: ReceivedMessage) -> None:
         if heard.station != self._station:
             self.fleet.take(heard.station, heard.kind, heard.payload, heard.retained)
         elif self._hear_own(heard.kind, heard.payload, heard.retained):
@@ -230,13 +230,13 @@ def _end_if_cancelled() -> None:
         raise asyncio.CancelledError
 
 
-async def _until_lost(client: aiomqtt.Client) -> None:
+async def _wait_until_lost(client: aiomqtt.Client) -> None:
     """Raises once the connection is lost."""
     async for _ in client.messages:
         pass
 
 
-async def _ended(tasks: list[asyncio.Task[None]]) -> None:
+async def _end_tasks(tasks: list[asyncio.Task[None]]) -> None:
     for task in tasks:
         task.cancel()
     await asyncio.gather(*tasks, return_exceptions=True)

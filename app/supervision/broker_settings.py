@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.open_file import read_bounded
 
 
@@ -32,7 +32,7 @@ class BrokerSettings:
         try:
             return read_bounded(self.password_file).decode().rstrip("\r\n")
         except (OSError, UnicodeDecodeError) as error:
-            raise Refusal(
+            raise OperationError(
                 "mqtt-password",
                 f"{self.password_file} cannot be read",
                 str(getattr(error, "strerror", None) or error),

@@ -5,19 +5,19 @@ from collections import OrderedDict, deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.supervision.messages import EVENTS_KEPT, parts_of
+from app.supervision.messages import EVENTS_STORED, parse_topic
 from app.supervision.unread import Unread
 
 LONGEST_BYTES = {"report": 64 * 1024, "presence": 4 * 1024, "event": 4 * 1024}
 """A station's own are a tenth of it."""
-MOST_STRANGE, MOST_STRANGE_BYTES = 600, 8_000_000
+MOST_UNKNOWN, MOST_UNKNOWN_BYTES = 600, 8_000_000
 """Of stations that are not known yet so many topics may wait; of the known all may."""
 TOLERATED = 10
 """So many of one topic may overtake one another before they are looked at: the station was busy."""
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class ReceivedMessage:
     """One message; ``retained`` where the broker kept it from before."""
 
     station: str
@@ -26,11 +26,13 @@ class Heard:
     retained: bool
 
 
-class _Waiting:
+class _TopicQueue:
     """The latest of one topic; of events the last few."""
 
     def __init__(self, kind: str) -> None:
-        self.messages: deque[Heard] = deque(maxlen=EVENTS_KEPT if kind == "event" else 1)
+        self.messages: deque[ReceivedMessage] = deque(
+            maxlen=EVENTS_STORED if kind == "event" else 1
+        )
         self.came = 0
 
     @property
@@ -47,8 +49,8 @@ class Inbox:
 
     def __init__(self, prefix: str, unread: Unread, is_known: Callable[[str], bool]) -> None:
         self._prefix, self._unread, self._is_known = prefix, unread, is_known
-        self._known: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
-        self._strange: OrderedDict[tuple[str, str], _Waiting] = OrderedDict()
+        self._known: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
+        self._strange: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
         self._strange_bytes = 0
         self._filled = asyncio.Event()
 
@@ -58,7 +60,7 @@ class Inbox:
 
     def put(self, topic: str, payload: bytes, retained: bool) -> None:
         """Takes a message in, or counts it as not read."""
-        parts = parts_of(self._prefix, topic)
+        parts = parse_topic(self._prefix, topic)
         if parts is None:
             self._unread.add("strange")
             return
@@ -66,9 +68,9 @@ class Inbox:
             self._unread.add("long")
             return
         lane = self._known if self._is_known(parts[0]) else self._strange
-        waiting = lane.setdefault(parts, _Waiting(parts[1]))
+        waiting = lane.setdefault(parts, _TopicQueue(parts[1]))
         before = waiting.size
-        waiting.messages.append(Heard(*parts, payload, retained))
+        waiting.messages.append(ReceivedMessage(*parts, payload, retained))
         waiting.came += 1
         if waiting.came > TOLERATED:
             self._unread.add("often")
@@ -78,14 +80,14 @@ class Inbox:
         self._filled.set()
 
     def _bound(self) -> None:
-        while len(self._strange) > MOST_STRANGE or self._strange_bytes > MOST_STRANGE_BYTES:
+        while len(self._strange) > MOST_UNKNOWN or self._strange_bytes > MOST_UNKNOWN_BYTES:
             self._unread.add("crowded", len(self._next(self._strange)))
 
     async def wait(self) -> None:
         """Until something is there."""
         await self._filled.wait()
 
-    def take(self) -> list[Heard]:
+    def take(self) -> list[ReceivedMessage]:
         """What waits of the next topic, the oldest first; nothing where none does."""
         lane = self._known or self._strange
         if not lane:
@@ -93,7 +95,7 @@ class Inbox:
             return []
         return self._next(lane)
 
-    def _next(self, lane: OrderedDict[tuple[str, str], _Waiting]) -> list[Heard]:
+    def _next(self, lane: OrderedDict[tuple[str, str], _TopicQueue]) -> list[ReceivedMessage]:
         _, waiting = lane.popitem(last=False)
         if lane is self._strange:
             self._strange_bytes -= waiting.size

@@ -16,7 +16,7 @@ from app.findings import Quality
 BEAT_S = 1.0
 """A station publishes its report at least so often, changed or not."""
 LONGEST_ID = 40
-EVENTS_KEPT = 6
+EVENTS_STORED = 6
 """Of one station, by whoever watches."""
 ID = re.compile(r"[a-z0-9-]{1,40}")
 MOST_DEVICES, MOST_ALARMS = 4, 12
@@ -25,7 +25,7 @@ MOST = 2**53
 """Of what is counted or measured: the largest number that every reader has exactly."""
 
 
-def _first(number: int) -> BeforeValidator:
+def _keep_first(number: int) -> BeforeValidator:
     """Takes the first of a list, and leaves all else as it is."""
     return BeforeValidator(
         lambda value: value[:number] if isinstance(value, (list, tuple)) else value
@@ -36,7 +36,7 @@ Text = Annotated[str, Field(max_length=400)]
 Name = Annotated[str, Field(max_length=80)]
 Count = Annotated[int, Field(ge=0, le=MOST)]
 Amount = Annotated[float, Field(ge=0, le=MOST, allow_inf_nan=False)]
-Reading = Annotated[float, Field(ge=-MOST, le=MOST, allow_inf_nan=False)]
+SignedAmount = Annotated[float, Field(ge=-MOST, le=MOST, allow_inf_nan=False)]
 Moment = Annotated[str, Field(max_length=40, description="ISO 8601, UTC")]
 Activity = Literal["idle", "calibrating", "verifying", "checking_arm", "scanning", "working"]
 
@@ -82,7 +82,7 @@ class CalibrationReport(Payload):
     total_um: Amount = Field(description="Standard uncertainty of a scanned point, k = 1")
     quality: Quality
     due: bool
-    due_in_days: Reading = Field(description="Negative once it is overdue")
+    due_in_days: SignedAmount = Field(description="Negative once it is overdue")
 
 
 class VerificationReport(Payload):
@@ -117,14 +117,14 @@ class StationReport(Payload):
     at: Moment
     up_s: Amount
     devices: Annotated[
-        tuple[DeviceReport, ...], _first(MOST_DEVICES), Field(max_length=MOST_DEVICES)
+        tuple[DeviceReport, ...], _keep_first(MOST_DEVICES), Field(max_length=MOST_DEVICES)
     ]
     laser_on: bool
     activity: ActivityReport
     calibration: CalibrationReport | None
     verification: VerificationReport | None
-    alarms: Annotated[tuple[Alarm, ...], _first(MOST_ALARMS), Field(max_length=MOST_ALARMS)]
-    temperature_c: Reading | None
+    alarms: Annotated[tuple[Alarm, ...], _keep_first(MOST_ALARMS), Field(max_length=MOST_ALARMS)]
+    temperature_c: SignedAmount | None
     disk_free_gb: Amount
     control: Name | None = Field(description="Who has control")
 
@@ -167,7 +167,7 @@ def topic(prefix: str, station: str, kind: str) -> str:
     return f"{prefix}/{station}/{kind}"
 
 
-def parts_of(prefix: str, name: str) -> tuple[str, str] | None:
+def parse_topic(prefix: str, name: str) -> tuple[str, str] | None:
     """Station and kind of a topic; None for one that is not of these."""
     if not name.startswith(f"{prefix}/"):
         return None

@@ -11,7 +11,7 @@ from app.supervision.messages import Count, Moment, Name, Payload, Text
 
 NoticeKind = Literal["done", "fault", "due", "test"]
 DONE = {"accepted", "scan-saved", "replay"}
-AGAIN_S = 60.0
+REPEAT_S = 60.0
 """The same words are told once in so long: a loose cable is no reason for a hundred messages."""
 
 
@@ -28,7 +28,7 @@ class Notice(Payload):
     text: Text
 
 
-def kind_of(event: Event) -> NoticeKind | None:
+def notice_kind(event: Event) -> NoticeKind | None:
     """What an event is to somebody who is away; None for most."""
     if event.quality == "bad" and event.kind != "refused":
         return "fault"
@@ -37,7 +37,7 @@ def kind_of(event: Event) -> NoticeKind | None:
     return None
 
 
-class Repeats:
+class NoticeDeduplicator:
     """Whether the same was told lately."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -47,7 +47,7 @@ class Repeats:
     def is_new(self, kind: str, text: str) -> bool:
         """Notes it; False where it was told within the last minute."""
         now_s = self._clock()
-        self._told = {key: at for key, at in self._told.items() if now_s - at < AGAIN_S}
+        self._told = {key: at for key, at in self._told.items() if now_s - at < REPEAT_S}
         new = (kind, text) not in self._told
         if new:
             self._told[kind, text] = now_s

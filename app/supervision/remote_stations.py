@@ -8,20 +8,20 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from app.supervision.messages import EVENTS_KEPT, KINDS, Presence, StationEvent, StationReport
+from app.supervision.messages import EVENTS_STORED, KINDS, Presence, StationEvent, StationReport
 from app.supervision.unread import Unread
 
 LOST_AFTER_S = 3.5
 """Without a report: three beats missed, so that one late message is no alarm."""
 MOST_STATIONS = 200
 """Whatever may be on the broker."""
-STANDING_S = 60.0
+ESTABLISHED_S = 60.0
 """A station that was heard for so long is kept before those that just came."""
 
 State = Literal["live", "lost", "off", "waiting", "unknown"]
 
 
-class StationShown(BaseModel):
+class RemoteStation(BaseModel):
     """One station as the browser shows it."""
 
     model_config = ConfigDict(frozen=True)
@@ -40,7 +40,7 @@ class StationShown(BaseModel):
 
 
 @dataclass
-class _Station:
+class _TrackedStation:
     name: str
     known_s: float
     """Since when it is waited for."""
@@ -62,7 +62,7 @@ class Fleet:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._stations: dict[str, _Station] = {}
+        self._stations: dict[str, _TrackedStation] = {}
         self._broker_since: float | None = None
         self.unread = Unread(clock)
 
@@ -87,7 +87,7 @@ class Fleet:
         if station not in self._stations and not self._has_room(retained):
             self.unread.add("crowded")
             return
-        known = self._stations.setdefault(station, _Station(station, self._clock()))
+        known = self._stations.setdefault(station, _TrackedStation(station, self._clock()))
         self._fold(known, message, retained)
 
     def knows(self, station: str) -> bool:
@@ -103,13 +103,13 @@ class Fleet:
             return True
         if retained:
             return False
-        id_, silent = min(self._stations.items(), key=lambda item: _standing(item[1]))
+        id_, silent = min(self._stations.items(), key=lambda item: _eviction_rank(item[1]))
         if silent.heard_s is not None and self._clock() - silent.heard_s <= LOST_AFTER_S:
             return False
         del self._stations[id_]
         return True
 
-    def _fold(self, known: _Station, message: BaseModel, retained: bool) -> None:
+    def _fold(self, known: _TrackedStation, message: BaseModel, retained: bool) -> None:
         if isinstance(message, Presence):
             older = known.heard_s is not None and message.instance != known.instance
             if older and message.state != "online":
@@ -125,26 +125,26 @@ class Fleet:
                 known.first_s = known.heard_s if known.first_s is None else known.first_s
                 known.said, known.instance = "online", message.instance
         elif isinstance(message, StationEvent) and not retained:
-            known.events = [*known.events, message][-EVENTS_KEPT:]
+            known.events = [*known.events, message][-EVENTS_STORED:]
 
-    def shown(self) -> tuple[StationShown, ...]:
+    def shown(self) -> tuple[RemoteStation, ...]:
         """All as of now by name, those that were heard for a while before those that just came."""
-        stations = sorted(self._stations.items(), key=lambda item: (*_place(item[1]), item[0]))
+        stations = sorted(self._stations.items(), key=lambda item: (*_list_rank(item[1]), item[0]))
         return tuple(self._shown(id_, known) for id_, known in stations)
 
-    def _shown(self, id_: str, known: _Station) -> StationShown:
+    def _shown(self, id_: str, known: _TrackedStation) -> RemoteStation:
         silent_s = None if known.heard_s is None else self._clock() - known.heard_s
-        return StationShown(
+        return RemoteStation(
             id=id_,
             name=known.name,
             state=self._state(known, silent_s),
             silent_s=silent_s,
-            report=_brief(known.report),
+            report=_shorten_report(known.report),
             alarms=len(known.report.alarms) if known.report else 0,
             events=tuple(known.events[-1:]),
         )
 
-    def _state(self, known: _Station, silent_s: float | None) -> State:
+    def _state(self, known: _TrackedStation, silent_s: float | None) -> State:
         if self._broker_since is None:
             return "unknown"
         if known.said != "online":
@@ -157,20 +157,20 @@ class Fleet:
         return "live"
 
 
-def _standing(known: _Station) -> tuple[bool, float]:
+def _eviction_rank(known: _TrackedStation) -> tuple[bool, float]:
     """Small for those that are to be forgotten first: briefly heard, then long silent."""
     if known.first_s is None or known.heard_s is None:
         return False, -math.inf
-    return known.heard_s - known.first_s >= STANDING_S, known.heard_s
+    return known.heard_s - known.first_s >= ESTABLISHED_S, known.heard_s
 
 
-def _place(known: _Station) -> tuple[int, str]:
+def _list_rank(known: _TrackedStation) -> tuple[int, str]:
     """In the list: those that were heard for a while, then those heard at all, then the rest."""
-    standing, heard_s = _standing(known)
+    standing, heard_s = _eviction_rank(known)
     return -(standing + (heard_s > -math.inf)), known.name.lower()
 
 
-def _brief(report: StationReport | None) -> StationReport | None:
+def _shorten_report(report: StationReport | None) -> StationReport | None:
     if report is None or len(report.alarms) < 2:
         return report
     worst = min(report.alarms, key=lambda alarm: alarm.quality != "bad")

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from typing import Literal
 
-Why = Literal["long", "strange", "often", "crowded"]
+DropReason = Literal["long", "strange", "often", "crowded"]
 """long: over the bound; strange: no message of a station; often: more of one topic than can be
 shown; crowded: of more stations than are kept."""
 
@@ -15,10 +15,10 @@ class Unread:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._counts: Counter[Why] = Counter()
+        self._counts: Counter[DropReason] = Counter()
         self._newest_s: float | None = None
 
-    def add(self, why: Why, number: int = 1) -> None:
+    def add(self, why: DropReason, number: int = 1) -> None:
         self._counts[why] += number
         self._newest_s = self._clock()
 

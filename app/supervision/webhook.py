@@ -25,9 +25,9 @@ from urllib.parse import urlsplit
 import httpx
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import atomic_path
-from app.formats.io_errors import refusal_of_invalid
+from app.formats.io_errors import error_from_validation
 from app.formats.open_file import read_bounded
 from app.supervision.notifications import Notice
 
@@ -35,13 +35,13 @@ log = logging.getLogger(__name__)
 FILE = "notifications.json"
 ANSWER_S = 10.0
 PAUSES_S = (1.0, 2.0, 5.0, 15.0, 30.0, 60.0)
-LOOK_S = 0.2
-WAITING = 100
+POLL_S = 0.2
+MOST_WAITING = 100
 TRIES_AT_ONCE = 4
-AGAIN = {408, 425, 429}
+RETRY_STATUSES = {408, 425, 429}
 
 
-def checked(url: str) -> str:
+def check_url(url: str) -> str:
     """The address, without spaces about it.
 
     Raises:
@@ -54,7 +54,7 @@ def checked(url: str) -> str:
     except ValueError:
         good = False
     if url and not (good and url.isprintable()):
-        raise Refusal(
+        raise OperationError(
             "webhook-url",
             "The address is none that a message can be sent to",
             "it must begin with http:// or https:// and name a machine",
@@ -67,12 +67,12 @@ class WebhookSettings(BaseModel):
     """What is told, and where to; without an address nothing is sent.
 
     Raises:
-        Refusal: the address is none (``checked``), wherever it comes from.
+        Refusal: the address is none (``check_url``), wherever it comes from.
     """
 
     model_config = ConfigDict(frozen=True, extra="ignore")
 
-    url: Annotated[str, Field(max_length=500), AfterValidator(checked)] = ""
+    url: Annotated[str, Field(max_length=500), AfterValidator(check_url)] = ""
     secret: Annotated[str, Field(max_length=200)] = ""
     done: bool = True
     fault: bool = True
@@ -99,14 +99,14 @@ class WebhookStore:
         except OSError as error:
             why = error.strerror or str(error)
         except ValidationError as error:
-            why = refusal_of_invalid(FILE, error).why
-        except Refusal as refusal:
+            why = error_from_validation(FILE, error).why
+        except OperationError as refusal:
             why = refusal.line
         log.warning("%s is done without: %s", FILE, why)
         return WebhookSettings()
 
     def keep(self, settings: WebhookSettings) -> None:
-        """Raises ``Refusal`` where the disk does not take it."""
+        """Raises ``OperationError`` where the disk does not take it."""
         with atomic_path(self._path) as part:
             part.touch(mode=0o600)
             part.write_text(settings.model_dump_json(indent=1) + "\n")
@@ -121,7 +121,7 @@ class Webhook:
     def __init__(self, settings: WebhookSettings, pauses_s: tuple[float, ...] = PAUSES_S) -> None:
         self.settings = settings
         self._pauses_s = pauses_s
-        self._offered: asyncio.Queue[Notice] = asyncio.Queue(WAITING)
+        self._offered: asyncio.Queue[Notice] = asyncio.Queue(MOST_WAITING)
         self._deliveries: list[asyncio.Task[None]] = []
         """The oldest first."""
         self._tries = asyncio.Semaphore(TRIES_AT_ONCE)
@@ -141,7 +141,7 @@ class Webhook:
             return
         if not (notice.kind == "test" or getattr(self.settings, notice.kind)):
             return
-        if self.waiting >= WAITING:
+        if self.waiting >= MOST_WAITING:
             self._give_up_oldest()
         self._offered.put_nowait(notice)
 
@@ -154,7 +154,7 @@ class Webhook:
 
     async def run(self) -> None:
         """Until cancelled."""
-        trusted = await asyncio.to_thread(_trusted)
+        trusted = await asyncio.to_thread(_tls_context)
         async with (
             httpx.AsyncClient(
                 timeout=ANSWER_S, trust_env=False, follow_redirects=False, verify=trusted
@@ -212,7 +212,7 @@ class Webhook:
         """Waits until other settings are in force, for a pause at most."""
         until_s = time.monotonic() + pause_s
         while self.settings is settings and (left_s := until_s - time.monotonic()) > 0:
-            await asyncio.sleep(min(left_s, LOOK_S))
+            await asyncio.sleep(min(left_s, POLL_S))
 
     async def _try(
         self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice
@@ -233,8 +233,8 @@ class Webhook:
             ):
                 status, good = answer.status_code, answer.is_success
         except (httpx.HTTPError, httpx.InvalidURL, TimeoutError, ValueError) as error:
-            return True, _words(error)
-        return status in AGAIN or status >= 500, "" if good else f"status {status}"
+            return True, _error_text(error)
+        return status in RETRY_STATUSES or status >= 500, "" if good else f"status {status}"
 
 
 def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
@@ -246,14 +246,14 @@ def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
     return headers
 
 
-def _trusted() -> ssl.SSLContext:
+def _tls_context() -> ssl.SSLContext:
     """The public authorities, and those that this machine trusts: an own network's among them."""
     context = httpx.create_ssl_context(trust_env=False)
     context.load_default_certs()
     return context
 
 
-def _words(error: Exception) -> str:
+def _error_text(error: Exception) -> str:
     """Without the address, which may hold a secret."""
     if isinstance(error, (httpx.TimeoutException, TimeoutError)):
         return f"no answer within {ANSWER_S:.0f} s"

@@ -8,7 +8,7 @@ SURROGATES = re.compile("[\ud800-\udfff]")
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 
 
-def encoded(value: object) -> bytes:
+def encode_json(value: object) -> bytes:
     """The value as JSON; not a number is null, half a character ``U+FFFD``."""
     try:
         return to_json(value, inf_nan_mode="null")

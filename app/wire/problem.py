@@ -4,7 +4,7 @@ from http import HTTPStatus
 
 from starlette.responses import Response
 
-from app.wire.encoding import encoded
+from app.wire.encoding import encode_json
 
 
 def problem(
@@ -22,7 +22,7 @@ def problem(
     if view is not None:
         body["view"] = view
     return Response(
-        encoded(body),
+        encode_json(body),
         status_code=status,
         media_type="application/problem+json",
     )

@@ -12,45 +12,45 @@ from app.formats.results.verification import Result
 from app.guide.common import validity as due
 from app.guide.common.view import FlowView, ResultPicture
 from app.metrology.fitting.shape import ShapeName
-from app.metrology.stripe import Choice
+from app.metrology.stripe import PeakChoice
 from app.station.scan import state as scan_state
 from app.station.view3d.cloud_colouring import Measure
 
 
-class Request(BaseModel):
+class RequestBody(BaseModel):
     """What a client sends: nothing missing, nothing beyond."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
-class FlowCommand(Request):
+class FlowCommand(RequestBody):
     name: Annotated[str, Field(max_length=64)]
     args: dict[str, object]
     rev: int
     key: Annotated[str, Field(min_length=1, max_length=128)]
 
 
-class ArmStart(Request):
+class ArmStart(RequestBody):
     purpose: Literal["check", "tip", "identify"]
 
 
-class ScanStart(Request):
+class ScanStart(RequestBody):
     name: Annotated[str, Field(max_length=120)] = ""
 
 
-class Switch(Request):
+class OnOff(RequestBody):
     on: bool
 
 
-class Exposure(Request):
+class Exposure(RequestBody):
     exposure_us: Annotated[float, Field(gt=0, allow_inf_nan=False, strict=False)]
 
 
-class Temperature(Request):
+class NewTemperature(RequestBody):
     celsius: Annotated[float, Field(ge=-20, le=60, allow_inf_nan=False, strict=False)]
 
 
-class Rename(Request):
+class Rename(RequestBody):
     name: Annotated[str, Field(min_length=1, max_length=120)]
 
 
@@ -58,13 +58,13 @@ Limit = Annotated[float, Field(allow_inf_nan=False, strict=False)]
 Share = Annotated[float, Field(ge=0, le=1, strict=False)]
 
 
-class Colouring(Request):
+class Colouring(RequestBody):
     measure: Measure
     low: Limit | None = None
     high: Limit | None = None
 
 
-class Region(Request):
+class Region(RequestBody):
     """A rectangle of a page's 3D view, in shares of it from its left and its top."""
 
     view: Annotated[str, Field(max_length=64)]
@@ -75,43 +75,43 @@ class Region(Request):
     bottom: Share
 
 
-class SettingsChange(Request):
+class SettingsChange(RequestBody):
     """The whole of the settings; null is automatic. Their ranges are the station's."""
 
     threshold: float | None
     min_width_px: float | None
-    choice: Choice
+    choice: PeakChoice
     exposure_us: float | None
     zones: list[list[list[float]]]
     blur_limit_mm: float | None
     record_pictures: bool
 
 
-class PreviewRequest(Request):
+class PreviewRequest(RequestBody):
     type: Literal["preview"]
     on: bool
 
 
-class StationsRequest(Request):
+class StationsRequest(RequestBody):
     """Whether this tab shows what other stations do."""
 
     type: Literal["stations"]
     on: bool
 
 
-class PreviewAck(Request):
+class PreviewAck(RequestBody):
     type: Literal["preview_ack"]
     seq: int
 
 
-class Beat(Request):
+class Heartbeat(RequestBody):
     """Every few seconds, so that whoever has control keeps it."""
 
     type: Literal["beat"]
 
 
 LiveRequest = Annotated[
-    PreviewRequest | PreviewAck | StationsRequest | Beat, Field(discriminator="type")
+    PreviewRequest | PreviewAck | StationsRequest | Heartbeat, Field(discriminator="type")
 ]
 
 
@@ -129,7 +129,7 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class ScanState(scan_state.ScanState):
+class ScanStatus(scan_state.ScanState):
     """The station's scan state, and whether the twin's hand is at it."""
 
     hand_running: bool
@@ -163,7 +163,7 @@ class ScanSummary:
 
 
 @dataclass(frozen=True)
-class Station:
+class StationInfo:
     name: str
     version: str
     has_hand: bool
@@ -172,13 +172,13 @@ class Station:
 
 @dataclass(frozen=True)
 class Home:
-    station: Station
+    station: StationInfo
     calibration: CalibrationSummary | None
     checks: tuple[due.Validity, ...]
     temperature_c: float | None
     """Of the room, where somebody or a thermometer told it lately."""
     findings: tuple[Finding, ...]
-    next: due.Next
+    next: due.NextAction
 
 
 Secret = Annotated[str, Field(max_length=256)]
@@ -186,53 +186,53 @@ Name = Annotated[str, Field(max_length=80)]
 RoleName = Literal["viewer", "operator", "admin"]
 
 
-class SignIn(Request):
+class SignIn(RequestBody):
     name: Name
     password: Secret
 
 
-class Code(Request):
+class SignInCode(RequestBody):
     code: Secret
 
 
-class FirstAdmin(Request):
+class FirstAdmin(RequestBody):
     code: Secret
     name: Name
     password: Secret
 
 
-class NewPassword(Request):
+class NewPassword(RequestBody):
     old: Secret
     new: Secret
 
 
-class NewAccount(Request):
+class NewAccount(RequestBody):
     name: Name
     role: RoleName
     password: Secret
 
 
-class AccountChange(Request):
+class AccountChange(RequestBody):
     """What is not given stays."""
 
     role: RoleName | None = None
     password: Secret | None = None
 
 
-class NewWall(Request):
+class NewKioskLink(RequestBody):
     name: Annotated[str, Field(min_length=1, max_length=60)]
 
 
-class Answer(Request):
+class ControlReply(RequestBody):
     give: bool
 
 
-class Reason(Request):
+class TakeoverReason(RequestBody):
     reason: Annotated[str, Field(max_length=200)] = ""
 
 
 @dataclass(frozen=True)
-class You:
+class CurrentUser:
     """Who is signed in at this browser; ``id`` is the sign-in's, as in ``Control``."""
 
     id: str
@@ -242,11 +242,11 @@ class You:
 
 
 @dataclass(frozen=True)
-class Session:
+class SignInState:
     """``first_start``: the console's code makes the administrator; ``by_code``: it lets in."""
 
     station: str
-    you: You | None
+    you: CurrentUser | None
     first_start: bool
     by_code: bool
 
@@ -259,7 +259,7 @@ class AccountSummary:
 
 
 @dataclass(frozen=True)
-class WallSummary:
+class KioskLinkSummary:
     """``token`` only where it was made just now."""
 
     id: str

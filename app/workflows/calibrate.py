@@ -9,19 +9,29 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.atomic_write import checked_target
+from app.errors import OperationError
+from app.formats.atomic_write import check_output_path
 from app.formats.images import read_grey
-from app.formats.io_errors import refusals_naming
-from app.formats.json_document import sha256_of
+from app.formats.io_errors import prefix_errors
+from app.formats.json_document import file_sha256
 from app.formats.results.calibration import CalibrationFile, Input, SerialNumbers
-from app.formats.results.calibration_builder import Origin, board_sheet, joint_sheet, one_pose_sheet
-from app.formats.session.calibration_session import BoardSession, Pose, Session, read_any_session
-from app.metrology.adjustment.block.calibrate import JointInputs, calibrate_joint, see_pose
-from app.metrology.adjustment.board.calibrate import calibrate_board, see_board
-from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.formats.results.calibration_builder import (
+    Origin,
+    board_document,
+    joint_document,
+    one_pose_document,
+)
+from app.formats.session.calibration_session import (
+    BlockSession,
+    BoardSession,
+    Pose,
+    read_any_session,
+)
+from app.metrology.adjustment.block.calibrate import BlockInputs, calibrate_block, observe_block
+from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
+from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.observations import NotSeen, SeenPose
+from app.metrology.adjustment.core.observations import BlockObservation, FailedPose
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.image import Image
 from app.metrology.limits import LIMITS, Limits
@@ -30,12 +40,12 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.progress import Progress, no_progress
 
 Method = Literal["one-pose", "joint"]
-AnySeen = SeenPose | SeenBoard
-NOTHING_KNOWN: Mapping[int, AnySeen | Refusal] = {}
+AnyDetection = BlockObservation | BoardObservation
+NO_DETECTIONS: Mapping[int, AnyDetection | OperationError] = {}
 # Share of the time that looking at the pictures takes.
-LOOKING = 0.8
-Seen = TypeVar("Seen", SeenPose, SeenBoard)
-Target = TypeVar("Target", Crenellated, Chessboard)
+DETECTION_SHARE = 0.8
+DetectionT = TypeVar("DetectionT", BlockObservation, BoardObservation)
+TargetT = TypeVar("TargetT", Crenellated, Chessboard)
 
 
 def calibrate_session(
@@ -59,16 +69,16 @@ def calibrate_session(
         Refusal: the session or the place to write to is not in order, or no
             calibration follows from it; nothing is then written.
     """
-    checked_target(output)
+    check_output_path(output)
     session = read_any_session(folder)
-    checked_target(output, session.files)
-    with refusals_naming(folder):
+    check_output_path(output, session.files)
+    with prefix_errors(folder):
         if isinstance(session, BoardSession):
-            sheet = _by_board(session, method, limits, progress)
+            sheet = _calibrate_on_board(session, method, limits, progress)
         elif method == "one-pose":
-            sheet = _by_one_pose(session, progress)
+            sheet = _calibrate_from_one_pose(session, progress)
         else:
-            sheet = _by_all_poses(session, limits, progress)
+            sheet = _calibrate_from_all_poses(session, limits, progress)
     sheet.write(output)
     unused = len(session.poses) - 1 if method == "one-pose" else 0
     warnings = (
@@ -79,40 +89,42 @@ def calibrate_session(
     return sheet, warnings
 
 
-def _by_one_pose(session: Session, progress: Progress) -> CalibrationFile:
+def _calibrate_from_one_pose(session: BlockSession, progress: Progress) -> CalibrationFile:
     pose = session.poses[0]
     result = calibrate_one_pose(
         one_pose_inputs(session, pose), lambda text, share: progress(share, text)
     )
-    return one_pose_sheet(result, origin_of(session, (pose,), _user()))
+    return one_pose_document(result, calibration_origin(session, (pose,), _user_name()))
 
 
-def _by_all_poses(session: Session, limits: Limits, progress: Progress) -> CalibrationFile:
-    result = calibrate_joint(joint_inputs(session, limits, progress), _solving(progress))
-    return joint_sheet(result, origin_of(session, session.poses, _user()))
+def _calibrate_from_all_poses(
+    session: BlockSession, limits: Limits, progress: Progress
+) -> CalibrationFile:
+    result = calibrate_block(joint_inputs(session, limits, progress), _solve_progress(progress))
+    return joint_document(result, calibration_origin(session, session.poses, _user_name()))
 
 
-def _by_board(
+def _calibrate_on_board(
     session: BoardSession, method: Method, limits: Limits, progress: Progress
 ) -> CalibrationFile:
     if method == "one-pose":
-        raise Refusal(
+        raise OperationError(
             "one-pose-on-board",
             f"one pose is not enough on {session.board.name}",
             "one picture of a flat board tells neither the focal length nor the laser's plane",
             "use --method joint, with pictures of the board from several sides",
         )
-    result = calibrate_board(board_inputs(session, limits, progress), _solving(progress))
-    return board_sheet(result, origin_of(session, session.poses, _user()))
+    result = calibrate_board(board_inputs(session, limits, progress), _solve_progress(progress))
+    return board_document(result, calibration_origin(session, session.poses, _user_name()))
 
 
-def _solving(progress: Progress) -> Callable[[str, float], None]:
+def _solve_progress(progress: Progress) -> Callable[[str, float], None]:
     """Progress of what follows after the pictures were looked at."""
-    return lambda text, share: progress(LOOKING + (1 - LOOKING) * share, text)
+    return lambda text, share: progress(DETECTION_SHARE + (1 - DETECTION_SHARE) * share, text)
 
 
-def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
-    """The pictures of a pose read, and what goes with them; ``Refusal`` if damaged."""
+def one_pose_inputs(session: BlockSession, pose: Pose) -> OnePoseInputs:
+    """The pictures of a pose read, and what goes with them; ``OperationError`` if damaged."""
     return OnePoseInputs(
         arm=session.arm,
         block=session.block,
@@ -127,25 +139,25 @@ def one_pose_inputs(session: Session, pose: Pose) -> OnePoseInputs:
 
 
 def joint_inputs(
-    session: Session,
+    session: BlockSession,
     limits: Limits = LIMITS,
     progress: Progress = no_progress,
-    known: Mapping[int, AnySeen | Refusal] = NOTHING_KNOWN,
-) -> JointInputs:
+    known: Mapping[int, AnyDetection | OperationError] = NO_DETECTIONS,
+) -> BlockInputs:
     """The pictures of all poses read and looked at, on all cores.
 
-    Poses that show nothing usable are kept with the reason; ``Refusal`` if a file is
+    Poses that show nothing usable are kept with the reason; ``OperationError`` if a file is
     damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
 
-    def look(pose: Pose) -> SeenPose | Refusal:
+    def look(pose: Pose) -> BlockObservation | OperationError:
         before = known.get(pose.number)
-        if isinstance(before, SeenPose | Refusal):
+        if isinstance(before, BlockObservation | OperationError):
             return before
-        return _seen(see_pose, session.block, session, pose)
+        return _detect_one(observe_block, session.block, session, pose)
 
-    seen, unseen = _looked_at(session.poses, look, progress)
-    return JointInputs(
+    seen, unseen = _detect_all(session.poses, look, progress)
+    return BlockInputs(
         arm=session.arm,
         block=session.block,
         features=session.contacts.features,
@@ -161,17 +173,17 @@ def board_inputs(
     session: BoardSession,
     limits: Limits = LIMITS,
     progress: Progress = no_progress,
-    known: Mapping[int, AnySeen | Refusal] = NOTHING_KNOWN,
+    known: Mapping[int, AnyDetection | OperationError] = NO_DETECTIONS,
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
 
-    def look(pose: Pose) -> SeenBoard | Refusal:
+    def look(pose: Pose) -> BoardObservation | OperationError:
         before = known.get(pose.number)
-        if isinstance(before, SeenBoard | Refusal):
+        if isinstance(before, BoardObservation | OperationError):
             return before
-        return _seen(see_board, session.board, session, pose)
+        return _detect_one(observe_board, session.board, session, pose)
 
-    seen, unseen = _looked_at(session.poses, look, progress)
+    seen, unseen = _detect_all(session.poses, look, progress)
     return BoardInputs(
         arm=session.arm,
         board=session.board,
@@ -184,40 +196,42 @@ def board_inputs(
     )
 
 
-def _looked_at(
-    poses: Sequence[Pose], look: Callable[[Pose], Seen | Refusal], progress: Progress
-) -> tuple[list[tuple[Pose, Seen]], tuple[NotSeen, ...]]:
+def _detect_all(
+    poses: Sequence[Pose], look: Callable[[Pose], DetectionT | OperationError], progress: Progress
+) -> tuple[list[tuple[Pose, DetectionT]], tuple[FailedPose, ...]]:
     """What the poses' pictures show, on all cores, and those that show nothing usable."""
-    seen: list[tuple[Pose, Seen]] = []
-    unseen: list[NotSeen] = []
+    seen: list[tuple[Pose, DetectionT]] = []
+    unseen: list[FailedPose] = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:
         for done, (pose, one) in enumerate(
             zip(poses, looking.map(look, poses), strict=True), start=1
         ):
-            progress(LOOKING * done / len(poses), f"Looked at pose {pose.number}")
-            if isinstance(one, Refusal):
-                unseen.append(NotSeen(pose.number, one))
+            progress(DETECTION_SHARE * done / len(poses), f"Looked at pose {pose.number}")
+            if isinstance(one, OperationError):
+                unseen.append(FailedPose(pose.number, one))
             else:
                 seen.append((pose, one))
     return seen, tuple(unseen)
 
 
-def _seen(
-    see: Callable[[int, Target, Image, Image | None, str], Seen],
-    target: Target,
-    session: Session | BoardSession,
+def _detect_one(
+    see: Callable[[int, TargetT, Image, Image | None, str], DetectionT],
+    target: TargetT,
+    session: BlockSession | BoardSession,
     pose: Pose,
-) -> Seen | Refusal:
+) -> DetectionT | OperationError:
     """A pose's pictures looked at; the refusal where they show nothing usable."""
     ambient = read_grey(pose.ambient)
     laser = None if pose.laser is None else read_grey(pose.laser)
     try:
         return see(pose.number, target, ambient, laser, session.sensor.stripe_axis)
-    except Refusal as refusal:
+    except OperationError as refusal:
         return refusal
 
 
-def origin_of(session: Session | BoardSession, poses: Sequence[Pose], operator: str) -> Origin:
+def calibration_origin(
+    session: BlockSession | BoardSession, poses: Sequence[Pose], operator: str
+) -> Origin:
     """Serial numbers, and the SHA-256 of every file that the calibration used."""
     folder = session.folder
     target = session.board if isinstance(session, BoardSession) else session.block
@@ -229,14 +243,14 @@ def origin_of(session: Session | BoardSession, poses: Sequence[Pose], operator: 
         ),
         stripe_axis=session.sensor.stripe_axis,
         inputs=tuple(
-            Input(file=path.relative_to(folder).as_posix(), sha256=sha256_of(path))
+            Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
             for path in (*session.tables, *(file for pose in poses for file in pose.files))
         ),
         operator=operator,
     )
 
 
-def _user() -> str:
+def _user_name() -> str:
     """Who runs the program, where the system knows."""
     try:
         return getpass.getuser()

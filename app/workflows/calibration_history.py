@@ -7,18 +7,18 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
-from app.formats.results.calibration import CalibrationFile, calibration_in
-from app.metrology.calibration.drift import Drift, Mounted, drift
+from app.formats.results.calibration import CalibrationFile, calibration_from_document
+from app.metrology.calibration.drift import Drift, MountedSensor, measure_drift
 
 # Expanded uncertainty, k = 2, of a shift between two calibrations.
 K = 2.0
-REMEMBERED = 1024
+CACHE_SIZE = 1024
 
 
 @dataclass(frozen=True)
-class Since:
+class CalibrationDrift:
     """What moved since the calibration before of the same arm and sensor.
 
     ``expected_um`` and ``expected_arcsec`` are what the uncertainties of the two let expect of
@@ -38,11 +38,11 @@ class HistoryEntry:
     id: str
     good_um: float | None
     temperature_c: float | None
-    since: Since | None
+    since: CalibrationDrift | None
 
 
 @dataclass(frozen=True)
-class _Stamped:
+class _FileVersion:
     """A file as it is now: what was read of it holds until it is written anew."""
 
     path: Path
@@ -50,7 +50,7 @@ class _Stamped:
 
 
 @dataclass(frozen=True)
-class _Head:
+class _CalibrationSummary:
     arm: str
     sensor: str
     good_um: float | None
@@ -58,30 +58,30 @@ class _Head:
 
 
 @dataclass(frozen=True)
-class _Moved:
+class _DriftEstimate:
     drift: Drift
     expected_um: float
     expected_arcsec: float | None
 
 
-def history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
+def read_history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
     """Of calibrations by their ids and files, the oldest first.
 
     A file that cannot be read any more is passed over. What was read once is remembered.
     """
     entries: list[HistoryEntry] = []
-    newest: dict[tuple[str, str], tuple[str, _Stamped]] = {}
+    newest: dict[tuple[str, str], tuple[str, _FileVersion]] = {}
     for name, path in files:
         try:
-            file = _Stamped(path, path.stat().st_mtime_ns)
-            head = _head(file)
-        except (Refusal, OSError):
+            file = _FileVersion(path, path.stat().st_mtime_ns)
+            head = _read_summary(file)
+        except (OperationError, OSError):
             continue
         of = (head.arm, head.sensor)
         before = newest.get(of)
-        moved = _moved(before[1], file) if before else None
+        moved = _estimate_drift(before[1], file) if before else None
         since = (
-            Since(before[0], moved.drift, moved.expected_um, moved.expected_arcsec)
+            CalibrationDrift(before[0], moved.drift, moved.expected_um, moved.expected_arcsec)
             if before and moved
             else None
         )
@@ -90,10 +90,10 @@ def history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
     return entries
 
 
-@lru_cache(maxsize=REMEMBERED)
-def _head(file: _Stamped) -> _Head:
+@lru_cache(maxsize=CACHE_SIZE)
+def _read_summary(file: _FileVersion) -> _CalibrationSummary:
     sheet, accepted = CalibrationFile.read(file.path), read_acceptance(file.path.parent)
-    return _Head(
+    return _CalibrationSummary(
         sheet.serial_numbers.arm,
         sheet.serial_numbers.sensor,
         accepted.good_um if accepted else None,
@@ -101,19 +101,19 @@ def _head(file: _Stamped) -> _Head:
     )
 
 
-@lru_cache(maxsize=REMEMBERED)
-def _moved(before: _Stamped, now: _Stamped) -> _Moved | None:
+@lru_cache(maxsize=CACHE_SIZE)
+def _estimate_drift(before: _FileVersion, now: _FileVersion) -> _DriftEstimate | None:
     old, new = (CalibrationFile.read(file.path) for file in (before, now))
     was, known = old.uncertainty, new.uncertainty
     if was is None or known is None or known.map is None:
         return None
     inside = np.array(known.map.calibrated)
     uv_px = np.array(known.map.uv_px).reshape(-1, 2)
-    found = drift(_mounted(old), _mounted(new), uv_px[inside] if inside.any() else uv_px)
+    found = measure_drift(_mounting(old), _mounting(new), uv_px[inside] if inside.any() else uv_px)
     if found is None:
         return None
     planes = (was.plane, known.plane)
-    return _Moved(
+    return _DriftEstimate(
         found,
         expected_um=K * float(np.hypot(was.total_um, known.total_um)),
         expected_arcsec=(
@@ -124,6 +124,6 @@ def _moved(before: _Stamped, now: _Stamped) -> _Moved | None:
     )
 
 
-def _mounted(sheet: CalibrationFile) -> Mounted:
-    found = calibration_in(sheet)
-    return Mounted(found.camera, found.plane, found.T_flange_sensor)
+def _mounting(sheet: CalibrationFile) -> MountedSensor:
+    found = calibration_from_document(sheet)
+    return MountedSensor(found.camera, found.plane, found.T_flange_sensor)

@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from app.formats.datasheets.arm import read_arm
-from app.formats.io_errors import refusals_naming
+from app.formats.io_errors import prefix_errors
 from app.formats.session.arm_session import ARM, ARTICULATION, read_seats
 from app.metrology.arm.identification.articulation import (
     Articulation,
     ArticulationLimits,
-    Verdict,
+    ArticulationVerdict,
     check_articulation,
 )
 
@@ -40,14 +40,14 @@ def check_table(
     table = place / ARTICULATION if place.is_dir() else place
     arm = read_arm(arm_path or table.parent / ARM)
     seats = read_seats(table, arm)
-    with refusals_naming(table):
+    with prefix_errors(table):
         return tuple(
             SeatReport(seat.name, check_articulation(arm, seat.q_rad, limits, f"set {seat.name}"))
             for seat in seats
         )
 
 
-def overall(reports: tuple[SeatReport, ...]) -> Verdict:
+def worst_verdict(reports: tuple[SeatReport, ...]) -> ArticulationVerdict:
     """The worst verdict of all seats."""
     verdicts = [report.check.verdict for report in reports]
     return "fail" if "fail" in verdicts else verdicts[0]
@@ -75,7 +75,7 @@ def report_rows(reports: tuple[SeatReport, ...]) -> list[list[str]]:
 def report_fields(reports: tuple[SeatReport, ...]) -> dict[str, object]:
     """The check for programs."""
     return {
-        "verdict": overall(reports),
+        "verdict": worst_verdict(reports),
         "sets": [
             {
                 "set": report.name,

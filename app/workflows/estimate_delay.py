@@ -7,24 +7,24 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.points import Points
-from app.formats.file_names import shown_path
-from app.formats.io_errors import refusals_naming
+from app.formats.file_names import display_path
+from app.formats.io_errors import prefix_errors
 from app.formats.recording.joint_samples import JointReader
 from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
-from app.formats.recording.stream import Block, blocks
+from app.formats.recording.stream import Block, read_blocks
 from app.formats.results.calibration import Calibration
 from app.formats.results.delay import Sync
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm, flange_poses
-from app.metrology.time_delay.delay import ClockDelay, clock_delay
+from app.metrology.time_delay.delay import ClockDelay, estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.compatibility import check_content, check_serials, check_station
-from app.workflows.reconstruct_frames import Placing, placed
+from app.workflows.reconstruct_frames import FrameReconstruction, reconstruct_frames
 
 MOST_POINTS = 150
 """Of a frame that are used: the arm's noise, which all share, is the larger part."""
@@ -32,7 +32,7 @@ MOST_FRAMES = 20_000
 LEAST_SIGMA_MM = 1e-4
 
 
-def sync(
+def estimate_recording_delay(
     recording_path: Path,
     calibration: Calibration,
     arm: Arm,
@@ -47,15 +47,15 @@ def sync(
 
     Raises:
         Refusal: calibration, arm and recording do not belong together, or the pass does
-            not tell the delay (``clock_delay``).
+            not tell the delay (``estimate_delay``).
     """
     check_serials(calibration, arm)
-    passed, recording = plane_pass(recording_path, calibration, arm, progress)
+    passed, recording = read_plane_pass(recording_path, calibration, arm, progress)
     named = named or str(recording_path)
-    with refusals_naming(named):
-        found = clock_delay(passed)
+    with prefix_errors(named):
+        found = estimate_delay(passed)
     progress(1.0, "")
-    return sheet_of(
+    return delay_document(
         found,
         arm.serial_number or recording.station.get("arm_serial", ""),
         calibration.serial_numbers.sensor or recording.station.get("sensor_serial", ""),
@@ -64,23 +64,23 @@ def sync(
 
 
 def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
-    """Reads ``sync.json``; raises ``Refusal`` where it is of another sensor or arm."""
+    """Reads ``sync.json``; raises ``OperationError`` where it is of another sensor or arm."""
     sheet = Sync.read(path)
     for device, of, known in (
         ("sensor", sheet.sensor_serial, calibration.serial_numbers.sensor),
         ("arm", sheet.arm_serial, arm.serial_number),
     ):
         if of and known and of != known:
-            raise Refusal(
+            raise OperationError(
                 f"{device}-of-another-serial",
-                f"{shown_path(path)} is of {device} {of}",
+                f"{display_path(path)} is of {device} {of}",
                 f"the other files are of {device} {known}",
                 "Give the files that belong together",
             )
     return sheet
 
 
-def sheet_of(found: ClockDelay, arm_serial: str, sensor_serial: str, recording: str) -> Sync:
+def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recording: str) -> Sync:
     """The file's content."""
     return Sync(
         delay_ms=found.delay_ms,
@@ -97,7 +97,7 @@ def sheet_of(found: ClockDelay, arm_serial: str, sensor_serial: str, recording: 
     )
 
 
-def plane_pass(
+def read_plane_pass(
     recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
 ) -> tuple[PlanePass, Recording]:
     """What a recording holds of its pass, in the sensor frame.
@@ -106,15 +106,15 @@ def plane_pass(
         Refusal: it holds no frames or no joints, too many frames, or frames of another size.
     """
     recording = open_recording(recording_path)
-    reading = _Reading(recording, calibration, arm)
+    reading = _PassReader(recording, calibration, arm)
     with ThreadPoolExecutor(os.cpu_count() or 1, "sync") as pool:
-        for block in blocks(recording, pool, 2):
+        for block in read_blocks(recording, pool, 2):
             reading.take(block)
             progress(0.5 * recording.bytes_read / max(recording.size, 1), "")
     return reading.passed(), recording
 
 
-class _Reading:
+class _PassReader:
     """One pass through a recording."""
 
     def __init__(self, recording: Recording, calibration: Calibration, arm: Arm) -> None:
@@ -135,17 +135,17 @@ class _Reading:
         if not self._stamps_ns:
             check_station(self._recording, self._calibration, self._arm)
         if len(self._stamps_ns) + len(frames) > MOST_FRAMES:
-            raise Refusal(
+            raise OperationError(
                 "recording-too-long",
-                f"{shown_path(self._recording.path)} holds more than {MOST_FRAMES} frames",
+                f"{display_path(self._recording.path)} holds more than {MOST_FRAMES} frames",
                 "a pass of half a minute is enough",
                 "Record one pass over a plane",
             )
-        placing = Placing(self._recording.path, self._calibration)
+        placing = FrameReconstruction(self._recording.path, self._calibration)
         first = len(self._stamps_ns)
         here = np.tile(np.eye(4), (len(frames), 1, 1))
-        found, _ = placed(placing, block, frames, here, first)
-        self._points.append(_thinned(found))
+        found, _ = reconstruct_frames(placing, block, frames, here, first)
+        self._points.append(_thin_points(found))
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
     def passed(self) -> PlanePass:
@@ -165,7 +165,7 @@ class _Reading:
         )
 
 
-def _thinned(points: Points) -> Points:
+def _thin_points(points: Points) -> Points:
     """Not more than ``MOST_POINTS`` of each frame, evenly spread."""
     frame = points["frame"]
     if not len(frame):

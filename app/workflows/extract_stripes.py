@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.csv_table import table_text
-from app.formats.file_names import shown_path
+from app.formats.file_names import display_path
 from app.formats.images import GreyImage, read_grey
 from app.formats.settings.mask import Mask
 from app.metrology.image import saturation_level
@@ -22,26 +22,26 @@ COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 
 @dataclass(frozen=True)
-class PictureStripe:
+class ImageStripe:
     """The stripe found in one picture file."""
 
     file: Path
     stripe: Stripe
 
 
-def extract(
+def extract_stripes(
     images: Sequence[Path],
     axis: str,
     progress: Progress = no_progress,
     settings: StripeSettings = AUTOMATIC,
     mask: Mask | None = None,
-) -> list[PictureStripe]:
+) -> list[ImageStripe]:
     """The stripe of every picture, outside a mask's zones.
 
     Raises:
         Refusal: a picture cannot be read, has none, or is of another size than the mask.
     """
-    found: list[PictureStripe] = []
+    found: list[ImageStripe] = []
     where = None if mask is None else mask.where()
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
@@ -50,30 +50,34 @@ def extract(
             mask.check_size(path, picture.shape[1], picture.shape[0])
         stripe = extract_stripe(picture, axis, where, settings)
         if not len(stripe.u):
-            raise _without_stripe(path, picture, axis, mask is not None)
-        found.append(PictureStripe(path, stripe))
+            raise _no_stripe_error(path, picture, axis, mask is not None)
+        found.append(ImageStripe(path, stripe))
     progress(1.0, "")
     return found
 
 
-def _without_stripe(path: Path, picture: GreyImage, axis: str, masked: bool) -> Refusal:
+def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) -> OperationError:
     """Says what the picture is like instead."""
-    what = f"{shown_path(path)} shows no laser stripe{' outside the mask' if masked else ''}"
+    what = f"{display_path(path)} shows no laser stripe{' outside the mask' if masked else ''}"
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())
     if clipped > MANY_CLIPPED:
         why = f"it is overexposed: {100 * clipped:.0f} % of its pixels are at full scale"
-        return Refusal("stripe-not-found", what, why, "Shorten the exposure, or darken the room")
+        return OperationError(
+            "stripe-not-found", what, why, "Shorten the exposure, or darken the room"
+        )
     if brightest < DARK * full:
         why = f"it is dark: its brightest pixel is at {brightest} of {full:.0f} grey levels"
-        return Refusal("stripe-not-found", what, why, "Switch the laser on, or expose longer")
+        return OperationError(
+            "stripe-not-found", what, why, "Switch the laser on, or expose longer"
+        )
     why = f"no bright line runs {'across' if axis == 'u' else 'down'} the picture"
     remedy = "Take it with the laser on and the exposure set, or choose the other --axis"
-    return Refusal("stripe-not-found", what, why, remedy)
+    return OperationError("stripe-not-found", what, why, remedy)
 
 
-def write_stripes(path: Path, stripes: Sequence[PictureStripe]) -> None:
+def write_stripes(path: Path, stripes: Sequence[ImageStripe]) -> None:
     """Writes ``u,v,intensity,sigma_px``; of several pictures with a last column ``image``."""
     several = len(stripes) > 1
     rows: list[tuple[float | str, ...]] = []

@@ -7,20 +7,20 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.atomic_write import checked_target
-from app.formats.datasheets.arm import ArmFile, arm_sheet
+from app.formats.atomic_write import check_output_path
+from app.formats.datasheets.arm import ArmFile, arm_document
 from app.formats.datasheets.arm_identification import (
     CorrelationPart,
     DeviationsPart,
-    HeldPart,
+    FixedParameterPart,
     IdentificationInput,
     IdentificationPart,
     ParameterPart,
     ValidationPart,
 )
-from app.formats.io_errors import refusals_naming
-from app.formats.json_document import sha256_of
-from app.formats.session.arm_session import TABLES, read_arm_session, read_observations
+from app.formats.io_errors import prefix_errors
+from app.formats.json_document import file_sha256
+from app.formats.session.arm_session import TABLES, read_identification_session, read_observations
 from app.formats.software import SOFTWARE
 from app.metrology.arm.identification.cross_validation import Deviations, Validation
 from app.metrology.arm.identification.identify import Identification, Outlier, identify
@@ -29,7 +29,7 @@ from app.progress import Progress, no_progress
 
 
 @dataclass(frozen=True)
-class Signature:
+class IdentificationProvenance:
     """Where and by whom an arm is identified, as far as it is known."""
 
     operator: str = ""
@@ -43,7 +43,7 @@ def identify_folder(
     output: Path,
     check: Path | None = None,
     progress: Progress = no_progress,
-    signature: Signature = Signature(),
+    signature: IdentificationProvenance = IdentificationProvenance(),
 ) -> tuple[ArmFile, Identification]:
     """Identifies the arm of a folder and writes it to ``output``.
 
@@ -55,22 +55,22 @@ def identify_folder(
         Refusal: the folder or the place to write to is not in order, or no better arm
             follows from it; nothing is then written.
     """
-    checked_target(output)
-    session = read_arm_session(folder)
+    check_output_path(output)
+    session = read_identification_session(folder)
     held_out = None if check is None else read_observations(check, session.arm)
     inputs = [*session.files]
     if check is not None:
         inputs += [check / name for name in TABLES if (check / name).exists()]
-    checked_target(output, inputs)
-    with refusals_naming(folder):
+    check_output_path(output, inputs)
+    with prefix_errors(folder):
         result = identify(session.arm, session.observations, held_out, progress)
-    sheet = arm_sheet(result.arm, identification_part(result, inputs, folder, signature))
+    sheet = arm_document(result.arm, identification_part(result, inputs, folder, signature))
     sheet.write(output)
     return sheet, result
 
 
 def identification_part(
-    result: Identification, inputs: list[Path], folder: Path, signature: Signature
+    result: Identification, inputs: list[Path], folder: Path, signature: IdentificationProvenance
 ) -> IdentificationPart:
     """What the file says of an identification, made now."""
     return IdentificationPart(
@@ -86,10 +86,10 @@ def identification_part(
             for moved in result.moved
         ),
         covariance=tuple(tuple(row) for row in _covariance_in_degrees(result).tolist()),
-        held=tuple(HeldPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
+        held=tuple(FixedParameterPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
         correlated=tuple(
             CorrelationPart(first=first, second=second, coefficient=rho)
-            for first, second, rho in correlations_of(result)
+            for first, second, rho in strong_correlations(result)
         ),
         volume_before_um=result.volume_before_mm * 1e3,
         volume_after_um=result.volume_after_mm * 1e3,
@@ -100,7 +100,7 @@ def identification_part(
         warnings=result.warnings,
         inputs=tuple(
             IdentificationInput(
-                file=Path(os.path.relpath(path, folder)).as_posix(), sha256=sha256_of(path)
+                file=Path(os.path.relpath(path, folder)).as_posix(), sha256=file_sha256(path)
             )
             for path in inputs
         ),
@@ -115,7 +115,7 @@ def outlier_text(outlier: Outlier) -> str:
     return f"{outlier.place}, point {outlier.number}: {far} off"
 
 
-def figures_of(result: Identification) -> list[tuple[str, str]]:
+def identification_summary(result: Identification) -> list[tuple[str, str]]:
     """What an operator wants to know of an identification: names and values to print."""
     before, after = result.validation.before, result.validation.after
     kind = "a separate set" if result.validation.separate else "held out in turn"
@@ -182,7 +182,7 @@ def parameter_rows(result: Identification) -> list[list[str]]:
     return rows
 
 
-def held_figures(result: Identification) -> list[tuple[str, str]]:
+def list_fixed_parameters(result: Identification) -> list[tuple[str, str]]:
     """The D-H parameters that kept their values, by reason."""
     by_reason: dict[str, list[str]] = {}
     for held in result.held:
@@ -191,14 +191,14 @@ def held_figures(result: Identification) -> list[tuple[str, str]]:
     return [(", ".join(names), why) for why, names in by_reason.items()]
 
 
-def correlations_of(result: Identification) -> list[tuple[str, str, float]]:
+def strong_correlations(result: Identification) -> list[tuple[str, str, float]]:
     """Pairs of moved parameters that the places hardly tell apart, by the file's names."""
     return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlated]
 
 
-def correlated_figures(result: Identification) -> list[tuple[str, str]]:
+def correlation_figures(result: Identification) -> list[tuple[str, str]]:
     """The same to print."""
-    return [(f"{a}, {b}", f"{rho:+.3f}") for a, b, rho in correlations_of(result)]
+    return [(f"{a}, {b}", f"{rho:+.3f}") for a, b, rho in strong_correlations(result)]
 
 
 def _validation_part(validation: Validation) -> ValidationPart:

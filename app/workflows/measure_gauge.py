@@ -9,19 +9,19 @@ from pydantic import Field
 
 from app.formats.clouds.points import Points
 from app.formats.datasheets.gauge import GaugeFile
-from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
 from app.metrology.arm.kinematics import Arm
 from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
-from app.metrology.gauges.scanned_gauge import GaugeCloud, gauge_plane, gauge_sphere
+from app.metrology.gauges.scanned_gauge import GaugeCloud, fit_gauge_plane, fit_gauge_sphere
 from app.metrology.transforms import Floats
-from app.workflows.reconstruct import Rebuilt, rebuild_into
+from app.workflows.reconstruct import Reconstruction, reconstruct_into
 
 MAP = "map.json"
 
 
-class Fit(Part):
+class GaugeFit(DocumentPart):
     """The shape fitted to a cloud, as the journal keeps it."""
 
     points: int
@@ -73,35 +73,35 @@ class MapFile(Document):
 
 
 @dataclass(frozen=True)
-class Measured:
+class GaugeMeasurement:
     """One cloud: what was fitted, and its map."""
 
-    fit: Fit
+    fit: GaugeFit
     map: MapFile
 
 
 def measure_recording(
     recording: Path, calibration: Calibration, arm: Arm, gauge: GaugeFile
-) -> Measured:
+) -> GaugeMeasurement:
     """Rebuilds a recording's points and fits the gauge's shape to them.
 
     Raises:
         Refusal: as ``rebuild``; or the cloud does not show the gauge, or too little of it.
     """
     kept: list[Points] = []
-    rebuilt = rebuild_into(recording, calibration, arm, lambda points, _: kept.append(points))
+    rebuilt = reconstruct_into(recording, calibration, arm, lambda points, _: kept.append(points))
     points = np.concatenate(kept)
     xyz: Floats = np.column_stack([points[axis] for axis in "xyz"])
     frame = points["frame"].astype(np.int64)
     if gauge.shape == "plane":
-        found = gauge_plane(xyz, frame)
+        found = fit_gauge_plane(xyz, frame)
     else:
         assert gauge.radius_mm is not None
-        found = gauge_sphere(xyz, frame, gauge.radius_mm)
-    return Measured(_fit_of(found, rebuilt), _map_of(found))
+        found = fit_gauge_sphere(xyz, frame, gauge.radius_mm)
+    return GaugeMeasurement(_fit_record(found, rebuilt), _map_record(found))
 
 
-def _fit_of(found: GaugeCloud, rebuilt: Rebuilt) -> Fit:
+def _fit_record(found: GaugeCloud, rebuilt: Reconstruction) -> GaugeFit:
     fit = found.shape.fit
     covariance = found.shape.covariance
     values: dict[str, object] = {
@@ -121,10 +121,10 @@ def _fit_of(found: GaugeCloud, rebuilt: Rebuilt) -> Fit:
         }
     elif isinstance(fit, SphereFit):
         values |= {"centre_mm": fit.centre_mm.tolist(), "radius_mm": fit.radius_mm}
-    return Fit.model_validate(values)
+    return GaugeFit.model_validate(values)
 
 
-def _map_of(found: GaugeCloud) -> MapFile:
+def _map_record(found: GaugeCloud) -> MapFile:
     fit = found.shape.fit
     assert isinstance(fit, PlaneFit | SphereFit)
     cells = deviation_map(fit, found.points_mm)

@@ -9,30 +9,35 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points
 from app.formats.recording.clock_check import ClockReport, ClockWatch
 from app.formats.recording.joint_samples import JointReader
 from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
-from app.formats.recording.stream import Block, Frame, blocks
+from app.formats.recording.stream import Block, RecordedFrame, read_blocks
 from app.formats.results.calibration import Calibration
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.compatibility import check_content, check_serials, check_station
-from app.workflows.reconstruct_frames import Placing, placed
-from app.workflows.reconstruct_messages import clock_words, implausible, left_out, no_joints_around
+from app.workflows.reconstruct_frames import FrameReconstruction, reconstruct_frames
+from app.workflows.reconstruct_messages import (
+    clock_warnings,
+    implausible_joints_warning,
+    missing_joints_warning,
+    no_joints_error,
+)
 
-Take = Callable[[Points, int], None]
+PointConsumer = Callable[[Points, int], None]
 """Given points as they are made, and the stamp of the last frame they come from."""
-REMEMBERED = 4096
+RECENT_FRAMES = 4096
 """A frame's picture stands at most so many frames from its stripe."""
 
 
 @dataclass(frozen=True)
-class Rebuilt:
+class Reconstruction:
     """What became of a recording."""
 
     points: int
@@ -63,17 +68,17 @@ class Rebuilt:
 
 
 @dataclass(frozen=True)
-class _Waiting:
+class _PendingFrames:
     """Frames of one block that wait for the joints around them."""
 
     block: Block
-    frames: list[Frame]
+    frames: list[RecordedFrame]
     first_number: int
     last_ns: int
 
 
 @dataclass(frozen=True)
-class _Made:
+class _BlockPoints:
     """What became of a block's frames."""
 
     points: Points
@@ -83,14 +88,14 @@ class _Made:
     last_ns: int
 
 
-def rebuild(
+def reconstruct_cloud(
     recording_path: Path,
     calibration: Calibration,
     arm: Arm,
     cloud_path: Path,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
-) -> Rebuilt:
+) -> Reconstruction:
     """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
 
     The recording is opened, and points are made, on all cores; only a few blocks of it
@@ -106,7 +111,7 @@ def rebuild(
             stamp; the cloud is then not written.
     """
     with cloud_writer(cloud_path) as cloud:
-        return rebuild_into(
+        return reconstruct_into(
             recording_path,
             calibration,
             arm,
@@ -116,12 +121,12 @@ def rebuild(
         )
 
 
-def rebuilt_points(
+def reconstruct_points(
     recording_path: Path, calibration: Calibration, arm: Arm, delay_ns: int | None = None
-) -> tuple[Floats, Rebuilt]:
-    """As ``rebuild``, the points (N, 3) in memory."""
+) -> tuple[Floats, Reconstruction]:
+    """As ``reconstruct_cloud``, the points (N, 3) in memory."""
     kept: list[Floats] = []
-    result = rebuild_into(
+    result = reconstruct_into(
         recording_path,
         calibration,
         arm,
@@ -131,15 +136,15 @@ def rebuilt_points(
     return np.concatenate(kept), result
 
 
-def rebuild_into(
+def reconstruct_into(
     recording_path: Path,
     calibration: Calibration,
     arm: Arm,
-    take: Take,
+    take: PointConsumer,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
-) -> Rebuilt:
-    """As ``rebuild``, the points handed to ``take`` in their order, on the caller's thread."""
+) -> Reconstruction:
+    """As ``reconstruct_cloud``; hands the points to ``take`` in order, on the caller's thread."""
     check_serials(calibration, arm)
     job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
     workers = os.cpu_count() or 1
@@ -160,7 +165,7 @@ class _Job:
         recording: Recording,
         calibration: Calibration,
         arm: Arm,
-        take: Take,
+        take: PointConsumer,
         delay_ns: int | None,
     ) -> None:
         self._recording = recording
@@ -171,17 +176,17 @@ class _Job:
         self._points = 0
         self._joints = JointReader(recording.path, arm)
         self._track = JointTrack(arm.joint_count)
-        self._recent: deque[int] = deque(maxlen=REMEMBERED)
+        self._recent: deque[int] = deque(maxlen=RECENT_FRAMES)
         self._known: set[int] = set()
         self._numbered = 0
-        self._waiting: deque[_Waiting] = deque()
-        self._making: deque[Future[_Made]] = deque()
+        self._waiting: deque[_PendingFrames] = deque()
+        self._making: deque[Future[_BlockPoints]] = deque()
         self._frames = self._dark = 0
         self._unplaced_ns: list[int] = []
         self._joint_clock, self._frame_clock = ClockWatch(), ClockWatch()
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
-        for block in blocks(self._recording, pool, window):
+        for block in read_blocks(self._recording, pool, window):
             self._take(block)
             if len(self._track):
                 self._settle(pool, self._track.last_ns)
@@ -195,12 +200,12 @@ class _Job:
             self._write()
         progress(1.0, "")
 
-    def result(self) -> Rebuilt:
-        """The counts; raises ``Refusal`` where there are no points."""
+    def result(self) -> Reconstruction:
+        """The counts; raises ``OperationError`` where there are no points."""
         self._refuse_nothing()
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
         joints, frames = self._joint_clock.report(), self._frame_clock.report()
-        return Rebuilt(
+        return Reconstruction(
             points=self._points,
             frames=self._frames,
             frames_without_stripe=self._dark,
@@ -233,14 +238,14 @@ class _Job:
             check_station(self._recording, self._calibration, self._arm)
         stamps_ns = np.array([frame.stamp_ns for frame in frames])
         self._frame_clock.add(stamps_ns, np.array([frame.log_ns for frame in frames]))
-        self._waiting.append(_Waiting(block, frames, self._numbered, int(stamps_ns.max())))
+        self._waiting.append(_PendingFrames(block, frames, self._numbered, int(stamps_ns.max())))
         self._numbered += len(frames)
 
     def _is_new(self, stamp_ns: int) -> bool:
         """False where a frame's stripe was recorded beside its picture."""
         if stamp_ns in self._known:
             return False
-        if len(self._recent) == REMEMBERED:
+        if len(self._recent) == RECENT_FRAMES:
             self._known.discard(self._recent[0])
         self._recent.append(stamp_ns)
         self._known.add(stamp_ns)
@@ -259,22 +264,26 @@ class _Job:
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
 
-    def _made(self, waiting: _Waiting, q_rad: Floats) -> _Made:
+    def _made(self, waiting: _PendingFrames, q_rad: Floats) -> _BlockPoints:
         """On a worker's thread: the points of a block's frames (Eq. 9)."""
         known = np.asarray(np.isfinite(q_rad).all(axis=1))
         poses = np.full((len(known), 4, 4), np.nan)
         if known.any():
             T_arm_flange = flange_poses(self._arm, q_rad[known])
             poses[known] = T_arm_flange @ self._calibration.T_flange_sensor
-        placing = Placing(self._recording.path, self._calibration)
-        points, counts = placed(placing, waiting.block, waiting.frames, poses, waiting.first_number)
+        placing = FrameReconstruction(self._recording.path, self._calibration)
+        points, counts = reconstruct_frames(
+            placing, waiting.block, waiting.frames, poses, waiting.first_number
+        )
         unplaced = [
             frame.stamp_ns
             for frame, count, good in zip(waiting.frames, counts, known, strict=True)
             if count and not good
         ]
         dark = int((counts == 0).sum())
-        return _Made(points, len(counts) - dark - len(unplaced), dark, unplaced, waiting.last_ns)
+        return _BlockPoints(
+            points, len(counts) - dark - len(unplaced), dark, unplaced, waiting.last_ns
+        )
 
     def _write(self) -> None:
         made = self._making.popleft().result()
@@ -288,14 +297,18 @@ class _Job:
         said = [self._recording.cut] if self._recording.cut else []
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
-            said.append(left_out(unplaced, self._numbered, self._track, self._delay_ns, start_ns))
+            said.append(
+                missing_joints_warning(
+                    unplaced, self._numbered, self._track, self._delay_ns, start_ns
+                )
+            )
         if self._joints.unusable:
             said.append(f"{self._joints.unusable} joint samples left out: not numbers")
         first = self._joints.first_implausible
         if first is not None:
-            said.append(implausible(self._joints.implausible, first, start_ns))
-        said += clock_words("joint samples", joints, start_ns)
-        return said + clock_words("frames", frames, start_ns)
+            said.append(implausible_joints_warning(self._joints.implausible, first, start_ns))
+        said += clock_warnings("joint samples", joints, start_ns)
+        return said + clock_warnings("frames", frames, start_ns)
 
     def _refuse_nothing(self) -> None:
         if self._points:
@@ -303,8 +316,8 @@ class _Job:
         named = check_content(self._recording, self._numbered, len(self._track))
         if self._unplaced_ns:
             start_ns = self._recording.first_ns or 0
-            raise no_joints_around(named, self._unplaced_ns, self._track, start_ns)
-        raise Refusal(
+            raise no_joints_error(named, self._unplaced_ns, self._track, start_ns)
+        raise OperationError(
             "recording-without-stripes",
             f"{named}: no laser stripe in front of the sensor in any frame of {self._numbered}",
             "the laser was off, too weak, or the part out of range",

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
-from app.formats.clouds.points import Points, packed
-from app.formats.file_names import shown_path
-from app.formats.recording.blocks import Profiles, profiles
+from app.errors import OperationError
+from app.formats.clouds.points import Points, pack_points
+from app.formats.file_names import display_path
+from app.formats.recording.blocks import Profiles, read_profiles
 from app.formats.recording.reader import StripeRecord
-from app.formats.recording.stream import Block, Frame
+from app.formats.recording.stream import Block, RecordedFrame
 from app.formats.recording.wire_format import AXIS, HEIGHT, WIDTH
 from app.formats.results.calibration import Calibration
 from app.metrology.sensor.triangulation import scan_points
@@ -23,26 +23,30 @@ Counts = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
-class Placing:
+class FrameReconstruction:
     """Of which recording frames are, and by which calibration they become points."""
 
     path: Path
     calibration: Calibration
 
     def check_size(self, number: int, width_px: int, height_px: int) -> None:
-        """Raises ``Refusal`` where a frame is not of the calibrated sensor's size."""
+        """Raises ``OperationError`` where a frame is not of the calibrated sensor's size."""
         camera = self.calibration.camera
         if (width_px, height_px) != (camera.width_px, camera.height_px):
-            raise Refusal(
+            raise OperationError(
                 "image-size",
-                f"{shown_path(self.path)}: frame {number} has {width_px} × {height_px} pixels",
+                f"{display_path(self.path)}: frame {number} has {width_px} × {height_px} pixels",
                 f"the calibration is for {camera.width_px} × {camera.height_px}",
                 "Give the calibration of the sensor that took this recording",
             )
 
 
-def placed(
-    placing: Placing, block: Block, frames: Sequence[Frame], poses: Floats, first_number: int
+def reconstruct_frames(
+    placing: FrameReconstruction,
+    block: Block,
+    frames: Sequence[RecordedFrame],
+    poses: Floats,
+    first_number: int,
 ) -> tuple[Points, Counts]:
     """Points of a block's frames, and how many pixels of stripe each frame has (F,).
 
@@ -55,14 +59,16 @@ def placed(
     """
     pieces: list[Points] = []
     counts = np.zeros(len(frames), dtype=np.int64)
-    for first, last, stripes in _runs(placing, block, frames, first_number):
+    for first, last, stripes in _stripe_runs(placing, block, frames, first_number):
         counts[first:last] = stripes.count
-        pieces.append(_points(placing, stripes, poses[first:last], first_number + first))
+        pieces.append(
+            _reconstruct_points(placing, stripes, poses[first:last], first_number + first)
+        )
     return np.concatenate(pieces), counts
 
 
-def _runs(
-    placing: Placing, block: Block, frames: Sequence[Frame], first_number: int
+def _stripe_runs(
+    placing: FrameReconstruction, block: Block, frames: Sequence[RecordedFrame], first_number: int
 ) -> list[tuple[int, int, Profiles]]:
     """Stretches of frames whose stripes are taken together, by their first and last + 1."""
     rows = [frame.source for frame in frames if isinstance(frame.source, int)]
@@ -71,19 +77,21 @@ def _runs(
         for i, row in enumerate(table[:, [WIDTH, HEIGHT]].tolist()):
             placing.check_size(first_number + i, *row)
         if (table[:, AXIS] == table[0, AXIS]).all():
-            return [(0, len(frames), profiles(block.opened, table))]
+            return [(0, len(frames), read_profiles(block.opened, table))]
     return [
-        (i, i + 1, _single(placing, block, frame, first_number + i))
+        (i, i + 1, _single_stripe(placing, block, frame, first_number + i))
         for i, frame in enumerate(frames)
     ]
 
 
-def _single(placing: Placing, block: Block, frame: Frame, number: int) -> Profiles:
+def _single_stripe(
+    placing: FrameReconstruction, block: Block, frame: RecordedFrame, number: int
+) -> Profiles:
     """One frame's stripe, extracted where its picture was recorded."""
     source = frame.source
     if isinstance(source, int):
         placing.check_size(number, *block.stripes[source, [WIDTH, HEIGHT]].tolist())
-        return profiles(block.opened, block.stripes[source : source + 1])
+        return read_profiles(block.opened, block.stripes[source : source + 1])
     if isinstance(source, StripeRecord):
         placing.check_size(number, source.width_px, source.height_px)
         stripe = source.stripe
@@ -95,7 +103,9 @@ def _single(placing: Placing, block: Block, frame: Frame, number: int) -> Profil
     return Profiles(count, stripe.u, stripe.v, stripe.intensity, stripe.sigma_px, stripe.axis)
 
 
-def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: int) -> Points:
+def _reconstruct_points(
+    placing: FrameReconstruction, stripes: Profiles, poses: Floats, first_number: int
+) -> Points:
     use = placing.calibration
     points_mm, spread = scan_points(
         use.camera,
@@ -108,4 +118,4 @@ def _points(placing: Placing, stripes: Profiles, poses: Floats, first_number: in
         poses,
     )
     numbers = first_number + np.arange(len(poses))
-    return packed(points_mm, stripes.intensity, spread, np.repeat(numbers, stripes.count))
+    return pack_points(points_mm, stripes.intensity, spread, np.repeat(numbers, stripes.count))

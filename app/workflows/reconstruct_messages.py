@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.joint_track import JointTrack
-from app.metrology.arm.joint_plausibility import Implausible
+from app.metrology.arm.joint_plausibility import ImplausibleReading
 
 
-def left_out(
+def missing_joints_warning(
     unplaced_ns: Sequence[int], frames: int, track: JointTrack, delay_ns: int, start_ns: int
 ) -> str:
     """Of so many frames, those without joints around their stamps."""
@@ -22,7 +22,7 @@ def left_out(
     )
 
 
-def implausible(count: int, first: Implausible, start_ns: int) -> str:
+def implausible_joints_warning(count: int, first: ImplausibleReading, start_ns: int) -> str:
     """Of joint samples that cannot be true."""
     return (
         f"{count} joint samples left out that cannot be true, the first "
@@ -30,7 +30,7 @@ def implausible(count: int, first: Implausible, start_ns: int) -> str:
     )
 
 
-def clock_words(title: str, clock: ClockReport, start_ns: int) -> list[str]:
+def clock_warnings(title: str, clock: ClockReport, start_ns: int) -> list[str]:
     """Of holes in a stream, and of jumps of its clock."""
     said = []
     if clock.holes:
@@ -48,15 +48,15 @@ def clock_words(title: str, clock: ClockReport, start_ns: int) -> list[str]:
     return said
 
 
-def no_joints_around(
+def no_joints_error(
     named: str, unplaced_ns: Sequence[int], track: JointTrack, start_ns: int
-) -> Refusal:
+) -> OperationError:
     """Where no frame at all has joints around its stamp."""
 
     def span(first_ns: int, last_ns: int) -> str:
         return f"from {(first_ns - start_ns) / 1e9:.3f} to {(last_ns - start_ns) / 1e9:.3f} s"
 
-    return Refusal(
+    return OperationError(
         "no-joints-around-frames",
         f"{named}: no joints around any frame's stamp",
         f"frames {span(unplaced_ns[0], unplaced_ns[-1])}, joint samples "

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.io_errors import refusals_naming
+from app.formats.io_errors import prefix_errors
 from app.formats.results.calibration import Calibration
 from app.metrology.arm.kinematics import Arm
 from app.metrology.fitting.plane_sphere import PlaneFit, fit_plane
@@ -28,18 +28,18 @@ from app.metrology.gauges.errors import (
 )
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
-from app.workflows.reconstruct import rebuilt_points
+from app.workflows.reconstruct import reconstruct_points
 
-PAPER_ARCSEC, PAPER_UM = 230.0, 100.0
+ARTICLE_ARCSEC, ARTICLE_UM = 230.0, 100.0
 """Mean ranges between calibrations in the paper, section 4."""
-PAPER_CLOUDS_ARCSEC, PAPER_CLOUDS_UM = 500.0, 110.0
+ARTICLE_CLOUDS_ARCSEC, ARTICLE_CLOUDS_UM = 500.0, 110.0
 """Its ranges between clouds of one calibration."""
 ONE_PLANE_RAD = np.deg2rad(2.0)
 COLUMNS = ("recording", "calibration", "points", "rms_um", "angle_arcsec", "offset_um")
 
 
 @dataclass(frozen=True)
-class Row:
+class StudyPlane:
     """One recording rebuilt with one calibration."""
 
     recording: str
@@ -53,7 +53,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Ranges:
+class PlaneSpread:
     """How far the planes of one recording, or of one calibration, lie apart."""
 
     of: str
@@ -65,15 +65,15 @@ class Ranges:
 class Study:
     """All planes, and how they scatter."""
 
-    rows: tuple[Row, ...]
-    between_calibrations: tuple[Ranges, ...]
+    rows: tuple[StudyPlane, ...]
+    between_calibrations: tuple[PlaneSpread, ...]
     """Of each recording; empty for one calibration."""
-    between_recordings: tuple[Ranges, ...]
+    between_recordings: tuple[PlaneSpread, ...]
     """Of each calibration; empty for one recording."""
     warnings: tuple[str, ...]
 
     def write_csv(self, path: Path) -> None:
-        """The table, one row a recording and calibration; raises ``Refusal``."""
+        """The table, one row a recording and calibration; raises ``OperationError``."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         table.writerow(COLUMNS)
@@ -83,7 +83,7 @@ class Study:
         write_atomically(path, text.getvalue().encode())
 
 
-def study(
+def run_study(
     recordings: Sequence[Path],
     calibrations: Sequence[tuple[Path, Calibration]],
     arm: Arm,
@@ -97,7 +97,7 @@ def study(
             plane; there is but one cloud in all.
     """
     if len(recordings) * len(calibrations) < 2:
-        raise Refusal(
+        raise OperationError(
             "too-few-clouds",
             "one recording and one calibration give one plane",
             "a study compares several",
@@ -105,7 +105,7 @@ def study(
         )
     nominal = None if nominal_path is None else read_nominal(nominal_path)
     if nominal is not None and not isinstance(nominal, NominalPlane):
-        raise Refusal(
+        raise OperationError(
             "nominal-of-another-shape",
             f"{nominal_path}: it is of a sphere",
             "the study is of a plane",
@@ -119,15 +119,15 @@ def study(
         for r, path in enumerate(recordings):
             begun = (c * len(recordings) + r) / total
             progress(begun, f"{path.name} × {name.name}")
-            points_mm, rebuilt = rebuilt_points(path, calibration, arm)
+            points_mm, rebuilt = reconstruct_points(path, calibration, arm)
             if not c:
                 warnings += rebuilt.warnings
-            with refusals_naming(path):
+            with prefix_errors(path):
                 fits[-1].append(fit_plane(points_mm))
-    return _compared(recordings, [name for name, _ in calibrations], fits, nominal, warnings)
+    return _compare_planes(recordings, [name for name, _ in calibrations], fits, nominal, warnings)
 
 
-def _compared(
+def _compare_planes(
     recordings: Sequence[Path],
     calibrations: Sequence[Path],
     fits: list[list[PlaneFit]],
@@ -150,7 +150,7 @@ def _compared(
             "they are not of one plane, and their ranges mean nothing"
         )
     rows = [
-        Row(
+        StudyPlane(
             str(recording),
             str(calibration),
             int(fits[c][r].used.sum()),
@@ -170,11 +170,11 @@ def _compared(
     )
 
 
-def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[Ranges, ...]:
+def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[PlaneSpread, ...]:
     """Over the first axis, of each of the second."""
     angles, offsets = angle_ranges_arcsec(normals), offset_ranges_um(heights)
     return tuple(
-        Ranges(str(name), float(angle), float(offset))
+        PlaneSpread(str(name), float(angle), float(offset))
         for name, angle, offset in zip(names, angles, offsets, strict=True)
     )
 
@@ -183,8 +183,8 @@ def range_rows(done: Study) -> list[tuple[str, ...]]:
     """The mean ranges to print, the paper's beside them."""
     rows: list[tuple[str, ...]] = []
     for title, ranges, arcsec, um in (
-        ("between calibrations", done.between_calibrations, PAPER_ARCSEC, PAPER_UM),
-        ("between clouds", done.between_recordings, PAPER_CLOUDS_ARCSEC, PAPER_CLOUDS_UM),
+        ("between calibrations", done.between_calibrations, ARTICLE_ARCSEC, ARTICLE_UM),
+        ("between clouds", done.between_recordings, ARTICLE_CLOUDS_ARCSEC, ARTICLE_CLOUDS_UM),
     ):
         if ranges:
             angle = np.array([one.angle_arcsec for one in ranges])

@@ -11,10 +11,10 @@ from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import FigureName, FigurePart, Result, VerificationVerdict
 from app.metrology.gauges.conformity import decide
 from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
-from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
-from app.workflows.measure_gauge import Fit
+from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from app.workflows.measure_gauge import GaugeFit
 
-Touched = TouchedPlane | TouchedSphere
+ProbedGauge = ProbedPlane | ProbedSphere
 K = 2.0
 UNIFORM = float(np.sqrt(12.0))
 TITLES: dict[FigureName, str] = {
@@ -34,7 +34,7 @@ ORDER = ("fail", "uncertain", "pass", "none")
 
 
 @dataclass(frozen=True)
-class Errors:
+class CloudErrors:
     """Of one cloud against the probe and the paper; None where there is nothing to compare."""
 
     angle_arcsec: float | None = None
@@ -44,30 +44,33 @@ class Errors:
     centre_error_um: float | None = None
 
 
-def errors_of(fit: Fit, gauge: GaugeFile, touched: Touched | None) -> Errors:
+def cloud_errors(fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None) -> CloudErrors:
     """One cloud's errors (Eq. 10-12; for a sphere as in the paper's section 4)."""
     if gauge.shape == "plane":
-        if not isinstance(touched, TouchedPlane):
-            return Errors()
+        if not isinstance(touched, ProbedPlane):
+            return CloudErrors()
         check = compare_plane(fit.plane, touched.nominal)
-        return Errors(check.angle_arcsec, check.z_error_um, check.offset_um)
+        return CloudErrors(check.angle_arcsec, check.z_error_um, check.offset_um)
     assert fit.radius_mm is not None
     assert gauge.radius_mm is not None
     radius = (gauge.radius_mm - fit.radius_mm) * 1e3
-    if not isinstance(touched, TouchedSphere):
-        return Errors(radius_error_um=radius)
+    if not isinstance(touched, ProbedSphere):
+        return CloudErrors(radius_error_um=radius)
     away = np.array(fit.centre_mm) - touched.nominal.centre_mm
     centre = float(np.linalg.norm(away)) * 1e3
-    return Errors(radius_error_um=radius, centre_error_um=centre)
+    return CloudErrors(radius_error_um=radius, centre_error_um=centre)
 
 
-def figures_of(
-    fits: Sequence[Fit], gauge: GaugeFile, touched: Touched | None, limits: VerificationLimits
+def gauge_figures(
+    fits: Sequence[GaugeFit],
+    gauge: GaugeFile,
+    touched: ProbedGauge | None,
+    limits: VerificationLimits,
 ) -> tuple[FigurePart, ...]:
     """Every figure that these clouds allow, each with its uncertainty and its limit."""
     if not fits:
         return ()
-    errors = [errors_of(fit, gauge, touched) for fit in fits]
+    errors = [cloud_errors(fit, gauge, touched) for fit in fits]
     paper_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
     found: list[FigurePart] = []
 
@@ -84,19 +87,19 @@ def figures_of(
         of_fit = max(fit.sd(slice(3, 4)) for fit in fits) * 1e3
         add("radius_error", [e.radius_error_um for e in errors], float(np.hypot(of_fit, paper_um)))
         of_fit = max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
-        of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, TouchedSphere) else 0.0
+        of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, ProbedSphere) else 0.0
         add("centre_error", [e.centre_error_um for e in errors], float(np.hypot(of_fit, of_touch)))
     return (*found, *_ranges(fits, gauge, limits))
 
 
 def _add_plane(
     add: Callable[[FigureName, Sequence[float | None], float], None],
-    fits: Sequence[Fit],
-    errors: Sequence[Errors],
-    touched: Touched | None,
+    fits: Sequence[GaugeFit],
+    errors: Sequence[CloudErrors],
+    touched: ProbedGauge | None,
     paper_um: float,
 ) -> None:
-    if not isinstance(touched, TouchedPlane):
+    if not isinstance(touched, ProbedPlane):
         return
     tilt = max(_tilt_sd(fit) for fit in fits)
     add(
@@ -113,14 +116,16 @@ def _add_plane(
     add("z_error", [e.z_error_um for e in errors], height)
 
 
-def _tilt_sd(fit: Fit) -> float:
+def _tilt_sd(fit: GaugeFit) -> float:
     """Rad, in the worst direction; by the points' scatter where the fit does not tell."""
     if fit.covariance:
         return fit.sd(slice(1, 3))
     return fit.rms_um / 1e3 / 10.0
 
 
-def _ranges(fits: Sequence[Fit], gauge: GaugeFile, limits: VerificationLimits) -> list[FigurePart]:
+def _ranges(
+    fits: Sequence[GaugeFit], gauge: GaugeFile, limits: VerificationLimits
+) -> list[FigurePart]:
     """How far the clouds lie apart: of any two the largest."""
     if len(fits) < 2:
         return []
@@ -200,7 +205,7 @@ WORDS: dict[Result, str] = {
 }
 
 
-def verdict_of(figures: Sequence[FigurePart], touched: bool) -> VerificationVerdict:
+def verification_verdict(figures: Sequence[FigurePart], touched: bool) -> VerificationVerdict:
     """As bad as the worst of the figures (ISO 14253-1)."""
     decisions = [figure.decision for figure in figures]
     result: Result = "pass"

@@ -12,31 +12,31 @@ from typing import Annotated, ClassVar
 import numpy as np
 from pydantic import Field
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.gauge import GaugeFile, Shape, read_gauge
-from app.formats.file_names import shown_path
-from app.formats.json_document import Document, NotNegative, Number, Part
+from app.formats.file_names import display_path
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number
 from app.formats.results.calibration import read_calibration
-from app.formats.results.verification import GAUGE, TOUCHES, read_verification
+from app.formats.results.verification import CONTACTS, GAUGE, read_verification
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.metrology.arm.kinematics import Arm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import (
-    TouchedPlane,
-    TouchedSphere,
-    touched_plane,
-    touched_sphere,
+    ProbedPlane,
+    ProbedSphere,
+    fit_probed_plane,
+    fit_probed_sphere,
 )
 from app.progress import Progress, no_progress
-from app.workflows.measure_gauge import Fit, measure_recording
-from app.workflows.verification_metrics import Touched, errors_of
+from app.workflows.measure_gauge import GaugeFit, measure_recording
+from app.workflows.verification_metrics import ProbedGauge, cloud_errors
 
 STUDY_CALIBRATION = "calibration.json"
 
 
 @dataclass(frozen=True)
-class Source:
+class AcceptedCalibration:
     """An accepted calibration; its folder holds the arm that it was made on, too."""
 
     id: str
@@ -44,7 +44,7 @@ class Source:
     folder: Path
 
 
-class StudyRow(Part):
+class StudyRow(DocumentPart):
     """One cloud with one calibration; plane: angle and Z, sphere: radius and centre."""
 
     cloud: int
@@ -58,7 +58,7 @@ class StudyRow(Part):
     centre_error_um: NotNegative | None = None
 
 
-class StudyRange(Part):
+class StudyRange(DocumentPart):
     """Largest minus smallest of a figure over the clouds of a calibration, or the other way."""
 
     of: int
@@ -90,7 +90,7 @@ class StudyFile(Document):
 
 
 def study_verification(
-    folder: Path, sources: Sequence[Source], progress: Progress = no_progress
+    folder: Path, sources: Sequence[AcceptedCalibration], progress: Progress = no_progress
 ) -> StudyFile:
     """Rebuilds every cloud of a verification with every calibration.
 
@@ -98,8 +98,8 @@ def study_verification(
         Refusal: the verification cannot be read, or none of the calibrations belongs to it.
     """
     record, gauge = read_verification(folder), read_gauge(folder / GAUGE)
-    fits: list[list[Fit]] = []
-    used: list[tuple[Source, Arm]] = []
+    fits: list[list[GaugeFit]] = []
+    used: list[tuple[AcceptedCalibration, Arm]] = []
     left_out: list[str] = []
     total = max(len(sources) * len(record.clouds), 1)
     for c, source in enumerate(sources):
@@ -110,20 +110,22 @@ def study_verification(
             for r, cloud in enumerate(record.clouds):
                 progress((c * len(record.clouds) + r) / total, f"{cloud.name}, {source.name}")
                 row.append(measure_recording(folder / cloud.recording, calibration, arm, gauge).fit)
-        except Refusal as refusal:
-            left_out.append(f"{source.name}: {refusal.what.replace(f'{shown_path(folder)}/', '')}.")
+        except OperationError as refusal:
+            left_out.append(
+                f"{source.name}: {refusal.what.replace(f'{display_path(folder)}/', '')}."
+            )
             continue
         used.append((source, arm))
         fits.append(row)
     if not used:
-        raise Refusal(
+        raise OperationError(
             "no-calibration-fits",
             "None of the calibrations belongs to these recordings",
             "; ".join(left_out),
         )
-    touched = [_touched(folder, arm, gauge) for _, arm in used]
+    touched = [_fit_contacts(folder, arm, gauge) for _, arm in used]
     probe = all(one is not None for one in touched)
-    references = touched if probe else [_mean(fits, gauge)] * len(used)
+    references = touched if probe else [_mean_gauge(fits, gauge)] * len(used)
     rows = tuple(
         _row(r, c, fit, gauge, references[c])
         for c, row in enumerate(fits)
@@ -143,35 +145,35 @@ def study_verification(
     )
 
 
-def _touched(folder: Path, arm: Arm, gauge: GaugeFile) -> Touched | None:
+def _fit_contacts(folder: Path, arm: Arm, gauge: GaugeFile) -> ProbedGauge | None:
     """By this arm, which may be known better than when it touched."""
-    if not (folder / TOUCHES).is_file():
+    if not (folder / CONTACTS).is_file():
         return None
-    q_rad = read_contacts(folder / TOUCHES, arm, ("gauge",)).q_rad
+    q_rad = read_contacts(folder / CONTACTS, arm, ("gauge",)).q_rad
     if gauge.radius_mm is None:
-        return touched_plane(arm, q_rad)
-    return touched_sphere(arm, q_rad, gauge.radius_mm)
+        return fit_probed_plane(arm, q_rad)
+    return fit_probed_sphere(arm, q_rad, gauge.radius_mm)
 
 
-def _mean(fits: Sequence[Sequence[Fit]], gauge: GaugeFile) -> Touched:
+def _mean_gauge(fits: Sequence[Sequence[GaugeFit]], gauge: GaugeFile) -> ProbedGauge:
     """What the clouds agree on, in the place of the touches."""
     every = [fit for row in fits for fit in row]
     centre = np.mean([fit.centre_mm for fit in every], axis=0)
     nothing = np.zeros(0)
     if gauge.radius_mm is not None:
         nominal = NominalSphere(centre, gauge.radius_mm)
-        return TouchedSphere(nominal, nothing, np.zeros((3, 3)), gauge.radius_mm, 0.0)
+        return ProbedSphere(nominal, nothing, np.zeros((3, 3)), gauge.radius_mm, 0.0)
     normals = np.array([fit.plane.normal for fit in every])
     normals *= np.sign(normals @ normals[0])[:, None]
     normal = normals.mean(axis=0)
     normal /= np.linalg.norm(normal)
-    return TouchedPlane(NominalPlane(centre, normal), nothing, np.zeros((3, 3)))
+    return ProbedPlane(NominalPlane(centre, normal), nothing, np.zeros((3, 3)))
 
 
 def _row(
-    cloud: int, calibration: int, fit: Fit, gauge: GaugeFile, touched: Touched | None
+    cloud: int, calibration: int, fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None
 ) -> StudyRow:
-    errors = errors_of(fit, gauge, touched)
+    errors = cloud_errors(fit, gauge, touched)
     z = errors.z_error_um if errors.z_error_um is not None else errors.offset_error_um
     return StudyRow(
         cloud=cloud,

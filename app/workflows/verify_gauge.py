@@ -6,17 +6,17 @@ from typing import Literal
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.io_errors import refusals_naming
+from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
 from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
     check_plane,
     check_sphere,
-    spread,
+    compute_repeatability,
 )
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -53,8 +53,8 @@ def verify(
     for done, path in enumerate(clouds):
         progress(done / len(clouds), path.name)
         points_mm = read_cloud(path).points_mm
-        with refusals_naming(path):
-            found.append(_checked(shape, path, points_mm, nominal))
+        with prefix_errors(path):
+            found.append(_check_cloud(shape, path, points_mm, nominal))
     progress(1.0, "")
     return GaugeReport(
         shape=shape,
@@ -64,7 +64,7 @@ def verify(
     )
 
 
-def _checked(
+def _check_cloud(
     shape: Shape,
     path: Path,
     points_mm: Floats,
@@ -72,10 +72,10 @@ def _checked(
 ) -> CloudReport:
     if shape == "plane":
         if isinstance(nominal, NominalSphere):
-            raise _of_another_shape("sphere", shape)
+            raise _shape_error("sphere", shape)
         return _plane_report(path, points_mm, nominal)
     if isinstance(nominal, NominalPlane):
-        raise _of_another_shape("plane", shape)
+        raise _shape_error("plane", shape)
     return _sphere_report(path, points_mm, nominal)
 
 
@@ -116,8 +116,8 @@ def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None)
     )
 
 
-def _of_another_shape(found: Shape, wanted: Shape) -> Refusal:
-    return Refusal(
+def _shape_error(found: Shape, wanted: Shape) -> OperationError:
+    return OperationError(
         "nominal-of-another-shape",
         f"the nominal is of a {found}",
         f"a {wanted} is to be verified",
@@ -132,7 +132,7 @@ def _spreads(clouds: Sequence[CloudReport]) -> dict[str, SpreadReport]:
     for name in FIGURES:
         values = [getattr(cloud, name) for cloud in clouds]
         if None not in values:
-            over = spread(values)
+            over = compute_repeatability(values)
             found[name] = SpreadReport(
                 mean=over.mean, standard_deviation=over.standard_deviation, range=over.range
             )

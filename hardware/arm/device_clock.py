@@ -27,12 +27,12 @@ _BUCKET_NS = 500_000_000
 _BUCKETS = 40
 _SLOPE_SPAN_NS = 5_000_000_000
 _LEVEL_BUCKETS = 2
-_MOST_DRIFT = 0.01
+_MAX_DRIFT = 0.01
 """Above any crystal (1e-4) and any ceramic resonator (5e-3)."""
 _LATE_NS = 50_000_000
 """So far off the line, a clock has jumped."""
 _LATE_BUCKETS = 4
-_LEAST_STEP_NS = 500_000
+_MIN_STEP_NS = 500_000
 
 
 class DeviceClock:
@@ -88,7 +88,7 @@ class DeviceClock:
         if self._stamp_ns is not None:
             step = 1
             if self._device_ns is not None:
-                step = max(1, min((device_ns - self._device_ns) // 2, _LEAST_STEP_NS))
+                step = max(1, min((device_ns - self._device_ns) // 2, _MIN_STEP_NS))
             stamp = max(stamp, self._stamp_ns + step)
         self._stamp_ns, self._device_ns = stamp, device_ns
         return stamp
@@ -107,7 +107,7 @@ class DeviceClock:
             self._slope = 0.0
             self._level_ns = float(points[-_LEVEL_BUCKETS:, 1].min())
         else:
-            self._slope = float(np.clip(_hull_slope(points), -_MOST_DRIFT, _MOST_DRIFT))
+            self._slope = float(np.clip(_hull_slope(points), -_MAX_DRIFT, _MAX_DRIFT))
             self._level_ns = float((points[:, 1] - self._slope * points[:, 0]).min())
 
 

@@ -183,7 +183,7 @@ class PacketReader:
             elif (packet := self._decode(buffer, at, end)) is not None:
                 self._pass_over(at - taken)
                 self._passing_over = False
-                if not isinstance(packet, _Ignored):
+                if not isinstance(packet, _UnknownPacket):
                     found.append(packet)
                 taken, open_at = end, -1
                 at = buffer.find(_SYNC, end)
@@ -201,22 +201,22 @@ class PacketReader:
             self._passing_over = True
             self.corrupt += 1
 
-    def _decode(self, buffer: bytes, at: int, end: int) -> "Sample | Hello | _Ignored | None":
+    def _decode(self, buffer: bytes, at: int, end: int) -> "Sample | Hello | _UnknownPacket | None":
         body = buffer[at + 2 : end - _CRC]
         if crc32(body) != _U32.unpack_from(buffer, end - _CRC)[0]:
             return None
         version, kind, payload = body[0], body[1], body[3:]
         if version != _VERSION:
             self.other_version = version
-            return _Ignored()
+            return _UnknownPacket()
         if kind == _SAMPLE:
             return _sample(payload)
         if kind == _HELLO:
             return _hello(payload)
-        return _Ignored()
+        return _UnknownPacket()
 
 
-class _Ignored:
+class _UnknownPacket:
     """An intact packet that this version does not know."""
 
 

@@ -150,7 +150,7 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     if isinstance(cause, socket.gaierror):
         return DeviceError(f"The host in {url} is not known", "Check the arm's url.")
     if number == errno.ENOENT or "FileNotFoundError" in text:
-        return DeviceError(f"There is no serial port {url}", _ports_there_are())
+        return DeviceError(f"There is no serial port {url}", _list_ports_text())
     if number in (errno.EAGAIN, errno.EBUSY):
         return DeviceError(
             f"The serial port {url} is in use by another program",
@@ -168,7 +168,7 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     return DeviceError(f"The arm's url {url} cannot be opened ({_reason(error)})", "")
 
 
-def _ports_there_are() -> str:
+def _list_ports_text() -> str:
     names = sorted(port.device for port in list_ports.comports())
     return f"Ports there are: {', '.join(names)}." if names else "No serial port is plugged in."
 

@@ -23,11 +23,11 @@ from pydantic import Field
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import (
-    EndOfPicturesError,
+    EndOfRecordingError,
+    GrabbedImage,
     GrabbingSensor,
-    Pace,
-    Picture,
-    Source,
+    ImageSource,
+    PlaybackTimer,
 )
 from hardware.sensor.grey import to_grey
 
@@ -51,7 +51,7 @@ def from_options(options: Mapping[str, object]) -> GrabbingSensor:
     )
 
 
-class _Folder(Source):
+class _Folder(ImageSource):
     waits = True
 
     def __init__(self, options: FolderOptions, stop: threading.Event) -> None:
@@ -70,13 +70,13 @@ class _Folder(Source):
         self.name = folder.name
         self.exposure_range_us = (options.exposure_us, options.exposure_us)
         self._options = options
-        self._pace = Pace(options.rate_hz, stop)
+        self._pace = PlaybackTimer(options.rate_hz, stop)
         self._next = 0
 
-    def grab(self) -> Picture:
+    def grab(self) -> GrabbedImage:
         if self._next == len(self._files):
             if not self._options.loop:
-                raise EndOfPicturesError
+                raise EndOfRecordingError
             self._next = 0
         path = self._files[self._next]
         self._next += 1
@@ -89,7 +89,7 @@ class _Folder(Source):
             raise DeviceError(
                 f"The picture {path} is of {raw.dtype} numbers", "Save it with 8 or 16 bits."
             )
-        return Picture(image, self._pace.wait(), self._options.exposure_us)
+        return GrabbedImage(image, self._pace.wait(), self._options.exposure_us)
 
     def release(self) -> None:
         """Holds nothing open."""

@@ -21,17 +21,17 @@ from hardware.interfaces import Frame, LinkHealth, SensorInfo
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 
-_KEPT = 4
+_QUEUE_LENGTH = 4
 _CATCH_UP_NS = 1_000_000_000
 _JOIN_S = 5.0
 
 
-class EndOfPicturesError(Exception):
+class EndOfRecordingError(Exception):
     """A recording has been shown to its end."""
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class GrabbedImage:
     """A grey (height, width) image and the middle of its exposure."""
 
     image: GreyImage
@@ -39,7 +39,7 @@ class Picture:
     exposure_us: float
 
 
-class Source(ABC):
+class ImageSource(ABC):
     """An open camera or recording; one thread uses it."""
 
     name: str
@@ -49,10 +49,10 @@ class Source(ABC):
     exposure_range_us = (0.0, 0.0)
 
     @abstractmethod
-    def grab(self) -> Picture | None:
+    def grab(self) -> GrabbedImage | None:
         """The next picture, waited for; None for a damaged one. Stamps increase.
 
-        Raises ``DeviceError`` when the source is lost, ``EndOfPicturesError`` when a
+        Raises ``DeviceError`` when the source is lost, ``EndOfRecordingError`` when a
         recording is over or when told to stop.
         """
 
@@ -64,7 +64,7 @@ class Source(ABC):
     def release(self) -> None: ...
 
 
-class Pace:
+class PlaybackTimer:
     """Shows a recording at its own rate.
 
     Stamps are a period apart, whenever the thread came to run; a reader that falls
@@ -79,14 +79,14 @@ class Pace:
     def wait(self) -> int:
         """Waits until the next picture is due; returns that time.
 
-        Raises ``EndOfPicturesError`` when told to stop.
+        Raises ``EndOfRecordingError`` when told to stop.
         """
         now = now_ns()
         self._due_ns += self._period_ns
         if now - self._due_ns > _CATCH_UP_NS:
             self._due_ns = float(now)
         if self._stop.wait(max(0.0, (self._due_ns - now) / 1e9)):
-            raise EndOfPicturesError
+            raise EndOfRecordingError
         return round(self._due_ns)
 
 
@@ -102,7 +102,7 @@ class GrabbingSensor:
     """
 
     def __init__(
-        self, title: str, connect: Callable[[threading.Event], Source], first_within_s: float
+        self, title: str, connect: Callable[[threading.Event], ImageSource], first_within_s: float
     ) -> None:
         self._title = title
         self._connect = connect
@@ -191,7 +191,7 @@ class _Grabber(threading.Thread):
     """Grabs from one source until it ends, is lost, or is told to stop."""
 
     def __init__(
-        self, title: str, source: Source, stop: threading.Event, health: LinkHealth
+        self, title: str, source: ImageSource, stop: threading.Event, health: LinkHealth
     ) -> None:
         super().__init__(name=f"grabbing {title}", daemon=True)
         self.wanted_exposure_us: float | None = None
@@ -250,7 +250,7 @@ class _Grabber(threading.Thread):
                 else:
                     self._keep(picture, sequence)
                 sequence += 1
-        except EndOfPicturesError:
+        except EndOfRecordingError:
             self._finish(None)
         except DeviceError as error:
             self._finish(error)
@@ -259,7 +259,7 @@ class _Grabber(threading.Thread):
         finally:
             self._source.release()
 
-    def _keep(self, picture: Picture, sequence: int) -> None:
+    def _keep(self, picture: GrabbedImage, sequence: int) -> None:
         shape = picture.image.shape
         if shape != (self._shape or shape):
             assert self._shape is not None
@@ -274,8 +274,10 @@ class _Grabber(threading.Thread):
         )
         with self._changed:
             if self._source.waits:
-                self._changed.wait_for(lambda: len(self._kept) < _KEPT or self._stop_asked.is_set())
-            elif len(self._kept) == _KEPT:
+                self._changed.wait_for(
+                    lambda: len(self._kept) < _QUEUE_LENGTH or self._stop_asked.is_set()
+                )
+            elif len(self._kept) == _QUEUE_LENGTH:
                 self._kept.popleft()
                 self._health.lost += 1
             self._kept.append(frame)

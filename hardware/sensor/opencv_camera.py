@@ -38,11 +38,11 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import (
-    EndOfPicturesError,
+    EndOfRecordingError,
+    GrabbedImage,
     GrabbingSensor,
-    Pace,
-    Picture,
-    Source,
+    ImageSource,
+    PlaybackTimer,
 )
 from hardware.sensor.grey import to_grey
 
@@ -73,13 +73,13 @@ def from_options(options: Mapping[str, object]) -> GrabbingSensor:
             "Add a line exposure_us = …",
         )
 
-    def connect(stop: threading.Event) -> Source:
+    def connect(stop: threading.Event) -> ImageSource:
         return _Recording(read, stop) if _is_file(read.source) else _Camera(read)
 
     return GrabbingSensor(_title(read.source), connect, first_within_s=_OPEN_MS / 1000 + 5)
 
 
-class _Recording(Source):
+class _Recording(ImageSource):
     """A video file, played at its rate."""
 
     waits = True
@@ -98,14 +98,14 @@ class _Recording(Source):
         rate_hz = options.rate_hz or self._capture.get(cv2.CAP_PROP_FPS)
         if not (math.isfinite(rate_hz) and rate_hz > 0):
             raise DeviceError(f"{self._title} does not say its rate", "Set [sensor] rate_hz.")
-        self._pace = Pace(rate_hz, stop)
+        self._pace = PlaybackTimer(rate_hz, stop)
         self.name = self._path.name
 
-    def grab(self) -> Picture | None:
+    def grab(self) -> GrabbedImage | None:
         there, raw = self._capture.read()
         if not there:
             if not self._loop:
-                raise EndOfPicturesError
+                raise EndOfRecordingError
             self._capture.release()
             self._capture = self._open()
             there, raw = self._capture.read()
@@ -113,7 +113,7 @@ class _Recording(Source):
                 raise DeviceError(f"{self._title} holds no picture", "Is the file whole?")
         image = to_grey(raw, raw.shape[0])
         due_ns = self._pace.wait()
-        return None if image is None else Picture(image, due_ns, 0.0)
+        return None if image is None else GrabbedImage(image, due_ns, 0.0)
 
     def release(self) -> None:
         self._capture.release()
@@ -127,7 +127,7 @@ class _Recording(Source):
         return capture
 
 
-class _Camera(Source):
+class _Camera(ImageSource):
     """A camera or a network stream, which comes when it comes."""
 
     waits = False
@@ -146,7 +146,7 @@ class _Camera(Source):
             self._capture.release()
             raise
 
-    def grab(self) -> Picture | None:
+    def grab(self) -> GrabbedImage | None:
         if not self._capture.grab():
             raise DeviceError(f"{self._title} was lost", "Check its cable and its power.")
         event_ns = self._event_ns(now_ns())
@@ -157,7 +157,7 @@ class _Camera(Source):
         exposure_us = self._exposure_us
         mid_ns = event_ns - self._latency_ns - round(exposure_us * 500)
         self._last_ns = max(mid_ns, self._last_ns + 1)
-        return Picture(image, self._last_ns, exposure_us)
+        return GrabbedImage(image, self._last_ns, exposure_us)
 
     def set_exposure_us(self, exposure_us: float) -> None:
         shortest, longest = self.exposure_range_us
@@ -257,12 +257,12 @@ def _open_live(source: int | str, title: str) -> cv2.VideoCapture:
     else:
         on_linux = sys.platform == "linux"
         capture = cv2.VideoCapture(source, cv2.CAP_V4L2 if on_linux else cv2.CAP_ANY)
-        remedy = "Check its cable, and that no other program uses it. " + _cameras_there_are()
+        remedy = "Check its cable, and that no other program uses it. " + _list_cameras_text()
     if not capture.isOpened():
         raise DeviceError(f"{title} cannot be opened", remedy.strip())
     return capture
 
 
-def _cameras_there_are() -> str:
+def _list_cameras_text() -> str:
     names = sorted(str(path) for path in Path("/dev").glob("video*"))
     return f"Cameras there are: {', '.join(names)}." if names else ""

@@ -18,15 +18,15 @@ from hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
     UnreachableError,
-    imperfect,
-    reach,
+    perturb_arm,
     rotation_about,
+    solve_joints,
 )
-from hardware.simulator.scene.datasheets import arm_paper, write_paper, write_table
+from hardware.simulator.scene.datasheets import arm_datasheet, write_document, write_table
 from hardware.simulator.scene.random_scenes import random_arm
 
 TRIES = 60
-STEEPEST_RAD = 1.2
+MAX_LEAN_RAD = 1.2
 """The stylus leans at most so far from the way it stands in the middle of a swing."""
 
 
@@ -53,7 +53,7 @@ class ArmSessionPlan:
 
 
 @dataclass(frozen=True)
-class ArmSession:
+class SimulatedArmSession:
     """One arm as truly built, its papers, and the rows of its tables."""
 
     arm: ArmModel
@@ -68,7 +68,7 @@ T = TypeVar("T")
 
 def render_arm_session(
     folder: Path, seed: int, plan: ArmSessionPlan | None = None, arm: ArmModel | None = None
-) -> ArmSession:
+) -> SimulatedArmSession:
     """Writes ``arm.json`` and the tables of an identification; returns what is true.
 
     Args:
@@ -79,7 +79,7 @@ def render_arm_session(
     plan = plan or ArmSessionPlan()
     session = draw_arm_session(seed, plan, arm)
     folder.mkdir(parents=True, exist_ok=True)
-    write_paper(folder / "arm.json", arm_paper(session.nominal_arm))
+    write_document(folder / "arm.json", arm_datasheet(session.nominal_arm))
     angles = [f"q{i + 1}_deg" for i in range(session.arm.joint_count)]
     tables = (
         ("articulation.csv", ["set"], session.articulation),
@@ -96,12 +96,14 @@ def render_arm_session(
     return session
 
 
-def draw_arm_session(seed: int, plan: ArmSessionPlan, arm: ArmModel | None = None) -> ArmSession:
+def draw_arm_session(
+    seed: int, plan: ArmSessionPlan, arm: ArmModel | None = None
+) -> SimulatedArmSession:
     """A session for a seed, in memory."""
     rng = np.random.default_rng(seed)
     nominal = arm or random_arm(rng, plan.joints)
-    true = imperfect(nominal, plan.imperfection_um, rng)
-    hand = _Hand(true, plan, rng)
+    true = perturb_arm(nominal, plan.imperfection_um, rng)
+    hand = _ArmProber(true, plan, rng)
     seats = [
         [f"S{k + 1}", *hand.reads(q)]
         for k in range(plan.seats)
@@ -112,10 +114,10 @@ def draw_arm_session(seed: int, plan: ArmSessionPlan, arm: ArmModel | None = Non
         for k in range(plan.spheres)
         for q in hand.around_a_sphere_anywhere()
     ]
-    return ArmSession(true, nominal, seats, spheres, list(_bar_rows(hand, plan)))
+    return SimulatedArmSession(true, nominal, seats, spheres, list(_bar_rows(hand, plan)))
 
 
-def _bar_rows(hand: "_Hand", plan: ArmSessionPlan) -> Iterator[list[object]]:
+def _bar_rows(hand: "_ArmProber", plan: ArmSessionPlan) -> Iterator[list[object]]:
     for k, length in enumerate(plan.bar_lengths_mm):
         true_length = length + float(hand.rng.normal(0.0, plan.bar_sd_mm))
         for position in range(plan.positions_per_bar):
@@ -125,7 +127,7 @@ def _bar_rows(hand: "_Hand", plan: ArmSessionPlan) -> Iterator[list[object]]:
                     yield [*known, *hand.reads(q)]
 
 
-class _Hand:
+class _ArmProber:
     """Moves the true arm as a hand would, wherever its tip is to be."""
 
     def __init__(self, arm: ArmModel, plan: ArmSessionPlan, rng: np.random.Generator) -> None:
@@ -207,13 +209,13 @@ class _Hand:
     def _held(self, tip_mm: Floats, leaning: Floats, q_rad: Floats) -> Floats:
         """Joint angles (n,) with the tip's centre at a place; the stylus as it comes."""
         for _ in range(TRIES):
-            R = leaning @ rotation_about("x", float(self.rng.uniform(-1, 1) * STEEPEST_RAD))
-            R = R @ rotation_about("y", float(self.rng.uniform(-1, 1) * STEEPEST_RAD))
+            R = leaning @ rotation_about("x", float(self.rng.uniform(-1, 1) * MAX_LEAN_RAD))
+            R = R @ rotation_about("y", float(self.rng.uniform(-1, 1) * MAX_LEAN_RAD))
             R = R @ rotation_about("z", float(self.rng.uniform(-np.pi, np.pi)))
             target = R.copy()
             target[:3, 3] = tip_mm - R[:3, :3] @ np.array(self.arm.tip_mm)
             with suppress(UnreachableError):
-                return reach(self.arm, target, q_rad, self.rng, attempts=2)
+                return solve_joints(self.arm, target, q_rad, self.rng, attempts=2)
         raise UnreachableError(f"the tip does not reach {np.round(tip_mm, 1).tolist()} mm")
 
     def _leaning(self, centre_mm: Floats) -> Floats:

@@ -15,35 +15,42 @@ import numpy as np
 
 from hardware.simulator.devices.kinematics import (
     ArmModel,
+    ErrorSource,
     Floats,
     UnreachableError,
-    WrongIn,
-    imperfect,
-    reach,
+    perturb_arm,
     rotation_about,
+    solve_joints,
     translation,
 )
-from hardware.simulator.operator.contact import contact_pose, contact_spot
-from hardware.simulator.rendering.noise import Detector, Digits
+from hardware.simulator.operator.contact import choose_contact_point, contact_pose
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import LaserSheet, Optics, to_pixels
+from hardware.simulator.scene.camera import LightPlane, Optics, to_pixels
 from hardware.simulator.scene.datasheets import (
-    Paper,
-    arm_paper,
-    object_paper,
-    sensor_paper,
-    write_paper,
+    JsonObject,
+    arm_datasheet,
+    block_datasheet,
+    sensor_datasheet,
+    write_document,
     write_table,
 )
 from hardware.simulator.scene.random_scenes import (
-    made_from,
+    draw_sensor,
+    draw_true_block,
     random_arm,
-    random_comb,
+    random_block,
+    random_block_pose,
     random_mounting,
-    random_place,
-    sensor_for,
 )
-from hardware.simulator.scene.world import Comb, Light, Scene, Shape, Thing, table
+from hardware.simulator.scene.world import (
+    CrenellatedBlock,
+    Light,
+    ObjectShape,
+    SceneObject,
+    SimulatedScene,
+    make_table,
+)
 
 TRIES = 20
 
@@ -55,7 +62,7 @@ class SessionPlan:
     joints: int = 6
     imperfection_um: float = 0.0
     """Rms error of the tip over the arm's reach that its papers do not know."""
-    wrong_in: WrongIn = "links"
+    wrong_in: ErrorSource = "links"
     """Where these errors are, as of ``kinematics.imperfect``."""
     lighting: str = "pair"
     """"pair": an ambient and a laser image a pose; "both": one with both lights."""
@@ -76,16 +83,16 @@ class SessionPlan:
 
 
 @dataclass(frozen=True)
-class Rig:
+class SimulatedRig:
     """One arm, sensor and block as they truly are, with the papers that the operator has."""
 
     arm: ArmModel
     nominal_arm: ArmModel
     optics: Optics
-    sheet: LaserSheet
+    sheet: LightPlane
     T_flange_sensor: Floats
-    block: Comb
-    certificate: Comb
+    block: CrenellatedBlock
+    certificate: CrenellatedBlock
     T_arm_obj: Floats
 
 
@@ -93,18 +100,18 @@ class Rig:
 class ScanFrame:
     """One image of a scan, and what the encoders said at its middle."""
 
-    image: Digits
+    image: RawImage
     joints_rad: Floats
 
 
 def draw_rig(
-    seed: int, plan: SessionPlan, block: Comb | None = None, arm: ArmModel | None = None
-) -> Rig:
+    seed: int, plan: SessionPlan, block: CrenellatedBlock | None = None, arm: ArmModel | None = None
+) -> SimulatedRig:
     """A station for a seed; ``block`` (its certificate) and ``arm`` (its papers) may be given."""
     rng = np.random.default_rng(seed)
-    certificate = block or random_comb(rng, plan.merlons)
+    certificate = block or random_block(rng, plan.merlons)
     nominal = arm or random_arm(rng, plan.joints)
-    optics, sheet = sensor_for(
+    optics, sheet = draw_sensor(
         certificate,
         rng,
         roll_rad=plan.roll_rad,
@@ -112,26 +119,26 @@ def draw_rig(
         width_px=plan.width_px,
         height_px=plan.height_px,
     )
-    return Rig(
-        imperfect(nominal, plan.imperfection_um, rng, plan.wrong_in),
+    return SimulatedRig(
+        perturb_arm(nominal, plan.imperfection_um, rng, plan.wrong_in),
         nominal,
         optics,
         sheet,
         random_mounting(rng),
-        made_from(certificate, plan.certificate_sd_mm, rng),
+        draw_true_block(certificate, plan.certificate_sd_mm, rng),
         certificate,
-        random_place(rng),
+        random_block_pose(rng),
     )
 
 
-def scene_of(rig: Rig, light: Light | None = None) -> Scene:
+def block_scene(rig: SimulatedRig, light: Light | None = None) -> SimulatedScene:
     """The rig's block alone on a dark table."""
     base = rig.T_arm_obj @ translation(0.0, 0.0, rig.block.base_z_mm)
-    things = (table().at(base), Thing("block", rig.block, rig.T_arm_obj))
-    return Scene(things, light or Light())
+    things = (make_table().at(base), SceneObject("block", rig.block, rig.T_arm_obj))
+    return SimulatedScene(things, light or Light())
 
 
-def sensor_over(rig: Rig, rng: np.random.Generator, spread: float) -> Floats:
+def draw_sensor_pose(rig: SimulatedRig, rng: np.random.Generator, spread: float) -> Floats:
     """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is a hand's usual variation."""
     middle = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
     T = rig.T_arm_obj @ translation(0.0, 0.0, middle)
@@ -145,9 +152,9 @@ def render_session(
     folder: Path,
     seed: int,
     plan: SessionPlan | None = None,
-    block: Comb | None = None,
+    block: CrenellatedBlock | None = None,
     arm: ArmModel | None = None,
-) -> Paper:
+) -> JsonObject:
     """Writes a session folder with ``truth.json`` and returns the truth.
 
     Args:
@@ -164,28 +171,30 @@ def render_session(
     rig = draw_rig(seed, plan, block, arm)
     rng = np.random.default_rng(seed + 77_000)
     (folder / "images").mkdir(parents=True, exist_ok=True)
-    write_paper(folder / "arm.json", arm_paper(rig.nominal_arm))
-    write_paper(folder / "object.json", object_paper(rig.certificate, plan.certificate_sd_mm))
-    write_paper(folder / "sensor.json", sensor_paper(rig.optics, rig.sheet))
+    write_document(folder / "arm.json", arm_datasheet(rig.nominal_arm))
+    write_document(folder / "object.json", block_datasheet(rig.certificate, plan.certificate_sd_mm))
+    write_document(folder / "sensor.json", sensor_datasheet(rig.optics, rig.sheet))
     angles = [f"q{i + 1}_deg" for i in range(rig.arm.joint_count)]
     images = _take_images(folder, seed, rig, plan, rng)
     write_table(folder / "images.csv", ["pose", "file", "lighting", *angles], images)
     write_table(folder / "probing.csv", ["feature", *angles], _probe(rig, plan, rng))
-    truth = truth_of(rig)
-    write_paper(folder / "truth.json", truth)
+    truth = ground_truth(rig)
+    write_document(folder / "truth.json", truth)
     return truth
 
 
-def _reported(rig: Rig, plan: SessionPlan, q_rad: Floats, rng: np.random.Generator) -> Floats:
+def _encoder_readings_rad(
+    rig: SimulatedRig, plan: SessionPlan, q_rad: Floats, rng: np.random.Generator
+) -> Floats:
     """What the encoders say while the joints are at ``q_rad``."""
     noise = rng.normal(0.0, rig.arm.encoder_sd_rad, len(q_rad)) if plan.encoder_noise else 0.0
     return np.asarray(q_rad + noise)
 
 
 def _take_images(
-    folder: Path, seed: int, rig: Rig, plan: SessionPlan, rng: np.random.Generator
+    folder: Path, seed: int, rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator
 ) -> list[list[object]]:
-    renderer = Renderer(scene_of(rig, plan.light), rig.optics, rig.sheet, plan.detector, seed)
+    renderer = Renderer(block_scene(rig, plan.light), rig.optics, rig.sheet, plan.detector, seed)
     kinds = {
         "pair": (("ambient", 1.0, 0.0), ("laser", 0.0, 1.0)),
         "both": (("both", 1.0, 1.0),),
@@ -193,8 +202,8 @@ def _take_images(
     rows: list[list[object]] = []
     q = np.zeros(rig.arm.joint_count)
     for pose in range(plan.poses):
-        T_arm_sensor, q = _holding(rig, 1.0 if pose == 0 else 3.0, q, rng)
-        degrees = np.degrees(_reported(rig, plan, q, rng)).tolist()
+        T_arm_sensor, q = _draw_reachable_pose(rig, 1.0 if pose == 0 else 3.0, q, rng)
+        degrees = np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()
         for lighting, room, laser in kinds:
             name = f"images/pose{pose:02d}_{lighting}.png"
             cv2.imwrite(str(folder / name), renderer.picture(T_arm_sensor, room, laser))
@@ -202,43 +211,48 @@ def _take_images(
     return rows
 
 
-def _holding(
-    rig: Rig, spread: float, q_rad: Floats, rng: np.random.Generator
+def _draw_reachable_pose(
+    rig: SimulatedRig, spread: float, q_rad: Floats, rng: np.random.Generator
 ) -> tuple[Floats, Floats]:
     """A sensor pose over the block, and joint angles for it."""
     for _ in range(TRIES):
-        T_arm_sensor = sensor_over(rig, rng, spread)
+        T_arm_sensor = draw_sensor_pose(rig, rng, spread)
         with suppress(UnreachableError):
             target = T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor)
-            return T_arm_sensor, reach(rig.arm, target, q_rad, rng)
+            return T_arm_sensor, solve_joints(rig.arm, target, q_rad, rng)
     raise UnreachableError("the arm cannot hold the sensor over the block")
 
 
-def _probe(rig: Rig, plan: SessionPlan, rng: np.random.Generator) -> list[list[object]]:
+def _probe(rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator) -> list[list[object]]:
     rows: list[list[object]] = []
     radius = rig.arm.tip_diameter_mm / 2
     q = np.zeros(rig.arm.joint_count)
     for face in plan.faces:
         for i in range(plan.contacts_per_face):
-            spot = contact_spot(rig.block, face, i, radius, rng)
+            spot = choose_contact_point(rig.block, face, i, radius, rng)
             gap = radius + float(rng.normal(0.0, plan.contact_sd_mm))
-            q = _touching(rig, face, spot, gap, q, rng)
-            rows.append([face, *np.degrees(_reported(rig, plan, q, rng)).tolist()])
+            q = _contact_joints(rig, face, spot, gap, q, rng)
+            rows.append([face, *np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()])
     return rows
 
 
-def _touching(
-    rig: Rig, face: str, spot: Floats, gap_mm: float, q_rad: Floats, rng: np.random.Generator
+def _contact_joints(
+    rig: SimulatedRig,
+    face: str,
+    spot: Floats,
+    gap_mm: float,
+    q_rad: Floats,
+    rng: np.random.Generator,
 ) -> Floats:
     """Joint angles with the ball on a spot; holds the stylus otherwise where out of reach."""
     for _ in range(TRIES):
         target = contact_pose(rig.arm, rig.T_arm_obj, face, spot, gap_mm, rng)
         with suppress(UnreachableError):
-            return reach(rig.arm, target, q_rad, rng, attempts=12)
+            return solve_joints(rig.arm, target, q_rad, rng, attempts=12)
     raise UnreachableError(f"the arm cannot touch the {face} face at {spot.round(1).tolist()}")
 
 
-def truth_of(rig: Rig) -> Paper:
+def ground_truth(rig: SimulatedRig) -> JsonObject:
     """Where the light that fell on a grid of pixels came from, and everything else true."""
     width = rig.block.edges_x_mm[-1] - rig.block.edges_x_mm[0]
     height = rig.block.crest_z_mm - rig.block.floor_z_mm
@@ -265,13 +279,13 @@ def truth_of(rig: Rig) -> Paper:
             "T_cam_sensor": rig.optics.T_cam_sensor.tolist(),
         },
         "laser_plane": {"normal": list(rig.sheet.normal), "offset_mm": rig.sheet.offset_mm},
-        "block": object_paper(rig.block, 0.0),
+        "block": block_datasheet(rig.block, 0.0),
     }
 
 
 def render_scan(
-    rig: Rig,
-    shape: Shape,
+    rig: SimulatedRig,
+    shape: ObjectShape,
     T_arm_shape: Floats,
     path: Sequence[Floats],
     plan: SessionPlan | None = None,
@@ -287,10 +301,10 @@ def render_scan(
     """
     plan = plan or SessionPlan()
     rng = np.random.default_rng(seed)
-    scene = Scene((Thing("part", shape, T_arm_shape),), plan.light)
+    scene = SimulatedScene((SceneObject("part", shape, T_arm_shape),), plan.light)
     renderer = Renderer(scene, rig.optics, rig.sheet, plan.detector, seed)
     q = np.zeros(rig.arm.joint_count)
     for T_arm_sensor in path:
-        q = reach(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
+        q = solve_joints(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
         image = renderer.picture(T_arm_sensor, room=0.0, laser=1.0)
-        yield ScanFrame(image, _reported(rig, plan, q, rng))
+        yield ScanFrame(image, _encoder_readings_rad(rig, plan, q, rng))

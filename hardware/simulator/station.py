@@ -1,4 +1,4 @@
-"""The simulated station: ``Twin`` puts arm, sensor, table, hand and faults together.
+"""The simulated station: ``SimulatedStation`` puts arm, sensor, table, hand and faults together.
 
 Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other, and
 ``papers`` is what an operator would be given with the devices.
@@ -17,48 +17,48 @@ from hardware.simulator.devices.kinematics import (
     Floats,
     flange_pose,
     flange_poses,
-    imperfect,
-    reach,
+    perturb_arm,
     rigid_fit,
     rotation_about,
+    solve_joints,
     translation,
 )
 from hardware.simulator.devices.motion import Motion
-from hardware.simulator.devices.ports import Line, PtyLine, TcpLine
-from hardware.simulator.operator.holding import Sight
-from hardware.simulator.operator.operator import Hand
+from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
+from hardware.simulator.operator.holding import SensorMount
+from hardware.simulator.operator.operator import ScriptedOperator
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
     EXPOSURE_RANGE_US,
     LONGEST_GAP_S,
-    Lamps,
-    Studio,
-    TwinSensor,
+    Lighting,
+    SharedRenderer,
+    SimulatedSensor,
 )
 from hardware.simulator.scene.datasheets import (
-    Paper,
-    arm_paper,
-    board_paper,
-    object_paper,
-    plane_paper,
-    sensor_paper,
-    sphere_paper,
+    JsonObject,
+    arm_datasheet,
+    block_datasheet,
+    board_datasheet,
+    plane_nominal,
+    sensor_datasheet,
+    sphere_nominal,
 )
 from hardware.simulator.scene.random_scenes import (
-    board_made_from,
     demo_arm,
-    made_from,
+    draw_sensor,
+    draw_true_block,
+    draw_true_board,
     random_mounting,
-    sensor_for,
 )
-from hardware.simulator.scene.tabletop import standing, table_top
-from hardware.simulator.scene.world import Ball, Board, Comb, Light
-from hardware.simulator.session import Rig, truth_of
+from hardware.simulator.scene.tabletop import build_table_scene, part_pose
+from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere, Light
+from hardware.simulator.session import SimulatedRig, ground_truth
 
 
 @dataclass(frozen=True)
-class TwinConfig:
+class SimulationConfig:
     """What station to simulate; the defaults are the demonstration."""
 
     seed: int = 1
@@ -73,7 +73,7 @@ class TwinConfig:
     host: str = "127.0.0.1"
     port: int = 0
     """Of the arm's TCP line; 0: any that is free."""
-    block: Comb = field(default_factory=Comb)
+    block: CrenellatedBlock = field(default_factory=CrenellatedBlock)
     """As its certificate has it."""
     board: Board = field(default_factory=Board)
     """As its certificate has it."""
@@ -97,33 +97,33 @@ class TwinConfig:
     """Whether the station can switch the laser, or only whoever stands at the sensor."""
 
 
-class Twin:
+class SimulatedStation:
     """A simulated station. Nothing runs before ``start``; ``stop`` may be called twice."""
 
-    def __init__(self, config: TwinConfig | None = None) -> None:
-        self.config = config or TwinConfig()
+    def __init__(self, config: SimulationConfig | None = None) -> None:
+        self.config = config or SimulationConfig()
         self.faults = Faults()
-        self.lamps = Lamps()
+        self.lamps = Lighting()
         rng = np.random.default_rng(self.config.seed)
         self._rig, self._home = _build(self.config, rng)
-        self._correction = _frame_of_the_model(self._rig, self._home, rng)
-        self._board = board_made_from(self.config.board, self.config.certificate_sd_mm, rng)
+        self._correction = _model_frame(self._rig, self._home, rng)
+        self._board = draw_true_board(self.config.board, self.config.certificate_sd_mm, rng)
         rig = self._rig
-        self._scene = table_top(
+        self._scene = build_table_scene(
             rig.block, rig.T_arm_obj, self._board, self._correction, self.config.light
         )
         tremor_rad = self.config.tremor_um * 1e-3 / 600.0
         self._motion = Motion(self._home, tremor_rad, self.config.seed)
-        self.studio = Studio(
+        self.studio = SharedRenderer(
             self._renderer, self.sensor_pose, self._motion.resting_at, self.lamps, self.faults
         )
-        self._line: Line | None = None
+        self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
-        self.hand = Hand(
+        self.hand = ScriptedOperator(
             self._rig.arm,
             self._motion,
             self._scene,
-            Sight(self._rig.optics, self._rig.sheet, self._rig.T_flange_sensor),
+            SensorMount(self._rig.optics, self._rig.sheet, self._rig.T_flange_sensor),
             self._press,
             self.config.contact_sd_mm,
             self.config.pace,
@@ -144,14 +144,14 @@ class Twin:
             raise RuntimeError("the twin is not started")
         return self._device
 
-    def start(self) -> "Twin":
+    def start(self) -> "SimulatedStation":
         """Makes ready for pictures, and serves the arm's bytes.
 
         Raises ``OSError`` when the port is taken.
         """
         if self._device is None:
             config = self.config
-            self._line = PtyLine() if config.line == "pty" else TcpLine(config.host, config.port)
+            self._line = PtyPort() if config.line == "pty" else TcpPort(config.host, config.port)
             self.studio.prepare()
             encoders = Encoders(
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
@@ -169,13 +169,13 @@ class Twin:
             self._device.stop()
             self._device = None
 
-    def __enter__(self) -> "Twin":
+    def __enter__(self) -> "SimulatedStation":
         return self.start()
 
     def __exit__(self, *_: object) -> None:
         self.stop()
 
-    def sensor(self) -> TwinSensor:
+    def sensor(self) -> SimulatedSensor:
         """A new driver of the station's one sensor, unopened."""
         optics = self._rig.optics
         info = SensorInfo(
@@ -188,7 +188,7 @@ class Twin:
             longest_gap_s=LONGEST_GAP_S,
         )
         early_ns = round(1e6 * self.config.arm_delay_ms)
-        return TwinSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
+        return SimulatedSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
 
     def sensor_pose(self, stamp_ns: int) -> Floats:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""
@@ -199,29 +199,29 @@ class Twin:
         """(N, n) encoder angles as they truly were at moments (N,) of the last seconds."""
         return self._motion.at_all(stamps_ns)
 
-    def papers(self) -> dict[str, Paper]:
+    def papers(self) -> dict[str, JsonObject]:
         """What the operator is given, by file name."""
         rig = self._rig
         ball = self._scene.thing("sphere").shape
-        assert isinstance(ball, Ball)
+        assert isinstance(ball, GaugeSphere)
         plate, sphere = (
             np.linalg.inv(self._correction) @ self._scene.thing(name).T_arm_obj
             for name in ("plate", "sphere")
         )
         return {
-            "arm.json": arm_paper(rig.nominal_arm),
-            "object.json": object_paper(rig.certificate, self.config.certificate_sd_mm),
-            "chessboard.json": board_paper(self.config.board, self.config.certificate_sd_mm),
-            "sensor.json": sensor_paper(rig.optics, rig.sheet),
-            "plate.nominal.json": plane_paper(plate[:3, 3], plate[:3, 2]),
-            "sphere.nominal.json": sphere_paper(sphere[:3, 3], ball),
+            "arm.json": arm_datasheet(rig.nominal_arm),
+            "object.json": block_datasheet(rig.certificate, self.config.certificate_sd_mm),
+            "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
+            "sensor.json": sensor_datasheet(rig.optics, rig.sheet),
+            "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2]),
+            "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
         }
 
-    def truth(self) -> Paper:
+    def truth(self) -> JsonObject:
         """What only nature knows; as ``truth.json`` of a rendered session, and the board."""
         board, at = self._board, self._scene.thing("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
-        return {**truth_of(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+        return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
 
     def _press(self, button: Button, pressed: bool, at_ns: int) -> None:
         if self._device is not None:
@@ -232,9 +232,9 @@ class Twin:
         return Renderer(self._scene, rig.optics, rig.sheet, self.config.detector, self.config.seed)
 
 
-def _build(config: TwinConfig, rng: np.random.Generator) -> tuple[Rig, Floats]:
+def _build(config: SimulationConfig, rng: np.random.Generator) -> tuple[SimulatedRig, Floats]:
     """The rig, and joint angles with the sensor well above the table."""
-    optics, sheet = sensor_for(
+    optics, sheet = draw_sensor(
         config.block,
         rng,
         roll_rad=config.roll_rad,
@@ -242,18 +242,20 @@ def _build(config: TwinConfig, rng: np.random.Generator) -> tuple[Rig, Floats]:
         width_px=config.width_px,
         height_px=config.height_px,
     )
-    arm = imperfect(config.arm, config.imperfection_um, rng)
+    arm = perturb_arm(config.arm, config.imperfection_um, rng)
     T_flange_sensor = random_mounting(rng)
-    T_arm_obj = standing("block", -config.block.base_z_mm)
+    T_arm_obj = part_pose("block", -config.block.base_z_mm)
     over_table = translation(740.0, 0.0, 110.0) @ rotation_about("z", 0.1)
     start = np.zeros(arm.joint_count)
-    home = reach(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
-    block = made_from(config.block, config.certificate_sd_mm, rng)
-    rig = Rig(arm, config.arm, optics, sheet, T_flange_sensor, block, config.block, T_arm_obj)
+    home = solve_joints(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
+    block = draw_true_block(config.block, config.certificate_sd_mm, rng)
+    rig = SimulatedRig(
+        arm, config.arm, optics, sheet, T_flange_sensor, block, config.block, T_arm_obj
+    )
     return rig, home
 
 
-def _frame_of_the_model(rig: Rig, home: Floats, rng: np.random.Generator) -> Floats:
+def _model_frame(rig: SimulatedRig, home: Floats, rng: np.random.Generator) -> Floats:
     """Where the arm's model, imperfect as it is, best has its frame around the table (4, 4).
 
     Gauges are certified in the frame that a perfect model would measure in; without

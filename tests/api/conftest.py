@@ -16,14 +16,14 @@ from pydantic_core import to_jsonable_python
 
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.demo import parts_of
+from app.server.demo import station_parts
 from app.server.listener import make_server
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
-from tests.said import Heard
+from tests.said import MessageCollector
 
 
-def done(command: Callable[[], httpx.Response]) -> dict[str, Any]:
+def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
     """The answer to a command that must be done; on a busy machine a device may be late for it."""
     deadline = time.monotonic() + 20.0
     while (answer := command()).status_code != 200:
@@ -39,7 +39,7 @@ class Server:
     port: int
     data: Path
     context: Context
-    twin: Twin
+    twin: SimulatedStation
     http: httpx.Client
     application: FastAPI
 
@@ -73,7 +73,7 @@ class Server:
 
     def do(self, name: str, **args: object) -> dict[str, object]:
         """A command that must be done; the view after it."""
-        return done(lambda: self.command(name, **args))
+        return run_command(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[dict[str, object]], bool], timeout_s: float = 90.0) -> None:
         """Until the flow's view is as wanted."""
@@ -86,15 +86,15 @@ class Server:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     data = tmp_path_factory.mktemp("station")
-    with Twin(TwinConfig(pace=3.0)) as twin, socket.socket() as listening:
+    with SimulatedStation(SimulationConfig(pace=3.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(parts_of(twin, data))
+        app = build_app(station_parts(twin, data))
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
         port = listening.getsockname()[1]
-        heard = Heard()
+        heard = MessageCollector()
         hooks = {"response": [heard.answer]}
         address = f"http://127.0.0.1:{port}"
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
@@ -133,11 +133,11 @@ def touching(at_setup: Server) -> Server:
     """A new session at the touch step of the block, with the arm at rest."""
     server = at_setup
     server.do("confirm_setup")
-    server.wait(lambda view: enabled(view, "take_point"))
+    server.wait(lambda view: is_enabled(view, "take_point"))
     return server
 
 
-def enabled(view: dict[str, object], name: str) -> bool:
+def is_enabled(view: dict[str, object], name: str) -> bool:
     actions = view["actions"]
     assert isinstance(actions, list)
     return any(action["name"] == name and action["enabled"] for action in actions)

@@ -25,14 +25,14 @@ CONTEXT.set_forkserver_preload(
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a hand in a hurry."""
     from app.server.application import build_app
-    from app.server.demo import parts_of
+    from app.server.demo import station_parts
     from app.server.listener import make_server
-    from hardware.simulator.station import Twin, TwinConfig
+    from hardware.simulator.station import SimulatedStation, SimulationConfig
 
-    with Twin(TwinConfig(pace=4.0)) as twin, socket.socket() as listening:
+    with SimulatedStation(SimulationConfig(pace=4.0)) as twin, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(parts_of(twin, data))
+        app = build_app(station_parts(twin, data))
         context = app.state.context
         if calibrated and context.store.calibrations.active() is None:
             use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")

@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from app.bench.faults.calls import calls_under, preloaded
+from app.bench.faults.calls import compile_library, preload_environment
 from app.bench.faults.served import prepare
-from app.bench.faults.station import Station
-from app.errors import Refusal
+from app.bench.faults.station import StationProcess
+from app.errors import OperationError
 from tests.api.traced import Trace
 
 pytestmark = pytest.mark.timeout(300)
@@ -19,15 +19,15 @@ pytestmark = pytest.mark.timeout(300)
 @pytest.fixture(scope="module")
 def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     try:
-        return preloaded(tmp_path_factory.mktemp("library"))
-    except Refusal as refusal:
+        return compile_library(tmp_path_factory.mktemp("library"))
+    except OperationError as refusal:
         pytest.skip(refusal.line)
 
 
 class Traced:
     """A station whose requests are marked in the log of its calls."""
 
-    def __init__(self, station: Station, log: Path, data: Path) -> None:
+    def __init__(self, station: StationProcess, log: Path, data: Path) -> None:
         self.station, self._log, self.data = station, log, data
         self._marks = 0
 
@@ -58,7 +58,7 @@ class Traced:
 @contextmanager
 def traced(library: Path, data: Path) -> Iterator[Traced]:
     log = data.with_name("calls.txt")
-    with Station(data, calls_under(data, library, LOG=log)) as station:
+    with StationProcess(data, preload_environment(data, library, LOG=log)) as station:
         yield Traced(station.enter(), log, data)
 
 

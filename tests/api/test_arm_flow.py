@@ -12,7 +12,7 @@ from app.formats.datasheets.arm import ArmFile, read_arm
 from app.formats.session.arm_session import read_observations
 from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table
-from tests.api.conftest import Server, done
+from tests.api.conftest import Server, run_command
 from tests.metrology.arm_sessions import volumetric_error_um
 
 View = dict[str, Any]
@@ -28,7 +28,7 @@ def command(server: Server, name: str, **args: object) -> httpx.Response:
 
 
 def do(server: Server, name: str, **args: object) -> View:
-    return done(lambda: command(server, name, **args))
+    return run_command(lambda: command(server, name, **args))
 
 
 def wait(server: Server, ready: Callable[[View], bool], timeout_s: float = 240.0) -> View:

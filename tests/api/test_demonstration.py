@@ -4,19 +4,19 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_object
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
-from app.server.demo import put_papers
-from hardware.simulator.station import Twin, TwinConfig
+from app.server.demo import write_datasheets
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 
 def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
-    twin = Twin(TwinConfig(width_px=640, height_px=512))
-    put_papers(twin, tmp_path)
+    twin = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
+    write_datasheets(twin, tmp_path)
     assert isinstance(read_object(tmp_path / "objects/simulated.json"), Crenellated)
     board = read_object(tmp_path / "objects/chessboard.json")
     assert isinstance(board, Chessboard)
@@ -34,8 +34,8 @@ def test_a_folder_that_cannot_be_written_is_refused_with_the_option_for_another(
     tmp_path: Path,
 ) -> None:
     (tmp_path / "file").touch()
-    twin = Twin(TwinConfig(width_px=640, height_px=512))
-    with pytest.raises(Refusal) as refused:
-        put_papers(twin, tmp_path / "file" / "data")
+    twin = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
+    with pytest.raises(OperationError) as refused:
+        write_datasheets(twin, tmp_path / "file" / "data")
     assert refused.value.code == "data-folder-unwritable"
     assert "--data" in refused.value.remedy

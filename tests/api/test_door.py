@@ -13,7 +13,7 @@ import pytest
 
 from app.api import reports
 from app.api.files import static_files
-from app.errors import Refusal
+from app.errors import OperationError
 from app.server import listener as serving
 from app.server import middleware as guard
 from app.server.middleware import LARGEST_BODY, Guard
@@ -135,7 +135,7 @@ def test_what_is_sent_comes_soon(server: Server, monkeypatch: pytest.MonkeyPatch
 def test_a_connection_that_asks_nothing_is_closed(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(serving, "WORDLESS_S", 0.5)
+    monkeypatch.setattr(serving, "SILENT_S", 0.5)
     address = ("127.0.0.1", server.port)
     with (
         socket.create_connection(address, timeout=10.0) as silent,
@@ -149,7 +149,7 @@ def test_a_connection_that_asks_nothing_is_closed(
 def test_a_connection_that_goes_on_asking_is_kept(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(serving, "WORDLESS_S", 0.5)
+    monkeypatch.setattr(serving, "SILENT_S", 0.5)
     kept = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10.0)
     kept.connect()
     kept.auto_open = 0
@@ -183,7 +183,7 @@ def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
     pages = database.read("PRAGMA page_count")[0][0]
     database.read(f"PRAGMA max_page_count = {pages}")
     try:
-        with pytest.raises(Refusal, match="full"):
+        with pytest.raises(OperationError, match="full"):
             fill(database)
         assert server.http.post("/api/stop").status_code == 204
         assert server.http.post("/api/laser/off").status_code == 200

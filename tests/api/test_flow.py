@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from app.formats.results.acceptance import read_acceptance
-from app.report.reports import report_as
+from app.report.reports import render_report
 from app.workflows.calibrate import calibrate_session
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from tests.api.conftest import Server, enabled
+from tests.api.conftest import Server, is_enabled
 
 # A whole calibration by the hand, on a machine with other work.
 PATIENCE_S = 240.0
@@ -84,7 +84,7 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
 def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
     with ThreadPoolExecutor(1) as elsewhere:
         moving = elsewhere.submit(touching.twin.hand.hold_over, "block")
-        touching.wait(lambda view: not enabled(view, "take_point"), 10.0)
+        touching.wait(lambda view: not is_enabled(view, "take_point"), 10.0)
         answer = touching.command("take_point")
         moving.result(30.0)
     assert answer.status_code == 422
@@ -207,7 +207,7 @@ def assert_reported(http: httpx.Client, record: str, folder: Path) -> None:
     for form, kind in (("html", "text/html"), ("pdf", "application/pdf")):
         served = http.get(f"{record}/report.{form}")
         assert served.headers["content-type"].startswith(kind)
-        assert served.content == report_as(folder, f".{form}")
+        assert served.content == render_report(folder, f".{form}")
     policy = http.get(f"{record}/report.html").headers["content-security-policy"]
     assert "default-src 'none'" in policy
     assert "sandbox" in policy
@@ -218,7 +218,7 @@ def assert_reported(http: httpx.Client, record: str, folder: Path) -> None:
 def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     """A new picture by the arm's button, then back to the points, the picture kept."""
     assert server.do("retake")["step"] == "capture"
-    server.wait(lambda view: enabled(view, "capture"))
+    server.wait(lambda view: is_enabled(view, "capture"))
     server.twin.device.press(Button.PRIMARY, True, now_ns())
     server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
     server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
@@ -226,7 +226,7 @@ def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     server.wait(lambda view: view["step"] == "review")
     server.do("back", to="touch")
     server.do("confirm_touch")
-    server.wait(lambda view: enabled(view, "confirm_place"))
+    server.wait(lambda view: is_enabled(view, "confirm_place"))
     server.twin.device.press(Button.PRIMARY, True, now_ns())
     server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
     server.wait(lambda view: view["step"] == "capture")
@@ -295,5 +295,5 @@ def test_a_whole_calibration_on_the_chessboard_by_the_hand(
     assert record["picture"]["points"] == picture["points"]
     assert record["picture"]["object"] == picture["object"]
     report = http.get(f"/api/calibrations/{newest['id']}/report.html")
-    assert report.content == report_as(folder, ".html")
+    assert report.content == render_report(folder, ".html")
     assert "chessboard" in report.text

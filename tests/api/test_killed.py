@@ -14,13 +14,13 @@ def assert_kept(row: FaultRow) -> None:
     assert row.stop_s >= 0
 
 
-@pytest.mark.parametrize("flow", kills.PLACES)
+@pytest.mark.parametrize("flow", kills.KILL_POINTS)
 @pytest.mark.timeout(900)
 def test_kills_in_every_step_lose_nothing(tmp_path: Path, flow: str) -> None:
     """Twenty in both flows together."""
-    assert_kept(kills.guides(tmp_path / "data", flow))
+    assert_kept(kills.kill_guides(tmp_path / "data", flow))
 
 
 @pytest.mark.timeout(300)
 def test_kills_in_scans_lose_nothing(tmp_path: Path) -> None:
-    assert_kept(kills.scans(tmp_path / "data", kills=3))
+    assert_kept(kills.kill_scans(tmp_path / "data", kills=3))

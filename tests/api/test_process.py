@@ -22,7 +22,7 @@ import trustme
 
 from app.formats.images import write_png
 from app.formats.software import SOFTWARE
-from hardware.simulator.station import Twin
+from hardware.simulator.station import SimulatedStation
 from tests.entering import client
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -134,7 +134,7 @@ path = "{folder}"
 
 def test_a_station_on_real_drivers(tmp_path: Path) -> None:
     write_png(tmp_path / "picture.png", np.full((240, 320), 90, np.uint8))
-    with Twin() as twin:
+    with SimulatedStation() as twin:
         text = SETTINGS.format(folder=tmp_path, url=twin.arm_url)
         (tmp_path / "station.toml").write_text(text)
         config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")

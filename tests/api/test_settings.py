@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS
 from app.guide.common.validity import DUE
 from app.metrology.limits import LIMITS, Limits
@@ -70,7 +70,7 @@ file = "/sys/room"
     assert settings.temperature == Path("/sys/room")
     assert settings.backups == tmp_path / "copies"
     (tmp_path / "secret").unlink()
-    with pytest.raises(Refusal, match="secret"):
+    with pytest.raises(OperationError, match="secret"):
         read_settings(write(tmp_path, text + more))
 
 
@@ -107,14 +107,14 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
 )
 def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: str) -> None:
     assert change[0] in GOOD
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         read_settings(write(tmp_path, GOOD.replace(*change, 1)))
     assert named in caught.value.line
     assert "station.toml" in caught.value.line
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         read_settings(tmp_path / "station.toml")
     assert caught.value.code == "settings-missing"
     assert "crenel demo" in caught.value.line
@@ -131,5 +131,5 @@ def test_limits_of_a_verification_and_what_is_due_are_the_stations_own(tmp_path:
     assert settings.due.calibration_days == DUE.calibration_days
     for wrong in ("[verification]\nform = -1", "[verification]\nfrom = 4", "[due]\ntip_hours = 0"):
         file.write_text(f"{devices}{wrong}\n")
-        with pytest.raises(Refusal, match=r"form|from|tip_hours"):
+        with pytest.raises(OperationError, match=r"form|from|tip_hours"):
             read_settings(file)

@@ -16,9 +16,9 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
 from app.api.files import static_files
-from app.errors import Refusal
+from app.errors import OperationError
 from app.server.listener import make_server
-from app.server.starting_page import Starting, Step
+from app.server.starting_page import StartingApp, StartStep
 
 PATIENCE_S = 20.0
 
@@ -43,7 +43,7 @@ class Station:
 
 
 @contextmanager
-def served(starting: Starting) -> Iterator[tuple[httpx.Client, Callable[[], None]]]:
+def served(starting: StartingApp) -> Iterator[tuple[httpx.Client, Callable[[], None]]]:
     """A client of it, and what ends its server and waits for that."""
     with socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
@@ -82,8 +82,8 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
     (tmp_path.parent / "outside.txt").write_text("secret")
     monkeypatch.setattr(static_files, "STATIC", tmp_path)
     gate, station = threading.Event(), Station()
-    steps = [Step("Numerics", 1.0, lambda: None), Step("Devices", 2.0, gate.wait)]
-    starting = Starting("Room 2", steps, Step("Data folder", 1.0, station.build))
+    steps = [StartStep("Numerics", 1.0, lambda: None), StartStep("Devices", 2.0, gate.wait)]
+    starting = StartingApp("Room 2", steps, StartStep("Data folder", 1.0, station.build))
     with served(starting) as (http, _):
         wait_until(lambda: http.get("/api/starting").json()["done"] == 1)
         assert http.get("/api/starting").json() == {
@@ -125,7 +125,9 @@ def test_until_it_is_ready_it_says_how_far_it_is_and_nothing_else(
 def test_nobody_is_turned_away_while_it_gives_way() -> None:
     """New connections and kept ones, asking all the time: each question has its answer."""
     gate, station = threading.Event(), Station()
-    starting = Starting("", [Step("Devices", 1.0, gate.wait)], Step("Data", 1.0, station.build))
+    starting = StartingApp(
+        "", [StartStep("Devices", 1.0, gate.wait)], StartStep("Data", 1.0, station.build)
+    )
     answers: list[int] = []
     stop = threading.Event()
 
@@ -152,19 +154,23 @@ def test_nobody_is_turned_away_while_it_gives_way() -> None:
 
 def test_a_step_that_is_refused_ends_the_server() -> None:
     def refuse() -> None:
-        raise Refusal("driver", "There is no driver")
+        raise OperationError("driver", "There is no driver")
 
     station = Station()
-    starting = Starting("", [Step("Devices", 1.0, refuse)], Step("Data", 1.0, station.build))
+    starting = StartingApp(
+        "", [StartStep("Devices", 1.0, refuse)], StartStep("Data", 1.0, station.build)
+    )
     with served(starting) as (_, _):
         wait_until(lambda: starting.failure is not None)
-    assert isinstance(starting.failure, Refusal)
+    assert isinstance(starting.failure, OperationError)
     assert station.noted == []
 
 
 def test_a_start_can_be_ended_while_a_step_hangs() -> None:
     gate, station = threading.Event(), Station()
-    starting = Starting("", [Step("Devices", 1.0, gate.wait)], Step("Data", 1.0, station.build))
+    starting = StartingApp(
+        "", [StartStep("Devices", 1.0, gate.wait)], StartStep("Data", 1.0, station.build)
+    )
     with served(starting) as (http, end):
         wait_until(lambda: http.get("/api/starting").status_code == 200)
         end()

@@ -4,7 +4,7 @@ import asyncio
 
 from starlette.types import Message, Receive, Scope, Send
 
-from app.security.anonymous_queue import PLACES, Strangers
+from app.security.anonymous_queue import PLACES, AnonymousQueue
 
 GOOD = b"crenel-8000=good"
 
@@ -47,7 +47,7 @@ def request(cookie: bytes = b"") -> Scope:
     return {"type": "http", "headers": [(b"cookie", cookie)], "state": {}}
 
 
-async def asked(strangers: Strangers, cookie: bytes = b"") -> None:
+async def asked(strangers: AnonymousQueue, cookie: bytes = b"") -> None:
     async with asyncio.timeout(5.0):
         await strangers(request(cookie), received, sent)
 
@@ -55,7 +55,7 @@ async def asked(strangers: Strangers, cookie: bytes = b"") -> None:
 def test_a_signed_in_browser_passes_strangers_that_are_many() -> None:
     async def passing() -> None:
         application = Application()
-        strangers = Strangers(application)
+        strangers = AnonymousQueue(application)
         await asked(strangers, GOOD)  # in line, like everybody for the first time
         crowd = [asyncio.create_task(asked(strangers)) for _ in range(50)]
         await asyncio.sleep(0.01)
@@ -74,7 +74,7 @@ def test_whoever_sends_slowly_or_goes_away_has_no_place() -> None:
     async def passing() -> None:
         application = Application()
         application.opened.set()
-        strangers = Strangers(application)
+        strangers = AnonymousQueue(application)
         slow = [asyncio.create_task(strangers(request(), never, sent)) for _ in range(50)]
         await asyncio.sleep(0.01)
         await asked(strangers)
@@ -96,7 +96,7 @@ def test_a_request_whose_connection_is_gone_is_not_worked_on() -> None:
     async def passing() -> None:
         application = Application()
         application.opened.set()
-        strangers = Strangers(application)
+        strangers = AnonymousQueue(application)
         gone = request()
         gone["state"]["is_connected"] = lambda: False
         await strangers(gone, received, sent)
@@ -110,7 +110,7 @@ def test_a_request_whose_connection_is_gone_is_not_worked_on() -> None:
 def test_a_cookie_that_opens_nothing_waits_like_none() -> None:
     async def passing() -> None:
         application = Application()
-        strangers = Strangers(application)
+        strangers = AnonymousQueue(application)
         crowd = [asyncio.create_task(asked(strangers, b"crenel-8000=bad")) for _ in range(20)]
         await asyncio.sleep(0.01)
         assert application.at_once == PLACES

@@ -7,7 +7,7 @@ from app.security.login_throttle import (
     FREE_TRIES,
     LONGEST_WAIT_S,
     Throttle,
-    counted_address,
+    address_key,
 )
 
 
@@ -58,4 +58,4 @@ def test_success_and_time_forget() -> None:
     ],
 )
 def test_a_machine_with_many_addresses_is_one(one: str, other: str, alike: bool) -> None:
-    assert (counted_address(one) == counted_address(other)) is alike
+    assert (address_key(one) == address_key(other)) is alike

@@ -16,7 +16,7 @@ import pytest
 
 from app.formats.results.verification import read_verification
 from app.guide.verify.commands import measure_waiting
-from app.guide.verify.guide import VerifyGuide, VerifyStation
+from app.guide.verify.guide import VerificationServices, VerifyGuide
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
@@ -26,7 +26,7 @@ from app.store.store import Store
 from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
-from tests.api.conftest import Server, done
+from tests.api.conftest import Server, run_command
 
 View = dict[str, Any]
 
@@ -51,7 +51,7 @@ class Desk:
 
     def do(self, name: str, **args: object) -> View:
         """A command that must be done; the view after it."""
-        return done(lambda: self.command(name, **args))
+        return run_command(lambda: self.command(name, **args))
 
     def wait(self, ready: Callable[[View], bool], timeout_s: float = 60.0) -> View:
         deadline = time.monotonic() + timeout_s
@@ -280,7 +280,7 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     scanner = Scanner(bus, rig, scene, left / "scans")
     jobs = Jobs(bus)
     try:
-        station = VerifyStation(bus, rig, jobs, scanner, scene, None)
+        station = VerificationServices(bus, rig, jobs, scanner, scene, None)
         guide = VerifyGuide(station, store.journal, store.calibrations, store.verifications, left)
         assert guide.state.session_id == session
         assert guide.state.open_cloud is not None

@@ -12,7 +12,7 @@ import viser
 from websockets.sync.client import connect
 
 from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.points import packed
+from app.formats.clouds.points import pack_points
 from app.store.scans import ScanRecord
 from tests.api.conftest import Server
 
@@ -43,7 +43,7 @@ def scan(server: Server) -> Iterator[ScanRecord]:
     points = np.column_stack([500 + xy[:, 0], xy[:, 1], 5 + off])
     ones = np.ones(30_000)
     with cloud_writer(folder / "cloud.ply") as writer:
-        writer.append(packed(points, 80 * ones, 4 * ones, np.arange(30_000) // 300))
+        writer.append(pack_points(points, 80 * ones, 4 * ones, np.arange(30_000) // 300))
     record = ScanRecord("plate", "Plate", folder, "2026-11-21T10:00:00", 30_000, 100, 9.0, "c1")
     server.context.store.scans.add(record)
     server.context.scene.begin()  # what other tests have scanned is not in the picture

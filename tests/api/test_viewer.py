@@ -9,7 +9,7 @@ from viser import _messages as viser_messages
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from app.api.viewer.proxy import passed
+from app.api.viewer.proxy import decode_camera
 from tests.api.conftest import Server
 
 CAMERA = viser_messages.ViewerCameraMessage(
@@ -32,7 +32,7 @@ def as_sent(message: viser_messages.Message) -> bytes:
 
 
 def test_a_camera_message_is_passed_on_whole() -> None:
-    through = passed(as_sent(CAMERA))
+    through = decode_camera(as_sent(CAMERA))
     assert through is not None
     assert viser_messages.Message.deserialize(msgspec.msgpack.encode(through)) == CAMERA
 
@@ -43,9 +43,9 @@ def test_no_other_message_is_passed_on() -> None:
     for kind in kinds:
         if kind is not viser_messages.ViewerCameraMessage:
             fields = {field.name: None for field in dataclasses.fields(kind)}
-            assert passed(msgspec.msgpack.encode({"type": kind.__name__, **fields})) is None
+            assert decode_camera(msgspec.msgpack.encode({"type": kind.__name__, **fields})) is None
     tunnel = viser_messages.ShareUrlRequest()
-    assert passed(as_sent(tunnel)) is None
+    assert decode_camera(as_sent(tunnel)) is None
 
 
 @pytest.mark.parametrize(
@@ -65,7 +65,7 @@ def test_no_other_message_is_passed_on() -> None:
     ],
 )
 def test_a_message_that_only_looks_like_a_camera_is_dropped(sent: bytes) -> None:
-    assert passed(sent) is None
+    assert decode_camera(sent) is None
 
 
 def test_the_viewers_page_comes_through_with_a_policy_of_its_own(server: Server) -> None:

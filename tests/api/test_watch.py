@@ -20,8 +20,8 @@ from websockets.sync.client import connect
 from app.api.authorization import cookie_for
 from app.api.health import BUNDLING
 from app.monitoring.health import ORDER
-from app.operations.publishers import _pass_on, _tell_due
-from app.operations.services import Watching
+from app.operations.publishers import _notify_due, _pass_on
+from app.operations.services import MonitoringSettings
 from app.station.bus import Event
 from app.store.accounts import Role
 from app.store.store import Store
@@ -241,7 +241,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
             "nested": [{"api_key": PLANTED["a driver's key"]}],
         },
     }
-    watching = Watching(
+    watching = MonitoringSettings(
         mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"), told=told
     )
     monkeypatch.setattr(context.watch, "settings", watching)
@@ -322,10 +322,10 @@ def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None
     change = {"url": receiver.url, "secret": "", "done": False, "fault": False, "due": True}
     server.http.post("/api/notifications", json=change).raise_for_status()
     old = replace(home.checks[0], state="due", text="It is old.", at="2026-01-01T00:00:00Z")
-    told = _tell_due(server.context, set())
+    told = _notify_due(server.context, set())
     server.context.bus.publish("home", replace(home, checks=(old, *home.checks[1:])))
     for _ in range(3):
-        told = _tell_due(server.context, told)
+        told = _notify_due(server.context, told)
     server.context.bus.publish("home", home)
     until(lambda: receiver.taken)
     texts = [json.loads(body)["text"] for _, body in receiver.taken]

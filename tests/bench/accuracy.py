@@ -20,9 +20,9 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import JointCalibration, calibrate_joint
+from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
 from app.metrology.calibration.one_pose import OnePoseCalibration, calibrate_one_pose
 from app.metrology.sensor.camera import Camera
@@ -49,7 +49,7 @@ def in_sensor_um(camera: Camera, plane: LaserPlane, truth: dict[str, list[list[f
 
 
 def in_flange_um(
-    found: OnePoseCalibration | JointCalibration, truth: dict[str, list[list[float]]]
+    found: OnePoseCalibration | BlockCalibration, truth: dict[str, list[list[float]]]
 ) -> float:
     rebuilt = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
     return rms_um(apply(found.T_flange_sensor, rebuilt) - np.array(truth["points_flange_frame_mm"]))
@@ -60,12 +60,12 @@ def linear_um(found: OnePoseCalibration, truth: dict[str, list[list[float]]]) ->
     camera, block = found.faugeras.camera, found.fit.scene.block
     try:
         plane = fit_laser_plane(camera, block, found.stripe).plane
-    except Refusal:
+    except OperationError:
         return float("nan")
     return in_sensor_um(camera, plane, truth)
 
 
-def measured(folder: Path) -> tuple[float, float, float, float]:
+def measure_session(folder: Path) -> tuple[float, float, float, float]:
     """Sensor frame, flange frame, claimed uncertainty, linear method: all in um."""
     session = read_session(folder)
     found = calibrate_one_pose(one_pose_inputs(session, session.poses[0]))
@@ -78,15 +78,15 @@ def measured(folder: Path) -> tuple[float, float, float, float]:
     )
 
 
-def jointly(folder: Path) -> tuple[float, float, float]:
+def measure_joint(folder: Path) -> tuple[float, float, float]:
     """All poses together: sensor frame, flange frame, claimed uncertainty, all in um."""
-    found = calibrate_joint(joint_inputs(read_session(folder)))
+    found = calibrate_block(joint_inputs(read_session(folder)))
     truth = json.loads((folder / "truth.json").read_text())
     in_sensor = in_sensor_um(found.camera, found.plane, truth)
     return in_sensor, in_flange_um(found, truth), found.known.total_um
 
 
-def drawn(count: int, folder: Path) -> Iterator[Path]:
+def draw_sessions(count: int, folder: Path) -> Iterator[Path]:
     """``count`` random sessions: turned cameras, both lightings, six and seven joints."""
     seed = FIRST_SEED
     while count:
@@ -134,17 +134,20 @@ def main() -> None:
     print(f"{head[0]:<24}" + "".join(f"{name:>16}" for name in head[1:]))
     if given.samples is not None:
         for name in ("one-pose", "many-poses", "metal"):
-            figures = measured(given.samples / name)
+            figures = measure_session(given.samples / name)
             print(f"{name:<24}" + "".join(f"{value:>16.2f}" for value in figures))
             together = f"{name}, joint"
-            print(f"{together:<24}" + "".join(f"{v:>16.2f}" for v in jointly(given.samples / name)))
+            print(
+                f"{together:<24}"
+                + "".join(f"{v:>16.2f}" for v in measure_joint(given.samples / name))
+            )
     with tempfile.TemporaryDirectory() as scratch:
         rows, refused, last = [], 0, Path()
-        for folder in drawn(given.sessions, Path(scratch)):
+        for folder in draw_sessions(given.sessions, Path(scratch)):
             last = folder
             try:
-                rows.append(measured(folder))
-            except Refusal as refusal:
+                rows.append(measure_session(folder))
+            except OperationError as refusal:
                 refused += 1
                 print(f"{folder.name}: refused: {refusal}")
         if rows:

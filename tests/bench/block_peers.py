@@ -15,11 +15,11 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.formats.images import read_grey
-from app.formats.session.calibration_session import Session, read_session
-from app.metrology.adjustment.block.calibrate import calibrate_joint
-from app.metrology.adjustment.core.observations import SeenPose
+from app.formats.session.calibration_session import BlockSession, read_session
+from app.metrology.adjustment.block.calibrate import calibrate_block
+from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.arm.kinematics import flange_poses, tip_centres
-from app.metrology.calibration.laser_plane_fit import levels_of
+from app.metrology.calibration.laser_plane_fit import classify_levels
 from app.metrology.image import Image
 from app.metrology.probing.alignment import align
 from app.metrology.sensor.camera import Camera
@@ -27,35 +27,39 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats, apply, inverse, rigid, rigid_fit
 from app.workflows.calibrate import joint_inputs
-from tests.bench.board_measures import Solved, moved, placed, plane_through
+from tests.bench.board_measures import PeerCalibration, move_camera, plane_through, solve_pose
 from tests.bench.hand_eye import K1_ONLY, hand_eyes
 
 SAMPLES = ("one-pose", "many-poses", "metal")
 HALF_WINDOW_PX = 4
-FEWEST_POSES = 3
+MIN_POSES = 3
 
 
 @dataclass(frozen=True)
-class Clicked:
+class ClickedCorners:
     """The block's corners in one picture: where on the block (N, 3), and pixels (N, 2)."""
 
-    seen: SeenPose
+    seen: BlockObservation
     T_arm_flange: Floats
     points_mm: Floats
     uv_px: Floats
 
 
-def clicked(image: Image, seen: SeenPose, session: Session, T_arm_flange: Floats) -> Clicked:
+def click_corners(
+    image: Image, seen: BlockObservation, session: BlockSession, T_arm_flange: Floats
+) -> ClickedCorners:
     at = corners(session.block)
     found = [corner for corner in seen.detection.corners if corner.name in at]
     clicks = np.round([[corner.u, corner.v] for corner in found]).astype(np.float32)
     window = (HALF_WINDOW_PX, HALF_WINDOW_PX)
     uv = cv2.cornerSubPix(image, clicks.reshape(-1, 1, 2), window, (-1, -1), (3, 50, 1e-4))
     points = np.array([at[corner.name] for corner in found])
-    return Clicked(seen, T_arm_flange, points, np.asarray(uv, np.float64).reshape(-1, 2))
+    return ClickedCorners(seen, T_arm_flange, points, np.asarray(uv, np.float64).reshape(-1, 2))
 
 
-def by_opencv(session: Session, views: Sequence[Clicked]) -> Iterator[Solved]:
+def calibrate_opencv(
+    session: BlockSession, views: Sequence[ClickedCorners]
+) -> Iterator[PeerCalibration]:
     size_px = (session.sensor.width_px, session.sensor.height_px)
     guess = np.array(
         [[size_px[0], 0, size_px[0] / 2], [0, size_px[0], size_px[1] / 2], [0, 0, 1.0]]
@@ -69,20 +73,22 @@ def by_opencv(session: Session, views: Sequence[Clicked]) -> Iterator[Solved]:
         flags=K1_ONLY | cv2.CALIB_USE_INTRINSIC_GUESS,
     )
     camera = Camera(K, np.eye(3), np.zeros(3), *size_px, np.ravel(distortion)[:5])
-    T_cam_obj = [placed(camera, view.points_mm, view.uv_px) for view in views]
+    T_cam_obj = [solve_pose(camera, view.points_mm, view.uv_px) for view in views]
     T_arm_flange = [view.T_arm_flange for view in views]
     lines = []
     for view, T in zip(views, T_cam_obj, strict=True):
-        level, points = levels_of(moved(camera, T), session.block, view.seen.stripe.uv_px)
+        level, points = classify_levels(
+            move_camera(camera, T), session.block, view.seen.stripe.uv_px
+        )
         lines.append(apply(T, points[level != ""]))
     plane = plane_through(np.concatenate(lines))
     nominal = np.array(list(corners(session.block).values()))
     for name, T_flange_cam in mountings(session, T_arm_flange, T_cam_obj):
-        yield Solved(f"OpenCV, {name}", camera, T_flange_cam, nominal, plane)
+        yield PeerCalibration(f"OpenCV, {name}", camera, T_flange_cam, nominal, plane)
 
 
 def mountings(
-    session: Session, T_arm_flange: Sequence[Floats], T_cam_obj: Sequence[Floats]
+    session: BlockSession, T_arm_flange: Sequence[Floats], T_cam_obj: Sequence[Floats]
 ) -> Iterator[tuple[str, Floats]]:
     contacts = session.contacts
     tips = tip_centres(session.arm, contacts.q_rad)
@@ -94,14 +100,14 @@ def mountings(
         ]
     )
     yield "contacts, first pose", each[0]
-    if len(each) < FEWEST_POSES:
+    if len(each) < MIN_POSES:
         return
     turn = Rotation.from_matrix(each[:, :3, :3]).mean().as_matrix()
     yield "contacts, mean of poses", rigid(turn, each[:, :3, 3].mean(axis=0))
     yield from hand_eyes(T_arm_flange, T_cam_obj)
 
 
-def errors_um(solved: Solved, folder: Path) -> tuple[float, float]:
+def errors_um(solved: PeerCalibration, folder: Path) -> tuple[float, float]:
     """Rms of the truth's points rebuilt: after one rigid fit, and in the flange's frame."""
     truth = json.loads((folder / "truth.json").read_text())
     rebuilt = sensor_points(solved.camera, solved.plane, np.array(truth["pixels"]))
@@ -122,12 +128,14 @@ def print_samples(samples: Path) -> None:
         inputs = joint_inputs(session)
         pictures = {pose.number: pose.ambient for pose in session.poses}
         views = [
-            clicked(read_grey(pictures[seen.number]), seen, session, T)
+            click_corners(read_grey(pictures[seen.number]), seen, session, T)
             for seen, T in zip(inputs.seen, flange_poses(session.arm, inputs.q_rad), strict=True)
         ]
-        found = calibrate_joint(inputs)
+        found = calibrate_block(inputs)
         nominal = np.array(list(corners(session.block).values()))
-        crenel = Solved("Crenel", found.camera, found.T_flange_sensor, nominal, found.plane)
-        for solved in (*by_opencv(session, views), crenel):
+        crenel = PeerCalibration(
+            "Crenel", found.camera, found.T_flange_sensor, nominal, found.plane
+        )
+        for solved in (*calibrate_opencv(session, views), crenel):
             inside, in_flange = errors_um(solved, samples / name)
             print(f"{f'{name}: {solved.name}':<54}{inside:>12.1f}{in_flange:>12.1f}")

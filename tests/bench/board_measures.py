@@ -21,7 +21,7 @@ TRIMMED_SIGMAS = 3.5
 
 
 @dataclass(frozen=True)
-class Frame:
+class BoardFrame:
     """One picture: N corners by their number on the board, M points of the laser's line."""
 
     number: int
@@ -46,7 +46,7 @@ def flat(camera: Camera, uv_px: Floats) -> Floats:
 
 
 @dataclass(frozen=True)
-class Solved:
+class PeerCalibration:
     """What a calibration found: camera and laser plane in a sensor frame of its choice.
 
     ``corners_mm`` are the board's corners and ``sheet`` brings pixels onto it, for a camera
@@ -61,7 +61,7 @@ class Solved:
     sheet: Callable[[Camera, Floats], Floats] = flat
 
 
-def placed(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
+def solve_pose(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
     """``T_cam_obj`` (4, 4) of points (N, 3) by their pixels in one picture (solvePnP)."""
     _, turn, shift = cv2.solvePnP(points_mm, uv_px, camera.matrix, camera.distortion)
     turn, shift = cv2.solvePnPRefineLM(
@@ -70,13 +70,13 @@ def placed(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
     return rigid(np.asarray(cv2.Rodrigues(turn)[0], np.float64), np.ravel(shift))
 
 
-def board_from(solved: Solved, frame: Frame) -> Camera:
+def board_from(solved: PeerCalibration, frame: BoardFrame) -> Camera:
     """The camera placed in the board's frame by the corners of one picture."""
-    T = placed(solved.camera, solved.corners_mm[frame.corner], frame.uv_px)
-    return moved(solved.camera, T)
+    T = solve_pose(solved.camera, solved.corners_mm[frame.corner], frame.uv_px)
+    return move_camera(solved.camera, T)
 
 
-def moved(camera: Camera, T_cam_frame: Floats) -> Camera:
+def move_camera(camera: Camera, T_cam_frame: Floats) -> Camera:
     """The same camera as seen from another frame."""
     return Camera(
         camera.matrix,
@@ -92,7 +92,7 @@ def T_cam_of(camera: Camera) -> Floats:
     return rigid(camera.rotation, camera.translation_mm)
 
 
-def corner_rms_px(solved: Solved, frames: Sequence[Frame]) -> float:
+def corner_rms_px(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """Corners of each picture to the board placed by them: rms over corners."""
     square = []
     for frame in frames:
@@ -101,17 +101,17 @@ def corner_rms_px(solved: Solved, frames: Sequence[Frame]) -> float:
     return float(np.sqrt(np.mean(np.concatenate(square))))
 
 
-def origin_scatter_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+def origin_scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """Rms distance of the board's first corner, in the arm's frame, from its mean."""
     return _scatter_mm(solved, frames, solved.corners_mm[:1])
 
 
-def pattern_scatter_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+def pattern_scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """The same of all corners: no choice of the first one makes it better or worse."""
     return _scatter_mm(solved, frames, solved.corners_mm)
 
 
-def _scatter_mm(solved: Solved, frames: Sequence[Frame], points_mm: Floats) -> float:
+def _scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame], points_mm: Floats) -> float:
     T_flange_cam = solved.T_flange_sensor @ inverse(T_cam_of(solved.camera))
     at = np.array(
         [
@@ -124,20 +124,20 @@ def _scatter_mm(solved: Solved, frames: Sequence[Frame], points_mm: Floats) -> f
     return float(np.sqrt(np.mean(np.sum((at - at.mean(axis=0)) ** 2, axis=2))))
 
 
-def line_on_board(solved: Solved, frame: Frame) -> Floats:
+def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
     """(K, 3) where the line's points near the pattern lie on the sheet, sensor frame."""
     camera = board_from(solved, frame)
     points = solved.sheet(camera, frame.stripe_px[frame.near_pattern()])
     return apply(inverse(T_cam_of(solved.camera)) @ T_cam_of(camera), points)
 
 
-def laser_plane_rms_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+def laser_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """The line's points on the board, each placed by its own picture, to the laser's plane."""
     points = np.concatenate([line_on_board(solved, frame) for frame in frames])
     return float(np.sqrt(np.mean((points @ solved.plane.normal - solved.plane.offset_mm) ** 2)))
 
 
-def common_plane_rms_mm(solved: Solved, frames: Sequence[Frame]) -> float:
+def common_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:
     """The line's points of all pictures, in the arm's frame, to the plane through them.
 
     Points beyond ``TRIMMED_SIGMAS`` are left out, until none is.

@@ -14,16 +14,16 @@ from pathlib import Path
 import numpy as np
 
 from app.metrology.adjustment.board.calibrate import calibrate_board
-from hardware.simulator.station import TwinConfig
+from hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
-from tests.metrology.seen_boards import Errors, error_um, session
+from tests.metrology.seen_boards import BoardErrors, error_um, session
 
 SET_UPS = {
-    "robot off by 0.3 mrad, 0.05 mm": Errors(),
-    "the same, the board rocks by 1.5 mrad": Errors(tilt_rad=1.5e-3),
-    "robot off by 0.05 mrad, 0.02 mm": Errors(turn_rad=5e-5, shift_mm=0.02),
-    "the same, lines off by 5 µm, not 50": Errors(5e-5, 0.02, line_mm=0.005, line_rad=1e-4),
-    "the same, lines off by 200 µm": Errors(5e-5, 0.02, line_mm=0.2, line_rad=4e-3),
+    "robot off by 0.3 mrad, 0.05 mm": BoardErrors(),
+    "the same, the board rocks by 1.5 mrad": BoardErrors(tilt_rad=1.5e-3),
+    "robot off by 0.05 mrad, 0.02 mm": BoardErrors(turn_rad=5e-5, shift_mm=0.02),
+    "the same, lines off by 5 µm, not 50": BoardErrors(5e-5, 0.02, line_mm=0.005, line_rad=1e-4),
+    "the same, lines off by 200 µm": BoardErrors(5e-5, 0.02, line_mm=0.2, line_rad=4e-3),
 }
 ARMS_UM = (20.0, 45.0)
 
@@ -39,24 +39,26 @@ def main() -> None:
         found = [calibrate_board(session(seed, errors)) for seed in range(count)]
         claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
         observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
-        _tell(name, observed, claimed)
+        _print_row(name, observed, claimed)
     for off_um in ARMS_UM if asked.arms else ():
         name = f"the station's board, arms off by {off_um:.0f} µm"
-        _tell(name, *_on_arms(asked.arms, off_um))
+        _print_row(name, *_measure_on_arms(asked.arms, off_um))
 
 
-def _on_arms(count: int, off_um: float) -> tuple[float, float]:
+def _measure_on_arms(count: int, off_um: float) -> tuple[float, float]:
     """Observed and claimed error over so many simulated stations, rms, µm."""
     observed, claimed = [], []
     for seed in range(1, count + 1):
         with tempfile.TemporaryDirectory() as folder:
-            station = RenderedBoards(Path(folder), TwinConfig(seed=seed, imperfection_um=off_um))
+            station = RenderedBoards(
+                Path(folder), SimulationConfig(seed=seed, imperfection_um=off_um)
+            )
             observed.append(np.mean(errors_um(station) ** 2))
             claimed.append(station.found.known.total_um**2)
     return float(np.sqrt(np.mean(observed))), float(np.sqrt(np.mean(claimed)))
 
 
-def _tell(name: str, observed_um: float, claimed_um: float) -> None:
+def _print_row(name: str, observed_um: float, claimed_um: float) -> None:
     share = claimed_um / observed_um
     print(f"{name:<40}{observed_um:>7.0f} µm{claimed_um:>7.0f} µm{share:>22.2f}")
 

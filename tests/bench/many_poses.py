@@ -17,25 +17,25 @@ from typing import get_args
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.images import read_grey
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.adjustment.block.calibrate import calibrate_block
 from app.metrology.arm.kinematics import flange_poses
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats
 from app.workflows.calibrate import joint_inputs
-from hardware.simulator.devices.kinematics import UnreachableError, WrongIn
+from hardware.simulator.devices.kinematics import ErrorSource, UnreachableError
 from hardware.simulator.session import SessionPlan, render_session
-from tests.bench.block_peers import by_opencv, clicked, errors_um
-from tests.bench.board_measures import Solved
+from tests.bench.block_peers import calibrate_opencv, click_corners, errors_um
+from tests.bench.board_measures import PeerCalibration
 
 FIRST_SEED = 7000
 POSES = 8
 CLAIMED = "Crenel, as claimed"
 
 
-def drawn(count: int, arm_um: float, wrong_in: WrongIn, folder: Path) -> Iterator[Path]:
+def draw_sessions(count: int, arm_um: float, wrong_in: ErrorSource, folder: Path) -> Iterator[Path]:
     """``count`` random sessions, half of them with seven axes, any roll of the camera."""
     seed = FIRST_SEED
     while count:
@@ -57,7 +57,7 @@ def drawn(count: int, arm_um: float, wrong_in: WrongIn, folder: Path) -> Iterato
         yield folder / str(seed)
 
 
-def measured(folder: Path) -> dict[str, tuple[float, float]]:
+def measure_session(folder: Path) -> dict[str, tuple[float, float]]:
     """Sensor frame and flange frame, rms in um, by who calibrated.
 
     Raises:
@@ -65,16 +65,17 @@ def measured(folder: Path) -> dict[str, tuple[float, float]]:
     """
     session = read_session(folder)
     inputs = joint_inputs(session)
-    found = calibrate_joint(inputs)
+    found = calibrate_block(inputs)
     pictures = {pose.number: pose.ambient for pose in session.poses}
     views = [
-        clicked(read_grey(pictures[seen.number]), seen, session, T)
+        click_corners(read_grey(pictures[seen.number]), seen, session, T)
         for seen, T in zip(inputs.seen, flange_poses(session.arm, inputs.q_rad), strict=True)
     ]
     nominal = np.array(list(corners(session.block).values()))
-    crenel = Solved("Crenel", found.camera, found.T_flange_sensor, nominal, found.plane)
+    crenel = PeerCalibration("Crenel", found.camera, found.T_flange_sensor, nominal, found.plane)
     errors = {
-        solved.name: errors_um(solved, folder) for solved in (*by_opencv(session, views), crenel)
+        solved.name: errors_um(solved, folder)
+        for solved in (*calibrate_opencv(session, views), crenel)
     }
     return errors | {CLAIMED: (float("nan"), found.known.total_um)}
 
@@ -87,15 +88,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sessions", type=int, default=12)
     parser.add_argument("--arm-um", type=float, default=100.0)
-    parser.add_argument("--wrong-in", choices=get_args(WrongIn), default="links")
+    parser.add_argument("--wrong-in", choices=get_args(ErrorSource), default="links")
     given = parser.parse_args()
     columns: dict[str, list[tuple[float, float]]] = defaultdict(list)
     refused = 0
     with tempfile.TemporaryDirectory() as scratch:
-        for folder in drawn(given.sessions, given.arm_um, given.wrong_in, Path(scratch)):
+        for folder in draw_sessions(given.sessions, given.arm_um, given.wrong_in, Path(scratch)):
             try:
-                found = measured(folder)
-            except Refusal as refusal:
+                found = measure_session(folder)
+            except OperationError as refusal:
                 refused += 1
                 print(f"{folder.name}: refused: {refusal}")
                 continue

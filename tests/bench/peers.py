@@ -22,9 +22,9 @@ from scipy.optimize import least_squares
 
 from app.formats.images import read_grey
 from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.metrology.adjustment.board.calibrate import calibrate_board, see_board
-from app.metrology.adjustment.board.initial_guess import SeenBoard
-from app.metrology.adjustment.board.observations import on_sheet
+from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
+from app.metrology.adjustment.board.initial_guess import BoardObservation
+from app.metrology.adjustment.board.observations import intersect_surface
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.board.surface import corners_at
 from app.metrology.image import Image
@@ -41,52 +41,54 @@ from app.metrology.transforms import (
 )
 from tests.bench.block_peers import print_samples
 from tests.bench.board_measures import (
-    Frame,
-    Solved,
+    BoardFrame,
+    PeerCalibration,
     common_plane_rms_mm,
     corner_rms_px,
     laser_plane_rms_mm,
     line_on_board,
     origin_scatter_mm,
     pattern_scatter_mm,
-    placed,
     plane_through,
+    solve_pose,
 )
 from tests.bench.hand_eye import K1_ONLY, hand_eyes
-from tests.real_sessions import session_of
+from tests.real_sessions import write_real_session
 
 CRENEL = "Crenel"
 NO_PLANE = LaserPlane(np.array([0.0, 0.0, 1.0]), 0.0)
 
 
 @dataclass(frozen=True)
-class Recording:
+class PeerRecording:
     """A session's pictures by Crenel's corners, and by OpenCV's own where it finds all."""
 
     size_px: tuple[int, int]
     board: Chessboard
-    seen: tuple[SeenBoard, ...]
-    frames: tuple[Frame, ...]
-    cv_frames: tuple[Frame, ...]
+    seen: tuple[BoardObservation, ...]
+    frames: tuple[BoardFrame, ...]
+    cv_frames: tuple[BoardFrame, ...]
 
 
-def seen_in(session: BoardSession) -> Recording:
+def read_recording(session: BoardSession) -> PeerRecording:
     board, size_px = session.board, (session.sensor.width_px, session.sensor.height_px)
     seen, frames, cv_frames = [], [], []
     for pose in session.poses:
         image = read_grey(pose.ambient)
         laser = None if pose.laser is None else read_grey(pose.laser)
-        one = see_board(pose.number, board, image, laser, session.sensor.stripe_axis)
+        one = observe_board(pose.number, board, image, laser, session.sensor.stripe_axis)
         assert pose.T_arm_flange is not None
         found = one.detection
-        frame = Frame(pose.number, pose.T_arm_flange, found.number, found.uv_px, one.stripe.uv_px)
+        frame = BoardFrame(
+            pose.number, pose.T_arm_flange, found.number, found.uv_px, one.stripe.uv_px
+        )
         corners = opencv_corners(image, board)
         seen.append(one)
         frames.append(frame)
         if corners is not None:
-            number = numbered_alike(corners, frame, board)
+            number = match_numbers(corners, frame, board)
             cv_frames.append(replace(frame, corner=number, uv_px=corners))
-    return Recording(size_px, board, tuple(seen), tuple(frames), tuple(cv_frames))
+    return PeerRecording(size_px, board, tuple(seen), tuple(frames), tuple(cv_frames))
 
 
 def opencv_corners(image: Image, board: Chessboard) -> Floats | None:
@@ -102,7 +104,7 @@ def opencv_corners(image: Image, board: Chessboard) -> Floats | None:
     return np.asarray(uv, np.float64).reshape(-1, 2)
 
 
-def numbered_alike(uv_px: Floats, frame: Frame, board: Chessboard) -> NDArray[np.int64]:
+def match_numbers(uv_px: Floats, frame: BoardFrame, board: Chessboard) -> NDArray[np.int64]:
     """The board's numbers of OpenCV's corners, whose first one changes from picture to picture."""
     places = corner_points(board)[:, :2]
     H = np.asarray(cv2.findHomography(places[frame.corner], frame.uv_px)[0])
@@ -110,7 +112,9 @@ def numbered_alike(uv_px: Floats, frame: Frame, board: Chessboard) -> NDArray[np
     return np.argmin(np.linalg.norm(seen - uv_px[:, None], axis=2), axis=1)
 
 
-def by_opencv(what: str, made: Recording, frames: Sequence[Frame]) -> Iterator[Solved]:
+def calibrate_opencv(
+    what: str, made: PeerRecording, frames: Sequence[BoardFrame]
+) -> Iterator[PeerCalibration]:
     """calibrateCamera with k1 and with all five terms, then each of the hand-eye methods."""
     points = corner_points(made.board)
     for terms, flags in (("k1", K1_ONLY), ("5 terms", 0)):
@@ -123,25 +127,27 @@ def by_opencv(what: str, made: Recording, frames: Sequence[Frame]) -> Iterator[S
             flags=flags,
         )
         camera = Camera(K, np.eye(3), np.zeros(3), *made.size_px, np.ravel(distortion)[:5])
-        T_cam_obj = [placed(camera, points[frame.corner], frame.uv_px) for frame in frames]
+        T_cam_obj = [solve_pose(camera, points[frame.corner], frame.uv_px) for frame in frames]
         T_arm_flange = [frame.T_arm_flange for frame in frames]
-        start = Solved("", camera, np.eye(4), points, NO_PLANE)
+        start = PeerCalibration("", camera, np.eye(4), points, NO_PLANE)
         start = with_plane(start, frames)
         for name, T_flange_cam in hand_eyes(T_arm_flange, T_cam_obj):
             yield replace(start, name=f"{what}, {terms}, {name}", T_flange_sensor=T_flange_cam)
 
 
-def with_plane(solved: Solved, frames: Sequence[Frame]) -> Solved:
+def with_plane(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> PeerCalibration:
     """With the plane of least squares through all the line's points on the board."""
     points = [line_on_board(solved, frame) for frame in frames]
     return replace(solved, plane=plane_through(np.concatenate(points)))
 
 
-def by_least_squares(what: str, start: Solved, frames: Sequence[Frame]) -> Solved:
+def calibrate_least_squares(
+    what: str, start: PeerCalibration, frames: Sequence[BoardFrame]
+) -> PeerCalibration:
     """Camera with k1, mounting and board together by the pixels; the arm's poses as told."""
     camera = start.camera
     T_obj = frames[0].T_arm_flange @ start.T_flange_sensor
-    T_obj = T_obj @ placed(camera, start.corners_mm[frames[0].corner], frames[0].uv_px)
+    T_obj = T_obj @ solve_pose(camera, start.corners_mm[frames[0].corner], frames[0].uv_px)
     p0 = np.concatenate(
         [
             [1, 1, camera.matrix[0, 2], camera.matrix[1, 2], camera.distortion[0]],
@@ -181,7 +187,9 @@ def _transform(vector: Floats) -> Floats:
     return rigid(rotation_from_vector(vector[:3]), vector[3:])
 
 
-def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, set[int]]:
+def calibrate_crenel(
+    made: PeerRecording, arm_session: BoardSession
+) -> tuple[PeerCalibration, set[int]]:
     """What Crenel found, and the pictures whose laser line it says contradicts the others."""
     readings = np.array([frame.T_arm_flange for frame in made.frames])
     result = calibrate_board(
@@ -190,13 +198,13 @@ def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, set[i
     coordinates = result.adjusted.state.coordinates
     board = made.board
     said = {pose.number for pose in result.poses if "laser line" in pose.reason}
-    solved = Solved(
+    solved = PeerCalibration(
         CRENEL,
         result.camera,
         result.T_flange_sensor,
         corners_at(board, coordinates),
         result.plane,
-        lambda camera, uv: on_sheet(board, camera, coordinates, uv),
+        lambda camera, uv: intersect_surface(board, camera, coordinates, uv),
     )
     return solved, said
 
@@ -204,7 +212,9 @@ def by_crenel(made: Recording, arm_session: BoardSession) -> tuple[Solved, set[i
 HEAD = ("corners px", "origin mm", "pattern mm", "laser mm", "plane mm", "laser*", "plane*")
 
 
-def figures(solved: Solved, frames: Sequence[Frame], out: set[int]) -> list[float]:
+def summary_figures(
+    solved: PeerCalibration, frames: Sequence[BoardFrame], out: set[int]
+) -> list[float]:
     """Of all pictures; those of the line also without the pictures ``out``. The laser's plane is
     the one through the points, in either case."""
     rest = [frame for frame in frames if frame.number not in out]
@@ -221,21 +231,21 @@ def figures(solved: Solved, frames: Sequence[Frame], out: set[int]) -> list[floa
 
 
 def print_recording(folder: Path, scratch: Path) -> None:
-    session = read_any_session(session_of(folder, scratch / folder.name))
+    session = read_any_session(write_real_session(folder, scratch / folder.name))
     assert isinstance(session, BoardSession)
-    made = seen_in(session)
-    crenel, out = by_crenel(made, session)
+    made = read_recording(session)
+    crenel, out = calibrate_crenel(made, session)
     total = len(made.frames)
     print(f"\n{folder.name}: {total} pictures, OpenCV finds the board in {len(made.cv_frames)}")
     print(f"* without pictures {sorted(out) or 'none'}, whose lines contradict the others'")
     print(f"{'':<42}" + "".join(f"{name:>12}" for name in HEAD))
     for what, frames in (("OpenCV's corners", made.cv_frames), ("Crenel's corners", made.frames)):
-        solved = list(by_opencv(what, made, frames))
+        solved = list(calibrate_opencv(what, made, frames))
         best = min(solved, key=lambda one: origin_scatter_mm(one, frames))
-        joint = by_least_squares(f"{what}, least squares together", best, frames)
+        joint = calibrate_least_squares(f"{what}, least squares together", best, frames)
         for one in (*solved, joint):
-            _print_row(one.name, figures(one, frames, out))
-    _print_row(crenel.name, figures(crenel, made.frames, out))
+            _print_row(one.name, summary_figures(one, frames, out))
+    _print_row(crenel.name, summary_figures(crenel, made.frames, out))
     rest = [frame for frame in made.frames if frame.number not in out]
     own = [
         measure(crenel, frames)
@@ -244,8 +254,10 @@ def print_recording(folder: Path, scratch: Path) -> None:
     ]
     text = "".join(f"{value:>12.3f}" for value in own)
     print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{text}")
-    as_flat = replace(crenel, corners_mm=corner_points(made.board), sheet=Solved.sheet)
-    _print_row("Crenel's camera and mounting, flat board", figures(as_flat, made.frames, out))
+    as_flat = replace(crenel, corners_mm=corner_points(made.board), sheet=PeerCalibration.sheet)
+    _print_row(
+        "Crenel's camera and mounting, flat board", summary_figures(as_flat, made.frames, out)
+    )
 
 
 def _print_row(name: str, row: Sequence[float]) -> None:

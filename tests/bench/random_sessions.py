@@ -14,23 +14,23 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.adjustment.block.calibrate import calibrate_block
 from app.metrology.targets.crenellated_block import corners
 from app.workflows.calibrate import joint_inputs
-from hardware.simulator.devices.kinematics import UnreachableError, WrongIn
+from hardware.simulator.devices.kinematics import ErrorSource, UnreachableError
 from hardware.simulator.session import SessionPlan, render_session
 from tests.bench.block_peers import errors_um
-from tests.bench.board_measures import Solved
+from tests.bench.board_measures import PeerCalibration
 from tests.bench.many_poses import rms
 
 FIRST_SEED = 8000
 FACES = ("crest", "front", "left", "right", "back")
-KINDS: tuple[WrongIn, ...] = ("links", "parameters")
+KINDS: tuple[ErrorSource, ...] = ("links", "parameters")
 
 
-def plan_of(rng: np.random.Generator) -> SessionPlan:
+def draw_plan(rng: np.random.Generator) -> SessionPlan:
     return SessionPlan(
         joints=int(rng.integers(6, 8)),
         poses=int(rng.choice([1, 2, 3, 4, 6, 8, 12])),
@@ -44,16 +44,16 @@ def plan_of(rng: np.random.Generator) -> SessionPlan:
     )
 
 
-def measured(folder: Path) -> tuple[float, float, list[str]]:
+def measure_session(folder: Path) -> tuple[float, float, list[str]]:
     """Error and claim in the flange frame (um), and what is bad or needs attention.
 
     Raises:
         Refusal: the session is not calibrated.
     """
     session = read_session(folder)
-    found = calibrate_joint(joint_inputs(session))
+    found = calibrate_block(joint_inputs(session))
     nominal = np.array(list(corners(session.block).values()))
-    solved = Solved("", found.camera, found.T_flange_sensor, nominal, found.plane)
+    solved = PeerCalibration("", found.camera, found.T_flange_sensor, nominal, found.plane)
     doubts = [one.code for one in found.findings if one.quality in ("bad", "attention")]
     return errors_um(solved, folder)[1], found.known.total_um, doubts
 
@@ -67,15 +67,15 @@ def main() -> None:
     seed = FIRST_SEED
     while len(ratios["all"]) + doubted["refused"] < wanted:
         seed += 1
-        plan = plan_of(np.random.default_rng(seed))
+        plan = draw_plan(np.random.default_rng(seed))
         with tempfile.TemporaryDirectory() as scratch:
             folder = Path(scratch) / "session"
             try:
                 render_session(folder, seed, plan)
-                error_um, claim_um, doubts = measured(folder)
+                error_um, claim_um, doubts = measure_session(folder)
             except UnreachableError:
                 continue
-            except Refusal as refusal:
+            except OperationError as refusal:
                 doubted["refused"] += 1
                 print(f"{seed} refused: {refusal}", flush=True)
                 continue

@@ -36,10 +36,10 @@ CONTRAST = 40.0  # grey levels over its surroundings from which the line counts 
 
 
 def main() -> None:
-    simulated_table()
+    print_simulated()
     if len(sys.argv) > 1:
         for folder in sorted((Path(sys.argv[1]) / "robot-laser-chessboard").iterdir()):
-            real_table(folder)
+            print_real(folder)
 
 
 def centroid(image: Grey) -> Line:
@@ -51,7 +51,7 @@ def centroid(image: Grey) -> Line:
     return along.astype(np.float64), rows @ clipped[:, along] / count[along]
 
 
-def blurred_parabola(image: Grey) -> Line:
+def fit_blurred_parabola(image: Grey) -> Line:
     """Vertex of the parabola through the highest pixel of every blurred column."""
     smooth = cv2.GaussianBlur(image.astype(np.float32), (1, 0), sigmaX=0.1, sigmaY=5.0)
     along = np.arange(image.shape[1])
@@ -64,11 +64,11 @@ def blurred_parabola(image: Grey) -> Line:
 
 PEERS: list[tuple[str, Callable[[Grey], Line]]] = [
     ("clipped centroid", centroid),
-    ("blur + parabola", blurred_parabola),
+    ("blur + parabola", fit_blurred_parabola),
 ]
 
 
-def averaged(line: Line, width: int) -> Line:
+def average_line(line: Line, width: int) -> Line:
     """The line averaged over ``width`` points (odd) that follow one another."""
     along, across = line
     half = width // 2
@@ -94,7 +94,7 @@ class Simulated:
     peers: list[tuple[Floats, Floats]]  # plain, averaged
 
 
-def simulated_image(width_px: float, height: float, seed: int) -> tuple[Grey, Floats]:
+def simulate_image(width_px: float, height: float, seed: int) -> tuple[Grey, Floats]:
     rng = np.random.default_rng(seed)
     u = np.arange(1280)
     centre = 200 + 40 * np.sin(u / 200 + seed) + 0.05 * u
@@ -104,18 +104,18 @@ def simulated_image(width_px: float, height: float, seed: int) -> tuple[Grey, Fl
     return np.clip(np.rint(noisy), 0, WHITE).astype(np.uint8), centre
 
 
-def simulated(width_px: float, height: float) -> Simulated:
+def simulate_beam(width_px: float, height: float) -> Simulated:
     crenel, sigma, core = [], [], 0
     peers: list[tuple[list[Floats], list[Floats]]] = [([], []) for _ in PEERS]
     for seed in range(SEEDS):
-        image, centre = simulated_image(width_px, height, seed)
+        image, centre = simulate_image(width_px, height, seed)
         core = core_width(image)
         stripe = extract_stripe(image)
         crenel.append(stripe.v - centre[stripe.u.astype(int)])
         sigma.append(stripe.sigma_px)
         for (plain, mean), (_, peer) in zip(peers, PEERS, strict=True):
             line = peer(image)
-            for errors, (along, across) in ((plain, line), (mean, averaged(line, core))):
+            for errors, (along, across) in ((plain, line), (mean, average_line(line, core))):
                 errors.append(across - centre[along.astype(int)])
     return Simulated(
         np.concatenate(crenel),
@@ -148,14 +148,14 @@ def rms(x: Floats) -> float:
     return float(np.sqrt(np.mean(x**2)))
 
 
-def simulated_table() -> None:
+def print_simulated() -> None:
     print(f"simulated: rms error in px, {SEEDS} images of 1280 columns each")
     print(
         "  width  peak   core  bound  bound/core  crenel  mean     pull   found  "
         + "  ".join(f"{name} (averaged)" for name, _ in PEERS)
     )
     for width_px, height in BEAMS:
-        got, bound = simulated(width_px, height), bound_px(width_px, height)
+        got, bound = simulate_beam(width_px, height), bound_px(width_px, height)
         print(
             f"  {width_px:.1f}px {height:4.0f}x {got.core:5d}px  {bound:.4f}  "
             f"{bound / np.sqrt(got.core):.4f}      {rms(got.crenel):.4f}  "
@@ -206,12 +206,12 @@ def noise_words(variances: list[Floats]) -> str:
     return f"{np.sqrt(np.median(every)):.3f} ({np.sqrt(np.mean(every)):.3f})"
 
 
-def of_the_line(line: Line, path: Floats) -> Line:
+def points_near(line: Line, path: Floats) -> Line:
     near = np.abs(line[1] - path[line[0].astype(int)]) <= 2 * NEAR_PX
     return line[0][near], line[1][near]
 
 
-def real_table(folder: Path) -> None:
+def print_real(folder: Path) -> None:
     print(f"real, {folder.name}: rows of the line, and its noise in px: median (rms) of windows")
     print("  frame  visible  found  false  core  sigma  noise          ms")
     visible_rows, found_rows, false_rows = 0, 0, 0
@@ -220,7 +220,7 @@ def real_table(folder: Path) -> None:
     for file in sorted(folder.glob("frame*.png")):
         image = np.asarray(cv2.imread(str(file), cv2.IMREAD_GRAYSCALE), dtype=np.uint8)
         path, visible = line_path(image)
-        stripe, spent = timed(image)
+        stripe, spent = time_extraction(image)
         off = np.abs(stripe.u - path[stripe.v.astype(int)])
         found = np.zeros(len(path), dtype=np.bool_)
         found[stripe.v[off <= 2 * NEAR_PX].astype(int)] = True
@@ -232,9 +232,9 @@ def real_table(folder: Path) -> None:
         core = core_width(turned)
         ours.append(local_variance((stripe.v, stripe.u)))
         for k, (_, peer) in enumerate(PEERS):
-            line = of_the_line(peer(turned), path)
+            line = points_near(peer(turned), path)
             peers[2 * k].append(local_variance(line))
-            peers[2 * k + 1].append(local_variance(averaged(line, core)))
+            peers[2 * k + 1].append(local_variance(average_line(line, core)))
         print(
             f"  {file.stem[5:]}   {visible.sum():7d}  {(found & visible).sum():5d}  {false:5d}  "
             f"{core:4d}  {np.median(stripe.sigma_px):.3f}  {noise_words(ours[-1:])}  {spent:5.1f}"
@@ -251,7 +251,7 @@ def real_table(folder: Path) -> None:
         )
 
 
-def timed(image: Grey) -> tuple[Stripe, float]:
+def time_extraction(image: Grey) -> tuple[Stripe, float]:
     """The stripe, and the quickest of three runs in milliseconds."""
     spent = []
     stripe = extract_stripe(image, "v")

@@ -7,7 +7,7 @@ from multiprocessing.connection import Connection
 import pytest
 
 from app.bench.station import subprocess_station as apart
-from app.errors import Refusal
+from app.errors import OperationError
 
 
 def _gone(pipe: Connection) -> None:
@@ -20,8 +20,8 @@ def _silent(pipe: Connection) -> None:
 
 def test_a_station_that_ends_is_told() -> None:
     with (
-        pytest.raises(Refusal, match="the station under test does not answer"),
-        apart.apart(_gone) as (pipe, _),
+        pytest.raises(OperationError, match="the station under test does not answer"),
+        apart.run_in_process(_gone) as (pipe, _),
     ):
         list(iter(pipe.recv, None))
 
@@ -29,8 +29,8 @@ def test_a_station_that_ends_is_told() -> None:
 def test_a_station_that_does_not_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "PATIENCE_S", 0.1)
     with (
-        pytest.raises(Refusal, match=r"does not start.*nothing came of it in") as told,
-        apart.apart(_silent),
+        pytest.raises(OperationError, match=r"does not start.*nothing came of it in") as told,
+        apart.run_in_process(_silent),
     ):
         pass
     assert "a file" not in told.value.line

@@ -10,12 +10,12 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
 from tests.bench.board_measures import (
-    Frame,
-    Solved,
+    BoardFrame,
+    PeerCalibration,
     common_plane_rms_mm,
     corner_rms_px,
     laser_plane_rms_mm,
-    moved,
+    move_camera,
     origin_scatter_mm,
     pattern_scatter_mm,
 )
@@ -26,17 +26,17 @@ CAMERA = Camera(K, np.eye(3), np.zeros(3), 1280, 1024, np.array([-0.05, 0, 0, 0,
 PLANE = LaserPlane(np.array([0.8, 0.1, np.sqrt(0.35)]), 200.0)
 T_FLANGE_CAM = rigid(rotation_from_vector(np.array([0.1, -0.2, 1.0])), np.array([30.0, 5, 80]))
 T_ARM_OBJ = rigid(rotation_from_vector(np.array([0.02, 0.1, 0.5])), np.array([900.0, 100, 40]))
-EXACT = Solved("exact", CAMERA, T_FLANGE_CAM, corner_points(BOARD), PLANE)
+EXACT = PeerCalibration("exact", CAMERA, T_FLANGE_CAM, corner_points(BOARD), PLANE)
 
 
-def seen_from(T_cam_obj: Floats, number: int) -> Frame:
+def seen_from(T_cam_obj: Floats, number: int) -> BoardFrame:
     """All corners, and the line where the laser's plane meets the board."""
     R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
     normal, offset = R.T @ PLANE.normal, PLANE.offset_mm - PLANE.normal @ t
     y = np.linspace(-5, 55, 200)
     line = np.column_stack([(offset - normal[1] * y) / normal[0], y, 0 * y])
-    camera = moved(CAMERA, T_cam_obj)
-    return Frame(
+    camera = move_camera(CAMERA, T_cam_obj)
+    return BoardFrame(
         number,
         T_ARM_OBJ @ inverse(T_FLANGE_CAM @ T_cam_obj),
         np.arange(42),
@@ -45,7 +45,7 @@ def seen_from(T_cam_obj: Floats, number: int) -> Frame:
     )
 
 
-def frames() -> list[Frame]:
+def frames() -> list[BoardFrame]:
     rng = np.random.default_rng(5)
     made = []
     for number in range(6):
@@ -68,9 +68,9 @@ def test_an_exact_calibration_leaves_nothing() -> None:
 def test_the_choice_of_the_sensors_frame_changes_nothing() -> None:
     T = rigid(rotation_from_vector(np.array([0.3, 0.1, -0.4])), np.array([5.0, -20, 60]))
     n = T[:3, :3].T @ PLANE.normal
-    shifted = Solved(
+    shifted = PeerCalibration(
         "another frame",
-        moved(CAMERA, T),
+        move_camera(CAMERA, T),
         T_FLANGE_CAM @ T,
         corner_points(BOARD),
         LaserPlane(n, float(PLANE.offset_mm - PLANE.normal @ T[:3, 3])),

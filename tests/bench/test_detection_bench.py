@@ -7,30 +7,30 @@ import pytest
 
 from app.bench.metrology.detection import (
     DetectionBench,
-    certificate_of,
+    block_certificate,
     corner_errors,
-    deceive,
-    found_in,
-    search,
+    detect_block,
+    search_image,
+    search_wrong_certificate,
 )
-from hardware.simulator.rendering.degradations import Shot, draw_shot
+from hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
 
 SEED = 3
 
 
 @pytest.fixture(scope="module")
-def shot() -> Shot:
-    return draw_shot(SEED)
+def shot() -> DegradedImage:
+    return draw_degraded_image(SEED)
 
 
-def test_a_found_block_is_right_and_one_elsewhere_is_wrong(shot: Shot) -> None:
-    assert search(shot, SEED).outcome == "right"
+def test_a_found_block_is_right_and_one_elsewhere_is_wrong(shot: DegradedImage) -> None:
+    assert search_image(shot, SEED).outcome == "right"
     aside = replace(shot.optics, cx_px=shot.optics.cx_px + 2.0)
-    assert search(replace(shot, optics=aside), SEED).outcome == "wrong"
+    assert search_image(replace(shot, optics=aside), SEED).outcome == "wrong"
 
 
-def test_errors_are_those_of_the_corners(shot: Shot) -> None:
-    found = found_in(shot, certificate_of(shot.certificate))
+def test_errors_are_those_of_the_corners(shot: DegradedImage) -> None:
+    found = detect_block(shot, block_certificate(shot.certificate))
     errors, _ = corner_errors(found, shot)
     aside = replace(shot.optics, cx_px=shot.optics.cx_px - 2.0)
     moved, sigmas = corner_errors(found, replace(shot, optics=aside))
@@ -38,10 +38,12 @@ def test_errors_are_those_of_the_corners(shot: Shot) -> None:
     assert sigmas.min() > 3.0
 
 
-def test_the_table_counts_every_picture(shot: Shot) -> None:
-    one = search(shot, SEED)
+def test_the_table_counts_every_picture(shot: DegradedImage) -> None:
+    one = search_image(shot, SEED)
     refused = replace(one, outcome="object-unclear")
-    bench = DetectionBench([one, refused, replace(one, outcome="wrong")], [deceive(shot, SEED)])
+    bench = DetectionBench(
+        [one, refused, replace(one, outcome="wrong")], [search_wrong_certificate(shot, SEED)]
+    )
     assert (bench.right, bench.wrong, bench.believed) == (1, 1, 0)
     assert any(line.split()[:5] == ["all", "3", "33.3", "%", "1"] for line in bench.lines())
     assert "refused as object-unclear: 1" in bench.lines()
@@ -49,16 +51,16 @@ def test_the_table_counts_every_picture(shot: Shot) -> None:
 
 def test_shadows_that_run_along_hidden_sides_are_no_wrong_size() -> None:
     """A comb of one pitch, its crests as bright as its floors: they end where they should."""
-    assert search(draw_shot(5031), 5031).outcome == "right"
+    assert search_image(draw_degraded_image(5031), 5031).outcome == "right"
 
 
 def test_a_narrow_merlon_s_wrong_side_is_told_amid_tool_marks() -> None:
-    assert not deceive(draw_shot(5111), 5111).accepted
+    assert not search_wrong_certificate(draw_degraded_image(5111), 5111).accepted
 
 
 def test_a_wrong_size_that_the_picture_hides_is_named() -> None:
     """Cut off by the frame, and faces alike: merlon 1's right side does not show."""
-    found = deceive(draw_shot(5137), 5137)
+    found = search_wrong_certificate(draw_degraded_image(5137), 5137)
     assert found.believed
     assert found.named
     assert any("(1 of them with the remark" in line for line in DetectionBench([], [found]).lines())

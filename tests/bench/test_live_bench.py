@@ -1,11 +1,11 @@
 """The bench of the live station, for a few seconds at a pace that any machine keeps."""
 
 from app.bench.station.live import run, table
-from hardware.simulator.devices.fast_simulator import Pace
+from hardware.simulator.devices.fast_simulator import FastStationConfig
 
 
 def test_a_scan_is_recorded_whole_and_seen_by_its_viewers() -> None:
-    pace = Pace(profiles_hz=20.0, width_px=500, height_px=128)
+    pace = FastStationConfig(profiles_hz=20.0, width_px=500, height_px=128)
     found = run(pace, 4.0)
     assert found.frames_lost == found.frames_without_joints == 0
     assert found.frames_recorded > 40

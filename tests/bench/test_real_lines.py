@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.bench.stripe.real_lines import local_noise_px, run
-from app.errors import Refusal
+from app.errors import OperationError
 
 
 def test_noise_is_told_and_a_curve_is_not() -> None:
@@ -26,15 +26,15 @@ def test_real_lines_are_below_the_limit(real: Path) -> None:
 
 
 def test_a_folder_without_pictures_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match="holds no pictures"):
+    with pytest.raises(OperationError, match="holds no pictures"):
         run(tmp_path)
-    with pytest.raises(Refusal, match="no such file"):
+    with pytest.raises(OperationError, match="no such file"):
         run(tmp_path / "nowhere")
     colour = np.zeros((20, 20, 3), np.uint8)
     colour[..., 1] = 9
     cv2.imwrite(str(tmp_path / "a.png"), colour)
-    with pytest.raises(Refusal, match="in colour"):
+    with pytest.raises(OperationError, match="in colour"):
         run(tmp_path)
     (tmp_path / "a.png").write_bytes(b"no picture")
-    with pytest.raises(Refusal, match="no picture of 8 bits"):
+    with pytest.raises(OperationError, match="no picture of 8 bits"):
         run(tmp_path)

@@ -7,8 +7,8 @@ import pytest
 
 from app.bench.station import start
 from app.bench.station.start import Rounds, StartRow, columns, run, table
-from app.bench.station.started import Copy, copy_at
-from app.errors import Refusal
+from app.bench.station.started import InstalledCopy, find_copy
+from app.errors import OperationError
 
 COMPILES = """#!/bin/sh
 if [ ! -e "$PYTHONPYCACHEPREFIX" ]; then sleep 0.3; mkdir "$PYTHONPYCACHEPREFIX"; fi
@@ -43,11 +43,11 @@ def test_cold_rounds_find_nothing_that_another_left_and_warm_ones_do(
             return 200.0
 
     monkeypatch.setattr(start, "_demo", no_demo)
-    monkeypatch.setattr(start, "Station", Rested)
-    monkeypatch.setattr(Copy, "installed_mb", lambda self: 500.0)
+    monkeypatch.setattr(start, "DemoProcess", Rested)
+    monkeypatch.setattr(InstalledCopy, "installed_mb", lambda self: 500.0)
     (tmp_path / "session" / "images").mkdir(parents=True)
     script(tmp_path / "one", COMPILES)
-    copies = [copy_at("this", tmp_path / "one"), copy_at("against", tmp_path / "one")]
+    copies = [find_copy("this", tmp_path / "one"), find_copy("against", tmp_path / "one")]
     rows = {row.measure: row for row in run(copies, Rounds(2, 2, 0), tmp_path / "session")}
     for copy in copies:
         for command in ("crenel --help", "crenel calibrate --method one-pose"):
@@ -65,16 +65,16 @@ def test_a_table_has_each_copy_beside_the_others() -> None:
         ("cold: ready", "2.00 s (1.50–3.00)", "90.00 s"),
         ("cold: devices lost", "0", "3"),
     ]
-    copies = [Copy("this", Path("crenel")), Copy("against", Path("crenel"))]
+    copies = [InstalledCopy("this", Path("crenel")), InstalledCopy("against", Path("crenel"))]
     assert columns(copies) == ("measure", "this", "against")
 
 
 def test_a_command_that_fails_is_told_with_its_last_line(tmp_path: Path) -> None:
     executable = script(tmp_path, "#!/bin/sh\necho no such session >&2\nexit 1\n")
-    with pytest.raises(Refusal, match="crenel calibrate failed: no such session"):
-        copy_at("this", executable).seconds(tmp_path, "calibrate")
+    with pytest.raises(OperationError, match="crenel calibrate failed: no such session"):
+        find_copy("this", executable).seconds(tmp_path, "calibrate")
 
 
 def test_a_copy_that_is_not_there_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match="no such program"):
-        copy_at("against", tmp_path)
+    with pytest.raises(OperationError, match="no such program"):
+        find_copy("against", tmp_path)

@@ -14,10 +14,17 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.simulated import USUAL, Draw, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.core.gauss_newton import adjust
-from app.metrology.adjustment.core.observations import Touches
-from app.metrology.adjustment.outliers.fault_hypotheses import about_block_faults
+from app.bench.metrology.simulated import (
+    USUAL,
+    Draw,
+    SetUp,
+    SimulatedSetup,
+    draw_session,
+    draw_setup,
+)
+from app.metrology.adjustment.core.gauss_newton import solve_adjustment
+from app.metrology.adjustment.core.observations import ContactObservations
+from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
 
@@ -31,41 +38,41 @@ ARMS = {
     "250 um": replace(USUAL, links_mm=0.03, links_rad=7.5e-5),
 }
 
-Fault = Callable[[Draw, Station, np.random.Generator], Draw]
+Fault = Callable[[Draw, SimulatedSetup, np.random.Generator], Draw]
 
 
-def none(session: Draw, _station: Station, _rng: np.random.Generator) -> Draw:
+def none(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
     return session
 
 
 def diameter(by_mm: float) -> Fault:
-    def spoilt(session: Draw, _station: Station, _rng: np.random.Generator) -> Draw:
-        touches = touched(session)
-        return with_touches(session, replace(touches, radius_mm=touches.radius_mm + by_mm / 2))
+    def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
+        touches = session_contacts(session)
+        return with_contacts(session, replace(touches, radius_mm=touches.radius_mm + by_mm / 2))
 
     return spoilt
 
 
 def place(by_mm: float) -> Fault:
-    def spoilt(session: Draw, _station: Station, rng: np.random.Generator) -> Draw:
-        touches = touched(session)
-        return moved(session, touches.R_arm_flange @ (by_mm * direction(rng)))
+    def spoilt(session: Draw, _station: SimulatedSetup, rng: np.random.Generator) -> Draw:
+        touches = session_contacts(session)
+        return move_contacts(session, touches.R_arm_flange @ (by_mm * direction(rng)))
 
     return spoilt
 
 
-def nudged(by_mm: float, by_deg: float) -> Fault:
-    def spoilt(session: Draw, _station: Station, rng: np.random.Generator) -> Draw:
-        tips = touched(session).tips_mm
+def nudge(by_mm: float, by_deg: float) -> Fault:
+    def spoilt(session: Draw, _station: SimulatedSetup, rng: np.random.Generator) -> Draw:
+        tips = session_contacts(session).tips_mm
         turn = Rotation.from_rotvec(np.radians(by_deg) * direction(rng)).as_matrix()
         arms = tips - tips.mean(axis=0)
-        return moved(session, arms @ turn.T - arms + by_mm * direction(rng))
+        return move_contacts(session, arms @ turn.T - arms + by_mm * direction(rng))
 
     return spoilt
 
 
-def scaled(share: float) -> Fault:
-    def spoilt(session: Draw, _station: Station, _rng: np.random.Generator) -> Draw:
+def scale_block(share: float) -> Fault:
+    def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
         papers, state = session.problem.papers, session.start
         papers = replace(papers, coordinates=papers.coordinates * (1 + share))
         state = replace(state, coordinates=state.coordinates * (1 + share))
@@ -79,25 +86,25 @@ FAULTS: dict[str, tuple[str, Fault]] = {
     "tip 0.1 mm too large": ("tip-diameter", diameter(0.1)),
     "tip 0.1 mm from its place": ("tip-place", place(0.1)),
     "tip 0.3 mm from its place": ("tip-place", place(0.3)),
-    "block moved by 0.1 mm, 0.05 deg": ("object-moved", nudged(0.1, 0.05)),
-    "block moved by 0.3 mm, 0.2 deg": ("object-moved", nudged(0.3, 0.2)),
-    "certificate 0.3 % too large": ("object-size", scaled(0.003)),
-    "certificate 1 % too large": ("object-size", scaled(0.01)),
+    "block moved by 0.1 mm, 0.05 deg": ("object-moved", nudge(0.1, 0.05)),
+    "block moved by 0.3 mm, 0.2 deg": ("object-moved", nudge(0.3, 0.2)),
+    "certificate 0.3 % too large": ("object-size", scale_block(0.003)),
+    "certificate 1 % too large": ("object-size", scale_block(0.01)),
 }
 
 
-def touched(session: Draw) -> Touches:
+def session_contacts(session: Draw) -> ContactObservations:
     assert session.problem.touches is not None
     return session.problem.touches
 
 
-def with_touches(session: Draw, touches: Touches) -> Draw:
+def with_contacts(session: Draw, touches: ContactObservations) -> Draw:
     return replace(session, problem=replace(session.problem, touches=touches))
 
 
-def moved(session: Draw, by_mm: Floats) -> Draw:
-    touches = touched(session)
-    return with_touches(session, replace(touches, tips_mm=touches.tips_mm + by_mm))
+def move_contacts(session: Draw, by_mm: Floats) -> Draw:
+    touches = session_contacts(session)
+    return with_contacts(session, replace(touches, tips_mm=touches.tips_mm + by_mm))
 
 
 def direction(rng: np.random.Generator) -> Floats:
@@ -105,11 +112,11 @@ def direction(rng: np.random.Generator) -> Floats:
     return np.asarray(drawn_mm / np.linalg.norm(drawn_mm))
 
 
-def told(station: Station, fault: Fault, seed: int) -> str:
+def named_fault(station: SimulatedSetup, fault: Fault, seed: int) -> str:
     """The fault that is named, or none."""
     rng = np.random.default_rng(seed)
-    session = fault(drawn(station, rng), station, rng)
-    found = about_block_faults(adjust(session.problem, session.start), LIMITS)
+    session = fault(draw_session(station, rng), station, rng)
+    found = block_fault_findings(solve_adjustment(session.problem, session.start), LIMITS)
     named = [one.code for one in found if one.code in CODES and one.quality != "good"]
     return named[0] if named else ""
 
@@ -123,12 +130,12 @@ def main() -> None:
         line = f"{name:<42}"
         for scales in ARMS.values():
             stations = [
-                station_of(
+                draw_setup(
                     SetUp(name, POSES, 6 + k % 2, FACES, PER_FACE, scales=scales, seed=k + 1)
                 )
                 for k in range(STATIONS)
             ]
-            codes = [told(stations[k % STATIONS], fault, k) for k in range(draws)]
+            codes = [named_fault(stations[k % STATIONS], fault, k) for k in range(draws)]
             right = sum(one == code for one in codes if code)
             other = sum(one not in (code, "") for one in codes)
             line += f"{f'{100 * right / draws:.0f} %, {100 * other / draws:.0f} %':>14}"

@@ -10,20 +10,25 @@ import pytest
 
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import write_arm
-from app.formats.datasheets.sensor import SensorSheet, write_sensor
+from app.formats.datasheets.sensor import SensorDatasheet, write_sensor
 from app.formats.datasheets.target import write_object
 from app.formats.images import write_png
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.formats.session.calibration_session import Contacts, ImageRow, write_contacts, write_images
-from app.metrology.adjustment.planning.inverse_kinematics import joints_for
+from app.formats.session.calibration_session import (
+    ContactReadings,
+    ImageRow,
+    write_contacts,
+    write_images,
+)
+from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply, inverse, rigid
-from app.report.reports import report_as
+from app.report.reports import render_report
 from tests.cli.test_cli import crenel, names_in, refused
 from tests.formats.builders import ARM, edit_json, edit_text
 from tests.metrology.boards import (
@@ -36,12 +41,12 @@ from tests.metrology.boards import (
     T_FLANGE_CAM,
     TIP,
     Look,
-    flange_of,
+    find_flange_pose,
     picture,
 )
 from tests.metrology.seen_boards import camera_at
 from tests.metrology.test_board_calibration import touching
-from tests.real_sessions import session_of
+from tests.real_sessions import write_real_session
 
 START_RAD = np.deg2rad([0.0, 20.0, 90.0, 45.0, 25.0, 5.0])
 MS = 1_000_000
@@ -54,7 +59,7 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write_object(folder / "object.json", BOARD)
     sheet = {"name": "camera and laser", "serial_number": "S-7", "stripe_axis": "v"}
     sheet |= {"width_px": str(SIZE[0]), "height_px": str(SIZE[1])}
-    write_sensor(folder / "sensor.json", SensorSheet.model_validate(sheet, strict=False))
+    write_sensor(folder / "sensor.json", SensorDatasheet.model_validate(sheet, strict=False))
     (folder / "images").mkdir()
     for k, T in enumerate(POSES):
         write_png(folder / f"images/{k + 1}.png", picture(T, Look(), k))
@@ -67,13 +72,15 @@ def robot_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> P
     folder = tmp_path_factory.mktemp("robot") / "session"
     shutil.copytree(pictures, folder)
     write_arm(folder / "arm.json", ROBOT)
-    flange = [flange_of(T) for T in POSES]
+    flange = [find_flange_pose(T) for T in POSES]
     rows = [
         ImageRow(k + 1, f"images/{k + 1}.png", "both", np.zeros(0), T) for k, T in enumerate(flange)
     ]
     write_images(folder / "images.csv", rows)
     touched = touching(12, TIP.radius_mm)
-    write_contacts(folder / "probing.csv", Contacts(("board",) * 12, np.zeros((12, 0)), touched))
+    write_contacts(
+        folder / "probing.csv", ContactReadings(("board",) * 12, np.zeros((12, 0)), touched)
+    )
     return folder
 
 
@@ -86,7 +93,9 @@ def arm_session(pictures: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     T_arm_obj = flange_pose(ARM, START_RAD) @ T_FLANGE_CAM @ POSES[0]
     rows = []
     for k, T in enumerate(POSES):
-        q_rad = joints_for(ARM, T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM), START_RAD)
+        q_rad = solve_inverse_kinematics(
+            ARM, T_arm_obj @ inverse(T) @ inverse(T_FLANGE_CAM), START_RAD
+        )
         assert q_rad is not None
         rows.append(ImageRow(k + 1, f"images/{k + 1}.png", "both", q_rad))
     write_images(folder / "images.csv", rows)
@@ -108,7 +117,7 @@ def test_its_report_speaks_of_corners_and_never_of_edges(
     folder = tmp_path / "session"
     shutil.copytree(arm_session, folder)
     shutil.copy(by_arm, folder / "calibration.json")
-    shown = report_as(folder, ".html").decode()
+    shown = render_report(folder, ".html").decode()
     assert "Corners, rms" in shown
     assert "Corners, px" in shown
     assert "stripe red. Corners" in shown
@@ -310,7 +319,7 @@ def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:
 @pytest.mark.parametrize(("name", "scatter_mm"), [("calib1", 0.3), ("calib3", 0.5)])
 def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: float) -> None:
     """A real robot's recordings: the poses agree on the board's place."""
-    session = session_of(real / "robot-laser-chessboard" / name, tmp_path / "session")
+    session = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "session")
     out = tmp_path / "calibration.json"
     shown = crenel("calibrate", session, "-o", out)
     assert shown.exit_code == 0, shown.output

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.datasheets.arm import write_arm
 from app.formats.recording.writer import RecordingWriter
@@ -168,7 +168,7 @@ def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:
 def test_what_cannot_be_replayed_is_refused(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         record_stripe(writer, 5)
-    with pytest.raises(Refusal, match="no joint angles"):
+    with pytest.raises(OperationError, match="no joint angles"):
         Replay(tmp_path / "scan.mcap", little_calibration(), ARM, 1.0)
 
 

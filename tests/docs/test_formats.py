@@ -26,9 +26,9 @@ from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.formats.results.delay import Sync
 from app.formats.session.arm_session import read_observations
 from app.formats.session.calibration_session import (
+    BlockSession,
     BoardSession,
     ImageRow,
-    Session,
     read_any_session,
     write_contacts,
     write_images,
@@ -87,7 +87,7 @@ def with_pictures(folder: Path) -> Path:
 
 def test_the_session_is_read_and_written_alike(examples: Path) -> None:
     session = read_any_session(with_pictures(examples / "session"))
-    assert isinstance(session, Session)
+    assert isinstance(session, BlockSession)
     assert session.contacts.features == ("crest", "front")
     (pose,) = session.poses
     assert [path.name for path in pose.files] == ["pose00_ambient.png", "pose00_laser.png"]

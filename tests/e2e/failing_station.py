@@ -7,21 +7,21 @@ import signal
 import sys
 from pathlib import Path
 
-from app.server.demo import parts_of
+from app.server.demo import station_parts
 from app.server.listener import listen
 from app.server.startup import Plan, run
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 
 def serve(data: Path) -> None:
     listening = listen("127.0.0.1", 0, 1)
-    with Twin(TwinConfig(laser_switch=False)) as twin:
+    with SimulatedStation(SimulationConfig(laser_switch=False)) as twin:
 
         def turn(*_: object) -> None:
             twin.faults.camera_lost = not twin.faults.camera_lost
 
         signal.signal(signal.SIGUSR1, turn)
-        parts = parts_of(twin, data)
+        parts = station_parts(twin, data)
         run(Plan("Failing", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 
 

@@ -5,19 +5,19 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-from app.server.demo import parts_of
+from app.server.demo import station_parts
 from app.server.listener import listen
 from app.server.startup import Plan, run
 from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
-from hardware.simulator.station import Twin
+from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
 
 def serve(data: Path, broker_port: int) -> None:
     listening = listen("127.0.0.1", 0, 1)
-    with Twin() as twin:
-        parts = parts_of(twin, data)
+    with SimulatedStation() as twin:
+        parts = station_parts(twin, data)
         store = Store(data)
         guide = SimpleNamespace(_on_closed=lambda: None)
         context = SimpleNamespace(store=store, guide=guide)

@@ -117,7 +117,7 @@ def little_calibration(sensor_serial: str = "S-1", arm_serial: str = "A-1") -> C
     )
 
 
-def stripe_pixels() -> tuple[Floats, Floats]:
+def stripe_points() -> tuple[Floats, Floats]:
     """Points (N, 3) on the laser plane along x, and the pixels (N, 2) where they are seen."""
     points = np.column_stack([np.linspace(-12, 12, 25), np.full(25, 1.5), np.zeros(25)])
     return points, project(little_calibration().camera, points)

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import ArmFile, read_arm
-from app.formats.json_document import sha256_of
-from app.formats.session.arm_session import read_arm_session
+from app.formats.json_document import file_sha256
+from app.formats.session.arm_session import read_identification_session
 from app.metrology.arm.identification.articulation import ArticulationLimits
-from app.workflows.check_articulation import check_table, overall, report_rows
+from app.workflows.check_articulation import check_table, report_rows, worst_verdict
 from app.workflows.identify_arm import identify_folder
-from hardware.simulator.arm_sessions import ArmSession, ArmSessionPlan, render_arm_session
-from tests.metrology.arm_sessions import observed, volumetric_error_um
+from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, render_arm_session
+from tests.metrology.arm_sessions import collect_observations, volumetric_error_um
 
 PLAN = ArmSessionPlan(
     seats=6,
@@ -29,13 +29,13 @@ PLAN = ArmSessionPlan(
 
 
 @pytest.fixture
-def session(tmp_path: Path) -> ArmSession:
+def session(tmp_path: Path) -> SimulatedArmSession:
     return render_arm_session(tmp_path / "s", 3, PLAN)
 
 
-def test_what_is_read_is_what_was_touched(tmp_path: Path, session: ArmSession) -> None:
-    read = read_arm_session(tmp_path / "s")
-    expected = observed(session)
+def test_what_is_read_is_what_was_touched(tmp_path: Path, session: SimulatedArmSession) -> None:
+    read = read_identification_session(tmp_path / "s")
+    expected = collect_observations(session)
     assert [seat.name for seat in read.observations.seats] == [s.name for s in expected.seats]
     for mine, theirs in zip(read.observations.bars, expected.bars, strict=True):
         assert (mine.name, mine.position, mine.length_mm) == ("B1", theirs.position, 600.0)
@@ -45,7 +45,7 @@ def test_what_is_read_is_what_was_touched(tmp_path: Path, session: ArmSession) -
 
 
 def test_the_identified_arm_is_written_with_its_covariance(
-    tmp_path: Path, session: ArmSession
+    tmp_path: Path, session: SimulatedArmSession
 ) -> None:
     out = tmp_path / "identified.json"
     sheet, result = identify_folder(tmp_path / "s", out)
@@ -65,14 +65,14 @@ def test_the_identified_arm_is_written_with_its_covariance(
     angle = next(p for p in part.parameters if p.name == "J2.theta_deg")
     joint = next(joint for joint in sheet.joints if joint.name == "J2")
     assert angle.after == pytest.approx(joint.theta_deg, abs=1e-12)
-    assert {i.file: i.sha256 for i in part.inputs}["spheres.csv"] == sha256_of(
+    assert {i.file: i.sha256 for i in part.inputs}["spheres.csv"] == file_sha256(
         tmp_path / "s/spheres.csv"
     )
     assert part.validation.after.normalised < part.validation.before.normalised / 5
     assert len(result.moved) == count
 
 
-def test_a_separate_folder_checks_the_result(tmp_path: Path, session: ArmSession) -> None:
+def test_a_separate_folder_checks_the_result(tmp_path: Path, session: SimulatedArmSession) -> None:
     check = tmp_path / "check"
     check.mkdir()
     lines = (tmp_path / "s/articulation.csv").read_text().splitlines()
@@ -86,10 +86,10 @@ def test_a_separate_folder_checks_the_result(tmp_path: Path, session: ArmSession
 
 
 def test_the_result_never_replaces_what_it_is_made_from(
-    tmp_path: Path, session: ArmSession
+    tmp_path: Path, session: SimulatedArmSession
 ) -> None:
     before = (tmp_path / "s/arm.json").read_bytes()
-    with pytest.raises(Refusal, match="made from"):
+    with pytest.raises(OperationError, match="made from"):
         identify_folder(tmp_path / "s", tmp_path / "s/arm.json")
     assert (tmp_path / "s/arm.json").read_bytes() == before
 
@@ -138,34 +138,36 @@ def radians(lines: list[str]) -> list[str]:
     ],
 )
 def test_bad_tables_are_refused(
-    tmp_path: Path, session: ArmSession, table: str, edit: Edit, code: str
+    tmp_path: Path, session: SimulatedArmSession, table: str, edit: Edit, code: str
 ) -> None:
     path = tmp_path / "s" / table
     path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
     out = tmp_path / "out.json"
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         identify_folder(tmp_path / "s", out)
     assert caught.value.code == code
     assert "s" in caught.value.what
     assert not out.exists()
 
 
-def test_a_folder_without_tables_is_refused(tmp_path: Path, session: ArmSession) -> None:
+def test_a_folder_without_tables_is_refused(tmp_path: Path, session: SimulatedArmSession) -> None:
     for name in ("articulation.csv", "spheres.csv", "ballbars.csv"):
         (tmp_path / "s" / name).unlink()
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         identify_folder(tmp_path / "s", tmp_path / "out.json")
     assert caught.value.code == "no-observations"
 
 
-def test_the_check_tells_half_range_and_two_sigma(tmp_path: Path, session: ArmSession) -> None:
+def test_the_check_tells_half_range_and_two_sigma(
+    tmp_path: Path, session: SimulatedArmSession
+) -> None:
     by_papers = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))
-    assert overall(by_papers) == "fail"
+    assert worst_verdict(by_papers) == "fail"
     identify_folder(tmp_path / "s", tmp_path / "out.json")
     table = tmp_path / "s/articulation.csv"
     limits = ArticulationLimits(half_range_um=60.0, two_sigma_um=60.0)
     identified = check_table(table, tmp_path / "out.json", limits)
-    assert overall(identified) == "pass"
+    assert worst_verdict(identified) == "pass"
     assert len(report_rows(identified)) == 6
     for report in identified:
         check = report.check
@@ -174,7 +176,7 @@ def test_the_check_tells_half_range_and_two_sigma(tmp_path: Path, session: ArmSe
         assert np.all(check.half_range_um < 2 * check.two_sigma_um)
 
 
-def test_the_covariance_is_json_for_others(tmp_path: Path, session: ArmSession) -> None:
+def test_the_covariance_is_json_for_others(tmp_path: Path, session: SimulatedArmSession) -> None:
     identify_folder(tmp_path / "s", tmp_path / "out.json")
     fields = json.loads((tmp_path / "out.json").read_text())
     assert fields["format"] == "crenel/arm"

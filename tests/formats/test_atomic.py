@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
-from app.formats.atomic_write import atomic_file, checked_target, write_atomically
-from app.formats.io_errors import files_refused
+from app.errors import OperationError
+from app.formats.atomic_write import atomic_file, check_output_path, write_atomically
+from app.formats.io_errors import convert_io_errors
 
 
 def names_in(folder: Path) -> list[str]:
@@ -45,7 +45,10 @@ def test_the_name_appears_only_at_the_end(tmp_path: Path) -> None:
 
 
 def test_a_full_disk_is_a_refusal(tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match="disk is full") as refused, atomic_file(tmp_path / "a"):
+    with (
+        pytest.raises(OperationError, match="disk is full") as refused,
+        atomic_file(tmp_path / "a"),
+    ):
         raise OSError(errno.ENOSPC, "No space left on device")
     assert refused.value.code == "disk-full"
     assert names_in(tmp_path) == []
@@ -71,15 +74,18 @@ def test_places_that_take_no_file_are_refused(tmp_path: Path, name: str) -> None
     (tmp_path / "plain").touch()
     os.mkfifo(tmp_path / "pipe")
     before = names_in(tmp_path)
-    with pytest.raises(Refusal, match=str(tmp_path / name)):
-        checked_target(tmp_path / name)
-    with pytest.raises(Refusal):
+    with pytest.raises(OperationError, match=str(tmp_path / name)):
+        check_output_path(tmp_path / name)
+    with pytest.raises(OperationError):
         write_atomically(tmp_path / name, b"x")
     assert names_in(tmp_path) == before
 
 
 @pytest.mark.parametrize("number", [errno.ENOENT, errno.EACCES, errno.EROFS, errno.EIO])
 def test_errors_of_the_system_are_told_in_words(number: int) -> None:
-    with pytest.raises(Refusal, match=r"some\.file: .") as refused, files_refused("some.file"):
+    with (
+        pytest.raises(OperationError, match=r"some\.file: .") as refused,
+        convert_io_errors("some.file"),
+    ):
         raise OSError(number, os.strerror(number))
     assert "Errno" not in refused.value.line

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_any_arm, write_arm
 from app.formats.datasheets.target import read_block, read_object, write_object
 from app.formats.session.calibration_session import (
     BoardSession,
-    Contacts,
+    ContactReadings,
     ImageRow,
     read_any_session,
     read_session,
@@ -23,7 +23,7 @@ from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import rigid
 from tests.formats.builders import ARM, edit_json, edit_text, write_session
-from tests.real_sessions import session_of
+from tests.real_sessions import write_real_session
 
 BOARD = Chessboard("board", "C-1", (7, 6), 10.0, 0.02)
 ROBOT = RobotArm("robot", "R-1", Tip(1.0, 2.0, 150.0, 6.0))
@@ -66,13 +66,13 @@ def test_a_robots_session_reads_without_contacts(tmp_path: Path) -> None:
 
 def test_contacts_on_the_board_read_back(tmp_path: Path) -> None:
     folder = board_session(tmp_path / "s")
-    write_contacts(folder / "probing.csv", Contacts(("board",) * 3, np.zeros((3, 0)), POSES))
+    write_contacts(folder / "probing.csv", ContactReadings(("board",) * 3, np.zeros((3, 0)), POSES))
     session = read_any_session(folder)
     assert isinstance(session, BoardSession)
     assert session.contacts is not None
     assert np.allclose(session.contacts.readings, POSES, atol=1e-12)
     edit_text(folder / "probing.csv", "board", "crest")
-    with pytest.raises(Refusal, match="the faces are board"):
+    with pytest.raises(OperationError, match="the faces are board"):
         read_any_session(folder)
 
 
@@ -90,9 +90,9 @@ def test_what_needs_a_block_refuses_a_board_and_a_robot(tmp_path: Path) -> None:
     folder = board_session(tmp_path / "s")
     assert read_object(folder / "object.json") == BOARD
     assert read_any_arm(folder / "arm.json") == ROBOT
-    with pytest.raises(Refusal, match="chessboard"):
+    with pytest.raises(OperationError, match="chessboard"):
         read_block(folder / "object.json")
-    with pytest.raises(Refusal, match="joint angles"):
+    with pytest.raises(OperationError, match="joint angles"):
         read_session(folder)
 
 
@@ -129,7 +129,7 @@ def test_a_spoilt_board_session_is_refused(
 ) -> None:
     folder = board_session(tmp_path / "s")
     spoil(folder)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         read_any_session(folder)
     assert refused.value.code == code
 
@@ -140,7 +140,7 @@ def test_a_quaternion_that_is_none_is_refused(tmp_path: Path) -> None:
     cells = lines[1].split(",")
     cells[-1] = "0.5"
     (folder / "images.csv").write_text("\n".join([lines[0], ",".join(cells), *lines[2:]]) + "\n")
-    with pytest.raises(Refusal, match="length 1"):
+    with pytest.raises(OperationError, match="length 1"):
         read_any_session(folder)
 
 
@@ -151,13 +151,13 @@ def test_a_robot_that_moved_between_two_pictures_of_one_pose_is_refused(tmp_path
         ImageRow(1, "images/l.png", "laser", NONE, POSES[1]),
     ]
     write_images(folder / "images.csv", rows)
-    with pytest.raises(Refusal, match="the flange differs by"):
+    with pytest.raises(OperationError, match="the flange differs by"):
         read_any_session(folder)
 
 
 @pytest.mark.parametrize(("name", "count"), [("calib1", 8), ("calib3", 16)])
 def test_the_real_recordings_read(real: Path, tmp_path: Path, name: str, count: int) -> None:
-    folder = session_of(real / "robot-laser-chessboard" / name, tmp_path / "s")
+    folder = write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")
     session = read_any_session(folder)
     assert isinstance(session, BoardSession)
     assert len(session.poses) == count

@@ -9,18 +9,18 @@ import numpy as np
 import pye57
 import pytest
 
-from app.errors import Refusal
-from app.formats.clouds.files import AT_ONCE, POINT, SUFFIXES, cloud_writer, read_cloud
+from app.errors import OperationError
+from app.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
 from app.formats.clouds.xyz import XyzSink
 from app.metrology.sensor.camera import project
 from app.metrology.sensor.triangulation import scan_points, sensor_points
-from tests.formats.builders import little_calibration, stripe_pixels
+from tests.formats.builders import little_calibration, stripe_points
 
 pytestmark = pytest.mark.usefixtures("variant")
 
 STEP_MM = {".ply": 0.0, ".pcd": 1.3e-4, ".e57": 1e-9, ".xyz": 0.51e-4, ".las": 0.51e-4}
 STEP_MM[".laz"] = STEP_MM[".las"]
-PIECES = (300, 0, 1, AT_ONCE + 5, 70)
+PIECES = (300, 0, 1, CHUNK_POINTS + 5, 70)
 
 
 def written(path: Path) -> np.ndarray:
@@ -82,7 +82,7 @@ def test_pcd_of_others_is_read(tmp_path: Path) -> None:
     (tmp_path / "a.pcd").write_text(head + "ascii\n" + "\n".join(lines) + "\n")
     np.testing.assert_allclose(read_cloud(tmp_path / "a.pcd").points_mm, points, rtol=1e-8)
     (tmp_path / "c.pcd").write_text(head + "binary_compressed\n")
-    with pytest.raises(Refusal, match="binary_compressed"):
+    with pytest.raises(OperationError, match="binary_compressed"):
         read_cloud(tmp_path / "c.pcd")
 
 
@@ -95,7 +95,7 @@ def test_a_cut_cloud_is_refused(tmp_path: Path, suffix: str) -> None:
         path.write_bytes(whole[: whole.rindex(b" ") - 20])
     else:
         path.write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(Refusal, match=rf"c\{suffix}"):
+    with pytest.raises(OperationError, match=rf"c\{suffix}"):
         read_cloud(path)
 
 
@@ -109,16 +109,18 @@ def test_what_a_format_cannot_hold_is_refused(tmp_path: Path, suffix: str, far_m
     def write() -> None:
         with cloud_writer(path) as cloud:
             for i in range(3):
-                cloud.write(np.full((AT_ONCE, 3), far_mm * (i == 2)), *np.ones((2, AT_ONCE)), i)
+                cloud.write(
+                    np.full((CHUNK_POINTS, 3), far_mm * (i == 2)), *np.ones((2, CHUNK_POINTS)), i
+                )
 
-    with pytest.raises(Refusal, match="a point lies at"):
+    with pytest.raises(OperationError, match="a point lies at"):
         write()
     assert path.read_bytes() == b"what stood there before"
     assert len(list(tmp_path.iterdir())) == 1
 
 
 def test_an_unknown_suffix_is_refused_before_the_work(tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match=r"\.ply, \.pcd"), cloud_writer(tmp_path / "c.stl"):
+    with pytest.raises(OperationError, match=r"\.ply, \.pcd"), cloud_writer(tmp_path / "c.stl"):
         pass
     assert not list(tmp_path.iterdir())
 
@@ -129,7 +131,7 @@ def test_a_library_that_is_missing_is_named(
 ) -> None:
     monkeypatch.setitem(sys.modules, name, None)
     with (
-        pytest.raises(Refusal, match=rf"{name}.*crenel\[clouds\]"),
+        pytest.raises(OperationError, match=rf"{name}.*crenel\[clouds\]"),
         cloud_writer(tmp_path / f"c{suffix}"),
     ):
         pass
@@ -216,7 +218,7 @@ print(write(24) - first)
 def test_a_points_uncertainty_is_the_stripes_seen_from_there(axis: str) -> None:
     """Against pixels moved by their standard deviation and reconstructed again."""
     use = little_calibration()
-    _, uv = stripe_pixels()
+    _, uv = stripe_points()
     sigma = np.linspace(0.02, 0.3, len(uv))
     step = np.array([0.0, 1.0]) if axis == "u" else np.array([1.0, 0.0])
     moved = [

@@ -8,7 +8,7 @@ import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer, read_cloud
 
 POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))
@@ -138,7 +138,7 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
 def test_what_is_no_cloud_is_refused(tmp_path: Path, content: bytes, said: str) -> None:
     path = tmp_path / "cloud.dat"
     path.write_bytes(content)
-    with pytest.raises(Refusal, match=said) as refused:
+    with pytest.raises(OperationError, match=said) as refused:
         read_cloud(path)
     assert str(path) in refused.value.what
 
@@ -149,10 +149,10 @@ def test_a_cut_cloud_is_refused_wherever_it_ends(tmp_path: Path) -> None:
     whole = path.read_bytes()
     for length in (len(whole) - 1, len(whole) // 2, 240, 100):
         path.write_bytes(whole[:length])
-        with pytest.raises(Refusal, match=r"c\.ply"):
+        with pytest.raises(OperationError, match=r"c\.ply"):
             read_cloud(path)
     path.write_bytes(whole.replace(b"element vertex 100", b"element vertex 999999999999999"))
-    with pytest.raises(Refusal, match="100 of 999999999999999"):
+    with pytest.raises(OperationError, match="100 of 999999999999999"):
         read_cloud(path)
 
 
@@ -161,8 +161,8 @@ def test_an_ascii_cloud_that_ends_early_is_refused(tmp_path: Path) -> None:
     head = "ply\nformat ascii 1.0\nelement vertex 3\n"
     head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
     path.write_text(head + "1 2 3\n4 5 6\n")
-    with pytest.raises(Refusal, match="2 of 3 points"):
+    with pytest.raises(OperationError, match="2 of 3 points"):
         read_cloud(path)
     path.write_text(head + "1 2 3\n4 5 6\n7 8\n")
-    with pytest.raises(Refusal, match=r"c\.ply"):
+    with pytest.raises(OperationError, match=r"c\.ply"):
         read_cloud(path)

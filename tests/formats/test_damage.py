@@ -9,13 +9,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.images import read_grey
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import read_calibration
 from app.formats.session.calibration_session import read_session
-from app.workflows.reconstruct import rebuild
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, joints_every, little_calibration, write_session
 from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file
@@ -55,7 +55,7 @@ def test_a_damaged_session(
 ) -> None:
     whole = (session / name).read_bytes()
     (session / name).write_bytes(damaged(whole, damage))
-    with suppress(Refusal):
+    with suppress(OperationError):
         read_grey(read_session(session).poses[0].ambient)
     (session / name).write_bytes(whole)
 
@@ -66,7 +66,7 @@ def test_a_damaged_calibration(tmp_path: Path, damage: list[tuple[float, bytes, 
     path = tmp_path / "c.json"
     calibration_file().write(path)
     path.write_bytes(damaged(path.read_bytes(), damage))
-    with suppress(Refusal):
+    with suppress(OperationError):
         read_calibration(path)
 
 
@@ -77,7 +77,7 @@ def test_a_damaged_cloud(tmp_path: Path, damage: list[tuple[float, bytes, int]])
     with cloud_writer(path) as cloud:
         cloud.write(POINTS[:9], POINTS[:9, 0], POINTS[:9, 0], 0)
     path.write_bytes(damaged(path.read_bytes(), damage))
-    with suppress(Refusal):
+    with suppress(OperationError):
         read_cloud(path)
 
 
@@ -97,8 +97,8 @@ def test_a_damaged_recording(
 ) -> None:
     path = tmp_path / "scan.mcap"
     path.write_bytes(damaged(recording, damage))
-    with suppress(Refusal):
-        rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+    with suppress(OperationError):
+        reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
 
 
 def test_a_length_that_no_machine_could_hold(tmp_path: Path, recording: bytes) -> None:
@@ -106,8 +106,8 @@ def test_a_length_that_no_machine_could_hold(tmp_path: Path, recording: bytes) -
     path = tmp_path / "scan.mcap"
     for at in range(400):
         path.write_bytes(recording[:at] + b"\x80" + recording[at:])
-        with suppress(Refusal):
-            rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+        with suppress(OperationError):
+            reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
 
 
 def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) -> None:
@@ -115,7 +115,7 @@ def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) ->
     head = ["ply", "format ascii 1.0", "element other 1000000000000000000", "property float a"]
     head += ["element vertex 1", *(f"property float {axis}" for axis in "xyz"), "end_header"]
     path.write_text("\n".join([*head, "1", "2"]) + "\n")
-    with pytest.raises(Refusal, match="0 of 1 points"):
+    with pytest.raises(OperationError, match="0 of 1 points"):
         read_cloud(path)
 
 
@@ -131,5 +131,5 @@ def test_a_picture_larger_than_can_be_read(tmp_path: Path) -> None:
     body = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
     path = tmp_path / "huge.png"
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)
-    with pytest.raises(Refusal, match=r"huge\.png"):
+    with pytest.raises(OperationError, match=r"huge\.png"):
         read_grey(path)

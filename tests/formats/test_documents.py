@@ -11,10 +11,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import read_arm, write_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.datasheets.sensor import SensorSheet, read_sensor, write_sensor
+from app.formats.datasheets.sensor import SensorDatasheet, read_sensor, write_sensor
 from app.formats.datasheets.target import read_object, write_object
 from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
@@ -75,7 +75,7 @@ def test_a_sensor_reads_back_and_unknown_fields_are_ignored(tmp_path: Path) -> N
     path = tmp_path / "sensor.json"
     path.write_text("\ufeff" + json.dumps({**SENSOR, "lens": {"maker": "?"}, "focal_px": 2800}))
     sheet = read_sensor(path)
-    assert isinstance(sheet, SensorSheet)
+    assert isinstance(sheet, SensorDatasheet)
     assert (sheet.width_px, sheet.stripe_axis, sheet.focal_px) == (64, "u", 2800.0)
     write_sensor(path, sheet)
     assert read_sensor(path) == sheet
@@ -119,7 +119,7 @@ def test_the_samples_read(samples: Path) -> None:
 def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: str) -> None:
     path = write_session(tmp_path / "s") / "arm.json"
     edit_json(path, spoil)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         read_arm(path)
     assert refused.value.code == code
     assert str(path) in refused.value.what
@@ -145,7 +145,7 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
 def test_a_spoilt_object_is_refused(tmp_path: Path, spoil: Any, said: str) -> None:
     path = write_session(tmp_path / "s") / "object.json"
     edit_json(path, spoil)
-    with pytest.raises(Refusal, match=said) as refused:
+    with pytest.raises(OperationError, match=said) as refused:
         read_object(path)
     assert str(path) in refused.value.what
 
@@ -156,7 +156,7 @@ def test_a_spoilt_object_is_refused(tmp_path: Path, spoil: Any, said: str) -> No
 def test_what_is_not_json_is_refused(tmp_path: Path, text: str) -> None:
     path = tmp_path / "arm.json"
     path.write_bytes(text.encode("latin-1"))
-    with pytest.raises(Refusal, match=r"arm\.json"):
+    with pytest.raises(OperationError, match=r"arm\.json"):
         read_arm(path)
 
 
@@ -166,7 +166,7 @@ def test_a_truncated_arm_is_refused_wherever_it_ends(tmp_path: Path) -> None:
     whole = path.read_bytes()
     for length in range(0, len(whole) - 2, 97):
         path.write_bytes(whole[:length])
-        with pytest.raises(Refusal) as refused:
+        with pytest.raises(OperationError) as refused:
             read_arm(path)
         assert refused.value.code == "file-not-json"
 
@@ -194,7 +194,7 @@ def test_any_wrong_value_anywhere_is_refused_or_harmless(
     else:
         fields[place] = value
     path.write_text(json.dumps(fields))
-    with suppress(Refusal):
+    with suppress(OperationError):
         assert np.isfinite(numbers_of(read_arm(path))).all()
 
 
@@ -211,7 +211,7 @@ def test_any_wrong_value_anywhere_is_refused_or_harmless(
 def test_a_spoilt_nominal_is_refused(tmp_path: Path, nominal: dict[str, Any], said: str) -> None:
     path = tmp_path / "n.json"
     path.write_text(json.dumps({"format": "crenel/nominal", "version": 1, **nominal}))
-    with pytest.raises(Refusal, match=said):
+    with pytest.raises(OperationError, match=said):
         read_nominal(path)
 
 
@@ -276,7 +276,7 @@ def test_a_spoilt_calibration_is_refused(tmp_path: Path, spoil: Any, said: str) 
     path = tmp_path / "calibration.json"
     calibration_file().write(path)
     edit_json(path, spoil)
-    with pytest.raises(Refusal, match=said):
+    with pytest.raises(OperationError, match=said):
         read_calibration(path)
 
 

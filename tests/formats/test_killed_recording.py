@@ -11,7 +11,7 @@ import pytest
 
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.reader import JointRecord, StripeRecord, open_recording
-from app.workflows.reconstruct import rebuild
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, little_calibration
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -85,7 +85,7 @@ def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_
     steps = np.diff(stamps)
     assert (steps > 0).all()
     assert len(stamps) >= 0.8 * RATE_HZ * (max(stamps) - max(min(stamps), began_ns)) / 1e9
-    result = rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+    result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
     assert "read up to" in result.cut
     # the last frame's later joints may be in the second that was lost
     assert result.frames >= len(stamps) - 1
@@ -105,5 +105,5 @@ def test_a_full_disk_ends_the_recording_and_keeps_what_is_there(tmp_path: Path) 
     stamps = [one.stamp_ns for one in recording.records() if isinstance(one, StripeRecord)]
     assert "cut off" in recording.cut
     assert recording.bytes_read > 3_900_000  # all but the last chunk
-    result = rebuild(path, little_calibration(), ARM, tmp_path / "cloud.ply")
+    result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
     assert result.frames >= len(stamps) - 1 > 80

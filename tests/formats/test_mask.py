@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.results.delay import Sync
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
@@ -71,7 +71,7 @@ def test_a_mask_of_another_picture_is_refused(picture: Path, tmp_path: Path) -> 
 def test_a_mask_that_cannot_be_meant_is_refused(
     change: dict[str, object], words: str, tmp_path: Path
 ) -> None:
-    with pytest.raises(Refusal, match=words):
+    with pytest.raises(OperationError, match=words):
         Mask.read(written(tmp_path / "mask.json", **change))
 
 

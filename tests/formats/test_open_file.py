@@ -9,16 +9,16 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
-from app.formats.clouds.pieces import cloud_pieces
+from app.formats.clouds.pieces import read_cloud_pieces
 from app.formats.csv_table import read_table
 from app.formats.datasheets.arm import read_arm
-from app.formats.file_names import name_from, name_whole, shown_path
+from app.formats.file_names import display_path, register_data_folder, unregister_data_folder
 from app.formats.images import grey_png_size, read_grey
-from app.formats.json_document import read_text, sha256_of
+from app.formats.json_document import file_sha256, read_text
 from app.formats.open_file import LARGEST_DOCUMENT
-from app.formats.recording.reader import damage_of, last_stamp_ns, open_recording
+from app.formats.recording.reader import find_damage, last_stamp_ns, open_recording
 from app.settings.station_toml import read_file
 from app.store.backup import last_backup
 from app.store.scan_settings import SettingsStore
@@ -59,12 +59,12 @@ def endless(path: Path) -> None:
 ODD = (fifo, device, unix_socket, folder, circle)
 READERS: tuple[Callable[[Path], object], ...] = (
     read_text,
-    sha256_of,
+    file_sha256,
     read_arm,
     read_grey,
     grey_png_size,
     read_cloud,
-    lambda path: list(cloud_pieces(path)),
+    lambda path: list(read_cloud_pieces(path)),
     lambda path: list(open_recording(path).records()),
     last_stamp_ns,
     lambda path: read_table(path, ()),
@@ -91,7 +91,7 @@ def test_what_is_no_ordinary_file_is_refused(
 ) -> None:
     path = tmp_path / "there"
     make(path)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         read(path)
     assert "there" in refused.value.what
     assert refused.value.why
@@ -102,7 +102,7 @@ def test_a_file_that_no_memory_should_hold_is_refused(
     read: Callable[[Path], object], tmp_path: Path
 ) -> None:
     endless(tmp_path / "large")
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         read(tmp_path / "large")
     assert refused.value.code == "file-too-large"
 
@@ -118,24 +118,24 @@ def test_what_the_station_keeps_for_itself_is_done_without(
     settings = SettingsStore(tmp_path)
     settings.read()
     assert make is circle or settings.trouble is not None
-    assert damage_of(tmp_path / "scan.mcap")
+    assert find_damage(tmp_path / "scan.mcap")
 
 
 def test_files_of_an_open_data_folder_are_named_as_from_it(tmp_path: Path) -> None:
     inside, outside = tmp_path / "data" / "arms" / "a.json", tmp_path / "data2" / "a.json"
-    name_from(tmp_path / "data")
+    register_data_folder(tmp_path / "data")
     try:
-        assert shown_path(inside) == "arms/a.json"
-        assert shown_path(tmp_path / "data") == "data"
-        assert shown_path(outside) == str(outside)
-        with pytest.raises(Refusal, match=r"^arms/a\.json: there is no such file"):
+        assert display_path(inside) == "arms/a.json"
+        assert display_path(tmp_path / "data") == "data"
+        assert display_path(outside) == str(outside)
+        with pytest.raises(OperationError, match=r"^arms/a\.json: there is no such file"):
             read_arm(inside)
     finally:
-        name_whole(tmp_path / "data")
-    assert shown_path(inside) == str(inside)
+        unregister_data_folder(tmp_path / "data")
+    assert display_path(inside) == str(inside)
 
 
 def test_a_name_of_any_bytes_is_shown_in_one_line_of_text() -> None:
     odd = Path(os.fsdecode(b"Pr\xfcf\n\x1b[2Jk\xe2\x80\xa8\xe2\x80\xae.json"))
-    assert shown_path(odd) == r"Pr\udcfcf\x0a\x1b[2Jk\u2028\u202e.json"
-    assert len(shown_path("a" * 10_000)) < 300
+    assert display_path(odd) == r"Pr\udcfcf\x0a\x1b[2Jk\u2028\u202e.json"
+    assert len(display_path("a" * 10_000)) < 300

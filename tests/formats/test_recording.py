@@ -19,7 +19,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mcap.reader import make_reader
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import (
     ImageRecord,
@@ -167,19 +167,19 @@ def test_a_damaged_chunk_ends_the_reading(tmp_path: Path) -> None:
 def test_what_is_no_mcap_is_refused(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "scan.mcap"
     path.write_bytes(content)
-    with pytest.raises(Refusal, match=r"scan\.mcap"):
+    with pytest.raises(OperationError, match=r"scan\.mcap"):
         read(path)
 
 
 def test_a_recording_that_is_not_there_is_refused(tmp_path: Path) -> None:
     for path in (tmp_path / "none.mcap", tmp_path):
-        with pytest.raises(Refusal, match=str(path)):
+        with pytest.raises(OperationError, match=str(path)):
             read(path)
 
 
 def test_an_existing_recording_is_not_overwritten(tmp_path: Path) -> None:
     (tmp_path / "scan.mcap").write_bytes(b"precious")
-    with pytest.raises(Refusal, match=r"scan\.mcap"):
+    with pytest.raises(OperationError, match=r"scan\.mcap"):
         RecordingWriter(tmp_path / "scan.mcap", NAMES)
     assert (tmp_path / "scan.mcap").read_bytes() == b"precious"
 
@@ -199,7 +199,7 @@ def test_a_full_disk_is_told_at_once(
             for stamp in range(5):
                 writer.image(stamp, picture)
 
-    with pytest.raises(Refusal, match="the disk is full"):
+    with pytest.raises(OperationError, match="the disk is full"):
         fill()
     assert capfd.readouterr().err == ""
 
@@ -209,7 +209,7 @@ def test_a_topic_of_another_type_is_refused(tmp_path: Path) -> None:
     context = Context()
     with open_mcap(path, context=context):
         RawImageChannel("/arm/joints", context=context).log(RawImage(width=1, height=1))
-    with pytest.raises(Refusal, match=r"/arm/joints holds foxglove\.RawImage"):
+    with pytest.raises(OperationError, match=r"/arm/joints holds foxglove\.RawImage"):
         read(path)
 
 
@@ -218,7 +218,7 @@ def test_json_joints_are_refused(tmp_path: Path) -> None:
     context = Context()
     with open_mcap(path, context=context):
         Channel("/arm/joints", context=context).log({"joints": []})
-    with pytest.raises(Refusal, match="/arm/joints holds"):
+    with pytest.raises(OperationError, match="/arm/joints holds"):
         read(path)
 
 
@@ -280,7 +280,7 @@ def test_a_picture_that_is_none_is_refused(
     tmp_path: Path, image: RawImage | CompressedImage, said: str
 ) -> None:
     record = one_image(tmp_path / "scan.mcap", image)
-    with pytest.raises(Refusal, match=said):
+    with pytest.raises(OperationError, match=said):
         record.picture()
 
 

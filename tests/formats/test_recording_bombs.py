@@ -11,10 +11,10 @@ from pathlib import Path
 import lz4.frame
 import pytest
 import zstandard
-from app.formats.recording.raw import LARGEST_CHUNK, MAGIC
 
+from app.formats.recording.raw import LARGEST_CHUNK, MAGIC
 from app.formats.recording.reader import STATION_METADATA, last_stamp_ns, open_recording
-from app.formats.recording.stream import blocks
+from app.formats.recording.stream import read_blocks
 
 HEADER, SCHEMA, CHANNEL, MESSAGE, CHUNK, ATTACHMENT, METADATA, DATA_END = 1, 3, 4, 5, 6, 9, 12, 15
 FUTURE = 0x7F
@@ -107,7 +107,7 @@ def test_a_bomb_is_damage_to_both_readers(
     slow, fast = open_recording(path), open_recording(path)
     assert list(slow.records()) == []
     with ThreadPoolExecutor(2) as pool:
-        assert all(not block.frames for block in blocks(fast, pool, 4))
+        assert all(not block.frames for block in read_blocks(fast, pool, 4))
     assert all("is cut off or damaged" in recording.cut for recording in (slow, fast))
     assert open_recording(path).told() == {"scan_name": "Bracket"}
     assert last_stamp_ns(path) is None
@@ -151,6 +151,6 @@ def test_a_chunk_as_large_as_is_read_is_read(compression: bytes, tmp_path: Path)
     recording, fast = open_recording(path), open_recording(path)
     assert list(recording.records()) == []
     with ThreadPoolExecutor(1) as pool:
-        list(blocks(fast, pool, 4))
+        list(read_blocks(fast, pool, 4))
     assert (recording.cut, fast.cut) == ("", "")
     assert recording.bytes_read == fast.bytes_read == path.stat().st_size

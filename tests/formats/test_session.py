@@ -9,10 +9,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.images import read_grey, write_png
 from app.formats.session.calibration_session import (
-    Contacts,
+    ContactReadings,
     ImageRow,
     read_contacts,
     read_session,
@@ -57,7 +57,7 @@ def test_contacts_read_back(tmp_path: Path, points: list[tuple[str, list[float]]
     q_rad = np.array([angles for _, angles in points])
     if np.abs(np.rad2deg(q_rad)).max() <= 2 * np.pi:
         q_rad[0, 0] = 2.0
-    contacts = Contacts(tuple(face for face, _ in points), q_rad)
+    contacts = ContactReadings(tuple(face for face, _ in points), q_rad)
     path = tmp_path / "probing.csv"
     write_contacts(path, contacts)
     back = read_contacts(path, ARM)
@@ -187,7 +187,7 @@ def test_a_spoilt_session_is_refused(
 ) -> None:
     folder = write_session(tmp_path / "s")
     spoil(folder)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         read_session(folder)
     assert refused.value.code == code
     assert said in refused.value.line
@@ -197,14 +197,14 @@ def test_a_spoilt_session_is_refused(
 def test_semicolons_are_named(tmp_path: Path) -> None:
     path = write_session(tmp_path / "s") / "probing.csv"
     path.write_text(path.read_text().replace(",", ";").replace(".", ","))
-    with pytest.raises(Refusal, match="not separated by commas"):
+    with pytest.raises(OperationError, match="not separated by commas"):
         read_contacts(path, ARM)
 
 
 def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     for path in (tmp_path / "none", tmp_path / "file"):
-        with pytest.raises(Refusal, match=path.name):
+        with pytest.raises(OperationError, match=path.name):
             read_session(path)
 
 
@@ -213,7 +213,7 @@ def test_angles_outside_the_limits_are_refused_but_not_at_the_stop(tmp_path: Pat
     edit_text(path, "-84.5", str(np.rad2deg(-3.0) - 0.4))
     assert len(read_contacts(path, ARM).features) == 3
     edit_text(path, str(np.rad2deg(-3.0) - 0.4), str(np.rad2deg(-3.0) - 0.6))
-    with pytest.raises(Refusal, match="turns from -171"):
+    with pytest.raises(OperationError, match="turns from -171"):
         read_contacts(path, ARM)
 
 
@@ -225,18 +225,18 @@ def test_a_damaged_picture_is_refused_wherever_it_is_damaged(tmp_path: Path) -> 
     np.testing.assert_array_equal(read_grey(path), grey)
     for length in (0, 3, 20, 60, len(whole) // 2, len(whole) - 13, len(whole) - 1):
         path.write_bytes(whole[:length])
-        with pytest.raises(Refusal, match=r"picture\.png"):
+        with pytest.raises(OperationError, match=r"picture\.png"):
             read_grey(path)
     for place in (20, 100, len(whole) // 2):
         damaged = bytearray(whole)
         damaged[place] ^= 0x10
         path.write_bytes(damaged)
-        with pytest.raises(Refusal, match="checksum"):
+        with pytest.raises(OperationError, match="checksum"):
             read_grey(path)
 
 
 def test_a_colour_picture_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "picture.png"
     cv2.imwrite(str(path), np.zeros((HEIGHT, WIDTH, 3), np.uint8))
-    with pytest.raises(Refusal, match="3 channels"):
+    with pytest.raises(OperationError, match="3 channels"):
         read_grey(path)

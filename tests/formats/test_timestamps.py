@@ -4,12 +4,12 @@ from datetime import UTC, datetime
 
 import pytest
 
-from app.timestamps import is_moment, moment_of, utc_now
+from app.timestamps import is_moment, parse_moment, utc_now
 
 
 def test_a_moment_without_a_zone_is_in_utc() -> None:
-    assert moment_of("2026-01-02T03:04:05") == datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
-    assert moment_of("2026-01-02T04:04:05+01:00") == moment_of("2026-01-02T03:04:05")
+    assert parse_moment("2026-01-02T03:04:05") == datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
+    assert parse_moment("2026-01-02T04:04:05+01:00") == parse_moment("2026-01-02T03:04:05")
     assert is_moment(utc_now())
 
 

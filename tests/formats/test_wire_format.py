@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from mcap.exceptions import McapError
 from mcap.records import Channel, Message, Schema
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.recording import wire_format as wire
-from app.formats.recording.blocks import Opened, profiles
+from app.formats.recording.blocks import ChunkRecords, read_profiles
 from app.formats.recording.reader import (
     JOINTS_TOPIC,
     STRIPE_TOPIC,
@@ -56,7 +56,7 @@ def decoded(channel: int, data: bytes) -> object:
     """What the general decoder says; None where it refuses the message."""
     try:
         return DECODERS.decode(Message(channel, 7, data, 7, 0))
-    except Refusal:
+    except OperationError:
         return None
 
 
@@ -195,7 +195,10 @@ def check_stripes(message: bytes) -> None:
     if message in (stripe_message(), b"".join(STRIPE_PARTS)):
         assert rows[0, wire.POINTS] == 2
     if rows[0, wire.POINTS] >= 0:
-        record, read = decoded(STRIPES, message), profiles(Opened(data.tobytes(), table), rows)
+        record, read = (
+            decoded(STRIPES, message),
+            read_profiles(ChunkRecords(data.tobytes(), table), rows),
+        )
         assert isinstance(record, StripeRecord)
         assert (record.stamp_ns, record.width_px, record.height_px, record.stripe.axis) == (
             *rows[0, : wire.U],

@@ -6,16 +6,21 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.formats.datasheets.sensor import SensorSheet
-from app.guide.calibration.live import Chosen, ConnectedArm, ConnectedSensor, Live
+from app.formats.datasheets.sensor import SensorDatasheet
+from app.guide.calibration.live import (
+    CalibrationLive,
+    ConnectedArm,
+    ConnectedSensor,
+    SelectedDatasheets,
+)
 from app.guide.calibration.outcome import from_payload
-from app.guide.calibration.state import CalibrationState, after
+from app.guide.calibration.state import CalibrationState, apply_row
 from app.guide.calibration.touch.report import touch_report
-from app.guide.common.datasheet_library import Library
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import fold
 from app.metrology.arm.kinematics import Arm, geometric_jacobian, tip_centres
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
 from app.station.devices.stillness import Stillness
 
@@ -23,7 +28,7 @@ CHOICES = {"arm": "a", "object": "b", "sensor": "s"}
 
 
 @dataclass(frozen=True)
-class Row:
+class FakeRow:
     number: int
     kind: str
     payload: Mapping[str, object]
@@ -33,19 +38,19 @@ class Row:
 
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> CalibrationState:
     """The state that rows lead to, after passing through JSON as on the disk."""
-    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, CalibrationState(), after)
+    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, CalibrationState(), apply_row)
 
 
-def started(step: str = "devices") -> tuple[str, dict[str, object]]:
+def start_row(step: str = "devices") -> tuple[str, dict[str, object]]:
     return "started", {"choices": CHOICES, "step": step}
 
 
-def point(face: str, q_rad: object = (0.0,) * 6) -> tuple[str, dict[str, object]]:
+def point_row(face: str, q_rad: object = (0.0,) * 6) -> tuple[str, dict[str, object]]:
     return "point_taken", {"face": face, "q_rad": [float(q) for q in np.ravel(q_rad)]}
 
 
-def captured(**changes: object) -> tuple[str, dict[str, object]]:
+def capture_row(**changes: object) -> tuple[str, dict[str, object]]:
     payload: dict[str, object] = {
         "ambient": "images/capture-1-ambient.png",
         "laser": "images/capture-1-laser.png",
@@ -73,7 +78,7 @@ def reach_tip(arm: Arm, target_mm: np.ndarray, q_rad: np.ndarray) -> np.ndarray:
 REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
 
 
-def touched(arm: Arm, block: Crenellated, face: str, place_mm: object) -> np.ndarray:
+def contact_joints(arm: Arm, block: Crenellated, face: str, place_mm: object) -> np.ndarray:
     """Angles with the tip in contact with a place (3,) on a face; the block stands unturned
     in front of the arm."""
     origin = tip_centres(arm, REST_RAD[None])[0]
@@ -83,25 +88,25 @@ def touched(arm: Arm, block: Crenellated, face: str, place_mm: object) -> np.nda
 
 
 CONNECTED = DeviceState("Arm", "connected", "test device", 0.01, 1000.0, 10, 0, 0)
-SENSOR = SensorSheet(
+SENSOR = SensorDatasheet(
     name="sensor", serial_number="S-1", width_px=1280, height_px=1024, stripe_axis="u"
 )
 
 
-def live_of(
-    state: CalibrationState, arm: Arm | None, item: CalibrationObject | None, **changes: object
-) -> Live:
+def make_live(
+    state: CalibrationState, arm: Arm | None, item: CalibrationTarget | None, **changes: object
+) -> CalibrationLive:
     """A station on which all is well, changed where a test says so."""
     report = touch_report(state.counted, arm, item, 15.0) if arm and item else None
-    live = Live(
+    live = CalibrationLive(
         rev=state.rev,
         arm_link=CONNECTED,
         sensor_link=replace(CONNECTED, title="Sensor"),
         arm=ConnectedArm("A-1", 6),
         sensor=ConnectedSensor("S-1", 1280, 1024),
         stillness=Stillness(True, 2.0, 1.0, "Still"),
-        library=Library({}, {}, {}, ()),
-        chosen=Chosen(arm, item, SENSOR if arm else None),
+        library=DatasheetLibrary({}, {}, {}, ()),
+        chosen=SelectedDatasheets(arm, item, SENSOR if arm else None),
         touch=report,
         laser_on=False,
         corners_seen=20,

@@ -30,12 +30,12 @@ from app.guide.verify.rules import ALWAYS as ALWAYS_VERIFYING
 from app.guide.verify.rules import ONLY_IN as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import Parts, close_context
-from app.server.demo import parts_of
+from app.server.composition import StationParts, close_context
+from app.server.demo import station_parts
 from app.store.store import Store
-from hardware.simulator.station import Twin
+from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
-from tests.guide.builders import captured, point
+from tests.guide.builders import capture_row, point_row
 from tests.guide.test_verify_session import cloud
 
 Rows = list[tuple[str, Mapping[str, object]]]
@@ -48,8 +48,8 @@ NAMES = {
     "verify": (*OF_VERIFICATION, *ALWAYS_VERIFYING, "nothing"),
 }
 Q_RAD = [[0.1 * joint + 0.3 * n for joint in range(6)] for n in range(4)]
-TOUCHED: Rows = [point(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]
-PICTURES: Rows = [captured(), captured(laser=None)]
+TOUCHED: Rows = [point_row(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]
+PICTURES: Rows = [capture_row(), capture_row(laser=None)]
 AT: dict[str, list[Rows]] = {
     "calibration": [
         [],
@@ -137,11 +137,11 @@ class InProcess:
 class AnyCommands(RuleBasedStateMachine):
     """One data folder: commands, and restarts of the station on it."""
 
-    def __init__(self, twin: Twin, template: Path) -> None:
+    def __init__(self, twin: SimulatedStation, template: Path) -> None:
         super().__init__()
         self.data = Path(tempfile.mkdtemp(prefix="any-"))
         shutil.copytree(template, self.data, dirs_exist_ok=True)
-        self.parts: Parts = replace(parts_of(twin, self.data), hand=None)
+        self.parts: StationParts = replace(station_parts(twin, self.data), hand=None)
 
     @initialize(at=st.fixed_dictionaries({kind: st.sampled_from(AT[kind]) for kind in AT}))
     def begin(self, at: dict[str, Rows]) -> None:
@@ -219,16 +219,16 @@ def answered(answer: httpx.Response, asked: object) -> None:
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin() as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as twin:
         yield twin
 
 
 @pytest.fixture(scope="module")
-def template(twin: Twin, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def template(twin: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A data folder with a calibration in use and a gauge."""
     data = tmp_path_factory.mktemp("template")
-    context = build_app(replace(parts_of(twin, data), hand=None)).state.context
+    context = build_app(replace(station_parts(twin, data), hand=None)).state.context
     use_truth(SimpleNamespace(twin=twin, data=data, context=context), "true")
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
@@ -238,7 +238,7 @@ def template(twin: Twin, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return data
 
 
-def test_any_commands(twin: Twin, template: Path) -> None:
+def test_any_commands(twin: SimulatedStation, template: Path) -> None:
     long = settings().max_examples > settings.get_profile("default").max_examples
     run_state_machine_as_test(
         partial(AnyCommands, twin, template),

@@ -9,26 +9,26 @@ import numpy as np
 import pytest
 
 from app.formats.session.arm_session import read_bars, write_observations
-from app.guide.arm.auto_sampling import HOLD_NS, TURN_RAD, pick
-from app.guide.arm.flow import view_of
+from app.guide.arm.auto_sampling import HOLD_NS, TURN_RAD, sample_points
+from app.guide.arm.flow import build_view
 from app.guide.arm.live import ArmLive
-from app.guide.arm.observations import observations_of
-from app.guide.arm.rules import LEAST, why_not
-from app.guide.arm.state import ArmState, after
+from app.guide.arm.observations import collect_observations
+from app.guide.arm.rules import LEAST, rejection_reason
+from app.guide.arm.state import ArmState, apply_row
 from app.guide.arm.view import ArmView
-from app.guide.common.datasheet_library import Library
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import fold
 from app.guide.common.view import Action, Busy
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.station.devices.joint_buffer import JointWindow
-from tests.guide.builders import CONNECTED, REST_RAD, Row, reach_tip
+from tests.guide.builders import CONNECTED, REST_RAD, FakeRow, reach_tip
 
 MS = 1_000_000
 
 
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> ArmState:
-    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, ArmState(), after)
+    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, ArmState(), apply_row)
 
 
 def started(purpose: str = "check") -> tuple[str, dict[str, object]]:
@@ -45,7 +45,7 @@ def points(q_rad: np.ndarray) -> tuple[str, dict[str, object]]:
 
 def live_of(arm: Arm | None, **changes: object) -> ArmLive:
     known: dict[str, object] = {
-        "library": Library({}, {}, {}, ()),
+        "library": DatasheetLibrary({}, {}, {}, ()),
         "arm": arm,
         "link": CONNECTED,
         "connected_joints": 6,
@@ -105,13 +105,15 @@ def window(q_rad: np.ndarray, step_ns: int = MS) -> JointWindow:
 
 def test_a_point_is_taken_whenever_a_joint_has_turned_enough(arm: Arm) -> None:
     q = swung(arm, 400)
-    picked = pick(arm, (), window(q), 0, 400 * MS)
+    picked = sample_points(arm, (), window(q), 0, 400 * MS)
     taken = np.array(picked.q_rad)
     assert np.all(np.abs(np.diff(taken, axis=0)).max(axis=1) >= TURN_RAD)
     assert len(taken) == pytest.approx(np.ptp(q[:, 5]) / TURN_RAD, rel=0.25)
     # what comes later goes on from the last point
-    assert pick(arm, picked.q_rad, window(q[-1:]), 0, MS).q_rad == ()
-    assert pick(arm, (), window(np.repeat(q[:1], 50, axis=0)), 0, 50 * MS).q_rad == (tuple(q[0]),)
+    assert sample_points(arm, picked.q_rad, window(q[-1:]), 0, MS).q_rad == ()
+    assert sample_points(arm, (), window(np.repeat(q[:1], 50, axis=0)), 0, 50 * MS).q_rad == (
+        tuple(q[0]),
+    )
 
 
 def test_no_point_counts_near_the_moment_when_the_tip_leaves(arm: Arm) -> None:
@@ -119,18 +121,20 @@ def test_no_point_counts_near_the_moment_when_the_tip_leaves(arm: Arm) -> None:
     out = q[-1] + np.array([0.05, 0, 0, 0, 0, 0])
     step = 10 * MS
     samples = window(np.vstack([q, out]), step)
-    picked = pick(arm, (), samples, 0, 300 * step)
+    picked = sample_points(arm, (), samples, 0, 300 * step)
     assert picked.left_mm is not None
     assert picked.left_mm > 3
     kept = [int(np.argmin(np.abs(q - p).max(axis=1))) for p in np.array(picked.q_rad)]
     assert max(kept) * step <= 300 * step - HOLD_NS
-    back = pick(arm, picked.q_rad, window(q[:1]), 0, step)
+    back = sample_points(arm, picked.q_rad, window(q[:1]), 0, step)
     assert back.left_mm is None
 
 
 def test_a_swing_is_finished_only_with_points_and_swing(arm: Arm) -> None:
     def reason(q: np.ndarray) -> str:
-        return why_not(state_after(started(), begun(), points(q)), live_of(arm), "finish", {})
+        return rejection_reason(
+            state_after(started(), begun(), points(q)), live_of(arm), "finish", {}
+        )
 
     assert f"{LEAST} points" in reason(swung(arm, 5))
     assert "Swing further" in reason(swung(arm, 60, 0.3))
@@ -140,21 +144,23 @@ def test_a_swing_is_finished_only_with_points_and_swing(arm: Arm) -> None:
 def test_commands_belong_to_their_step(arm: Arm) -> None:
     live = live_of(arm)
     state = state_after(started())
-    assert why_not(state, live, "begin", {}) == ""
-    assert "another step" in why_not(state, live, "finish", {})
-    assert "no command" in why_not(state, live, "fly", {})
-    assert "one seat" in why_not(state, live, "fit", {})
-    assert "Choose the arm" in why_not(state, live_of(None), "begin", {})
-    assert "7 joints" in why_not(state, live_of(arm, connected_joints=7), "begin", {})
-    assert "Wait" in why_not(state, live_of(arm, busy=Busy("At work", None)), "begin", {})
-    assert "simulated hand" in why_not(state, live, "let_hand", {})
-    assert why_not(state, live, "set_limit", {"limit_um": 40}) == ""
+    assert rejection_reason(state, live, "begin", {}) == ""
+    assert "another step" in rejection_reason(state, live, "finish", {})
+    assert "no command" in rejection_reason(state, live, "fly", {})
+    assert "one seat" in rejection_reason(state, live, "fit", {})
+    assert "Choose the arm" in rejection_reason(state, live_of(None), "begin", {})
+    assert "7 joints" in rejection_reason(state, live_of(arm, connected_joints=7), "begin", {})
+    assert "Wait" in rejection_reason(state, live_of(arm, busy=Busy("At work", None)), "begin", {})
+    assert "simulated hand" in rejection_reason(state, live, "let_hand", {})
+    assert rejection_reason(state, live, "set_limit", {"limit_um": 40}) == ""
     for wrong in (0, -3, "40", True):
-        assert "number of micrometres" in why_not(state, live, "set_limit", {"limit_um": wrong})
+        assert "number of micrometres" in rejection_reason(
+            state, live, "set_limit", {"limit_um": wrong}
+        )
     closed = state_after(started(), ("ended", {}))
-    assert "closed" in why_not(closed, live, "begin", {})
+    assert "closed" in rejection_reason(closed, live, "begin", {})
     few = state_after(started("identify"), begun(), ("seat_ended", {}))
-    assert "1 of at least" in why_not(few, live, "fit", {})
+    assert "1 of at least" in rejection_reason(few, live, "fit", {})
 
 
 def seat(kind: str, size_mm: float | None, name: str, q_rad: np.ndarray) -> list[Any]:
@@ -173,26 +179,26 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path
     state = state_after(*one)
     live = live_of(arm)
     assert state.half_bar
-    assert "other end" in why_not(state, live, "choose_artefact", {"kind": "seat"})
-    assert "other end" in view_of(state, live).title
-    assert observations_of(state).bars == ()
+    assert "other end" in rejection_reason(state, live, "choose_artefact", {"kind": "seat"})
+    assert "other end" in build_view(state, live).title
+    assert collect_observations(state).bars == ()
     away = tip_centres(arm, q[:1])[0] + np.array([0.0, 60.0, 80.0])
     other = np.array([hold(arm, away, one) for one in q])
     state = state_after(*one, *seat("bar", 100.05, "Bar 1, end B", other), ended)
     assert not state.half_bar
-    (bar,) = observations_of(state).bars
+    (bar,) = collect_observations(state).bars
     assert bar.length_mm == 300.0
-    write_observations(tmp_path, observations_of(state))
+    write_observations(tmp_path, collect_observations(state))
     (back,) = read_bars(tmp_path / "ballbars.csv", arm)
     np.testing.assert_allclose(back.q_rad[1], other, atol=1e-12)
     # to the fit it is one place, and so it counts
     text = "1 of at least 4 places are taken."
-    assert why_not(state, live, "fit", {}) == text
-    progress = view_of(state, live).progress
+    assert rejection_reason(state, live, "fit", {}) == text
+    progress = build_view(state, live).progress
     assert progress is not None
     assert progress.text == "1 of 6 places"
     # 60 mm and 80 mm are 100 mm, of a bar that is said to have 100.05
-    assert view_of(state, live).picture.seats[1].note == "length −50 µm"
+    assert build_view(state, live).picture.seats[1].note == "length −50 µm"
 
 
 def test_a_sphere_is_touched_by_the_button_and_told_by_its_distances(arm: Arm) -> None:
@@ -207,28 +213,28 @@ def test_a_sphere_is_touched_by_the_button_and_told_by_its_distances(arm: Arm) -
     rows = [started("identify"), *seat("sphere", 20.0, "Sphere 1", q)]
     state, live = state_after(*rows), live_of(arm)
     assert state.touching
-    assert why_not(state, live, "touch", {}) == ""
-    assert why_not(state, live, "finish", {}) == ""
+    assert rejection_reason(state, live, "touch", {}) == ""
+    assert rejection_reason(state, live, "finish", {}) == ""
     few = state_after(*rows[:-1], points(q[:5]))
-    assert "at least 8 points" in why_not(few, live, "finish", {})
-    view = view_of(state, live)
+    assert "at least 8 points" in rejection_reason(few, live, "finish", {})
+    view = build_view(state, live)
     assert action_of(view, "touch").primary
     off_um = np.linalg.norm(view.picture.tips_um, axis=1)
     assert 8 < off_um[0] < 20
     assert off_um[1:].max() < off_um[0]
-    (sphere,) = observations_of(state).spheres
+    (sphere,) = collect_observations(state).spheres
     assert sphere.diameter_mm == 20.0
 
 
 def test_an_artefact_needs_its_size(arm: Arm) -> None:
     live = live_of(arm)
     state = state_after(started("identify"), ("artefact_chosen", {"kind": "bar"}))
-    assert "bar's length" in why_not(state, live, "begin", {})
+    assert "bar's length" in rejection_reason(state, live, "begin", {})
     for wrong in ({"size_mm": 1}, {"size_mm": True}, {"standard_uncertainty_mm": 2}):
-        assert why_not(state, live, "choose_artefact", {"kind": "bar", **wrong})
-    assert why_not(state, live, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
-    assert why_not(state, live, "choose_artefact", {"kind": "spoon"})
-    assert why_not(state_after(started()), live, "choose_artefact", {"kind": "bar"})
+        assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", **wrong})
+    assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
+    assert rejection_reason(state, live, "choose_artefact", {"kind": "spoon"})
+    assert rejection_reason(state_after(started()), live, "choose_artefact", {"kind": "bar"})
 
 
 def action_of(view: ArmView, name: str) -> Action:
@@ -239,7 +245,7 @@ def test_the_view_shows_each_axis_against_the_limit(arm: Arm) -> None:
     q = swung(arm, 60)
     q[30] += 2e-4
     state = state_after(started(), begun(), points(q))
-    view = view_of(state, live_of(arm, left_mm=7.0))
+    view = build_view(state, live_of(arm, left_mm=7.0))
     tips_um = tip_centres(arm, q) * 1e3
     assert view.picture.half_range_um == pytest.approx(np.ptp(tips_um, axis=0) / 2)
     assert view.number is not None

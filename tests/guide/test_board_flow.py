@@ -5,18 +5,26 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 
-from app.guide.calibration.flow import view_of
-from app.guide.calibration.poses.board_views import VIEWS, next_view, planned_view, still_missing
+from app.guide.calibration.flow import build_view
+from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.first_pose import first_outline
-from app.guide.calibration.touch.board import WANTED, suggested_on_board
-from app.guide.calibration.touch.report import face_in_use, faces_of
+from app.guide.calibration.touch.board import WANTED, suggest_board_places
+from app.guide.calibration.touch.report import face_in_use, face_names
 from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
-from tests.guide.builders import REST_RAD, captured, live_of, point, reach_tip, started, state_after
+from tests.guide.builders import (
+    REST_RAD,
+    capture_row,
+    make_live,
+    point_row,
+    reach_tip,
+    start_row,
+    state_after,
+)
 
 BOARD = Chessboard("sheet 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
 SEEN: dict[str, object] = {"corners": [{"name": "0,0", "u": 5.0, "v": 5.0, "residual_px": 0.1}]}
@@ -25,43 +33,43 @@ NOTHING: dict[str, object] = {"corners": []}
 
 def touched_at(arm: Arm, x_mm: float, y_mm: float, z_mm: float) -> tuple[str, dict[str, object]]:
     origin = tip_centres(arm, REST_RAD[None])[0]
-    return point("board", reach_tip(arm, origin + [x_mm, y_mm, z_mm], REST_RAD))
+    return point_row("board", reach_tip(arm, origin + [x_mm, y_mm, z_mm], REST_RAD))
 
 
 def pictures(count: int, seen: dict[str, object]) -> list[tuple[str, dict[str, object]]]:
     outcome = {"outline": [], "stripe": [], "findings": [], "result": None, **seen}
-    return [captured(outcome=outcome)] * count
+    return [capture_row(outcome=outcome)] * count
 
 
 def at(step: str, *rows: tuple[str, dict[str, object]]) -> CalibrationState:
     back = [] if step == "touch" else [("went_back", {"to": step})]
-    return state_after(started("touch"), *rows, *back)
+    return state_after(start_row("touch"), *rows, *back)
 
 
 def test_a_board_is_drawn_from_its_certificate(arm: Arm) -> None:
-    setup = state_after(started("setup"))
-    picture = view_of(setup, live_of(setup, arm, BOARD)).picture
+    setup = state_after(start_row("setup"))
+    picture = build_view(setup, make_live(setup, arm, BOARD)).picture
     assert isinstance(picture, ChoicesPicture)
     assert picture.object == BoardGeometry((7, 6), 10.0)
 
 
 def test_a_board_need_not_be_touched(arm: Arm) -> None:
     state = at("touch")
-    view = view_of(state, live_of(state, arm, BOARD))
+    view = build_view(state, make_live(state, arm, BOARD))
     assert isinstance(view.picture, ObjectPicture)
     (face,) = view.picture.faces
     assert (face.face, face.taken, face.wanted, face.selected) == ("board", 0, WANTED, True)
     go_on = next(action for action in view.actions if action.name == "confirm_touch")
     assert go_on.enabled
     assert go_on.primary
-    assert faces_of(BOARD) == ("board",)
+    assert face_names(BOARD) == ("board",)
     assert face_in_use("crest", BOARD) == "board"
 
 
 def test_a_block_is_touched_after_a_board_was(arm: Arm, block: Crenellated) -> None:
     """A point of the board that was undone leaves its face selected, which a block has not."""
     state = at("touch", ("face_selected", {"face": "board"}))
-    view = view_of(state, live_of(state, arm, block))
+    view = build_view(state, make_live(state, arm, block))
     assert isinstance(view.picture, ObjectPicture)
     assert [one.face for one in view.picture.faces if one.selected] == [face_in_use("board", block)]
     assert view.instruction.startswith("Touch the")
@@ -70,10 +78,10 @@ def test_a_block_is_touched_after_a_board_was(arm: Arm, block: Crenellated) -> N
 def test_touches_of_a_board_are_judged_by_the_plane_through_them(
     arm: Arm, block: Crenellated
 ) -> None:
-    places = [(x, y, 0.0) for x, y, _ in suggested_on_board(BOARD)]
+    places = [(x, y, 0.0) for x, y, _ in suggest_board_places(BOARD)]
     good = [touched_at(arm, *place) for place in places]
     state = at("touch", *good)
-    view = view_of(state, live_of(state, arm, BOARD))
+    view = build_view(state, make_live(state, arm, BOARD))
     assert isinstance(view.picture, ObjectPicture)
     assert view.progress is not None
     assert view.progress.text == f"{WANTED} of {WANTED} points"
@@ -81,29 +89,29 @@ def test_touches_of_a_board_are_judged_by_the_plane_through_them(
     assert not view.findings
 
     state = at("touch", *good, touched_at(arm, 30.0, 25.0, 1.0))
-    view = view_of(state, live_of(state, arm, BOARD))
+    view = build_view(state, make_live(state, arm, BOARD))
     assert isinstance(view.picture, ObjectPicture)
     assert [one.outlier for one in view.picture.points] == [False] * WANTED + [True]
     assert "Point 7 is +1000 µm off the plane" in view.findings[0].text
     assert any(one.name == "void_point" and one.args == {"index": 6} for one in view.actions)
     # a sheet that bends by half a millimetre has slipped no point
     bent = Chessboard("bent", "", (7, 6), 10.0, 0.05, 0.6)
-    assert not view_of(state, live_of(state, arm, bent)).findings
+    assert not build_view(state, make_live(state, arm, bent)).findings
 
 
 def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
     outlines = set()
     for taken, view in enumerate(VIEWS):
         state = at("place", *pictures(taken, SEEN))
-        shown = view_of(state, live_of(state, arm, BOARD, corners_seen=0))
+        shown = build_view(state, make_live(state, arm, BOARD, corners_seen=0))
         assert isinstance(shown.picture, CameraPicture)
         outlines.add(tuple(shown.picture.target))
-        assert planned_view(state.listed) == view
+        assert plan_view(state.listed) == view
         told = view.words if taken else "straight above"
         assert told in shown.instruction
         assert any("laser's line must cross" in one.text for one in shown.findings)
     assert len(outlines) == len(VIEWS)
-    assert planned_view(at("place", *pictures(len(VIEWS), SEEN)).listed) is None
+    assert plan_view(at("place", *pictures(len(VIEWS), SEEN)).listed) is None
 
 
 def test_a_view_that_was_set_aside_is_asked_for_again() -> None:
@@ -161,12 +169,12 @@ def test_a_board_fills_the_picture_and_tilts_as_it_shows(
     """Whichever way the stripe runs: what is right in the picture is right."""
     board = Chessboard("sheet", "", corners, 10.0, 0.05, 0.05)
 
-    def ends(view: Hold) -> np.ndarray:
+    def ends(view: PoseDelta) -> np.ndarray:
         return np.array(first_outline(board, *size, upright, view))[:4].reshape(-1, 2)
 
     wide, high = np.ptp(ends(VIEWS[0]), axis=0)
     assert (wide > high) == (size[0] > size[1])
-    tilted = ends(Hold(20.0, 0.0, 0.0, 0.0))
+    tilted = ends(PoseDelta(20.0, 0.0, 0.0, 0.0))
     right = tilted[tilted[:, 0] > size[0] / 2, 1]
     left = tilted[tilted[:, 0] < size[0] / 2, 1]
     assert np.ptp(right) > 1.05 * np.ptp(left)
@@ -177,7 +185,7 @@ def test_a_board_fills_the_picture_and_tilts_as_it_shows(
 )
 def test_too_few_pictures_are_not_solved(arm: Arm, usable: int, unusable: int, more: str) -> None:
     state = at("solve", *pictures(unusable, NOTHING), *pictures(usable, SEEN))
-    view = view_of(state, live_of(state, arm, BOARD))
+    view = build_view(state, make_live(state, arm, BOARD))
     solve = next(action for action in view.actions if action.name == "solve")
     assert not solve.enabled
     assert more in solve.why_not
@@ -186,13 +194,13 @@ def test_too_few_pictures_are_not_solved(arm: Arm, usable: int, unusable: int, m
 
 def test_another_pose_is_asked_for_until_the_plan_is_through(arm: Arm) -> None:
     state = at("solve", *pictures(2, SEEN))
-    view = view_of(state, live_of(state, arm, BOARD))
+    view = build_view(state, make_live(state, arm, BOARD))
     assert VIEWS[2].words in view.instruction
     primary = [action.name for action in view.actions if action.primary]
     assert primary == ["another_pose"]
 
 
 def test_a_block_keeps_its_faces(block: Crenellated) -> None:
-    assert faces_of(block) == FACES
+    assert face_names(block) == FACES
     assert face_in_use("floor", block) == "floor"
     assert asdict(BoardGeometry((7, 6), 10.0))["kind"] == "board"

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from app.findings import Finding, Quality
-from app.guide.calibration.flow import view_of
-from app.guide.calibration.live import Live
-from app.guide.calibration.outcome import Outcome, from_payload, to_payload
-from app.guide.calibration.rules import why_not
+from app.guide.calibration.flow import build_view
+from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
+from app.guide.calibration.rules import rejection_reason
 from app.guide.calibration.state import STEPS, CalibrationState
-from app.guide.calibration.touch.block import suggested_places
+from app.guide.calibration.touch.block import suggest_places
 from app.guide.calibration.touch.report import touch_report
 from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.result_view import (
-    BudgetRow,
+    BudgetLine,
     CalibrationResult,
     MapPoint,
     PlaneKnown,
@@ -29,12 +29,12 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.station.devices.stillness import Stillness
 from tests.guide.builders import (
     CONNECTED,
-    captured,
-    live_of,
-    point,
-    started,
+    capture_row,
+    contact_joints,
+    make_live,
+    point_row,
+    start_row,
     state_after,
-    touched,
 )
 
 FACES = ("crest", "front", "right")
@@ -43,9 +43,9 @@ FACES = ("crest", "front", "right")
 @pytest.fixture(scope="module")
 def contacts(arm: Arm, block: Crenellated) -> list[tuple[str, dict[str, object]]]:
     return [
-        point(face, touched(arm, block, face, place))
+        point_row(face, contact_joints(arm, block, face, place))
         for face in FACES
-        for place in suggested_places(block, face)
+        for place in suggest_places(block, face)
     ]
 
 
@@ -53,7 +53,7 @@ def action(view: FlowView, name: str) -> Action:
     return next(action for action in view.actions if action.name == name)
 
 
-def outcome(verdict: Quality = "good") -> Outcome:
+def outcome(verdict: Quality = "good") -> CalibrationOutcome:
     result = CalibrationResult(
         verdict=verdict,
         verdict_text=f"It is {verdict}.",
@@ -63,7 +63,7 @@ def outcome(verdict: Quality = "good") -> Outcome:
         depth_range_mm=(100.0, 120.0),
         probe_matrix=np.eye(4).tolist(),
         faces=[],
-        budget=[BudgetRow("contact points", 12.0)],
+        budget=[BudgetLine("contact points", 12.0)],
         total_um=12.0,
         worst=[],
         comparison=None,
@@ -73,18 +73,18 @@ def outcome(verdict: Quality = "good") -> Outcome:
         poses=[PoseRow(1, True, "", 0.1, 0.1, 3.0)],
         shown_pose=1,
     )
-    return Outcome([], [], [], [Finding("good", "It fits.")], result)
+    return CalibrationOutcome([], [], [], [Finding("good", "It fits.")], result)
 
 
 def solved_state(contacts: list[tuple[str, dict[str, object]]]) -> CalibrationState:
-    rows = [started("touch"), *contacts, captured()]
+    rows = [start_row("touch"), *contacts, capture_row()]
     inputs = state_after(*rows).inputs
     return state_after(*rows, ("solved", {"inputs": inputs, "outcome": to_payload(outcome())}))
 
 
 def states(contacts: list[tuple[str, dict[str, object]]]) -> dict[str, CalibrationState]:
-    found = {step: state_after(started(step), *contacts) for step in STEPS[:-2]}
-    found["solve"] = state_after(started("touch"), *contacts, captured())
+    found = {step: state_after(start_row(step), *contacts) for step in STEPS[:-2]}
+    found["solve"] = state_after(start_row("touch"), *contacts, capture_row())
     found["review"] = solved_state(contacts)
     return found
 
@@ -101,13 +101,13 @@ def test_every_step_tells_what_to_do_and_why_not(
     contacts: list[tuple[str, dict[str, object]]],
 ) -> None:
     state = states(contacts)[step]
-    live = live_of(state, arm, block, seen=outcome() if step == "review" else None)
+    live = make_live(state, arm, block, seen=outcome() if step == "review" else None)
     if not connected:
         lost = replace(CONNECTED, state="lost", text="The arm was lost; reconnecting.")
         live = replace(live, arm_link=lost)
     if not still:
         live = replace(live, stillness=Stillness(False, 800.0, 90.0, "Moved 0.8 mm"))
-    view = view_of(state, live)
+    view = build_view(state, live)
     assert view.step == step
     assert view.running
     assert view.instruction.endswith(".")
@@ -118,16 +118,16 @@ def test_every_step_tells_what_to_do_and_why_not(
     for each in view.actions:
         assert each.enabled == (each.why_not == "")
         assert each.label
-        assert each.enabled == (why_not(state, live, each.name, each.args) == "")
+        assert each.enabled == (rejection_reason(state, live, each.name, each.args) == "")
     json.dumps(asdict(view), allow_nan=False)
 
 
 def test_a_lost_arm_is_said_and_no_point_can_be_taken(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    state = state_after(started("touch"), *contacts)
+    state = state_after(start_row("touch"), *contacts)
     lost = replace(CONNECTED, state="lost", text="No data from the arm for 3 s")
-    view = view_of(state, live_of(state, arm, block, arm_link=lost))
+    view = build_view(state, make_live(state, arm, block, arm_link=lost))
     assert "No data from the arm" in action(view, "take_point").why_not
     assert view.findings[0].quality == "bad"
     assert "kept" in view.findings[0].remedy
@@ -138,12 +138,12 @@ def test_a_lost_arm_is_said_and_no_point_can_be_taken(
 def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    few = state_after(started("touch"), *contacts[:18])
-    view = view_of(few, live_of(few, arm, block))
+    few = state_after(start_row("touch"), *contacts[:18])
+    view = build_view(few, make_live(few, arm, block))
     assert "left" in action(view, "confirm_touch").why_not
     assert action(view, "take_point").primary
-    enough = state_after(started("touch"), *contacts)
-    view = view_of(enough, live_of(enough, arm, block))
+    enough = state_after(start_row("touch"), *contacts)
+    view = build_view(enough, make_live(enough, arm, block))
     assert action(view, "confirm_touch").enabled
     assert action(view, "confirm_touch").primary
     assert view.progress is not None
@@ -157,9 +157,9 @@ def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
 def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    wrong = point("crest", touched(arm, block, "front", (1.0, -12.0, 7.5)))
-    state = state_after(started("touch"), *contacts, wrong)
-    view = view_of(state, live_of(state, arm, block))
+    wrong = point_row("crest", contact_joints(arm, block, "front", (1.0, -12.0, 7.5)))
+    state = state_after(start_row("touch"), *contacts, wrong)
+    view = build_view(state, make_live(state, arm, block))
     assert "Remove point 28" in action(view, "confirm_touch").why_not
     assert action(view, "void_point").args == {"index": 27}
     assert action(view, "void_point").enabled
@@ -168,50 +168,50 @@ def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
 def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
     arm: Arm, block: Crenellated
 ) -> None:
-    state = state_after(started("setup"))
-    live = live_of(state, arm, block)
+    state = state_after(start_row("setup"))
+    live = make_live(state, arm, block)
     assert live.arm is not None
     assert live.sensor is not None
     seven = replace(live, arm=replace(live.arm, joint_count=7))
-    assert "7 joints" in action(view_of(state, seven), "confirm_setup").why_not
+    assert "7 joints" in action(build_view(state, seven), "confirm_setup").why_not
     small = replace(live, sensor=replace(live.sensor, width_px=640))
-    assert "640" in action(view_of(state, small), "confirm_setup").why_not
+    assert "640" in action(build_view(state, small), "confirm_setup").why_not
     other = replace(live, sensor=replace(live.sensor, serial_number="S-9"))
-    view = view_of(state, other)
+    view = build_view(state, other)
     assert "S-9" in action(view, "confirm_setup").why_not
     assert any("S-9" in finding.text for finding in view.findings)
     silent = replace(live, sensor=replace(live.sensor, serial_number=""))
-    assert action(view_of(state, silent), "confirm_setup").enabled
-    nothing = live_of(state, None, None)
-    assert "Choose the arm" in action(view_of(state, nothing), "confirm_setup").why_not
+    assert action(build_view(state, silent), "confirm_setup").enabled
+    nothing = make_live(state, None, None)
+    assert "Choose the arm" in action(build_view(state, nothing), "confirm_setup").why_not
 
 
 def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
-    state = state_after(started("place"))
+    state = state_after(start_row("place"))
     dark = (Finding("attention", "the picture is dark", "open the iris"),) * 2
-    live = live_of(state, arm, block, corners_seen=0, picture_findings=dark)
-    view = view_of(state, live)
+    live = make_live(state, arm, block, corners_seen=0, picture_findings=dark)
+    view = build_view(state, live)
     assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
     for_it = Finding("attention", "no board was found: the picture is dark", "open the iris")
-    (said,) = view_of(state, replace(live, picture_findings=(*dark, for_it))).findings
+    (said,) = build_view(state, replace(live, picture_findings=(*dark, for_it))).findings
     assert said.text == "No board was found: the picture is dark."
-    (hint,) = view_of(state, replace(live, laser_on=True)).findings
+    (hint,) = build_view(state, replace(live, laser_on=True)).findings
     assert "laser is on" in hint.text
-    (found,) = view_of(state, live_of(state, arm, block, corners_seen=20)).findings
+    (found,) = build_view(state, make_live(state, arm, block, corners_seen=20)).findings
     assert found.text == "20 corners of the object are found."
-    assert view_of(state, replace(live, corners_seen=20)).findings == view.findings
+    assert build_view(state, replace(live, corners_seen=20)).findings == view.findings
 
 
 def test_a_running_scan_keeps_the_laser(arm: Arm, block: Crenellated) -> None:
-    state = state_after(started("capture"))
-    live = live_of(state, arm, block, scanning=True)
-    assert "scan" in action(view_of(state, live), "capture").why_not
+    state = state_after(start_row("capture"))
+    live = make_live(state, arm, block, scanning=True)
+    assert "scan" in action(build_view(state, live), "capture").why_not
 
 
 def test_a_refused_solve_says_why_and_offers_the_ways_back(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    rows = [started("touch"), *contacts, captured()]
+    rows = [start_row("touch"), *contacts, capture_row()]
     refused = {
         "inputs": state_after(*rows).inputs,
         "code": "image-dark",
@@ -220,43 +220,43 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
         "remedy": "Raise the exposure",
     }
     state = state_after(*rows, ("solve_refused", refused))
-    view = view_of(state, live_of(state, arm, block))
+    view = build_view(state, make_live(state, arm, block))
     assert view.step == "solve"
     assert isinstance(view.picture, StillPicture)
     said = "The picture is dark: 2 % of full scale."
     assert view.findings == [Finding("bad", said, "Raise the exposure.")]
     assert action(view, "retake").primary
     of_picture = Finding("bad", f"Exposure is at fault. {said}", "Raise the exposure.")
-    declined = Outcome([], [], [], [of_picture], None, fault="exposure")
-    told = view_of(state, live_of(state, arm, block, seen=declined))
+    declined = CalibrationOutcome([], [], [], [of_picture], None, fault="exposure")
+    told = build_view(state, make_live(state, arm, block, seen=declined))
     assert told.findings == [of_picture]
     dim, none = Finding("attention", "It is dim."), Finding("bad", "There is no stripe.")
-    declined = Outcome([], [], [], [dim, none], None)
-    told = view_of(state_after(*rows), live_of(state, arm, block, seen=declined))
+    declined = CalibrationOutcome([], [], [], [dim, none], None)
+    told = build_view(state_after(*rows), make_live(state, arm, block, seen=declined))
     assert told.findings == [none, dim]
     state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
-    assert view_of(state, live_of(state, arm, block)).findings == []
+    assert build_view(state, make_live(state, arm, block)).findings == []
 
 
 def test_a_bad_calibration_cannot_be_accepted(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = solved_state(contacts)
-    view = view_of(state, live_of(state, arm, block, seen=outcome("bad")))
+    view = build_view(state, make_live(state, arm, block, seen=outcome("bad")))
     assert isinstance(view.picture, ResultPicture)
     assert action(view, "accept").why_not == "It should not be used: the findings say why."
     assert action(view, "repeat").primary
-    live = live_of(state, arm, block, seen=outcome("attention"))
-    assert action(view_of(state, live), "accept").enabled
+    live = make_live(state, arm, block, seen=outcome("attention"))
+    assert action(build_view(state, live), "accept").enabled
     assert live.arm is not None
     exchanged = replace(live, arm=replace(live.arm, serial_number="A-9"))
-    assert "A-9" in action(view_of(state, exchanged), "accept").why_not
+    assert "A-9" in action(build_view(state, exchanged), "accept").why_not
 
 
 def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    rows = [started("touch"), *contacts, captured(), ("another_pose", {}), captured()]
+    rows = [start_row("touch"), *contacts, capture_row(), ("another_pose", {}), capture_row()]
     there = outcome()
     assert there.result is not None
     there = replace(
@@ -268,7 +268,7 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
 
     def shown(*more: tuple[str, dict[str, object]]) -> tuple[FlowView, ResultPicture]:
         state = state_after(*rows, *more)
-        view = view_of(state, live_of(state, arm, block, seen=there))
+        view = build_view(state, make_live(state, arm, block, seen=there))
         assert isinstance(view.picture, ResultPicture)
         return view, view.picture
 
@@ -301,22 +301,24 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
 def test_every_pose_is_listed_and_a_refused_one_says_why(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    blurred = Outcome([], [], [], [Finding("bad", "It is blurred.")], None, fault="focus")
+    blurred = CalibrationOutcome(
+        [], [], [], [Finding("bad", "It is blurred.")], None, fault="focus"
+    )
     bad = to_payload(blurred)
-    state = state_after(started("touch"), *contacts, captured(), captured(outcome=bad))
-    view = view_of(state, live_of(state, arm, block))
+    state = state_after(start_row("touch"), *contacts, capture_row(), capture_row(outcome=bad))
+    view = build_view(state, make_live(state, arm, block))
     assert isinstance(view.picture, StillPicture)
     assert view.picture.shown == 2
     assert [pose.note for pose in view.picture.poses] == ["", "Not usable: focus"]
     assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
-    told = view_of(state, live_of(state, arm, block, seen=blurred))
+    told = build_view(state, make_live(state, arm, block, seen=blurred))
     assert "cannot be used" in told.instruction
     assert action(told, "retake").primary
     assert told.progress is not None
     assert (told.progress.done, told.progress.text) == (2, "2 of up to 6 poses")
     assert action(told, "solve").enabled
-    alone = state_after(started("touch"), *contacts, captured(outcome=bad))
-    told = view_of(alone, live_of(alone, arm, block, seen=blurred))
+    alone = state_after(start_row("touch"), *contacts, capture_row(outcome=bad))
+    told = build_view(alone, make_live(alone, arm, block, seen=blurred))
     assert action(told, "solve").why_not == "No picture shows the object yet. Take one anew."
     assert action(told, "retake").enabled
 
@@ -325,12 +327,12 @@ def test_few_points_are_told_how_many_more_help(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     some = [*contacts[:5], *contacts[9:14], *contacts[18:23]]
-    state = state_after(started("touch"), *some)
-    live = live_of(state, arm, block)
+    state = state_after(start_row("touch"), *some)
+    live = make_live(state, arm, block)
     assert live.touch is not None
     known = place_um(live.touch)
     live = replace(live, touch=touch_report(state.counted, arm, block, 0.6 * known))
-    view = view_of(state, live)
+    view = build_view(state, live)
     assert view.number is not None
     assert view.number.value == pytest.approx(known)
     told = view.findings[-1]
@@ -348,12 +350,12 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = replace(solved_state(contacts), ended="accepted")
-    live = live_of(state, arm, block, seen=outcome())
-    view = view_of(state, live)
+    live = make_live(state, arm, block, seen=outcome())
+    view = build_view(state, live)
     assert not view.running
     assert [a.name for a in view.actions] == ["repeat"]
     assert {s.state for s in view.steps} == {"done"}
-    assert why_not(state, live, "accept", {})
+    assert rejection_reason(state, live, "accept", {})
 
 
 @pytest.mark.parametrize(
@@ -377,16 +379,16 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(
 def test_what_makes_no_sense_here_is_declined_with_a_reason(
     name: str, args: dict[str, object], step: str, arm: Arm, block: Crenellated
 ) -> None:
-    state = state_after(started(step))
-    assert why_not(state, live_of(state, arm, block), name, args)
+    state = state_after(start_row(step))
+    assert rejection_reason(state, make_live(state, arm, block), name, args)
 
 
 def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: Crenellated) -> None:
-    state = state_after(started("touch"), point("crest", np.zeros(6)))
-    busy: Live = live_of(
+    state = state_after(start_row("touch"), point_row("crest", np.zeros(6)))
+    busy: CalibrationLive = make_live(
         state, arm, block, busy=Busy("The hand at work", 0.3), hand_running=True, has_hand=True
     )
-    view = view_of(state, busy)
+    view = build_view(state, busy)
     assert action(view, "stop_hand").enabled
     assert not action(view, "undo").enabled
     assert "the hand at work" in action(view, "undo").why_not
@@ -406,7 +408,7 @@ def test_a_pose_used_without_its_laser_line_says_so(
     row = PoseRow(1, True, "its laser line was left out, 2.1 mm off", 0.1, None, 3.0)
     there = replace(there, result=replace(there.result, poses=[row]))
     state = solved_state(contacts)
-    picture = view_of(state, live_of(state, arm, block, seen=there)).picture
+    picture = build_view(state, make_live(state, arm, block, seen=there)).picture
     assert isinstance(picture, ResultPicture)
     (pose,) = picture.poses
     assert (pose.state, pose.note) == ("used", f"Used, but {row.reason}")
@@ -416,11 +418,11 @@ def test_a_pose_used_without_its_laser_line_says_so(
 def test_no_outline_is_spoken_of_where_none_is_drawn(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
-    first = state_after(started("place"), *contacts)
-    live = live_of(first, arm, block, corners_seen=0)
-    assert "dashed outline" in view_of(first, live).instruction
+    first = state_after(start_row("place"), *contacts)
+    live = make_live(first, arm, block, corners_seen=0)
+    assert "dashed outline" in build_view(first, live).instruction
     # after a picture of which no advice came
-    later = state_after(started("touch"), *contacts, captured(), ("another_pose", {}))
-    view = view_of(later, live_of(later, arm, block, corners_seen=0))
+    later = state_after(start_row("touch"), *contacts, capture_row(), ("another_pose", {}))
+    view = build_view(later, make_live(later, arm, block, corners_seen=0))
     assert view.step == "place"
     assert "outline" not in view.instruction

@@ -7,14 +7,14 @@ import pytest
 
 from app.guide.common.validity import (
     DUE,
-    Checked,
-    Known,
-    Next,
+    CheckResult,
+    NextAction,
     Validity,
+    ValidityInputs,
     ago,
-    next_of,
+    check_validity,
+    choose_next_action,
     tip_finding,
-    validity_of,
 )
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
@@ -22,27 +22,27 @@ NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
 def done(
     days: float, result: str = "valid", text: str = "Every figure keeps its limit."
-) -> Checked:
+) -> CheckResult:
     at = (NOW - timedelta(days=days)).isoformat().replace("+00:00", "Z")
-    return Checked(at, result, text)  # type: ignore[arg-type]
+    return CheckResult(at, result, text)  # type: ignore[arg-type]
 
 
-NOTHING = Known(None, None, False, None, None, None)
-ALL = Known(done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4)
+NOTHING = ValidityInputs(None, None, False, None, None, None)
+ALL = ValidityInputs(done(2, text="8 µm (k = 1)"), done(1), True, done(0.1), done(3), 0.4)
 
 
-def lines(known: Known) -> dict[str, Validity]:
-    return {line.id: line for line in validity_of(known, NOW)}
+def lines(known: ValidityInputs) -> dict[str, Validity]:
+    return {line.id: line for line in check_validity(known, NOW)}
 
 
 def after(
-    known: Known, calibrating: bool = False, verifying: bool = False, blocked: str = ""
-) -> Next:
-    return next_of(validity_of(known, NOW), calibrating, verifying, blocked)
+    known: ValidityInputs, calibrating: bool = False, verifying: bool = False, blocked: str = ""
+) -> NextAction:
+    return choose_next_action(check_validity(known, NOW), calibrating, verifying, blocked)
 
 
 def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
-    assert {line.state for line in validity_of(ALL, NOW)} == {"valid"}
+    assert {line.state for line in check_validity(ALL, NOW)} == {"valid"}
     assert after(ALL).page == "scan"
     assert "2 days old" in lines(ALL)["calibration"].text
     assert "+0.4 °C" in lines(ALL)["calibration"].text
@@ -100,7 +100,7 @@ def test_other_devices_than_calibrated_come_before_verifying() -> None:
 
 def test_limits_are_the_stations_own() -> None:
     strict = replace(DUE, verification_days=0.5)
-    found = {line.id: line for line in validity_of(ALL, NOW, strict)}
+    found = {line.id: line for line in check_validity(ALL, NOW, strict)}
     assert found["verification"].state == "due"
 
 

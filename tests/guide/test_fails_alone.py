@@ -12,32 +12,32 @@ from types import SimpleNamespace
 import pytest
 
 from app.api.support import LOG_BYTES, bundle
-from app.errors import Refusal
+from app.errors import OperationError
 from app.operations.context import Context
-from app.operations.health_checks import Examiner
-from app.operations.status_report import report_of
-from app.operations.unreadable_files import set_aside
-from app.server.composition import Parts, close_context, open_context
-from app.server.demo import parts_of
-from hardware.simulator.station import Twin
+from app.operations.health_checks import HealthChecker
+from app.operations.status_report import build_report
+from app.operations.unreadable_files import list_unreadable
+from app.server.composition import StationParts, close_context, open_context
+from app.server.demo import station_parts
+from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
 ADDRESSES = ("http://[", "http://a[b]/", "http://x:99999999/", "http://x\u202e/", "ftp://x/")
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin() as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as twin:
         yield twin
 
 
 @pytest.fixture
-def parts(twin: Twin, tmp_path: Path) -> Parts:
-    return replace(parts_of(twin, tmp_path), hand=None)
+def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
+    return replace(station_parts(twin, tmp_path), hand=None)
 
 
 @pytest.fixture
-def context(parts: Parts) -> Iterator[Context]:
+def context(parts: StationParts) -> Iterator[Context]:
     context = open_context(parts)
     yield context
     close_context(context)
@@ -58,12 +58,14 @@ def are_made(files: dict[str, str]) -> bool:
 
 
 @pytest.mark.parametrize("url", ADDRESSES)
-def test_an_address_that_is_none_is_not_read_from_the_file(parts: Parts, url: str) -> None:
+def test_an_address_that_is_none_is_not_read_from_the_file(parts: StationParts, url: str) -> None:
     (parts.data / "notifications.json").write_text(json.dumps({"url": url, "secret": "s"}))
     context = open_context(parts)
     try:
         assert context.watch.webhook.settings.url == ""
-        assert all(not item.id.startswith("not-made") for item in Examiner(context).look().items)
+        assert all(
+            not item.id.startswith("not-made") for item in HealthChecker(context).look().items
+        )
         assert are_made(bundled(context))
     finally:
         close_context(context)
@@ -74,17 +76,17 @@ def test_an_address_that_is_none_is_not_read_from_the_file(parts: Parts, url: st
 def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     context: Context, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    whole = {item.id for item in Examiner(context).look().items}
+    whole = {item.id for item in HealthChecker(context).look().items}
 
     def broken(*_: object) -> list[str]:
         raise IndexError("a fault of the program")
 
     def refused(*_: object) -> str:
-        raise Refusal("database-unreadable", "The database cannot be read")
+        raise OperationError("database-unreadable", "The database cannot be read")
 
     monkeypatch.setattr("app.operations.health_checks.set_aside", broken)
     monkeypatch.setattr(type(context.store), "check", refused)
-    items = {item.id: item for item in Examiner(context).look().items}
+    items = {item.id: item for item in HealthChecker(context).look().items}
     assert items["not-made-records"].what == "The check records cannot be made: IndexError."
     assert items["not-made-database"].quality == "attention"
     assert "The database cannot be read" in items["not-made-database"].what
@@ -129,7 +131,7 @@ def test_odd_rows_and_endless_logs_are_bundled(context: Context) -> None:
 
 @pytest.mark.parametrize("total_um", ["-1e308", "1e308", "-1", "1e999", "NaN", '"many"'])
 def test_figures_that_no_calibration_has_are_set_aside(
-    twin: Twin, parts: Parts, context: Context, total_um: str
+    twin: SimulatedStation, parts: StationParts, context: Context, total_um: str
 ) -> None:
     use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
     (record,) = context.store.calibrations.all()
@@ -139,6 +141,6 @@ def test_figures_that_no_calibration_has_are_set_aside(
         connection.execute("UPDATE calibration SET figures = ?", (figures,))
     assert context.store.calibrations.all() == []
     assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
-    assert any("cannot be read" in text for text in set_aside(context))
-    assert report_of(context).calibration is None
-    assert all(not item.id.startswith("not-made") for item in Examiner(context).look().items)
+    assert any("cannot be read" in text for text in list_unreadable(context))
+    assert build_report(context).calibration is None
+    assert all(not item.id.startswith("not-made") for item in HealthChecker(context).look().items)

@@ -6,14 +6,14 @@ from pathlib import Path
 from app.formats.datasheets.target import write_object
 from app.guide.calibration.session_datasheets import best_guess
 from app.guide.calibration.state import CalibrationState
-from app.guide.common.datasheet_library import Library, read_library
+from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 
 BOARD = Chessboard("sheet 7", "", (7, 6), 10.0, 0.05)
 
 
-def library_with(folder: Path, **objects: Crenellated | Chessboard) -> Library:
+def library_with(folder: Path, **objects: Crenellated | Chessboard) -> DatasheetLibrary:
     (folder / "objects").mkdir()
     for name, item in objects.items():
         write_object(folder / "objects" / f"{name}.json", item)

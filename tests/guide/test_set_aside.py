@@ -9,33 +9,33 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.common.datasheet_library import read_library
 from app.operations.context import Context
-from app.operations.health_checks import Examiner
-from app.operations.home import home_of
-from app.operations.unreadable_files import set_aside
-from app.server.composition import Parts, close_context, open_context
-from app.server.demo import parts_of
+from app.operations.health_checks import HealthChecker
+from app.operations.home import build_home
+from app.operations.unreadable_files import list_unreadable
+from app.server.composition import StationParts, close_context, open_context
+from app.server.demo import station_parts
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import utc_now
-from app.wire.encoding import encoded
-from hardware.simulator.station import Twin
+from app.wire.encoding import encode_json
+from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
 PAGE_BYTES = 4096
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin() as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as twin:
         yield twin
 
 
 @pytest.fixture
-def parts(twin: Twin, tmp_path: Path) -> Parts:
-    return replace(parts_of(twin, tmp_path), hand=None)
+def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
+    return replace(station_parts(twin, tmp_path), hand=None)
 
 
 def closed(context: Context) -> None:
@@ -46,7 +46,9 @@ def closed(context: Context) -> None:
 
 @pytest.mark.parametrize("payload", ["no JSON", "[1, 2]", '{"to": null}', "{" * 3000])
 @pytest.mark.parametrize("kind", ["calibration", "arm", "verify"])
-def test_a_session_with_a_bad_row_is_set_aside(parts: Parts, kind: str, payload: str) -> None:
+def test_a_session_with_a_bad_row_is_set_aside(
+    parts: StationParts, kind: str, payload: str
+) -> None:
     store = Store(parts.data)
     store.journal.begin_session("bad", kind)
     with store._database.writing() as connection:
@@ -57,9 +59,9 @@ def test_a_session_with_a_bad_row_is_set_aside(parts: Parts, kind: str, payload:
     store.close()
     context = open_context(parts)
     try:
-        assert any("bad cannot be read" in text for text in set_aside(context))
+        assert any("bad cannot be read" in text for text in list_unreadable(context))
         assert context.guide.start().running
-        assert home_of(context).next.page == "calibrate"
+        assert build_home(context).next.page == "calibrate"
     finally:
         closed(context)
 
@@ -74,7 +76,7 @@ def test_a_session_with_a_bad_row_is_set_aside(parts: Parts, kind: str, payload:
     ],
 )
 def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
-    twin: Twin, parts: Parts, change: str
+    twin: SimulatedStation, parts: StationParts, change: str
 ) -> None:
     context = open_context(parts)
     try:
@@ -87,16 +89,16 @@ def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
         (parts.data / "scans/one").mkdir()
         (parts.data / "scans/one/scan.mcap").write_bytes(b"no recording")
         context.recovery.list_unlisted()
-        assert Examiner(context).look().items
-        assert encoded(home_of(context))
+        assert HealthChecker(context).look().items
+        assert encode_json(build_home(context))
         assert len(context.store.scans.all()) == 1
-        assert encoded(context.store.scans.all()[0].name)
+        assert encode_json(context.store.scans.all()[0].name)
     finally:
         closed(context)
 
 
 def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
-    twin: Twin, parts: Parts
+    twin: SimulatedStation, parts: StationParts
 ) -> None:
     context = open_context(parts)
     try:
@@ -105,20 +107,20 @@ def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
         whole = file.read_text()
         assert context.scanner.trouble is None
         file.write_text("")
-        assert home_of(context).checks[0].state == "failed"
+        assert build_home(context).checks[0].state == "failed"
         refusal = context.scanner.why_not()
         assert refusal is not None
         assert refusal.code == "calibration-unreadable"
-        with pytest.raises(Refusal, match="cannot be read"):
+        with pytest.raises(OperationError, match="cannot be read"):
             context.scanner.start("")
         file.write_text(whole)
         assert context.scanner.trouble is None
-        assert home_of(context).checks[0].state == "valid"
+        assert build_home(context).checks[0].state == "valid"
     finally:
         closed(context)
 
 
-def test_a_cut_calibration_is_not_valid(twin: Twin, parts: Parts) -> None:
+def test_a_cut_calibration_is_not_valid(twin: SimulatedStation, parts: StationParts) -> None:
     context = open_context(parts)
     use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
     file = context.store.calibrations.all()[0].file
@@ -126,38 +128,38 @@ def test_a_cut_calibration_is_not_valid(twin: Twin, parts: Parts) -> None:
     file.write_text(file.read_text()[:200])
     context = open_context(parts)
     try:
-        line = home_of(context).checks[0]
+        line = build_home(context).checks[0]
         assert (line.state, line.quality) == ("failed", "bad")
         refusal = context.scanner.why_not()
         assert refusal is not None
         assert refusal.code == "calibration-unreadable"
         assert str(parts.data) not in refusal.line
-        assert set_aside(context)
+        assert list_unreadable(context)
     finally:
         closed(context)
 
 
 def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(
-    twin: Twin, parts: Parts
+    twin: SimulatedStation, parts: StationParts
 ) -> None:
     context = open_context(parts)
     use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
     file = context.store.calibrations.all()[0].file
     try:
-        assert home_of(context).checks[0].state == "valid"
+        assert build_home(context).checks[0].state == "valid"
         for spoiled in (file, file.parent / "arm.json"):
             content = spoiled.read_bytes()
             for spoil in (None, lambda path: path.write_bytes(b"{"), Path.mkdir):
                 spoiled.unlink(missing_ok=True)
                 if spoil is not None:
                     spoil(spoiled)
-                line = home_of(context).checks[0]
+                line = build_home(context).checks[0]
                 assert line.state == "failed"
                 assert f"sessions/true/{spoiled.name}" in line.text
                 assert str(parts.data) not in line.text
             spoiled.rmdir()
             spoiled.write_bytes(content)
-            assert home_of(context).checks[0].state == "valid"
+            assert build_home(context).checks[0].state == "valid"
     finally:
         closed(context)
 
@@ -166,11 +168,13 @@ def test_an_empty_database_beside_sessions_is_refused(tmp_path: Path) -> None:
     Store(tmp_path).close()
     (tmp_path / "sessions" / "one").mkdir()
     (tmp_path / "station.db").write_bytes(b"")
-    with pytest.raises(Refusal, match="last backup"):
+    with pytest.raises(OperationError, match="last backup"):
         Store(tmp_path)
 
 
-def test_a_damaged_page_of_the_database_is_said_to_be_one(twin: Twin, parts: Parts) -> None:
+def test_a_damaged_page_of_the_database_is_said_to_be_one(
+    twin: SimulatedStation, parts: StationParts
+) -> None:
     context = open_context(parts)
     use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
     context.guide.start()
@@ -183,12 +187,12 @@ def test_a_damaged_page_of_the_database_is_said_to_be_one(twin: Twin, parts: Par
         database.write_bytes(whole[:at] + bytes(PAGE_BYTES) + whole[at + PAGE_BYTES :])
         try:
             context = open_context(parts)
-        except Refusal as refusal:
+        except OperationError as refusal:
             refused.append(refusal.code)
             continue
         try:
-            for look in (home_of, set_aside, lambda context: context.guide.start()):
-                with suppress(Refusal):
+            for look in (build_home, list_unreadable, lambda context: context.guide.start()):
+                with suppress(OperationError):
                     look(context)
         finally:
             closed(context)
@@ -196,12 +200,12 @@ def test_a_damaged_page_of_the_database_is_said_to_be_one(twin: Twin, parts: Par
     assert len(refused) < len(whole) // PAGE_BYTES
 
 
-def test_a_row_that_cannot_be_folded_is_not_kept(parts: Parts) -> None:
+def test_a_row_that_cannot_be_folded_is_not_kept(parts: StationParts) -> None:
     context = open_context(parts)
     try:
         context.guide.start()
         before = context.store.journal.last_number()
-        with pytest.raises(Refusal, match="not kept"):
+        with pytest.raises(OperationError, match="not kept"):
             context.guide.append("went_back", {"to": "nowhere"})
         assert context.store.journal.last_number() == before
         assert context.guide.state.step == "devices"
@@ -210,12 +214,12 @@ def test_a_row_that_cannot_be_folded_is_not_kept(parts: Parts) -> None:
 
 
 def test_texts_that_are_no_unicode(tmp_path: Path) -> None:
-    assert json.loads(encoded({"a": ["\ud800"]})) == {"a": ["\N{REPLACEMENT CHARACTER}"]}
+    assert json.loads(encode_json({"a": ["\ud800"]})) == {"a": ["\N{REPLACEMENT CHARACTER}"]}
     folder = tmp_path / "objects"
     folder.mkdir()
     (folder / "Pr\udcfcf.json").write_text("{}")
     (folder / "half.json").write_text('{"name": "\\ud800"}')
     findings = read_library(tmp_path).findings
     assert len(findings) == 2
-    encoded(findings).decode()
+    encode_json(findings).decode()
     assert any("Rename it" in finding.text for finding in findings)

@@ -9,22 +9,22 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.images import read_grey, write_png
-from app.formats.results.calibration_builder import joint_sheet
+from app.formats.results.calibration_builder import joint_document
 from app.formats.session.calibration_session import read_session
 from app.guide.calibration.comparison import compare
-from app.guide.calibration.live import Chosen
-from app.guide.calibration.poses.detection import look_at
+from app.guide.calibration.live import SelectedDatasheets
+from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.solve import solve
 from app.guide.common.result_view import Comparison
-from app.metrology.adjustment.block.calibrate import calibrate_joint
-from app.metrology.adjustment.core.observations import SeenPose
+from app.metrology.adjustment.block.calibrate import calibrate_block
+from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.limits import LIMITS
 from app.station.devices.capture import Capture
 from app.station.devices.joint_buffer import JointMean
-from app.workflows.calibrate import joint_inputs, origin_of
+from app.workflows.calibrate import calibration_origin, joint_inputs
 from hardware.interfaces import Frame
 from hardware.simulator.session import SessionPlan, render_session
 
@@ -112,8 +112,8 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     folder: SessionFolder, tmp_path: Path
 ) -> None:
     session = read_session(folder.path)
-    result = calibrate_joint(joint_inputs(session))
-    sheet = joint_sheet(result, origin_of(session, session.poses, ""))
+    result = calibrate_block(joint_inputs(session))
+    sheet = joint_document(result, calibration_origin(session, session.poses, ""))
     in_use = InUse("the first", tmp_path / "calibration.json")
 
     def compared(**changes: object) -> Comparison | None:
@@ -153,14 +153,14 @@ def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None
     session = read_session(tmp_path)
     black = np.zeros((512, 640), np.uint8)
     write_png(session.poses[0].ambient, black)
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         solve(folder, None, quiet, {}, LIMITS, range(45))
     assert caught.value.code == "image-dark"
     assert caught.value.remedy
     assert not folder.calibration.exists()
 
 
-def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Chosen]:
+def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, SelectedDatasheets]:
     session = read_session(folder.path)
     pose = session.poses[0]
     assert pose.laser is not None
@@ -169,20 +169,20 @@ def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Cho
         for i, image in enumerate((ambient, read_grey(pose.laser)))
     ]
     mean = JointMean(pose.q_rad, pose.q_rad * 0, 10, 0, 1)
-    chosen = Chosen(session.arm, session.block, session.sensor)
+    chosen = SelectedDatasheets(session.arm, session.block, session.sensor)
     return Capture(frames[0], frames[1], "pair", mean), chosen
 
 
 def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:
     ambient = read_grey(read_session(folder.path).poses[0].ambient)
-    seen, pose = look_at(*capture_of(folder, ambient), 3)
-    assert isinstance(pose, SeenPose)
+    seen, pose = detect_in_capture(*capture_of(folder, ambient), 3)
+    assert isinstance(pose, BlockObservation)
     assert pose.number == 3
     assert len(seen.corners) >= 8
     assert seen.stripe
     assert not [finding for finding in seen.findings if finding.quality == "bad"]
-    seen, unseen = look_at(*capture_of(folder, np.zeros_like(ambient)), 4)
-    assert isinstance(unseen, Refusal)
+    seen, unseen = detect_in_capture(*capture_of(folder, np.zeros_like(ambient)), 4)
+    assert isinstance(unseen, OperationError)
     assert seen.corners == ()
     assert seen.findings[0].quality == "bad"
     assert seen.findings[0].remedy.endswith(".")

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from app.guide.calibration import state as state_module
 from app.guide.calibration.confirm import CONFIRMATIONS
 from app.guide.calibration.state import STEPS
-from tests.guide.builders import captured, point, started, state_after
+from tests.guide.builders import capture_row, point_row, start_row, state_after
 
 CONFIRMED = {
     "setup": "devices_confirmed",
@@ -27,48 +27,53 @@ def confirmed_up_to(step: str) -> list[tuple[str, dict[str, object]]]:
 
 def test_each_confirmation_leads_to_the_next_step() -> None:
     for step in CONFIRMED:
-        assert state_after(started(), *confirmed_up_to(step)).step == step
+        assert state_after(start_row(), *confirmed_up_to(step)).step == step
 
 
 def test_undoing_keeps_the_point_in_the_journal_and_its_number() -> None:
     state = state_after(
-        started("touch"), point("crest"), point("crest"), ("point_voided", {"index": 1})
+        start_row("touch"), point_row("crest"), point_row("crest"), ("point_voided", {"index": 1})
     )
     assert [c.index for c in state.counted] == [0]
     state = state_after(
-        started("touch"), point("crest"), ("point_voided", {"index": 0}), point("front")
+        start_row("touch"), point_row("crest"), ("point_voided", {"index": 0}), point_row("front")
     )
     assert [(c.index, c.face) for c in state.counted] == [(1, "front")]
 
 
 def test_points_that_were_taken_back_come_back_last_first_until_another_is_taken() -> None:
-    rows = [started("touch"), point("crest"), point("crest"), point("floor")]
+    rows = [start_row("touch"), point_row("crest"), point_row("crest"), point_row("floor")]
     rows += [("point_voided", {"index": index}) for index in (2, 0, 0)]
     assert state_after(*rows).undone == (2, 0)
     rows.append(("point_restored", {"index": 0}))
     state = state_after(*rows)
     assert [c.index for c in state.counted] == [0, 1]
     assert state.undone == (2,)
-    assert state_after(*rows, point("front")).undone == ()
+    assert state_after(*rows, point_row("front")).undone == ()
 
 
 def test_points_of_another_object_do_not_count_until_it_is_chosen_again() -> None:
-    rows = [started("touch"), point("crest"), ("chosen", {"field": "object", "id": "other"})]
+    rows = [start_row("touch"), point_row("crest"), ("chosen", {"field": "object", "id": "other"})]
     assert state_after(*rows).counted == ()
     rows.append(("chosen", {"field": "object", "id": "b"}))
     assert len(state_after(*rows).counted) == 1
 
 
 def test_a_picture_of_another_sensor_does_not_count() -> None:
-    rows = [started("capture"), captured()]
+    rows = [start_row("capture"), capture_row()]
     assert state_after(*rows).picture is not None
     rows.append(("chosen", {"field": "sensor", "id": "other"}))
     assert state_after(*rows).picture is None
 
 
 def test_going_back_keeps_everything_and_says_what_is_stale() -> None:
-    rows = [started("touch"), point("crest"), ("touch_confirmed", {}), ("place_confirmed", {})]
-    rows += [captured(), ("went_back", {"to": "touch"})]
+    rows = [
+        start_row("touch"),
+        point_row("crest"),
+        ("touch_confirmed", {}),
+        ("place_confirmed", {}),
+    ]
+    rows += [capture_row(), ("went_back", {"to": "touch"})]
     state = state_after(*rows)
     assert state.step == "touch"
     assert state.reached == "solve"
@@ -77,7 +82,7 @@ def test_going_back_keeps_everything_and_says_what_is_stale() -> None:
 
 
 def test_a_result_is_stale_as_soon_as_an_input_changed() -> None:
-    rows = [started("touch"), point("crest"), captured()]
+    rows = [start_row("touch"), point_row("crest"), capture_row()]
     inputs = state_after(*rows).inputs
     rows.append(("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}}))
     solved = state_after(*rows)
@@ -85,7 +90,7 @@ def test_a_result_is_stale_as_soon_as_an_input_changed() -> None:
     assert solved.outcome == {"total_um": 1.0}
     for change in (
         ("point_voided", {"index": 0}),
-        point("front"),
+        point_row("front"),
         ("retaken", {}),
         ("chosen", {"field": "arm", "id": "other"}),
     ):
@@ -93,16 +98,16 @@ def test_a_result_is_stale_as_soon_as_an_input_changed() -> None:
 
 
 def test_a_solve_that_was_overtaken_does_not_open_the_review() -> None:
-    rows = [started("touch"), point("crest"), captured()]
+    rows = [start_row("touch"), point_row("crest"), capture_row()]
     inputs = state_after(*rows).inputs
-    rows += [("went_back", {"to": "touch"}), point("front")]
+    rows += [("went_back", {"to": "touch"}), point_row("front")]
     state = state_after(*rows, ("solved", {"inputs": inputs, "outcome": {}}))
     assert state.step == "touch"
     assert state.outcome is None
 
 
 def test_every_capture_has_a_number_of_its_own() -> None:
-    rows = [started("capture"), captured(), ("retaken", {}), captured()]
+    rows = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
     state = state_after(*rows)
     assert state.picture is not None
     assert state.picture.number == 2
@@ -110,7 +115,7 @@ def test_every_capture_has_a_number_of_its_own() -> None:
 
 
 def test_poses_add_up_and_one_can_be_set_aside() -> None:
-    rows = [started("capture"), captured(), ("another_pose", {}), captured()]
+    rows = [start_row("capture"), capture_row(), ("another_pose", {}), capture_row()]
     state = state_after(*rows)
     assert state.step == "solve"
     assert [picture.number for picture in state.pictures] == [1, 2]
@@ -123,7 +128,7 @@ def test_poses_add_up_and_one_can_be_set_aside() -> None:
 
 
 def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
-    rows = [started("capture"), captured(), ("another_pose", {}), captured()]
+    rows = [start_row("capture"), capture_row(), ("another_pose", {}), capture_row()]
     inputs = state_after(*rows).inputs
     rows += [("solved", {"inputs": inputs, "outcome": {"total_um": 1.0}})]
     rows += [("pose_voided", {"number": 1})]
@@ -142,14 +147,14 @@ def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
 
 
 def test_a_picture_taken_anew_is_not_offered_again() -> None:
-    rows = [started("capture"), captured(), ("retaken", {}), captured()]
+    rows = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
     state = state_after(*rows, ("pose_restored", {"number": 1}))
     assert [picture.number for picture in state.listed] == [2]
 
 
 def test_a_row_of_an_unknown_kind_is_not_passed_over() -> None:
     with pytest.raises(ValueError, match="unknown kind: conjured"):
-        state_after(started(), ("conjured", {}))
+        state_after(start_row(), ("conjured", {}))
 
 
 def test_every_row_that_is_written_is_known() -> None:
@@ -162,12 +167,12 @@ def test_every_row_that_is_written_is_known() -> None:
 SOME_ROWS = st.sampled_from(
     [
         *((kind, {}) for kind in CONFIRMED.values()),
-        point("crest"),
-        point("front"),
+        point_row("crest"),
+        point_row("front"),
         ("point_voided", {"index": 0}),
         ("point_voided", {"index": 7}),
         ("face_selected", {"face": "left"}),
-        captured(),
+        capture_row(),
         ("retaken", {}),
         ("another_pose", {}),
         ("pose_voided", {"number": 1}),
@@ -182,7 +187,7 @@ SOME_ROWS = st.sampled_from(
 
 @given(st.lists(SOME_ROWS, max_size=30))
 def test_whatever_happened_the_state_is_whole(rows: list[tuple[str, dict[str, object]]]) -> None:
-    state = state_after(started(), *rows)
+    state = state_after(start_row(), *rows)
     assert state.step in STEPS
     assert STEPS.index(state.reached) >= STEPS.index(state.step)
     assert state.rev == len(rows) + 1

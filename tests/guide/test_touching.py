@@ -8,11 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.touch.block import WANTED, suggested_places, wanted_on
+from app.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
 from app.guide.calibration.touch.report import face_progress, next_face, same_place, touch_report
 from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
-from tests.guide.builders import point, started, state_after, touched
+from tests.guide.builders import contact_joints, point_row, start_row, state_after
 
 widths = st.floats(1.5, 12.0)
 
@@ -29,7 +29,7 @@ def blocks(draw: st.DrawFn) -> Crenellated:
 def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
     block: Crenellated, face: str
 ) -> None:
-    places = np.array(suggested_places(block, face))
+    places = np.array(suggest_places(block, face))
     assert WANTED - 1 <= len(places) <= WANTED
     normal, offset_mm = probing_face(block, face)
     assert places @ normal == pytest.approx(offset_mm)
@@ -52,16 +52,16 @@ def test_every_suggested_place_lies_on_its_face_clear_of_the_edges(
 
 @given(blocks(), st.sampled_from(FACES))
 def test_suggested_places_do_not_lie_on_one_line(block: Crenellated, face: str) -> None:
-    places = np.array(suggested_places(block, face))
+    places = np.array(suggest_places(block, face))
     spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
     assert spread[1] > 0.2
 
 
 def session(arm: Arm, block: Crenellated, faces: tuple[str, ...], count: int) -> CalibrationState:
-    rows = [started("touch")]
+    rows = [start_row("touch")]
     for face in faces:
-        for place in suggested_places(block, face)[:count]:
-            rows.append(point(face, touched(arm, block, face, place)))
+        for place in suggest_places(block, face)[:count]:
+            rows.append(point_row(face, contact_joints(arm, block, face, place)))
     return state_after(*rows)
 
 
@@ -85,18 +85,18 @@ def test_points_that_agree_have_small_residuals_and_their_place(
     assert report.alignment.rms_mm == pytest.approx(0.0, abs=1e-5)
     assert report.suspects == ()
     places = [p.at_mm for p in report.points]
-    expected = [q for f in ("crest", "front", "right") for q in suggested_places(block, f)]
+    expected = [q for f in ("crest", "front", "right") for q in suggest_places(block, f)]
     assert np.array(places) == pytest.approx(np.array(expected), abs=1e-4)
 
 
 def test_a_point_on_another_face_is_told_with_the_face_it_lies_on(
     arm: Arm, block: Crenellated
 ) -> None:
-    rows = [started("touch")]
+    rows = [start_row("touch")]
     for face in ("crest", "front", "right"):
-        for place in suggested_places(block, face):
-            rows.append(point(face, touched(arm, block, face, place)))
-    rows.append(point("crest", touched(arm, block, "front", (1.0, -12.0, 7.5))))
+        for place in suggest_places(block, face):
+            rows.append(point_row(face, contact_joints(arm, block, face, place)))
+    rows.append(point_row("crest", contact_joints(arm, block, "front", (1.0, -12.0, 7.5))))
     report = touch_report(state_after(*rows).counted, arm, block, 15.0)
     assert report.suspects == (27,)
     (finding,) = report.findings
@@ -106,13 +106,13 @@ def test_a_point_on_another_face_is_told_with_the_face_it_lies_on(
 
 
 def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) -> None:
-    rows = [started("touch")]
+    rows = [start_row("touch")]
     rng = np.random.default_rng(5)
     for face in ("crest", "front", "right"):
         normal, _ = probing_face(block, face)
-        for i, place in enumerate(suggested_places(block, face)):
+        for i, place in enumerate(suggest_places(block, face)):
             off_mm = 0.2 if (face, i) == ("front", 4) else rng.normal(0.0, 0.005)
-            rows.append(point(face, touched(arm, block, face, place + off_mm * normal)))
+            rows.append(point_row(face, contact_joints(arm, block, face, place + off_mm * normal)))
     report = touch_report(state_after(*rows).counted, arm, block, 15.0)
     assert report.suspects == (13,)
     assert report.findings[0].quality == "attention"
@@ -133,9 +133,9 @@ def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenel
 
 def test_the_same_place_twice_is_noticed(arm: Arm, block: Crenellated) -> None:
     state = session(arm, block, ("crest",), 3)
-    place = np.array(suggested_places(block, "crest")[1])
-    near = touched(arm, block, "crest", place + [0.1, 0.1, 0.0])
-    far = touched(arm, block, "crest", place + [1.0, 0.0, 0.0])
+    place = np.array(suggest_places(block, "crest")[1])
+    near = contact_joints(arm, block, "crest", place + [0.1, 0.1, 0.0])
+    far = contact_joints(arm, block, "crest", place + [1.0, 0.0, 0.0])
     assert same_place(near, state.counted, arm) == 1
     assert same_place(far, state.counted, arm) is None
     assert same_place(near, (), arm) is None
@@ -143,9 +143,9 @@ def test_the_same_place_twice_is_noticed(arm: Arm, block: Crenellated) -> None:
 
 def test_either_end_and_either_long_side_will_do() -> None:
     none = dict.fromkeys(FACES, 0)
-    wanted = wanted_on(none)
+    wanted = points_wanted(none)
     assert wanted["crest"] == wanted["front"] == wanted["right"] == WANTED
-    wanted = wanted_on({**none, "left": 2, "right": 1, "back": 1})
+    wanted = points_wanted({**none, "left": 2, "right": 1, "back": 1})
     assert wanted["left"] == wanted["back"] == WANTED
     assert wanted["right"] == wanted["front"] == wanted["floor"] == 0
 

@@ -9,15 +9,15 @@ import pytest
 
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile
 from app.guide.common.journal import fold
-from app.guide.verify.flow import view_of
-from app.guide.verify.live import Gauges, Judged, VerifyLive
-from app.guide.verify.rules import why_not
-from app.guide.verify.state import VerifyState, after
+from app.guide.verify.flow import build_view
+from app.guide.verify.live import CloudResults, Gauges, VerifyLive
+from app.guide.verify.rules import rejection_reason
+from app.guide.verify.state import VerifyState, apply_row
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
-from app.workflows.measure_gauge import Fit
-from app.workflows.verification_metrics import errors_of, figures_of, verdict_of
-from tests.guide.builders import CONNECTED, Row
+from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from app.workflows.measure_gauge import GaugeFit
+from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
+from tests.guide.builders import CONNECTED, FakeRow
 
 PLANE = GaugeFile(shape="plane", name="Plate")
 SPHERE = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere", standard_uncertainty_um=1.0)
@@ -25,8 +25,8 @@ Entry = tuple[str, Mapping[str, object]]
 
 
 def state_after(*rows: Entry) -> VerifyState:
-    journal = [Row(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
-    return fold(journal, VerifyState(), after)
+    journal = [FakeRow(i + 1, kind, json.loads(json.dumps(p))) for i, (kind, p) in enumerate(rows)]
+    return fold(journal, VerifyState(), apply_row)
 
 
 STARTED: Entry = ("started", {"calibration_id": "c1", "gauge": "plate"})
@@ -68,7 +68,7 @@ def live_of(**changes: object) -> VerifyLive:
         limits=DEFAULT_LIMITS,
         arm=None,
         touched=None,
-        judged=Judged({}, {}, (), None),
+        judged=CloudResults({}, {}, (), None),
         arm_link=CONNECTED,
         sensor_link=replace(CONNECTED, title="Sensor"),
         still=True,
@@ -86,7 +86,7 @@ def test_steps_go_on_and_back_and_what_comes_after_is_stale() -> None:
     state = state_after(
         *TO_SCAN, *cloud(1), ("clouds_confirmed", {}), ("went_back", {"to": "touch"})
     )
-    view = view_of(state, live_of())
+    view = build_view(state, live_of())
     assert [step.state for step in view.steps] == ["done", "current", "stale", "stale"]
     assert len(state.good) == 1
 
@@ -117,13 +117,13 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
     live = live_of()
     assert state.open_cloud is not None
     for name in ("begin_cloud", "confirm_clouds", "back", "abandon", "undo"):
-        assert why_not(state, live, name, {}), name
-    assert why_not(state, live, "finish_cloud", {}) == ""
+        assert rejection_reason(state, live, name, {}), name
+    assert rejection_reason(state, live, "finish_cloud", {}) == ""
     ended = state_after(
         *TO_SCAN, ("cloud_begun", {"number": 1}), ("cloud_ended", {"number": 1, "ended": True})
     )
     assert ended.clouds[0].waiting
-    assert "measured" in why_not(ended, live, "begin_cloud", {})
+    assert "measured" in rejection_reason(ended, live, "begin_cloud", {})
 
 
 @pytest.mark.parametrize(
@@ -140,48 +140,48 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
     ],
 )
 def test_what_cannot_be_done_says_why(changes: dict[str, object], name: str, said: str) -> None:
-    assert said in why_not(state_after(*TO_SCAN), live_of(**changes), name, {})
+    assert said in rejection_reason(state_after(*TO_SCAN), live_of(**changes), name, {})
 
 
 def test_a_lost_arm_is_said_and_nothing_is_lost() -> None:
     state = state_after(*TO_SCAN, *cloud(1))
     lost = replace(CONNECTED, state="lost", text="No data for 3 s")
-    view = view_of(state, live_of(arm_link=lost))
+    view = build_view(state, live_of(arm_link=lost))
     assert any("No data for 3 s" in f.text and "kept" in f.remedy for f in view.findings)
     assert view.progress is not None
     assert view.progress.done == 1
 
 
-def touched_plane(height_mm: float = 0.0) -> TouchedPlane:
+def touched_plane(height_mm: float = 0.0) -> ProbedPlane:
     nominal = NominalPlane(np.array([0.0, 0.0, height_mm]), np.array([0.0, 0.0, 1.0]))
-    return TouchedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]))
+    return ProbedPlane(nominal, np.zeros(6), np.diag([4e-6, 1e-9, 1e-9]))
 
 
 def test_a_plane_is_compared_with_the_probe_only_where_it_was_touched() -> None:
     fits = [
-        Fit.model_validate(fit()),
-        Fit.model_validate(fit(offset_mm=0.05, centre_mm=[0, 0, 0.05])),
+        GaugeFit.model_validate(fit()),
+        GaugeFit.model_validate(fit(offset_mm=0.05, centre_mm=[0, 0, 0.05])),
     ]
-    names = {f.name for f in figures_of(fits, PLANE, None, DEFAULT_LIMITS)}
+    names = {f.name for f in gauge_figures(fits, PLANE, None, DEFAULT_LIMITS)}
     assert names == {"form", "rms", "angle_range", "offset_range"}
-    figures = {f.name: f for f in figures_of(fits, PLANE, touched_plane(), DEFAULT_LIMITS)}
+    figures = {f.name: f for f in gauge_figures(fits, PLANE, touched_plane(), DEFAULT_LIMITS)}
     assert figures["offset"].value == pytest.approx(50.0)
     assert figures["offset"].clouds == pytest.approx((20.0, 50.0))
     assert figures["offset"].expanded_uncertainty == pytest.approx(2e3 * np.sqrt(5e-6), rel=1e-6)
     assert figures["z_error"].value == pytest.approx(-50.0)
     assert (figures["z_error"].limit, figures["z_error"].decision) == (None, "none")
     assert figures["offset_range"].value == pytest.approx(30.0)
-    verdict = verdict_of(list(figures.values()), True)
+    verdict = verification_verdict(list(figures.values()), True)
     assert verdict.result == "pass"
 
 
 def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
     limits = DEFAULT_LIMITS.model_copy(update={"offset": 20.0})
-    near = [Fit.model_validate(fit())]
-    figures = figures_of(near, PLANE, touched_plane(), limits)
-    assert verdict_of(figures, True).result == "uncertain"
-    far = figures_of(near, PLANE, touched_plane(-0.5), limits)
-    verdict = verdict_of(far, True)
+    near = [GaugeFit.model_validate(fit())]
+    figures = gauge_figures(near, PLANE, touched_plane(), limits)
+    assert verification_verdict(figures, True).result == "uncertain"
+    far = gauge_figures(near, PLANE, touched_plane(-0.5), limits)
+    verdict = verification_verdict(far, True)
     assert verdict.result == "fail"
     assert "520 µm, beyond the limit of 20 µm" in verdict.reasons[0]
 
@@ -189,14 +189,14 @@ def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
 def test_a_sphere_is_judged_by_its_paper_and_its_touched_centre() -> None:
     covariance = np.diag([1e-6, 1e-6, 4e-6, 1e-6]).tolist()
     values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
-    one = Fit.model_validate({**values, "normal": None, "offset_mm": None})
-    alone = {f.name: f for f in figures_of([one], SPHERE, None, DEFAULT_LIMITS)}
+    one = GaugeFit.model_validate({**values, "normal": None, "offset_mm": None})
+    alone = {f.name: f for f in gauge_figures([one], SPHERE, None, DEFAULT_LIMITS)}
     assert set(alone) == {"form", "rms", "radius_error"}
     assert alone["radius_error"].value == pytest.approx(20.0)
     assert alone["radius_error"].expanded_uncertainty == pytest.approx(2 * np.hypot(1.0, 1.0))
     nominal = NominalSphere(np.zeros(3), 10.0)
-    touched = TouchedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, 0.001)
-    errors = errors_of(one, SPHERE, touched)
+    touched = ProbedSphere(nominal, np.zeros(7), 9e-6 * np.eye(3), 10.0, 0.001)
+    errors = cloud_errors(one, SPHERE, touched)
     assert errors.centre_error_um == pytest.approx(50.0)
     assert errors.angle_arcsec is None
 
@@ -220,4 +220,4 @@ def test_arguments_that_name_nothing_are_declined(name: str, args: dict[str, obj
         "void_cloud": [*TO_SCAN, *cloud(1)],
         "back": [*TO_SCAN],
     }[name]
-    assert why_not(state_after(*rows), live_of(), name, args)
+    assert rejection_reason(state_after(*rows), live_of(), name, args)

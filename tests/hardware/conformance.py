@@ -84,11 +84,11 @@ def read_until(
     return records
 
 
-def samples_of(records: list[ArmRecord]) -> list[JointSample]:
+def select_samples(records: list[ArmRecord]) -> list[JointSample]:
     return [record for record in records if isinstance(record, JointSample)]
 
 
-def edges_of(records: list[ArmRecord]) -> list[tuple[Button, bool]]:
+def button_edges(records: list[ArmRecord]) -> list[tuple[Button, bool]]:
     return [(r.button, r.pressed) for r in records if isinstance(r, ButtonEvent)]
 
 
@@ -143,7 +143,7 @@ class ArmConformance:
         assert info.joint_count in (6, 7)
         assert info.rate_hz > 0
         records = read_until(driver, lambda got: len(got) > 3)
-        assert all(len(s.joints_rad) == info.joint_count for s in samples_of(records))
+        assert all(len(s.joints_rad) == info.joint_count for s in select_samples(records))
         driver.close()
 
     def test_open_twice_is_open_once(self, bench: ArmBench) -> None:
@@ -189,7 +189,7 @@ class ArmConformance:
         driver = bench.driver()
         driver.open()
         before = now_ns()
-        samples = samples_of(read_until(driver, lambda got: len(got) > 200))
+        samples = select_samples(read_until(driver, lambda got: len(got) > 200))
         stamps = np.array([s.stamp_ns for s in samples])
         assert np.all(np.diff(stamps) > 0)
         assert np.all(np.diff([s.sequence for s in samples]) > 0)
@@ -201,11 +201,11 @@ class ArmConformance:
         driver = bench.driver()
         driver.open()
         assert driver.health.lost == 0
-        samples = samples_of(read_until(driver, lambda got: len(got) > 3))
+        samples = select_samples(read_until(driver, lambda got: len(got) > 3))
         bench.lose_samples(7)
         deadline = time.monotonic() + LONG_S
         while driver.health.lost < 7 and time.monotonic() < deadline:
-            samples += samples_of(list(driver.read(0.1)))
+            samples += select_samples(list(driver.read(0.1)))
         assert driver.health.lost == 7
         assert np.diff([s.sequence for s in samples]).max() == 8
         driver.close()
@@ -217,9 +217,9 @@ class ArmConformance:
         for button in Button:
             for pressed in (True, False):
                 bench.set_buttons({button} if pressed else set())
-                seen += edges_of(read_until(driver, edges_of))
+                seen += button_edges(read_until(driver, button_edges))
         records = read_until(driver, lambda got: len(got) > 20)
-        assert edges_of(records) == []
+        assert button_edges(records) == []
         assert seen == [(button, pressed) for button in Button for pressed in (True, False)]
         driver.close()
 
@@ -227,14 +227,14 @@ class ArmConformance:
         bench.set_buttons({Button.PRIMARY})
         driver = bench.driver()
         driver.open()
-        assert edges_of(read_until(driver, lambda got: len(got) > 20)) == []
+        assert button_edges(read_until(driver, lambda got: len(got) > 20)) == []
         driver.close()
 
     def test_an_edge_has_the_stamp_of_a_sample(self, bench: ArmBench) -> None:
         driver = bench.driver()
         driver.open()
         bench.set_buttons({Button.PRIMARY})
-        records = read_until(driver, edges_of)
+        records = read_until(driver, button_edges)
         at = next(i for i, r in enumerate(records) if isinstance(r, ButtonEvent))
         assert isinstance(records[at - 1], JointSample)
         assert records[at].stamp_ns == records[at - 1].stamp_ns

@@ -160,7 +160,7 @@ class _Telnet:
         self.write = write
 
 
-class SpeakingArm:
+class FakeSerialArm:
     """An arm whose every joint turns by one count a sample.
 
     Attributes may be changed while it runs: ``buttons``, ``silent`` (no sample is

@@ -22,13 +22,13 @@ from tests.hardware.conformance import (
     ArmConformance,
     read_until,
     read_until_lost,
-    samples_of,
+    select_samples,
 )
 from tests.hardware.speaking_arm import (
     COUNTS,
+    FakeSerialArm,
     PtyLine,
     Rfc2217Line,
-    SpeakingArm,
     TcpLine,
     hello_packet,
     packet,
@@ -38,7 +38,7 @@ BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
 
 class SerialBench(ArmBench):
-    def __init__(self, arm: SpeakingArm) -> None:
+    def __init__(self, arm: FakeSerialArm) -> None:
         self.arm = arm
 
     def driver(self) -> ArmDriver:
@@ -66,7 +66,7 @@ class SerialBench(ArmBench):
 class TestOverPty(ArmConformance):
     @pytest.fixture
     def bench(self, tmp_path: Path) -> Iterator[ArmBench]:
-        arm = SpeakingArm(PtyLine(tmp_path), joints=6)
+        arm = FakeSerialArm(PtyLine(tmp_path), joints=6)
         yield SerialBench(arm)
         arm.stop()
 
@@ -74,7 +74,7 @@ class TestOverPty(ArmConformance):
 class TestOverTcp(ArmConformance):
     @pytest.fixture
     def bench(self) -> Iterator[ArmBench]:
-        arm = SpeakingArm(TcpLine(), joints=7, first_sequence=(1 << 32) - 300)
+        arm = FakeSerialArm(TcpLine(), joints=7, first_sequence=(1 << 32) - 300)
         yield SerialBench(arm)
         arm.stop()
 
@@ -85,38 +85,38 @@ class TestOverRfc2217(ArmConformance):
 
     @pytest.fixture
     def bench(self) -> Iterator[ArmBench]:
-        arm = SpeakingArm(Rfc2217Line(), joints=6, rate_hz=200.0)
+        arm = FakeSerialArm(Rfc2217Line(), joints=6, rate_hz=200.0)
         yield SerialBench(arm)
         arm.stop()
 
 
 @pytest.fixture
-def arm(tmp_path: Path) -> Iterator[SpeakingArm]:
-    arm = SpeakingArm(PtyLine(tmp_path))
+def arm(tmp_path: Path) -> Iterator[FakeSerialArm]:
+    arm = FakeSerialArm(PtyLine(tmp_path))
     yield arm
     arm.stop()
 
 
 @pytest.fixture
-def driver(arm: SpeakingArm) -> Iterator[ArmDriver]:
+def driver(arm: FakeSerialArm) -> Iterator[ArmDriver]:
     driver = from_options({"url": arm.line.url})
     yield driver
     driver.close()
 
 
-def test_counts_become_radians(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_counts_become_radians(arm: FakeSerialArm, driver: ArmDriver) -> None:
     info = driver.open()
     assert (info.name, info.serial_number, info.joint_count) == ("Bench arm", "B-1", 6)
     assert info.rate_hz == arm.rate_hz
-    for sample in samples_of(read_until(driver, lambda got: len(got) > 50)):
+    for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
         assert sample.joints_rad == (pytest.approx(2 * pi * sample.sequence / COUNTS),) * 6
 
 
 @pytest.mark.parametrize("counts", [1000, [1000, 2000, 3000, 4000, 5000, 6000]])
-def test_counts_per_revolution_may_be_given(arm: SpeakingArm, counts: int | list[int]) -> None:
+def test_counts_per_revolution_may_be_given(arm: FakeSerialArm, counts: int | list[int]) -> None:
     driver = from_options({"url": arm.line.url, "counts_per_revolution": counts})
     driver.open()
-    sample = samples_of(read_until(driver, samples_of))[0]
+    sample = select_samples(read_until(driver, select_samples))[0]
     each = counts if isinstance(counts, list) else [counts] * 6
     expected = [2 * pi * sample.sequence / count for count in each]
     assert sample.joints_rad == pytest.approx(expected)
@@ -124,10 +124,10 @@ def test_counts_per_revolution_may_be_given(arm: SpeakingArm, counts: int | list
 
 
 def test_damaged_packets_are_counted_as_corrupt_and_lost(
-    arm: SpeakingArm, driver: ArmDriver
+    arm: FakeSerialArm, driver: ArmDriver
 ) -> None:
     driver.open()
-    read_until(driver, samples_of)
+    read_until(driver, select_samples)
     arm.damage = 5  # five in a row are one stretch
     read_until(driver, lambda _: driver.health.lost >= 5)
     assert driver.health.corrupt == 1
@@ -137,20 +137,20 @@ def test_damaged_packets_are_counted_as_corrupt_and_lost(
     assert (driver.health.lost, driver.health.corrupt) == (5, 2)
 
 
-def test_a_repeated_sample_is_dropped(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_a_repeated_sample_is_dropped(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
-    read_until(driver, samples_of)
+    read_until(driver, select_samples)
     arm.repeat = 1
-    samples = samples_of(read_until(driver, lambda _: driver.health.corrupt >= 1))
+    samples = select_samples(read_until(driver, lambda _: driver.health.corrupt >= 1))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == 0
 
 
-def test_a_restarted_arm_goes_on(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_a_restarted_arm_goes_on(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
-    first = samples_of(read_until(driver, lambda got: len(got) > 100))
+    first = select_samples(read_until(driver, lambda got: len(got) > 100))
     arm.reboot()
-    second = samples_of(read_until(driver, lambda got: len(got) > 200))
+    second = select_samples(read_until(driver, lambda got: len(got) > 200))
     assert np.all(np.diff([s.stamp_ns for s in first + second]) > 0)
     assert np.all(np.diff([s.sequence for s in first + second]) == 1)
     assert min(s.joints_rad[0] for s in second) == 0.0
@@ -158,10 +158,10 @@ def test_a_restarted_arm_goes_on(arm: SpeakingArm, driver: ArmDriver) -> None:
 
 
 def test_the_sequence_wraps_without_a_loss(tmp_path: Path) -> None:
-    arm = SpeakingArm(PtyLine(tmp_path), first_sequence=(1 << 32) - 400)
+    arm = FakeSerialArm(PtyLine(tmp_path), first_sequence=(1 << 32) - 400)
     driver = from_options({"url": arm.line.url})
     driver.open()
-    samples = samples_of(read_until(driver, lambda got: len(got) > 500))
+    samples = select_samples(read_until(driver, lambda got: len(got) > 500))
     assert samples[-1].sequence > 1 << 32
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == 0
@@ -169,23 +169,23 @@ def test_the_sequence_wraps_without_a_loss(tmp_path: Path) -> None:
     arm.stop()
 
 
-def test_stamps_are_those_of_latching(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_stamps_are_those_of_latching(arm: FakeSerialArm, driver: ArmDriver) -> None:
     """The device's clock here is the host's, so truth is known."""
     driver.open()
     late_us = []
-    for sample in samples_of(read_until(driver, lambda got: len(got) > 500)):
+    for sample in select_samples(read_until(driver, lambda got: len(got) > 500)):
         late_us.append((sample.stamp_ns - arm.latched_ns[sample.sequence]) / 1000)
     assert min(late_us) > -1000
     assert np.median(late_us) < 10_000
 
 
 def test_what_waited_in_the_line_keeps_its_times() -> None:
-    arm = SpeakingArm(TcpLine())
+    arm = FakeSerialArm(TcpLine())
     driver = from_options({"url": arm.line.url})
     driver.open()
     read_until(driver, lambda got: len(got) > 100)
     time.sleep(1.0)  # a reader that was held up
-    burst = samples_of(list(driver.read(1.0)))
+    burst = select_samples(list(driver.read(1.0)))
     assert len(burst) > 50
     late_us = [(s.stamp_ns - arm.latched_ns[s.sequence]) / 1000 for s in burst]
     assert min(late_us) > -1000
@@ -195,15 +195,15 @@ def test_what_waited_in_the_line_keeps_its_times() -> None:
     arm.stop()
 
 
-def test_the_latency_comes_off_the_stamp(arm: SpeakingArm) -> None:
+def test_the_latency_comes_off_the_stamp(arm: FakeSerialArm) -> None:
     driver = from_options({"url": arm.line.url, "latency_us": 50_000.0})
     driver.open()
-    sample = samples_of(read_until(driver, samples_of))[0]
+    sample = select_samples(read_until(driver, select_samples))[0]
     assert now_ns() - sample.stamp_ns >= 50_000_000
     driver.close()
 
 
-def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: SpeakingArm) -> None:
+def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: FakeSerialArm) -> None:
     arm.greets = False
     timer = threading.Timer(0.5, arm.say, [hello_packet([COUNTS] * 6)])
     timer.start()
@@ -213,7 +213,7 @@ def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: SpeakingArm) -
     driver.close()
 
 
-def test_another_arm_on_the_same_line_is_an_error(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_another_arm_on_the_same_line_is_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
     arm.say(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
     error = read_until_lost(lambda: driver.read(0.1))
@@ -221,7 +221,7 @@ def test_another_arm_on_the_same_line_is_an_error(arm: SpeakingArm, driver: ArmD
     assert "B-1" in error.what
 
 
-def test_samples_of_another_joint_count_are_an_error(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_samples_of_another_joint_count_are_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
     arm.joints = 7
     error = read_until_lost(lambda: driver.read(0.1))
@@ -237,7 +237,7 @@ def open_error(options: dict[str, object]) -> str:
     return str(caught.value)
 
 
-def test_what_is_wrong_at_opening_is_said(arm: SpeakingArm) -> None:
+def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
     url = arm.line.url
     arm.silent = True
     assert "says who it is (Bench arm) but sends no samples" in open_error({"url": url})
@@ -253,7 +253,7 @@ def test_what_is_wrong_at_opening_is_said(arm: SpeakingArm) -> None:
     assert "version 2 of the protocol" in open_error({"url": url})
 
 
-def test_an_arm_of_the_wrong_kind_is_refused(arm: SpeakingArm) -> None:
+def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
     url = arm.line.url
     assert "asks for joint_count = 7" in open_error({"url": url, "joint_count": 7})
     assert "3 counts_per_revolution, the arm has 6" in open_error(
@@ -265,7 +265,7 @@ def test_an_arm_of_the_wrong_kind_is_refused(arm: SpeakingArm) -> None:
     assert "reports 5 joints" in open_error({"url": url})
 
 
-def test_a_port_in_use_is_named(arm: SpeakingArm, driver: ArmDriver) -> None:
+def test_a_port_in_use_is_named(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
     assert "in use by another program" in open_error({"url": arm.line.url})
     read_until(driver, lambda got: len(got) > 3)
@@ -285,12 +285,12 @@ def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may open any port")
-def test_a_port_of_another_owner_is_named(arm: SpeakingArm) -> None:
+def test_a_port_of_another_owner_is_named(arm: FakeSerialArm) -> None:
     os.chmod(os.path.realpath(arm.line.url), 0)
     assert "may not open the serial port" in open_error({"url": arm.line.url})
 
 
-def test_closing_ends_a_waiting_open(arm: SpeakingArm) -> None:
+def test_closing_ends_a_waiting_open(arm: FakeSerialArm) -> None:
     arm.silent = True
     driver = from_options({"url": arm.line.url, "timeout_s": 60.0})
     timer = threading.Timer(0.3, driver.close)
@@ -324,13 +324,13 @@ def test_a_wrong_option_is_named(options: dict[str, object], words: str) -> None
     max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 def test_noise_on_the_line_costs_no_sample(
-    arm: SpeakingArm, driver: ArmDriver, noises: list[bytes]
+    arm: FakeSerialArm, driver: ArmDriver, noises: list[bytes]
 ) -> None:
     driver.open()
     lost = driver.health.lost
     samples: list[JointSample] = []
     for noise in noises:
         arm.say(noise)
-        samples += samples_of(read_until(driver, lambda got: len(got) > 5))
+        samples += select_samples(read_until(driver, lambda got: len(got) > 5))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == lost

@@ -12,22 +12,22 @@ from hardware.clock import now_ns
 from hardware.interfaces import ArmDriver, Button
 from hardware.simulator.devices.arm_device import ArmDevice, Encoders, hello_packet, sample_packet
 from hardware.simulator.devices.faults import Faults
-from hardware.simulator.devices.motion import JointPath, Motion, smooth
-from hardware.simulator.devices.ports import Line, PtyLine, TcpLine
+from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
+from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from tests.hardware.conformance import (
     LONG_S,
     ArmBench,
     ArmConformance,
-    edges_of,
+    button_edges,
     read_until,
-    samples_of,
+    select_samples,
 )
 
 REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 
 class TwinArmBench(ArmBench):
-    def __init__(self, line: Line, rate_hz: float = 500.0) -> None:
+    def __init__(self, line: DevicePort, rate_hz: float = 500.0) -> None:
         self.line, self.faults = line, Faults()
         self.motion = Motion(REST)
         self.encoders = Encoders(rate_hz)
@@ -63,7 +63,7 @@ class TwinArmBench(ArmBench):
 def bench(request: pytest.FixtureRequest) -> Iterator[TwinArmBench]:
     if request.param == "pty" and not hasattr(os, "openpty"):
         pytest.skip("there are no pseudo-terminals on this system")
-    made = TwinArmBench(PtyLine() if request.param == "pty" else TcpLine("127.0.0.1", 0))
+    made = TwinArmBench(PtyPort() if request.param == "pty" else TcpPort("127.0.0.1", 0))
     yield made
     made.device.stop()
 
@@ -74,7 +74,7 @@ class TestTwinArm(ArmConformance):
 
 @pytest.fixture
 def tcp_bench() -> Iterator[TwinArmBench]:
-    made = TwinArmBench(TcpLine("127.0.0.1", 0), 1000.0)
+    made = TwinArmBench(TcpPort("127.0.0.1", 0), 1000.0)
     yield made
     made.device.stop()
 
@@ -95,9 +95,9 @@ def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: TwinArmBe
     driver = tcp_bench.driver()
     info = driver.open()
     assert (info.joint_count, info.rate_hz) == (6, 1000.0)
-    share = smooth(np.linspace(0.0, 1.0, 30))[:, None]
+    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
     tcp_bench.motion.play(JointPath(np.linspace(0.0, 0.6, 30), REST + share), now_ns() + 10_000_000)
-    samples = samples_of(read_until(driver, lambda got: len(got) > 700))
+    samples = select_samples(read_until(driver, lambda got: len(got) > 700))
     driver.close()
     read = np.array([s.joints_rad for s in samples])
     true = np.array([tcp_bench.motion.at(s.stamp_ns) for s in samples])
@@ -111,7 +111,7 @@ def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: TwinArmBe
 def test_rest_shows_encoder_noise_and_no_more(tcp_bench: TwinArmBench) -> None:
     driver = tcp_bench.driver()
     driver.open()
-    samples = samples_of(read_until(driver, lambda got: len(got) > 1500))
+    samples = select_samples(read_until(driver, lambda got: len(got) > 1500))
     driver.close()
     q = np.array([s.joints_rad for s in samples])
     assert q.std(axis=0) == pytest.approx(np.full(6, tcp_bench.encoders.noise_rad), rel=0.15)
@@ -141,7 +141,7 @@ def test_late_packets_come_late_and_none_is_missing(tcp_bench: TwinArmBench) -> 
     driver, faults = tcp_bench.driver(), tcp_bench.faults
     driver.open()
     faults.late_rate, faults.late_s = 0.01, 0.15
-    samples = samples_of(read_until(driver, lambda got: len(got) > 1200))
+    samples = select_samples(read_until(driver, lambda got: len(got) > 1200))
     assert driver.health.lost == 0
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     stamps = np.array([s.stamp_ns for s in samples])
@@ -155,9 +155,9 @@ def test_a_press_is_where_and_when_it_was_made(tcp_bench: TwinArmBench) -> None:
     at = now_ns() + 50_000_000
     tcp_bench.device.press(Button.PRIMARY, True, at)
     tcp_bench.device.press(Button.PRIMARY, False, at + 40_000_000)
-    records = read_until(driver, lambda got: len(edges_of(got)) == 2)
+    records = read_until(driver, lambda got: len(button_edges(got)) == 2)
     driver.close()
-    assert edges_of(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
+    assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
     pressed = next(r for r in records if not hasattr(r, "joints_rad"))
     assert abs(pressed.stamp_ns - at) < 20_000_000
 
@@ -166,7 +166,7 @@ def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: TwinArmBench) ->
     sleeper, reader = tcp_bench.driver(), tcp_bench.driver()
     sleeper.open()
     reader.open()
-    samples = samples_of(read_until(reader, lambda got: len(got) > 1500, LONG_S))
+    samples = select_samples(read_until(reader, lambda got: len(got) > 1500, LONG_S))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     sleeper.close()
     reader.close()
@@ -175,7 +175,7 @@ def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: TwinArmBench) ->
 def test_motion_rests_moves_and_halts_smoothly() -> None:
     motion = Motion(REST)
     start = 10**9
-    share = smooth(np.linspace(0.0, 1.0, 30))[:, None]
+    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
     end = motion.play(JointPath(np.linspace(0.0, 1.0, 30), REST + share), start)
     assert np.array_equal(motion.at(start - 1), REST)
     assert not motion.resting_at(start + 1000)

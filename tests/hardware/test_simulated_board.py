@@ -10,16 +10,22 @@ import pytest
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
 from hardware.simulator.devices.kinematics import Floats, rotation_about, tip_centre, translation
-from hardware.simulator.operator.holding import VIEWS
+from hardware.simulator.operator.holding import VIEWPOINTS
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import LaserSheet, Optics, sight_lines, to_pixels
-from hardware.simulator.scene.random_scenes import sensor_for
-from hardware.simulator.scene.world import Board, Comb, Light, Scene, Thing
-from hardware.simulator.station import Twin, TwinConfig
-from tests.hardware.conformance import LONG_S, edges_of, read_until
+from hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
+from hardware.simulator.scene.random_scenes import draw_sensor
+from hardware.simulator.scene.world import (
+    Board,
+    CrenellatedBlock,
+    Light,
+    SceneObject,
+    SimulatedScene,
+)
+from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.hardware.conformance import LONG_S, button_edges, read_until
 
-SMALL = TwinConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
+SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 PLAIN = Detector(blur_px=0.0, speckle_contrast=0.0)
 OVERHEAD = Light(direction=(0.0, 0.0, 1.0), directed=1.0, ambient=0.0, texture=0.0)
 FINE = 24
@@ -27,12 +33,12 @@ FINE = 24
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin(SMALL) as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation(SMALL) as twin:
         yield twin
 
 
-def board_of(twin: Twin) -> tuple[Board, Floats]:
+def board_of(twin: SimulatedStation) -> tuple[Board, Floats]:
     """The board as it truly is, and where."""
     thing = twin._scene.thing("board")
     assert isinstance(thing.shape, Board)
@@ -41,10 +47,10 @@ def board_of(twin: Twin) -> tuple[Board, Floats]:
 
 def rendered(board: Board, T_board_sensor: Floats) -> tuple[Renderer, Optics]:
     """A small sensor without noise and blur over a board under even light from afar."""
-    optics, _ = sensor_for(Comb(), width_px=160, height_px=128)
-    sheet = LaserSheet((0.0, 1.0, 0.0), 0.0, (0.0, 0.0, 128.0), sigma_mm=0.4)
+    optics, _ = draw_sensor(CrenellatedBlock(), width_px=160, height_px=128)
+    sheet = LightPlane((0.0, 1.0, 0.0), 0.0, (0.0, 0.0, 128.0), sigma_mm=0.4)
     T = np.asarray(np.linalg.inv(T_board_sensor))
-    scene = Scene((Thing("board", board, T),), OVERHEAD)
+    scene = SimulatedScene((SceneObject("board", board, T),), OVERHEAD)
     return Renderer(scene, optics, sheet, PLAIN), optics
 
 
@@ -107,7 +113,7 @@ def test_the_lasers_line_is_as_much_dimmer_on_black() -> None:
 
 
 def test_pictures_of_the_block_do_not_trace_the_board() -> None:
-    twin = Twin(SMALL)
+    twin = SimulatedStation(SMALL)
     kinds, _, _ = twin._renderer()._things_in_view(twin._rig.T_arm_obj)
     assert len(kinds) < len(twin._scene.things) - 2
     assert 4 not in kinds
@@ -116,7 +122,7 @@ def test_pictures_of_the_block_do_not_trace_the_board() -> None:
 def test_the_board_is_made_after_its_certificate() -> None:
     sizes = []
     for seed in range(40):
-        twin = Twin(replace(SMALL, seed=seed, certificate_sd_mm=0.005))
+        twin = SimulatedStation(replace(SMALL, seed=seed, certificate_sd_mm=0.005))
         board, _ = board_of(twin)
         columns, rows = board.inner_corners
         paper = twin.papers()["chessboard.json"]
@@ -126,7 +132,7 @@ def test_the_board_is_made_after_its_certificate() -> None:
     assert np.std(sizes) == pytest.approx(0.005, rel=0.3)
 
 
-def test_the_hand_touches_places_all_over_the_printed_side(twin: Twin) -> None:
+def test_the_hand_touches_places_all_over_the_printed_side(twin: SimulatedStation) -> None:
     board, T = board_of(twin)
     driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
     driver.open()
@@ -134,7 +140,7 @@ def test_the_hand_touches_places_all_over_the_printed_side(twin: Twin) -> None:
     for index in range(5):
         with ThreadPoolExecutor() as pool:
             touched = pool.submit(twin.hand.touch, "board", index)
-            records = read_until(driver, lambda got: len(edges_of(got)) == 2)
+            records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             pressed_ns = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
             assert touched.result(LONG_S)
         tip = tip_centre(twin._rig.arm, twin._motion.at(pressed_ns))
@@ -147,13 +153,13 @@ def test_the_hand_touches_places_all_over_the_printed_side(twin: Twin) -> None:
     assert twin.hand.touch("crest", 0)
 
 
-def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Twin) -> None:
+def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: SimulatedStation) -> None:
     board, T_arm_board = board_of(twin)
     half = np.array([*board.half_pattern_mm, 0.0])
     ends = np.array([[x, y, 0] for x in (-1, 1) for y in (-1, 1)]) * half + board.middle_mm
     optics, sheet = twin._rig.optics, twin._rig.sheet
     ways, turns, heights = [], [], []
-    for view in range(len(VIEWS)):
+    for view in range(len(VIEWPOINTS)):
         assert twin.hand.hold_over("board", view)
         T = np.linalg.inv(twin.sensor_pose(now_ns())) @ T_arm_board
         corners = ends @ T[:3, :3].T + T[:3, 3]
@@ -175,7 +181,7 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Twin) ->
     assert np.ptp(heights) > 12
 
 
-def test_the_sensor_is_held_over_block_and_board_only(twin: Twin) -> None:
+def test_the_sensor_is_held_over_block_and_board_only(twin: SimulatedStation) -> None:
     for name in ("shell", "teapot"):
         with pytest.raises(KeyError, match=name):
             twin.hand.hold_over(name)

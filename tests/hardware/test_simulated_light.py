@@ -4,11 +4,16 @@ import numpy as np
 import pytest
 
 from hardware.simulator.devices.kinematics import Floats, translation
-from hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_shot
-from hardware.simulator.rendering.noise import QUIET
+from hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_degraded_image
+from hardware.simulator.rendering.noise import NOISELESS
 from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import Optics, looking_at, sheet_through, to_pixels
-from hardware.simulator.scene.world import Box, Finish, Light, Scene, Thing
+from hardware.simulator.scene.camera import (
+    Optics,
+    camera_looking_at,
+    light_plane_through,
+    to_pixels,
+)
+from hardware.simulator.scene.world import Box, Light, SceneObject, SimulatedScene, SurfaceFinish
 
 OPTICS = Optics(
     320,
@@ -18,15 +23,17 @@ OPTICS = Optics(
     159.5,
     127.5,
     (0.0,) * 5,
-    looking_at(np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0),
+    camera_looking_at(np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0),
 )
 SLAB = Box((-200.0, -200.0, -10.0), (200.0, 200.0, 0.0))
 LAMP = (80.0, 0.0, 100.0)
 
 
-def light_of(things: tuple[Thing, ...], light: Light) -> Floats:
-    sheet = sheet_through(np.array([0.0, 1.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, 100.0]))
-    return np.asarray(Renderer(Scene(things, light), OPTICS, sheet, QUIET).room_light(np.eye(4)))
+def light_of(things: tuple[SceneObject, ...], light: Light) -> Floats:
+    sheet = light_plane_through(np.array([0.0, 1.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, 100.0]))
+    return np.asarray(
+        Renderer(SimulatedScene(things, light), OPTICS, sheet, NOISELESS).room_light(np.eye(4))
+    )
 
 
 def at(light: Floats, point: tuple[float, float, float]) -> float:
@@ -36,7 +43,7 @@ def at(light: Floats, point: tuple[float, float, float]) -> float:
 
 def test_a_lamp_fades_with_the_distance_and_the_slant() -> None:
     light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
-    image = light_of((Thing("table", SLAB, np.eye(4)),), light)
+    image = light_of((SceneObject("table", SLAB, np.eye(4)),), light)
     origin = np.linalg.norm(LAMP)
     for point in ((0.0, 0.0, 0.0), (25.0, 10.0, 0.0), (-30.0, -5.0, 0.0)):
         way = np.array(LAMP) - point
@@ -47,8 +54,8 @@ def test_a_lamp_fades_with_the_distance_and_the_slant() -> None:
 
 def test_a_shadow_falls_where_the_lamp_does_not_reach() -> None:
     light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
-    post = Thing("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
-    image = light_of((Thing("table", SLAB, np.eye(4)), post), light)
+    post = SceneObject("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
+    image = light_of((SceneObject("table", SLAB, np.eye(4)), post), light)
     # The top's far edge, x = -5 at z = 20, throws its shadow 21.25 mm further.
     ends = -5.0 - (80.0 + 5.0) / (100.0 - 20.0) * 20.0
     assert at(image, (ends + 1.0, 0.0, 0.0)) == pytest.approx(0.1, abs=0.01)
@@ -57,8 +64,8 @@ def test_a_shadow_falls_where_the_lamp_does_not_reach() -> None:
 
 
 def test_a_wide_lamp_softens_the_shadow() -> None:
-    post = Thing("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
-    things = (Thing("table", SLAB, np.eye(4)), post)
+    post = SceneObject("post", Box((-5.0, -5.0, 0.0), (5.0, 5.0, 20.0)), np.eye(4))
+    things = (SceneObject("table", SLAB, np.eye(4)), post)
     ends = -5.0 - (80.0 + 5.0) / (100.0 - 20.0) * 20.0
     spread = []
     for radius in (0.0, 20.0):
@@ -72,8 +79,10 @@ def test_a_wide_lamp_softens_the_shadow() -> None:
 
 def test_a_highlight_lies_where_the_lamp_is_mirrored() -> None:
     light = Light(directed=0.8, ambient=0.1, texture=0.0, lamp_mm=LAMP)
-    glossy = Thing("table", SLAB, np.eye(4), 0.2, Finish(gloss=1.0, sharpness=400.0))
-    image = light_of((glossy,), light) - light_of((Thing("table", SLAB, np.eye(4), 0.2),), light)
+    glossy = SceneObject("table", SLAB, np.eye(4), 0.2, SurfaceFinish(gloss=1.0, sharpness=400.0))
+    image = light_of((glossy,), light) - light_of(
+        (SceneObject("table", SLAB, np.eye(4), 0.2),), light
+    )
     eye = OPTICS.centre_mm
     share = eye[2] / (eye[2] + LAMP[2])
     mirror = tuple((1 - share) * eye + share * (np.array(LAMP) * [1, 1, -1]) + [0, 0, 0])
@@ -83,15 +92,17 @@ def test_a_highlight_lies_where_the_lamp_is_mirrored() -> None:
 
 def test_tool_marks_run_along_a_face() -> None:
     light = Light((0.0, 0.0, 1.0), texture=0.0)
-    marked = Thing("table", SLAB, translation(0.0, 0.0, 0.0), 1.0, Finish(marks=0.1, mark_mm=1.0))
+    marked = SceneObject(
+        "table", SLAB, translation(0.0, 0.0, 0.0), 1.0, SurfaceFinish(marks=0.1, mark_mm=1.0)
+    )
     image = light_of((marked,), light)
     assert 0.05 < image.std() / image.mean() < 0.15
     assert np.abs(np.diff(image, axis=0)).mean() > 5 * np.abs(np.diff(image, axis=1)).mean()
 
 
 def test_a_spoilt_picture_is_of_one_piece() -> None:
-    shot = draw_shot(3)
+    shot = draw_degraded_image(3)
     assert shot.nuisances <= set(NUISANCES)
     assert shot.in_sight >= USABLE
     assert shot.image.shape == (shot.optics.height_px, shot.optics.width_px)
-    assert np.array_equal(shot.image, draw_shot(3).image)
+    assert np.array_equal(shot.image, draw_degraded_image(3).image)

@@ -5,23 +5,23 @@ import numpy as np
 import pytest
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.rendering.noise import QUIET, Detector, speckle_tile
+from hardware.simulator.rendering.noise import NOISELESS, Detector, speckle_tile
 from hardware.simulator.rendering.render import SMEARED, Renderer
 from hardware.simulator.scene.camera import sight_lines, to_pixels
-from hardware.simulator.scene.random_scenes import sensor_for
+from hardware.simulator.scene.random_scenes import draw_sensor
 from hardware.simulator.scene.world import (
-    Ball,
     Box,
-    Comb,
+    CrenellatedBlock,
+    FreeformPart,
+    GaugeSphere,
     Light,
-    Scene,
-    Shell,
-    Thing,
-    shell_height,
-    table,
+    SceneObject,
+    SimulatedScene,
+    make_table,
+    relief_height_mm,
 )
 
-BLOCK = Comb()
+BLOCK = CrenellatedBlock()
 PLAIN = Light(texture=0.0)
 EXACT = Detector(
     read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0, bits=16, stripe_dn=120.0, crest_dn=100.0
@@ -45,14 +45,14 @@ def opencv_pixels(optics: object, points: Floats) -> Floats:
 @pytest.mark.parametrize("roll", [0.0, 1.6, -2.9])
 def test_projection_is_opencvs(distortion: tuple[float, ...], roll: float) -> None:
     rng = np.random.default_rng(1)
-    optics, _ = sensor_for(BLOCK, rng, roll_rad=roll, distortion=distortion)
+    optics, _ = draw_sensor(BLOCK, rng, roll_rad=roll, distortion=distortion)
     points = rng.uniform([-22, -12, -15], [22, 12, 10], (200, 3))
     assert np.allclose(to_pixels(optics, points), opencv_pixels(optics, points), atol=1e-9)
 
 
 @pytest.mark.parametrize("distortion", LENSES)
 def test_a_sight_line_leads_back_to_its_pixel(distortion: tuple[float, ...]) -> None:
-    optics, _ = sensor_for(BLOCK, np.random.default_rng(2), distortion=distortion)
+    optics, _ = draw_sensor(BLOCK, np.random.default_rng(2), distortion=distortion)
     lines = sight_lines(optics).astype(np.float64)
     v, u = np.indices(lines.shape[:2]) - 1
     rays = np.dstack([lines, np.ones(lines.shape[:2])]).reshape(-1, 3)[::997].copy()
@@ -63,17 +63,17 @@ def test_a_sight_line_leads_back_to_its_pixel(distortion: tuple[float, ...]) -> 
     assert np.abs(in_cam - wanted).max() < 2e-3
 
 
-def block_scene(light: Light = PLAIN) -> Scene:
+def block_scene(light: Light = PLAIN) -> SimulatedScene:
     place = translation(300.0, 40.0, 12.0) @ rotation_about("z", 0.4)
-    return Scene((table(), Thing("block", BLOCK, place)), light)
+    return SimulatedScene((make_table(), SceneObject("block", BLOCK, place)), light)
 
 
-def over_block(scene: Scene) -> Floats:
+def over_block(scene: SimulatedScene) -> Floats:
     tilt = rotation_about("z", 0.03) @ rotation_about("x", 0.02) @ rotation_about("y", -0.03)
     return scene.thing("block").T_arm_obj @ translation(0.3, -0.2, 7.5) @ tilt
 
 
-def in_sensor(scene: Scene, T_arm_sensor: Floats, points_obj: Floats) -> Floats:
+def in_sensor(scene: SimulatedScene, T_arm_sensor: Floats, points_obj: Floats) -> Floats:
     T = np.linalg.inv(T_arm_sensor) @ scene.thing("block").T_arm_obj
     return points_obj @ T[:3, :3].T + T[:3, 3]
 
@@ -112,7 +112,7 @@ def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("name", EDGES)
 def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, ...]) -> None:
-    optics, sheet = sensor_for(BLOCK, distortion=distortion)
+    optics, sheet = draw_sensor(BLOCK, distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
     image = Renderer(scene, optics, sheet, EXACT).picture(T).astype(np.float64)
@@ -129,7 +129,7 @@ def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, 
 def test_the_stripe_is_where_geometry_puts_it(
     patch: tuple[float, float, float], distortion: tuple[float, ...]
 ) -> None:
-    optics, sheet = sensor_for(BLOCK, np.random.default_rng(4), distortion=distortion)
+    optics, sheet = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
     image = Renderer(scene, optics, sheet, EXACT).picture(T, room=0.0, laser=1.0)
@@ -159,9 +159,9 @@ def test_the_stripe_is_where_geometry_puts_it(
 
 
 def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
-    optics, sheet = sensor_for(BLOCK)
+    optics, sheet = draw_sensor(BLOCK)
     scene = block_scene()
-    light, _, _ = Renderer(scene, optics, sheet, QUIET).laser_light(over_block(scene))
+    light, _, _ = Renderer(scene, optics, sheet, NOISELESS).laser_light(over_block(scene))
     T = over_block(scene)
     into = np.linalg.inv(T) @ scene.thing("block").T_arm_obj
     normal = into[:3, :3].T @ np.array(sheet.normal)
@@ -179,8 +179,8 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
 
 
 def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
-    optics, sheet = sensor_for(BLOCK)
-    renderer = Renderer(block_scene(), optics, sheet, QUIET)
+    optics, sheet = draw_sensor(BLOCK)
+    renderer = Renderer(block_scene(), optics, sheet, NOISELESS)
     T = over_block(renderer.scene)
     smeared = renderer.room_light(T, SMEARED)
     sharp = renderer.room_light(T)
@@ -192,7 +192,7 @@ def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
 
 
 def test_noise_is_as_the_detector_says() -> None:
-    optics, sheet = sensor_for(BLOCK)
+    optics, sheet = draw_sensor(BLOCK)
     detector = Detector()
     renderer = Renderer(block_scene(), optics, sheet, detector)
     T = over_block(renderer.scene)
@@ -218,7 +218,7 @@ def test_speckle_has_its_contrast_and_no_seam(contrast: float) -> None:
 
 
 def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
-    optics, sheet = sensor_for(BLOCK)
+    optics, sheet = draw_sensor(BLOCK)
     renderer = Renderer(block_scene(), optics, sheet, Detector(read_dn=0.0, shot_dn=0.0))
     T = over_block(renderer.scene)
     first = renderer.picture(T, room=0.0, laser=0.5).astype(np.int64)
@@ -230,7 +230,7 @@ def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
 
 
 def test_too_much_light_saturates() -> None:
-    optics, sheet = sensor_for(BLOCK)
+    optics, sheet = draw_sensor(BLOCK)
     scene = block_scene()
     T = over_block(scene)
     image = Renderer(scene, optics, sheet, Detector()).picture(T, room=4.0)
@@ -241,12 +241,16 @@ def test_too_much_light_saturates() -> None:
     assert deep.max() == 4095
 
 
-@pytest.mark.parametrize("shape", [Ball(12.7), Shell(), Box((-20, -15, -5), (20, 15, 0))])
-def test_stripes_on_other_shapes_lie_on_shape_and_sheet(shape: Ball | Shell | Box) -> None:
-    optics, sheet = sensor_for(BLOCK)
-    T_arm_sensor = translation(0.0, 0.0, 9.0 if isinstance(shape, Ball) else 3.0)
-    scene = Scene((Thing("part", shape, np.eye(4)),), PLAIN)
-    light, _, _ = Renderer(scene, optics, sheet, QUIET).laser_light(T_arm_sensor)
+@pytest.mark.parametrize(
+    "shape", [GaugeSphere(12.7), FreeformPart(), Box((-20, -15, -5), (20, 15, 0))]
+)
+def test_stripes_on_other_shapes_lie_on_shape_and_sheet(
+    shape: GaugeSphere | FreeformPart | Box,
+) -> None:
+    optics, sheet = draw_sensor(BLOCK)
+    T_arm_sensor = translation(0.0, 0.0, 9.0 if isinstance(shape, GaugeSphere) else 3.0)
+    scene = SimulatedScene((SceneObject("part", shape, np.eye(4)),), PLAIN)
+    light, _, _ = Renderer(scene, optics, sheet, NOISELESS).laser_light(T_arm_sensor)
     columns = np.flatnonzero(light.max(axis=0) > 0.35)[10:-10:9]
     assert len(columns) > 20
     rows = np.arange(light.shape[0])
@@ -259,11 +263,11 @@ def test_stripes_on_other_shapes_lie_on_shape_and_sheet(shape: Ball | Shell | Bo
     n = np.array(sheet.normal)
     at = eye + rays * ((sheet.offset_mm - n @ eye) / (rays @ n))[:, None]
     at = at + T_arm_sensor[:3, 3]
-    if isinstance(shape, Ball):
+    if isinstance(shape, GaugeSphere):
         off = np.linalg.norm(at, axis=1) - shape.radius_mm
         off = off[np.abs(at[:, 0]) < 8]
-    elif isinstance(shape, Shell):
-        off = at[:, 2] - shell_height(shape, at[:, 0], at[:, 1])
+    elif isinstance(shape, FreeformPart):
+        off = at[:, 2] - relief_height_mm(shape, at[:, 0], at[:, 1])
         off = off[np.abs(at[:, 0]) < 20]
     else:
         off = at[:, 2]
@@ -273,8 +277,10 @@ def test_stripes_on_other_shapes_lie_on_shape_and_sheet(shape: Ball | Shell | Bo
 
 def test_a_ray_that_grazes_a_steep_relief_comes_to_an_end() -> None:
     """Seen from low beside it, steps by secants lead back and forth."""
-    steep = Shell(8.0, 8.0, 6.0)
+    steep = FreeformPart(8.0, 8.0, 6.0)
     light = Light(texture=0.0, lamp_mm=(80.0, 20.0, 30.0), lamp_radius_mm=15.0)
-    optics, sheet = sensor_for(BLOCK, width_px=160, height_px=128)
-    image = Renderer(Scene((Thing("part", steep, np.eye(4)),), light), optics, sheet, QUIET)
+    optics, sheet = draw_sensor(BLOCK, width_px=160, height_px=128)
+    image = Renderer(
+        SimulatedScene((SceneObject("part", steep, np.eye(4)),), light), optics, sheet, NOISELESS
+    )
     assert image.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2

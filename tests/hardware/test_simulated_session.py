@@ -9,9 +9,13 @@ import numpy as np
 import pytest
 
 from hardware.simulator.devices.kinematics import tip_centre, translation
-from hardware.simulator.operator.contact import contact_spot, outward, reachable_faces
-from hardware.simulator.scene.random_scenes import random_comb
-from hardware.simulator.scene.world import Ball, Comb
+from hardware.simulator.operator.contact import (
+    choose_contact_point,
+    outward_normal,
+    reachable_faces,
+)
+from hardware.simulator.scene.random_scenes import random_block
+from hardware.simulator.scene.world import CrenellatedBlock, GaugeSphere
 from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
 
 
@@ -46,10 +50,10 @@ def test_a_session_holds_all_that_an_operator_brings(
         q = np.radians([float(row[f"q{i + 1}_deg"]) for i in range(plan.joints)])
         on_block = np.linalg.inv(rig.T_arm_obj) @ [*tip_centre(rig.arm, q), 1.0]
         face = row["feature"]
-        spot = contact_spot(
+        spot = choose_contact_point(
             rig.block, face, 0, rig.arm.tip_diameter_mm / 2, np.random.default_rng()
         )
-        height = outward(face) @ (on_block[:3] - spot)
+        height = outward_normal(face) @ (on_block[:3] - spot)
         assert height == pytest.approx(rig.arm.tip_diameter_mm / 2, abs=0.06)
     axis = json.loads((tmp_path / "sensor.json").read_text())["stripe_axis"]
     assert axis == ("v" if plan.roll_rad else "u")
@@ -65,7 +69,7 @@ def test_a_seed_gives_the_same_session_again(tmp_path: Path) -> None:
 
 def test_no_drawn_block_looks_like_its_mirror_image() -> None:
     for seed in range(30):
-        edges = np.array(random_comb(np.random.default_rng(seed)).edges_x_mm)
+        edges = np.array(random_block(np.random.default_rng(seed)).edges_x_mm)
         widths = np.diff(edges)
         assert len(edges) % 2 == 0
         assert widths.min() > 2
@@ -73,17 +77,17 @@ def test_no_drawn_block_looks_like_its_mirror_image() -> None:
 
 
 def test_the_floor_is_offered_only_to_a_ball_that_fits() -> None:
-    assert "floor" in reachable_faces(Comb(), 1.5)
-    assert "floor" not in reachable_faces(Comb(), 3.5)
+    assert "floor" in reachable_faces(CrenellatedBlock(), 1.5)
+    assert "floor" not in reachable_faces(CrenellatedBlock(), 3.5)
     with pytest.raises(KeyError, match="cannot be touched"):
-        contact_spot(Comb(), "floor", 0, 3.5, np.random.default_rng(0))
+        choose_contact_point(CrenellatedBlock(), "floor", 0, 3.5, np.random.default_rng(0))
 
 
 def test_contacts_spread_over_a_face() -> None:
-    block = Comb()
+    block = CrenellatedBlock()
     rng = np.random.default_rng(0)
     for face in ("crest", "front", "left"):
-        spots = np.array([contact_spot(block, face, i, 1.5, rng) for i in range(9)])
+        spots = np.array([choose_contact_point(block, face, i, 1.5, rng) for i in range(9)])
         spread = np.ptp(spots, axis=0)
         assert np.sum(spread > 8) == 2
         assert np.min([np.linalg.norm(a - b) for i, a in enumerate(spots) for b in spots[:i]]) > 1
@@ -94,7 +98,7 @@ def test_a_scan_yields_frames_and_joints() -> None:
     rig = draw_rig(3, plan)
     T = rig.T_arm_obj
     path = [T @ translation(0.0, 0.5 * i, 9.0) for i in range(3)]
-    frames = list(render_scan(rig, Ball(), T, path, plan))
+    frames = list(render_scan(rig, GaugeSphere(), T, path, plan))
     assert len(frames) == 3
     assert all(frame.image.max() > 150 for frame in frames)
     assert all(frame.joints_rad.shape == (6,) for frame in frames)

@@ -13,24 +13,24 @@ import pytest
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
 from hardware.interfaces import Button, Frame, SensorDriver
-from hardware.simulator.devices.kinematics import ArmModel, Floats, Link, flange_pose
+from hardware.simulator.devices.kinematics import ArmLink, ArmModel, Floats, flange_pose
 from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.hardware.conformance import (
     LONG_S,
     SensorBench,
     SensorConformance,
-    edges_of,
+    button_edges,
     next_frame,
     read_until,
-    samples_of,
+    select_samples,
 )
 
-SMALL = TwinConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
+SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 
 
 class TwinSensorBench(SensorBench):
-    def __init__(self, twin: Twin) -> None:
+    def __init__(self, twin: SimulatedStation) -> None:
         self._twin = twin
 
     def driver(self) -> SensorDriver:
@@ -44,20 +44,20 @@ class TwinSensorBench(SensorBench):
 
 
 @pytest.fixture(scope="module")
-def station() -> Iterator[Twin]:
-    with Twin(SMALL) as twin:
+def station() -> Iterator[SimulatedStation]:
+    with SimulatedStation(SMALL) as twin:
         yield twin
 
 
 @pytest.fixture
-def twin(station: Twin) -> Twin:
+def twin(station: SimulatedStation) -> SimulatedStation:
     station.faults.clear()
     station.lamps.room, station.lamps.room_with_laser = 1.0, False
     return station
 
 
 @pytest.fixture
-def bench(twin: Twin) -> TwinSensorBench:
+def bench(twin: SimulatedStation) -> TwinSensorBench:
     return TwinSensorBench(twin)
 
 
@@ -69,7 +69,7 @@ def model_of(paper: object) -> ArmModel:
     """The arm as its paper has it, to see what an operator's program would compute."""
     assert isinstance(paper, dict)
     links = tuple(
-        Link(
+        ArmLink(
             j["a_mm"], np.radians(j["alpha_deg"]), j["d_mm"], np.radians(j["theta_deg"]), j["sign"]
         )
         for j in paper["joints"]
@@ -78,7 +78,7 @@ def model_of(paper: object) -> ArmModel:
     return ArmModel(links, (tip["x_mm"], tip["y_mm"], tip["z_mm"]), tip["diameter_mm"])
 
 
-def test_a_touch_is_a_contact_with_a_press(twin: Twin) -> None:
+def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
     papers = twin.papers()
     model, block = model_of(papers["arm.json"]), papers["object.json"]
     T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
@@ -88,11 +88,11 @@ def test_a_touch_is_a_contact_with_a_press(twin: Twin) -> None:
     for index in range(3):
         with ThreadPoolExecutor() as pool:
             touched = pool.submit(twin.hand.touch, "crest", index)
-            records = read_until(driver, lambda got: len(edges_of(got)) == 2)
+            records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             assert touched.result(LONG_S)
-        assert edges_of(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
+        assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
         at = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
-        near = [s.joints_rad for s in samples_of(records) if 0 <= at - s.stamp_ns < 80_000_000]
+        near = [s.joints_rad for s in select_samples(records) if 0 <= at - s.stamp_ns < 80_000_000]
         q = np.mean(near, axis=0)
         assert np.ptp(np.array(near), axis=0).max() < 2e-4  # held still
         T = flange_pose(model, q)
@@ -105,20 +105,20 @@ def test_a_touch_is_a_contact_with_a_press(twin: Twin) -> None:
 
 
 @pytest.mark.parametrize("face", ["floor", "front", "back", "left", "right"])
-def test_the_hand_reaches_every_face(twin: Twin, face: str) -> None:
+def test_the_hand_reaches_every_face(twin: SimulatedStation, face: str) -> None:
     assert face in twin.hand.faces
     assert twin.hand.touch(face, 0)
     assert not twin.hand.state.busy
 
 
-def test_an_unknown_face_or_part_is_refused(twin: Twin) -> None:
+def test_an_unknown_face_or_part_is_refused(twin: SimulatedStation) -> None:
     with pytest.raises(KeyError, match=r"can touch crest.* board"):
         twin.hand.touch("roof", 0)
     with pytest.raises(KeyError, match="plate"):
         twin.hand.scan_part("teapot")
 
 
-def test_the_sensor_is_held_over_the_block(twin: Twin) -> None:
+def test_the_sensor_is_held_over_the_block(twin: SimulatedStation) -> None:
     assert twin.hand.hold_over("block")
     driver = twin.sensor()
     driver.open()
@@ -136,7 +136,7 @@ def test_the_sensor_is_held_over_the_block(twin: Twin) -> None:
     assert np.median(laser.image) < 10
 
 
-def test_light_follows_the_exposure_and_the_lamps(twin: Twin) -> None:
+def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> None:
     driver = twin.sensor()
     driver.open()
     assert twin.hand.hold_over("block")
@@ -158,7 +158,7 @@ def test_light_follows_the_exposure_and_the_lamps(twin: Twin) -> None:
     driver.close()
 
 
-def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: Twin) -> None:
+def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: SimulatedStation) -> None:
     """The sheet's line on the plate, from frame and true pose, lies in the plate's plane."""
     driver = twin.sensor()
     driver.open()
@@ -181,7 +181,7 @@ def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: Twin) -> None:
     assert np.abs(places[:, 2]).max() < 0.02
 
 
-def stripe_in_arm_frame(twin: Twin, frame: Frame) -> Floats:
+def stripe_in_arm_frame(twin: SimulatedStation, frame: Frame) -> Floats:
     """(N, 3) where the bright part of a frame's stripe truly was; N may be 0."""
     T_arm_sensor = twin.sensor_pose(frame.mid_exposure_ns)
     light = frame.image.astype(np.float64) - Detector().dark_dn
@@ -210,7 +210,7 @@ def lit_points(camera: dict, sheet: object, u: np.ndarray, v: np.ndarray) -> np.
     return np.asarray(eye + rays * ((sheet["offset_mm"] - n @ eye) / (rays @ n))[:, None])
 
 
-def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: Twin) -> None:
+def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: SimulatedStation) -> None:
     results: list[bool] = []
     hand = threading.Thread(target=lambda: results.append(twin.hand.scan_part("shell")))
     hand.start()
@@ -227,7 +227,7 @@ def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: Twin) -> None:
     assert twin.hand.touch("crest", 1)
 
 
-def test_lost_frames_are_counted_and_leave_a_gap(twin: Twin) -> None:
+def test_lost_frames_are_counted_and_leave_a_gap(twin: SimulatedStation) -> None:
     driver = twin.sensor()
     driver.open()
     twin.faults.frame_drop_rate = 0.5
@@ -236,7 +236,7 @@ def test_lost_frames_are_counted_and_leave_a_gap(twin: Twin) -> None:
     driver.close()
 
 
-def test_papers_are_whole_and_do_not_know_the_truth(twin: Twin) -> None:
+def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> None:
     papers = twin.papers()
     assert set(papers) == {
         "arm.json",
@@ -259,11 +259,11 @@ def test_papers_are_whole_and_do_not_know_the_truth(twin: Twin) -> None:
 
 
 def test_a_station_ends_when_told_and_frees_its_port() -> None:
-    first = Twin(SMALL).start()
+    first = SimulatedStation(SMALL).start()
     port = int(first.arm_url.rsplit(":", 1)[1])
     first.stop()
     first.stop()
-    with Twin(replace(SMALL, port=port)) as second:
+    with SimulatedStation(replace(SMALL, port=port)) as second:
         assert second.arm_url.endswith(str(port))
         with pytest.raises(OSError, match="in use"):
-            Twin(replace(SMALL, port=port)).start()
+            SimulatedStation(replace(SMALL, port=port)).start()

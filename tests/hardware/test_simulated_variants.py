@@ -5,19 +5,19 @@ import pytest
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
 from hardware.simulator.native import SIMULATOR
-from hardware.simulator.rendering.noise import Detector, Digits
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import FINE, SMEARED, Renderer
-from hardware.simulator.scene.random_scenes import sensor_for
+from hardware.simulator.scene.random_scenes import draw_sensor
 from hardware.simulator.scene.world import (
-    Ball,
     Board,
-    Comb,
-    Finish,
+    CrenellatedBlock,
+    FreeformPart,
+    GaugeSphere,
     Light,
-    Scene,
-    Shell,
-    Thing,
-    table,
+    SceneObject,
+    SimulatedScene,
+    SurfaceFinish,
+    make_table,
 )
 
 AT = translation(300.0, 40.0, 12.0) @ rotation_about("z", 0.4)
@@ -30,18 +30,18 @@ def placed(x: float, y: float, z: float) -> Floats:
 
 
 EVERY_KIND = (
-    table(),
-    Thing("block", Comb(), AT, 1.0, Finish(0.3, 40.0, 0.05, 0.2)),
-    Thing("ball", Ball(5.0), placed(20.0, -4.0, 6.0), 0.8),
-    Thing("relief", Shell(8.0, 8.0, 6.0), placed(-16.0, 0.0, 14.0), 0.9),
-    Thing("board", Board((4, 3), 2.0, 2.0, 2.0), placed(0.0, 14.0, 4.0)),
+    make_table(),
+    SceneObject("block", CrenellatedBlock(), AT, 1.0, SurfaceFinish(0.3, 40.0, 0.05, 0.2)),
+    SceneObject("ball", GaugeSphere(5.0), placed(20.0, -4.0, 6.0), 0.8),
+    SceneObject("relief", FreeformPart(8.0, 8.0, 6.0), placed(-16.0, 0.0, 14.0), 0.9),
+    SceneObject("board", Board((4, 3), 2.0, 2.0, 2.0), placed(0.0, 14.0, 4.0)),
 )
 
 
-def pictures(light: Light, bits: int) -> list[Digits]:
+def pictures(light: Light, bits: int) -> list[RawImage]:
     """With the room's light, the laser's, and both, with noise."""
-    optics, sheet = sensor_for(Comb(), width_px=320, height_px=256)
-    scene = Scene(EVERY_KIND, light)
+    optics, sheet = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
+    scene = SimulatedScene(EVERY_KIND, light)
     renderer = Renderer(scene, optics, sheet, Detector(bits=bits), SEED)
     T = AT @ translation(0.3, -0.2, 7.5)
     return [
@@ -64,9 +64,9 @@ def test_every_variant_renders_the_same_picture(light: Light, bits: int) -> None
 
 def test_every_shape_is_in_the_picture() -> None:
     whole = pictures(Light(), 8)[0]
-    optics, sheet = sensor_for(Comb(), width_px=320, height_px=256)
+    optics, sheet = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
     for thing in EVERY_KIND:
         others = tuple(other for other in EVERY_KIND if other is not thing)
-        renderer = Renderer(Scene(others), optics, sheet, Detector(), SEED)
+        renderer = Renderer(SimulatedScene(others), optics, sheet, Detector(), SEED)
         without = renderer.picture(AT @ translation(0.3, -0.2, 7.5), 1.0, 0.0, FINE)
         assert np.mean(np.abs(whole.astype(np.int64) - without) > 5) > 0.001, thing.name

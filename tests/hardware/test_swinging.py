@@ -9,10 +9,10 @@ from hardware.simulator.operator.swinging import (
     BAR_MM,
     BARS,
     bar_end,
+    path_into_seat,
+    path_onto_sphere,
     seat_centre,
     swing_path,
-    way_into_seat,
-    way_onto_ball,
 )
 from hardware.simulator.scene.random_scenes import demo_arm, random_arm
 
@@ -28,7 +28,7 @@ def test_the_tip_stays_in_the_seat_while_the_joints_turn(name: str) -> None:
     arm: ArmModel = ARMS[name]
     rng = np.random.default_rng(0)
     centre = seat_centre(arm, 0)
-    into = way_into_seat(arm, centre, np.full(arm.joint_count, 0.3), rng, 1.0)
+    into = path_into_seat(arm, centre, np.full(arm.joint_count, 0.3), rng, 1.0)
     np.testing.assert_allclose(tip_centre(arm, into.q_rad[-1]), centre, atol=1e-5)
     assert tip_centre(arm, into.q_rad[0])[2] == pytest.approx(centre[2] + 25.0, abs=1e-4)
     path = swing_path(arm, into.q_rad[-1], rng)
@@ -48,7 +48,7 @@ def test_the_bars_ends_are_its_length_apart_and_the_arm_swings_in_both(position:
     ends = [bar_end(arm, position, end) for end in (0, 1)]
     assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(BAR_MM)
     for centre in ends:
-        into = way_into_seat(
+        into = path_into_seat(
             arm, centre, np.full(arm.joint_count, 0.3), np.random.default_rng(0), 1.0
         )
         np.testing.assert_allclose(tip_centre(arm, into.q_rad[-1]), centre, atol=1e-5)
@@ -61,7 +61,7 @@ def test_the_ball_is_touched_all_over_its_top_and_from_outside() -> None:
     q = np.full(arm.joint_count, 0.3)
     touched = []
     for index in range(12):
-        onto = way_onto_ball(arm, ball, radius_mm, index, q, rng)
+        onto = path_onto_sphere(arm, ball, radius_mm, index, q, rng)
         far = [float(np.linalg.norm(tip_centre(arm, one) - ball)) for one in onto.q_rad]
         assert far[-1] == pytest.approx(radius_mm, abs=1e-4)
         assert min(far) > radius_mm - 1e-3

@@ -4,14 +4,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere
+from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
 from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
 from app.metrology.transforms import Floats, apply, rigid_fit
-from hardware.simulator.arm_sessions import ArmSession
+from hardware.simulator.arm_sessions import SimulatedArmSession
 from hardware.simulator.devices.kinematics import ArmModel, flange_poses
 
 
-def papers_of(model: ArmModel) -> Arm:
+def nominal_arm(model: ArmModel) -> Arm:
     """The arm as its papers have it."""
     joints = (
         Joint(
@@ -29,7 +29,7 @@ def papers_of(model: ArmModel) -> Arm:
     return Arm("arm", "A-1", tuple(joints), Tip(*model.tip_mm, model.tip_diameter_mm))
 
 
-def observed(session: ArmSession) -> Observations:
+def collect_observations(session: SimulatedArmSession) -> ArmObservations:
     """What was touched."""
     seats: dict[str, list[Floats]] = {}
     for name, *q in session.articulation:
@@ -41,7 +41,7 @@ def observed(session: ArmSession) -> Observations:
     for name, position, length, sd, end, *q in session.bars:
         bar = (str(name), str(position), _number(length), _number(sd))
         bars.setdefault(bar, {}).setdefault(str(end), []).append(_radians(q))
-    return Observations(
+    return ArmObservations(
         tuple(Seat(name, np.array(q)) for name, q in seats.items()),
         tuple(Sphere(name, diameter, np.array(q)) for (name, diameter), q in spheres.items()),
         tuple(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.calibrate import see_board
+from app.metrology.adjustment.board.calibrate import observe_board
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.targets.chessboard import Chessboard
@@ -46,7 +46,7 @@ class Look:
     offset_mm: float = OFFSET_MM
 
 
-def seen_from(tilt_deg: float, about_deg: float, turn_deg: float, away_mm: float) -> Floats:
+def camera_pose(tilt_deg: float, about_deg: float, turn_deg: float, away_mm: float) -> Floats:
     """``T_cam_obj`` (4, 4) of a camera that looks at the pattern's middle."""
     axis = np.array([np.cos(np.radians(about_deg)), np.sin(np.radians(about_deg)), 0.0])
     R = (
@@ -58,7 +58,7 @@ def seen_from(tilt_deg: float, about_deg: float, turn_deg: float, away_mm: float
 
 
 POSES = tuple(
-    seen_from(tilt, about, turn, away)
+    camera_pose(tilt, about, turn, away)
     for tilt, about, turn, away in (
         (3, 60, 4, 230),
         (22, 10, 5, 240),
@@ -72,7 +72,7 @@ POSES = tuple(
 )
 
 
-def flange_of(T_cam_obj: Floats) -> Floats:
+def find_flange_pose(T_cam_obj: Floats) -> Floats:
     return T_ARM_OBJ @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM)
 
 
@@ -109,11 +109,12 @@ def inputs(look: Look | None = None, robot_mm: float = 0.02) -> BoardInputs:
     look = look or Look()
     rng = np.random.default_rng(3)
     seen = tuple(
-        see_board(k + 1, look.board, picture(T, look, k), None, "v") for k, T in enumerate(POSES)
+        observe_board(k + 1, look.board, picture(T, look, k), None, "v")
+        for k, T in enumerate(POSES)
     )
     flange = []
     for T in POSES:
         turn = Rotation.from_rotvec(rng.normal(0, robot_mm / 400, 3)).as_matrix()
-        true = flange_of(T)
+        true = find_flange_pose(T)
         flange.append(rigid(true[:3, :3] @ turn, true[:3, 3] + rng.normal(0, robot_mm, 3)))
     return BoardInputs(ROBOT, look.board, seen, np.array(flange), SIZE)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.arm.joint_plausibility import JointJudge
+from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.transforms import Floats
 
@@ -31,7 +31,7 @@ class Sample:
 
 @dataclass(frozen=True)
 class Judged:
-    judge: JointJudge[Sample]
+    judge: PlausibilityFilter[Sample]
     passed: Floats
     """(N,) whether each reading passed."""
 
@@ -51,7 +51,7 @@ def samples(q_rad: Floats, rate_hz: float, stamps_s: Floats | None = None) -> li
 
 def judged(readings: Iterable[Sample], rate_hz: float = 1000.0, arm: Arm | None = ARM) -> Judged:
     readings = list(readings)
-    judge: JointJudge[Sample] = JointJudge(6, rate_hz, arm)
+    judge: PlausibilityFilter[Sample] = PlausibilityFilter(6, rate_hz, arm)
     good: list[Sample] = []
     for reading in readings:
         good += judge.passed([reading])

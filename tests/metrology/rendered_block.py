@@ -9,15 +9,20 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.targets.crenellated_block import Crenellated
 from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import LaserSheet, Optics, looking_at, sheet_through
-from hardware.simulator.scene.random_scenes import made_from, random_comb
-from hardware.simulator.scene.world import Box, Comb, Light, Scene, Thing
+from hardware.simulator.scene.camera import (
+    LightPlane,
+    Optics,
+    camera_looking_at,
+    light_plane_through,
+)
+from hardware.simulator.scene.random_scenes import draw_true_block, random_block
+from hardware.simulator.scene.world import Box, CrenellatedBlock, Light, SceneObject, SimulatedScene
 
 WIDTH, HEIGHT = 800, 640
 
 
 @dataclass(frozen=True)
-class Rendered:
+class RenderedBlock:
     """A picture of a block, the block's certificate, and the camera (object frame) that took it."""
 
     image: NDArray[np.uint8]
@@ -25,7 +30,7 @@ class Rendered:
     camera: Camera
 
 
-def certificate(comb: Comb) -> Crenellated:
+def certificate(comb: CrenellatedBlock) -> Crenellated:
     """The certificate of a twin's block."""
     return Crenellated(
         "rendered",
@@ -40,14 +45,16 @@ def certificate(comb: Comb) -> Crenellated:
     )
 
 
-def _optics(comb: Comb, azimuth: float, elevation: float, roll: float, fill: float) -> Optics:
+def _optics(
+    comb: CrenellatedBlock, azimuth: float, elevation: float, roll: float, fill: float
+) -> Optics:
     x = comb.edges_x_mm
     low = np.array([x[0], comb.front_y_mm, comb.base_z_mm])
     high = np.array([x[-1], comb.back_y_mm, comb.crest_z_mm])
     flat = np.cos(elevation)
     away = np.array([np.sin(azimuth) * flat, -np.cos(azimuth) * flat, np.sin(elevation)])
     eye = (low + high) / 2 + 135.0 * away
-    T = looking_at(eye, (low + high) / 2, np.array([1.0, 0.0, 0.0]), roll)
+    T = camera_looking_at(eye, (low + high) / 2, np.array([1.0, 0.0, 0.0]), roll)
     box = np.array([np.where(np.array(bits), high, low) for bits in np.ndindex(2, 2, 2)])
     in_cam = box @ T[:3, :3].T + T[:3, 3]
     reach = np.abs(in_cam[:, :2] / in_cam[:, 2:]).max(axis=0)
@@ -55,15 +62,15 @@ def _optics(comb: Comb, azimuth: float, elevation: float, roll: float, fill: flo
     return Optics(WIDTH, HEIGHT, focal, focal, 405.0, 315.0, (-0.04, 0.0, 0.0, 0.0, 0.0), T)
 
 
-def _sheet(comb: Comb) -> LaserSheet:
+def _make_light_plane(comb: CrenellatedBlock) -> LightPlane:
     middle = (comb.front_y_mm + comb.back_y_mm) / 2
-    sheet = sheet_through(
+    sheet = light_plane_through(
         np.array([0.0, 1.0, -0.02]), np.array([0.0, middle, 0.0]), np.array([0.0, middle, 130.0])
     )
     return replace(sheet, half_angle_rad=0.5)
 
 
-def rendered(
+def render_block(
     seed: int,
     *,
     merlons: int | None = None,
@@ -75,23 +82,27 @@ def rendered(
     table: float | None = None,
     shade: float = 0.3,
     blur_px: float = 0.7,
-) -> Rendered:
+) -> RenderedBlock:
     """One picture of a random block. ``table`` is the brightness of what it stands on, if any."""
     rng = np.random.default_rng(seed)
-    comb = random_comb(rng, merlons)
+    comb = random_block(rng, merlons)
     optics = _optics(comb, azimuth, elevation, roll, fill)
-    things = [Thing("block", made_from(comb, 0.002, rng), np.eye(4))]
+    things = [SceneObject("block", draw_true_block(comb, 0.002, rng), np.eye(4))]
     if table is not None:
         under = np.eye(4)
         under[2, 3] = comb.base_z_mm - 0.01
         slab = Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0))
-        things.append(Thing("table", slab, under, table))
+        things.append(SceneObject("table", slab, under, table))
     light = Light((0.3, -0.4, 1.0), groove_shade=shade)
     renderer = Renderer(
-        Scene(tuple(things), light), optics, _sheet(comb), Detector(blur_px=blur_px), seed
+        SimulatedScene(tuple(things), light),
+        optics,
+        _make_light_plane(comb),
+        Detector(blur_px=blur_px),
+        seed,
     )
     image = np.asarray(renderer.picture(np.eye(4), 1.0, laser, 55), dtype=np.uint8)
     T = optics.T_cam_sensor
     lens = np.array(optics.distortion)
     camera = Camera(optics.matrix, T[:3, :3], T[:3, 3], WIDTH, HEIGHT, lens)
-    return Rendered(image, certificate(comb), camera)
+    return RenderedBlock(image, certificate(comb), camera)

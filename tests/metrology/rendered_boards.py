@@ -9,29 +9,33 @@ import numpy as np
 
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.target import read_object
-from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board, see_board
-from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.calibrate import (
+    BoardCalibration,
+    calibrate_board,
+    observe_board,
+)
+from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, apply, inverse
-from hardware.simulator.devices.kinematics import reach
+from hardware.simulator.devices.kinematics import solve_joints
 from hardware.simulator.operator.holding import sensor_over_board
-from hardware.simulator.rendering.noise import Digits
+from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.scene.world import Board
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 COUNT = 8
 
 
 @dataclass(frozen=True)
-class Shot:
+class BoardShot:
     """One pose: what both pictures show, what the encoders say, and where the sensor truly was."""
 
-    ambient: Digits
-    laser: Digits
+    ambient: RawImage
+    laser: RawImage
     reading_rad: Floats
     T_board_sensor: Floats
 
@@ -39,8 +43,8 @@ class Shot:
 class RenderedBoards:
     """A twin that is not started, as nothing moves: poses are reached and pictures rendered."""
 
-    def __init__(self, folder: Path, config: TwinConfig) -> None:
-        self.twin = Twin(config)
+    def __init__(self, folder: Path, config: SimulationConfig) -> None:
+        self.twin = SimulatedStation(config)
         self._rng = np.random.default_rng(config.seed + 500)
         self._renderer = self.twin._renderer()
         for name, paper in self.twin.papers().items():
@@ -52,20 +56,20 @@ class RenderedBoards:
         self.axis = str(self.twin.papers()["sensor.json"]["stripe_axis"])
         self.shots = [self._shot(view) for view in range(COUNT)]
 
-    def _shot(self, view: int) -> Shot:
+    def _shot(self, view: int) -> BoardShot:
         rig, thing = self.twin._rig, self.twin._scene.thing("board")
         assert isinstance(thing.shape, Board)
         T_board_sensor = sensor_over_board(thing.shape, self.twin.hand._sight, view, self._rng)
         T = thing.T_arm_obj @ T_board_sensor
-        q = reach(rig.arm, T @ inverse(rig.T_flange_sensor), self.twin._home, self._rng)
+        q = solve_joints(rig.arm, T @ inverse(rig.T_flange_sensor), self.twin._home, self._rng)
         noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
         pictures = (self._renderer.picture(T, 1.0, 0.0), self._renderer.picture(T, 0.0, 1.0))
-        return Shot(*pictures, q + noise, T_board_sensor)
+        return BoardShot(*pictures, q + noise, T_board_sensor)
 
     @cached_property
-    def seen(self) -> tuple[SeenBoard, ...]:
+    def seen(self) -> tuple[BoardObservation, ...]:
         return tuple(
-            see_board(k + 1, self.board, shot.ambient, shot.laser, self.axis)
+            observe_board(k + 1, self.board, shot.ambient, shot.laser, self.axis)
             for k, shot in enumerate(self.shots)
         )
 

@@ -37,7 +37,7 @@ def laser_plane(tilt: float = 0.02, offset_mm: float = 0.5) -> LaserPlane:
     return LaserPlane(normal / np.linalg.norm(normal), offset_mm)
 
 
-def as_made(block: Crenellated, rng: np.random.Generator) -> Crenellated:
+def draw_true_block(block: Crenellated, rng: np.random.Generator) -> Crenellated:
     """A block whose sizes are off its certificate as far as that allows."""
     values = coordinates(block)
     return with_coordinates(
@@ -45,7 +45,7 @@ def as_made(block: Crenellated, rng: np.random.Generator) -> Crenellated:
     )
 
 
-def stripe_on(
+def simulate_stripe(
     camera: Camera, block: Crenellated, plane: LaserPlane, rng: np.random.Generator, sd_px: float
 ) -> Stripe:
     """One point a column where the plane meets crests and floors that the camera sees."""
@@ -70,7 +70,7 @@ def _levels(block: Crenellated) -> list[tuple[int, float]]:
     return [(i, block.floor_z_mm if i % 2 else block.crest_z_mm) for i in range(last)]
 
 
-def edges_seen(
+def simulate_edges(
     camera: Camera, block: Crenellated, rng: np.random.Generator, sd_px: float
 ) -> list[EdgePoints]:
     """A point every eight pixels of each visible edge, its deviation across the edge ``sd_px``."""

@@ -7,16 +7,16 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from app.metrology.adjustment.board.calibrate import BoardCalibration
-from app.metrology.adjustment.board.initial_guess import SeenBoard
-from app.metrology.adjustment.board.observations import on_sheet
+from app.metrology.adjustment.board.initial_guess import BoardObservation
+from app.metrology.adjustment.board.observations import intersect_surface
 from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.board.surface import board_papers, corners_at
+from app.metrology.adjustment.board.surface import board_prior, corners_at
 from app.metrology.chessboard.detect_board import BoardDetection
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
-from app.metrology.targets.chessboard import Chessboard, middle_of
+from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     K1,
@@ -30,12 +30,12 @@ from tests.metrology.boards import (
     K,
 )
 
-PAPER = Chessboard("paper board", "", (7, 6), 10.0, 0.02, 0.2)
+PAPER_BOARD = Chessboard("paper board", "", (7, 6), 10.0, 0.02, 0.2)
 HALVINGS = 40
 
 
 @dataclass(frozen=True)
-class Errors:
+class BoardErrors:
     """Standard deviations of everything that errs; ``drift_mm`` is by pose, of the laser."""
 
     turn_rad: float = 3e-4
@@ -50,16 +50,16 @@ class Errors:
 
 def session(
     seed: int,
-    errors: Errors | None = None,
-    board: Chessboard = PAPER,
+    errors: BoardErrors | None = None,
+    board: Chessboard = PAPER_BOARD,
     poses: tuple[Floats, ...] = POSES,
     normal: Floats = NORMAL,
     offset_mm: float = OFFSET_MM,
 ) -> BoardInputs:
     """One session of a robot, all errors drawn anew; poses ``T_cam_obj`` a little different."""
-    errors = errors or Errors()
+    errors = errors or BoardErrors()
     rng = np.random.default_rng(seed)
-    papers = board_papers(board)
+    papers = board_prior(board)
     sheet = papers.coordinates + papers.sd * rng.normal(0, 1, len(papers.sd))
     seen, flange = [], []
     for k, usual in enumerate(poses):
@@ -67,34 +67,34 @@ def session(
         T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
         drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
         plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
-        seen.append(_seen_on(rng, k + 1, board, sheet, T, plane, errors))
+        seen.append(_simulate_on_surface(rng, k + 1, board, sheet, T, plane, errors))
         flange.append(_flange(rng, board, T, errors))
     return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
 
 
-def seen_at(
+def simulate_detection(
     rng: np.random.Generator,
     number: int,
     board: Chessboard,
     T_cam_obj: Floats,
     plane: LaserPlane,
-    errors: Errors,
-) -> SeenBoard:
+    errors: BoardErrors,
+) -> BoardObservation:
     """A flat board as its certificate has it, seen at ``T_cam_obj`` (4, 4)."""
     moved = replace(plane, offset_mm=plane.offset_mm + rng.normal(0, errors.line_mm))
-    sheet = board_papers(board).coordinates
-    return _seen_on(rng, number, board, sheet, T_cam_obj, moved, errors)
+    sheet = board_prior(board).coordinates
+    return _simulate_on_surface(rng, number, board, sheet, T_cam_obj, moved, errors)
 
 
-def _seen_on(
+def _simulate_on_surface(
     rng: np.random.Generator,
     number: int,
     board: Chessboard,
     sheet: Floats,
     T_cam_obj: Floats,
     plane: LaserPlane,
-    errors: Errors,
-) -> SeenBoard:
+    errors: BoardErrors,
+) -> BoardObservation:
     camera = camera_at(T_cam_obj)
     uv = project(camera, corners_at(board, sheet))
     inside = ((uv > 3) & (uv < np.array(SIZE) - 4)).all(axis=1)
@@ -107,8 +107,8 @@ def _seen_on(
     v = np.arange(SIZE[1], dtype=np.float64)
 
     def off(u: Floats) -> Floats:
-        points = on_sheet(board, camera, sheet, np.column_stack([u, v]))
-        along = points[:, 1] - middle_of(board)[1]
+        points = intersect_surface(board, camera, sheet, np.column_stack([u, v]))
+        along = points[:, 1] - pattern_centre(board)[1]
         return np.asarray(points @ in_obj.normal - in_obj.offset_mm - turned * along)
 
     low, high = np.zeros(len(v)), np.full(len(v), SIZE[0] - 1.0)
@@ -121,15 +121,15 @@ def _seen_on(
     u = (low[crossed] + high[crossed]) / 2
     sigma = np.full(len(u), errors.stripe_px)
     stripe = Stripe(u + rng.normal(0, sigma), v[crossed], np.full(len(u), 200.0), sigma, "v")
-    return SeenBoard(number, detection, stripe)
+    return BoardObservation(number, detection, stripe)
 
 
 def _flange(
-    rng: np.random.Generator, board: Chessboard, T_cam_obj: Floats, errors: Errors
+    rng: np.random.Generator, board: Chessboard, T_cam_obj: Floats, errors: BoardErrors
 ) -> Floats:
     """What the robot reports where it truly sees the board, perhaps tilted, at ``T_cam_obj``."""
     tilt = Rotation.from_rotvec([*rng.normal(0, errors.tilt_rad, 2), 0.0]).as_matrix()
-    middle = middle_of(board)
+    middle = pattern_centre(board)
     tilted = rigid(tilt, middle - tilt @ middle)
     true = T_ARM_OBJ @ tilted @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM)
     turn = Rotation.from_rotvec(rng.normal(0, errors.turn_rad, 3)).as_matrix()

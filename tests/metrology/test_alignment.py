@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.probing.alignment import align, refuse_wrong_faces
-from app.metrology.probing.contacts import what_is_missing
+from app.metrology.probing.contacts import missing_contacts
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 
@@ -81,7 +81,7 @@ def test_a_contact_on_a_wrong_face_is_refused_by_name() -> None:
     features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
     features[20] = "crest"  # it was taken on the front face
     found = align(features, tips, TIP_RADIUS_MM, BLOCK)
-    with pytest.raises(Refusal, match=r"contact 21 is labelled crest.*front"):
+    with pytest.raises(OperationError, match=r"contact 21 is labelled crest.*front"):
         refuse_wrong_faces(found, features, BLOCK)
 
 
@@ -97,7 +97,7 @@ def test_an_arm_that_measures_wrongly_is_not_put_on_one_contact(by_wrong_arm: Fl
         found = align(features, tips @ by_wrong_arm.T, TIP_RADIUS_MM, BLOCK)
         refuse_wrong_faces(found, features, BLOCK)
 
-    with pytest.raises(Refusal, match="Check the arm's file") as caught:
+    with pytest.raises(OperationError, match="Check the arm's file") as caught:
         judged()
     assert caught.value.code == "contacts-do-not-fit"
 
@@ -109,7 +109,7 @@ def test_an_arm_that_measures_wrongly_is_not_put_on_one_contact(by_wrong_arm: Fl
 def test_a_whole_face_mislabelled_is_refused(swap: dict[str, str]) -> None:
     rng = np.random.default_rng(8)
     features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
-    with pytest.raises(Refusal, match=r"labelled|not fix"):
+    with pytest.raises(OperationError, match=r"labelled|not fix"):
         align([swap.get(face, face) for face in features], tips, TIP_RADIUS_MM, BLOCK)
 
 
@@ -134,7 +134,7 @@ def test_some_contacts_on_a_face_of_their_own_are_refused_by_name(
     found = align(features, tips, TIP_RADIUS_MM, BLOCK)
     assert list(np.flatnonzero(found.outliers)) == list(range(first, first + count))
     said = rf"contact {first + 1} is labelled {called}.*lies on the {taken} face"
-    with pytest.raises(Refusal, match=said):
+    with pytest.raises(OperationError, match=said):
         refuse_wrong_faces(found, features, BLOCK)
 
 
@@ -142,21 +142,21 @@ def test_a_block_taken_for_itself_turned_half_round_is_refused() -> None:
     rng = np.random.default_rng(13)
     features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
     turned = {"front": "back", "left": "right", "crest": "crest"}
-    with pytest.raises(Refusal, match="mirrored order"):
+    with pytest.raises(OperationError, match="mirrored order"):
         align([turned[face] for face in features], tips, TIP_RADIUS_MM, BLOCK)
     mirrored = replace(BLOCK, edges_x_mm=tuple(-x for x in reversed(BLOCK.edges_x_mm)))
-    with pytest.raises(Refusal, match="mirrored order"):
+    with pytest.raises(OperationError, match="mirrored order"):
         align(features, tips, TIP_RADIUS_MM, mirrored)
 
 
 def test_missing_faces_are_said() -> None:
-    assert what_is_missing(["crest"] * 5 + ["front"] * 3) == (
+    assert missing_contacts(["crest"] * 5 + ["front"] * 3) == (
         "Touch 3 more on the left or the right face"
     )
-    assert what_is_missing(["crest"] * 3 + ["back"] * 3 + ["left", "right", "left"]) == ""
+    assert missing_contacts(["crest"] * 3 + ["back"] * 3 + ["left", "right", "left"]) == ""
     rng = np.random.default_rng(9)
     features, tips = contacts_on(rng, random_pose(rng), faces=("crest", "front"))
-    with pytest.raises(Refusal, match="Touch 3 more on the left or the right"):
+    with pytest.raises(OperationError, match="Touch 3 more on the left or the right"):
         align(features, tips, TIP_RADIUS_MM, BLOCK)
 
 
@@ -166,17 +166,17 @@ def test_contacts_on_one_line_are_refused() -> None:
     features, tips = contacts_on(rng, T_arm_obj)
     crest = np.array(features) == "crest"
     tips[crest, 1] = 3.0
-    with pytest.raises(Refusal, match=r"crest face lie on one line.*beside that line"):
+    with pytest.raises(OperationError, match=r"crest face lie on one line.*beside that line"):
         align(features, tips, TIP_RADIUS_MM, BLOCK)
 
 
 def test_an_unknown_face_and_bad_numbers_are_refused() -> None:
     rng = np.random.default_rng(11)
     features, tips = contacts_on(rng, np.eye(4))
-    with pytest.raises(Refusal, match="unknown face 'lid'"):
+    with pytest.raises(OperationError, match="unknown face 'lid'"):
         align(["lid", *features[1:]], tips, TIP_RADIUS_MM, BLOCK)
     tips[3, 1] = np.nan
-    with pytest.raises(Refusal, match="positions"):
+    with pytest.raises(OperationError, match="positions"):
         align(features, tips, TIP_RADIUS_MM, BLOCK)
 
 

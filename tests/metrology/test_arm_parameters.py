@@ -5,9 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.identification.least_squares import reduced, settle_centres, start
-from app.metrology.arm.identification.observations import Observations
-from app.metrology.arm.identification.parameter_selection import candidates, limits, select
+from app.metrology.arm.identification.least_squares import (
+    initial_unknowns,
+    reduce_system,
+    settle_centres,
+)
+from app.metrology.arm.identification.observations import ArmObservations
+from app.metrology.arm.identification.parameter_selection import (
+    candidates,
+    parameter_limits,
+    select_parameters,
+)
 from app.metrology.arm.identification.parameters import (
     encoder_covariances,
     parameter_names,
@@ -17,8 +25,8 @@ from app.metrology.arm.identification.parameters import (
 )
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from hardware.simulator.arm_sessions import ArmSessionPlan, draw_arm_session
-from hardware.simulator.devices.kinematics import ArmModel, Link
-from tests.metrology.arm_sessions import observed, papers_of
+from hardware.simulator.devices.kinematics import ArmLink, ArmModel
+from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.builders import random_arm
 
 RIGHT = np.pi / 2
@@ -59,7 +67,7 @@ def test_the_encoders_noise_is_that_of_the_arm() -> None:
 def layout(*links: tuple[float, float, float]) -> ArmModel:
     """An arm of links (a, alpha in quarter turns, d), its tip well off the last axis."""
     return ArmModel(
-        tuple(Link(a, quarter * RIGHT, d, 0.3 * i) for i, (a, quarter, d) in enumerate(links)),
+        tuple(ArmLink(a, quarter * RIGHT, d, 0.3 * i) for i, (a, quarter, d) in enumerate(links)),
         tip_mm=(25.0, -30.0, 150.0),
         tip_diameter_mm=4.0,
     )
@@ -88,13 +96,17 @@ SMALL = ArmSessionPlan(
 )
 
 
-def chosen(arm: Arm, observations: Observations, columns_mm: float = 0.01) -> tuple[set[str], Arm]:
+def chosen(
+    arm: Arm, observations: ArmObservations, columns_mm: float = 0.01
+) -> tuple[set[str], Arm]:
     data = observations.stacked
     everything = np.ones(len(data.q_rad))
-    at = settle_centres(data, start(arm, data), everything, columns_mm)
+    at = settle_centres(data, initial_unknowns(arm, data), everything, columns_mm)
     choice = candidates(arm, bool(observations.bars))
-    system = reduced(data, at, choice.order, everything, columns_mm)
-    moved, held = select(system.rows, system.others, choice.order, limits(arm, choice.order))
+    system = reduce_system(data, at, choice.order, everything, columns_mm)
+    moved, held = select_parameters(
+        system.rows, system.others, choice.order, parameter_limits(arm, choice.order)
+    )
     names = parameter_names(arm)
     assert {*moved.tolist(), *held, *choice.held} == set(range(len(names)))
     return {names[i] for i in moved}, arm
@@ -105,7 +117,7 @@ def test_as_many_parameters_move_as_a_chain_has(name: str) -> None:
     """4 a joint; 4 less for the flange, 2 less for the base, 3 more for the tip."""
     model = LAYOUTS[name]
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, arm = chosen(papers_of(model), observed(session))
+    moved, arm = chosen(nominal_arm(model), collect_observations(session))
     assert len(moved) == 4 * model.joint_count - 3
     assert {"tip.x_mm", "tip.y_mm", "tip.z_mm"} <= moved
     last = arm.joints[-1].name
@@ -116,7 +128,7 @@ def test_as_many_parameters_move_as_a_chain_has(name: str) -> None:
 def test_parallel_axes_are_told_by_an_error_term(name: str) -> None:
     model = LAYOUTS[name]
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, _ = chosen(papers_of(model), observed(session))
+    moved, _ = chosen(nominal_arm(model), collect_observations(session))
     parallel = [i for i, link in enumerate(model.links[:-1]) if link.alpha_rad == 0]
     assert {n for n in moved if ".error." in n} == {f"J{i + 1}.error.ry_rad" for i in parallel}
     for i in parallel:  # of the two d along parallel axes one is redundant
@@ -126,31 +138,31 @@ def test_parallel_axes_are_told_by_an_error_term(name: str) -> None:
 def test_without_a_length_the_longest_link_holds_the_scale() -> None:
     model = LAYOUTS["elbow"]
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0, seats=9), model)
-    seats = Observations(observed(session).seats)
-    moved, _ = chosen(papers_of(model), seats)
+    seats = ArmObservations(collect_observations(session).seats)
+    moved, _ = chosen(nominal_arm(model), seats)
     assert "J2.a_mm" not in moved
     assert len(moved) == 4 * 6 - 4
-    choice = candidates(papers_of(model), with_lengths=False)
-    assert [parameter_names(papers_of(model))[i] for i, r in choice.held.items() if r == "scale"]
+    choice = candidates(nominal_arm(model), with_lengths=False)
+    assert [parameter_names(nominal_arm(model))[i] for i, r in choice.held.items() if r == "scale"]
 
 
 def test_a_tip_on_the_last_axis_tells_nothing_of_that_joint() -> None:
     model = replace(LAYOUTS["elbow"], tip_mm=(0.0, 0.0, 150.0))
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
-    moved, _ = chosen(papers_of(model), observed(session))
+    moved, _ = chosen(nominal_arm(model), collect_observations(session))
     assert len(moved) == 4 * 6 - 3 - 2
     assert len(moved & {"J5.a_mm", "J5.alpha_rad", "J5.d_mm", "J5.theta_rad"}) == 2
 
 
 def test_joints_that_stand_still_tell_nothing_of_their_links() -> None:
     model = LAYOUTS["elbow"]
-    session = observed(draw_arm_session(1, replace(SMALL, imperfection_um=0.0), model))
+    session = collect_observations(draw_arm_session(1, replace(SMALL, imperfection_um=0.0), model))
     stiff = []
     for seat in session.seats:
         q = seat.q_rad.copy()
         q[:, 3:] = 0.4
         stiff.append(replace(seat, q_rad=q))
-    moved, _ = chosen(papers_of(model), Observations(tuple(stiff)))
+    moved, _ = chosen(nominal_arm(model), ArmObservations(tuple(stiff)))
     # what is behind the third joint is one rigid body: three coordinates of the tip
     assert not any(name.startswith(("J4", "J5", "J6")) for name in moved)
     assert len(moved) <= 4 * 3 - 3

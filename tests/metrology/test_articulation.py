@@ -5,29 +5,29 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.identification.articulation import (
     ArticulationLimits,
+    articulation_verdict,
     check_articulation,
-    spread_um,
-    verdict_of,
+    tip_spread_um,
 )
 from app.metrology.arm.kinematics import tip_centres
-from hardware.simulator.arm_sessions import ArmSession, ArmSessionPlan, draw_arm_session
-from tests.metrology.arm_sessions import observed, papers_of
+from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
+from tests.metrology.arm_sessions import collect_observations, nominal_arm
 
 
 @pytest.fixture(scope="module")
-def session() -> ArmSession:
+def session() -> SimulatedArmSession:
     plan = ArmSessionPlan(
         seats=2, points_per_seat=200, spheres=0, bar_lengths_mm=(), imperfection_um=0.0
     )
     return draw_arm_session(8, replace(plan, touch_sd_mm=0.0))
 
 
-def test_a_perfect_arm_shows_its_encoders_noise_alone(session: ArmSession) -> None:
-    arm = papers_of(session.nominal_arm)
-    for seat in observed(session).seats:
+def test_a_perfect_arm_shows_its_encoders_noise_alone(session: SimulatedArmSession) -> None:
+    arm = nominal_arm(session.nominal_arm)
+    for seat in collect_observations(session).seats:
         found = check_articulation(arm, seat.q_rad)
         assert found.points == 200
         np.testing.assert_allclose(found.two_sigma_um, found.encoders_two_sigma_um, rtol=0.2)
@@ -37,7 +37,7 @@ def test_a_perfect_arm_shows_its_encoders_noise_alone(session: ArmSession) -> No
 
 def test_the_figures_are_those_of_the_standard() -> None:
     tips = np.array([[0.0, 0.0, 1.0], [0.03, 0.0, 1.0], [0.01, -0.02, 1.0]])
-    half_range, two_sigma = spread_um(tips)
+    half_range, two_sigma = tip_spread_um(tips)
     np.testing.assert_allclose(half_range, [15.0, 10.0, 0.0])
     np.testing.assert_allclose(two_sigma, 2e3 * np.std(tips, axis=0, ddof=1))
 
@@ -54,15 +54,17 @@ def test_the_figures_are_those_of_the_standard() -> None:
 )
 def test_every_axis_keeps_every_limit_that_is_set(limits: ArticulationLimits, verdict: str) -> None:
     half_range, two_sigma = np.array([15.0, 10.0, 3.0]), np.array([20.0, 30.0, 5.0])
-    assert verdict_of(half_range, two_sigma, limits) == verdict
+    assert articulation_verdict(half_range, two_sigma, limits) == verdict
 
 
-def test_too_few_points_and_an_arm_that_hardly_moved_are_refused(session: ArmSession) -> None:
-    arm, seat = papers_of(session.nominal_arm), observed(session).seats[0]
-    with pytest.raises(Refusal) as few:
+def test_too_few_points_and_an_arm_that_hardly_moved_are_refused(
+    session: SimulatedArmSession,
+) -> None:
+    arm, seat = nominal_arm(session.nominal_arm), collect_observations(session).seats[0]
+    with pytest.raises(OperationError) as few:
         check_articulation(arm, seat.q_rad[:9], label="set 1")
     assert few.value.code == "too-few-points"
-    with pytest.raises(Refusal) as still:
+    with pytest.raises(OperationError) as still:
         check_articulation(arm, np.repeat(seat.q_rad[:1], 30, axis=0), label="set 1")
     assert still.value.code == "arm-hardly-moved"
     assert "set 1" in still.value.what

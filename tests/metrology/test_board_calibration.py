@@ -7,15 +7,19 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.images import read_grey
 from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board, see_board
+from app.metrology.adjustment.board.calibrate import (
+    BoardCalibration,
+    calibrate_board,
+    observe_board,
+)
 from app.metrology.adjustment.board.laser_lines import line_scatter
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.board.surface import board_papers, height_of, surface
-from app.metrology.calibration.observation_model import Scene
+from app.metrology.adjustment.board.surface import board_prior, evaluate_surface, surface_height_mm
+from app.metrology.calibration.observation_model import SceneModel
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.projection import COUNT
@@ -36,8 +40,8 @@ from tests.metrology.boards import (
     picture,
 )
 from tests.metrology.builders import BLOCK
-from tests.metrology.seen_boards import Errors, session
-from tests.real_sessions import session_of
+from tests.metrology.seen_boards import BoardErrors, session
+from tests.real_sessions import write_real_session
 
 
 @pytest.fixture(scope="module")
@@ -76,11 +80,11 @@ def test_reconstructed_points_are_as_good_as_said(found: BoardCalibration) -> No
 
 def test_the_sheets_slopes_are_its_derivatives() -> None:
     rng = np.random.default_rng(0)
-    coordinates = rng.normal(0, 1, len(board_papers(BOARD).names))
+    coordinates = rng.normal(0, 1, len(board_prior(BOARD).names))
     at, h = rng.uniform(-20, 80, (6, 2)), 1e-4
-    told = surface(BOARD, coordinates, at)
+    told = evaluate_surface(BOARD, coordinates, at)
     for k, way in enumerate(np.eye(2) * h):
-        ahead, behind = (height_of(BOARD, coordinates, at + s * way) for s in (1, -1))
+        ahead, behind = (surface_height_mm(BOARD, coordinates, at + s * way) for s in (1, -1))
         assert (ahead - behind) / (2 * h) == pytest.approx(told.slope[:, k], abs=1e-7)
 
 
@@ -90,12 +94,12 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
     camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
     plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
     rng = np.random.default_rng(1)
-    papers = board_papers(BOARD)
+    papers = board_prior(BOARD)
     values = papers.coordinates + rng.normal(0, 0.05, len(papers.names))
     view = BoardView(BOARD, seen.detection, seen.stripe, np.ones(len(seen.stripe.u), np.bool_))
     view = view.sorted_anew(camera, plane, values)
     told = view.rows(camera, plane, values)
-    scene = Scene(camera, plane, BLOCK)
+    scene = SceneModel(camera, plane, BLOCK)
     count = COUNT + 3
     for k in [*range(count + 3), count + 9, count + 30, count + 80, count + 120]:
         h = 1e-4 if k < 4 else 1e-6 if k < count else 1e-4
@@ -139,14 +143,16 @@ def test_contacts_are_used_where_given(given: BoardInputs, found: BoardCalibrati
 
 
 def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:
-    with pytest.raises(Refusal, match="off the board") as refused:
+    with pytest.raises(OperationError, match="off the board") as refused:
         calibrate_board(replace(given, contact_readings=touching(12, 9.0)))
     assert refused.value.code == "contacts-off-board"
 
 
 def test_a_wrong_square_size_is_refused(given: BoardInputs) -> None:
     wrong = replace(BOARD, square_mm=12.0)
-    with pytest.raises(Refusal, match=r"(9\.9|10\.0)\d* mm wide: its certificate says 12 mm"):
+    with pytest.raises(
+        OperationError, match=r"(9\.9|10\.0)\d* mm wide: its certificate says 12 mm"
+    ):
         calibrate_board(replace(given, board=wrong))
 
 
@@ -161,7 +167,7 @@ def test_a_pose_that_contradicts_is_named(given: BoardInputs) -> None:
 def test_a_line_that_contradicts_is_named(given: BoardInputs) -> None:
     moved = picture(POSES[4], Look(offset_mm=OFFSET_MM + 3.0), 4)
     seen = list(given.seen)
-    seen[4] = see_board(5, BOARD, moved, None, "v")
+    seen[4] = observe_board(5, BOARD, moved, None, "v")
     result = calibrate_board(replace(given, seen=tuple(seen)))
     named = [pose.number for pose in result.poses if "laser line" in pose.reason]
     assert named == [5]
@@ -170,13 +176,13 @@ def test_a_line_that_contradicts_is_named(given: BoardInputs) -> None:
 
 def test_poses_all_alike_are_refused(given: BoardInputs) -> None:
     readings = np.array([rigid(np.eye(3), T[:3, 3]) for T in given.readings])
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         calibrate_board(replace(given, readings=readings))
     assert refused.value.code == "poses-alike"
 
 
 def test_two_pictures_are_refused(given: BoardInputs) -> None:
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         calibrate_board(replace(given, seen=given.seen[:2], readings=given.readings[:2]))
     assert refused.value.code == "too-few-poses"
 
@@ -184,16 +190,18 @@ def test_two_pictures_are_refused(given: BoardInputs) -> None:
 def test_pictures_without_the_line_are_refused(given: BoardInputs) -> None:
     empty = given.seen[2].stripe
     seen = tuple(replace(pose, stripe=empty) for pose in given.seen)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         calibrate_board(replace(given, seen=seen))
     assert refused.value.code == "stripe-not-found"
 
 
 def real_inputs(real: Path, tmp_path: Path, name: str) -> BoardInputs:
-    session = read_any_session(session_of(real / "robot-laser-chessboard" / name, tmp_path / "s"))
+    session = read_any_session(
+        write_real_session(real / "robot-laser-chessboard" / name, tmp_path / "s")
+    )
     assert isinstance(session, BoardSession)
     seen = tuple(
-        see_board(pose.number, session.board, read_grey(pose.ambient), None, "v")
+        observe_board(pose.number, session.board, read_grey(pose.ambient), None, "v")
         for pose in session.poses
     )
     readings = np.array([pose.reading for pose in session.poses])
@@ -218,7 +226,7 @@ def test_a_steady_laser_is_told_from_an_unsteady_one(
     line_mm: float, least_mm: float, most_mm: float
 ) -> None:
     """Both are far from what is usual, which is thought of only where little is seen."""
-    errors = Errors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
+    errors = BoardErrors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
     for seed in range(3):
         off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjusted)
         assert least_mm < off_mm < most_mm

@@ -6,21 +6,21 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
-from app.metrology.adjustment.board.bundle import bundle
-from app.metrology.adjustment.board.calibrate import calibrate_board, see_board
+from app.errors import OperationError
+from app.metrology.adjustment.board.bundle import adjust_bundle
+from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import board_camera
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.hand_eye import mounting_by_motion
-from app.metrology.adjustment.core.robot_noise import PosesSeen, robot_noise
-from app.metrology.calibration.findings import Finding
+from app.metrology.adjustment.core.robot_noise import PosePairs, estimate_robot_noise
+from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import Limits
-from app.metrology.targets.chessboard import middle_of
+from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, rigid
-from app.strings.sentences import sentences_of
-from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, seen_from
-from tests.metrology.seen_boards import PAPER, Errors, error_um, session
+from app.strings.sentences import load_sentences
+from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_pose
+from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um, session
 from tests.metrology.test_board_calibration import touching
 
 
@@ -29,19 +29,19 @@ def given() -> BoardInputs:
     return session(0)
 
 
-def finding(inputs: BoardInputs, code: str) -> Finding:
+def finding(inputs: BoardInputs, code: str) -> CalibrationFinding:
     (found,) = (one for one in calibrate_board(inputs).findings if one.code == code)
     return found
 
 
-def refusal(inputs: BoardInputs) -> Refusal:
-    with pytest.raises(Refusal) as refused:
+def refusal(inputs: BoardInputs) -> OperationError:
+    with pytest.raises(OperationError) as refused:
         calibrate_board(inputs)
     return refused.value
 
 
-@pytest.mark.parametrize("errors", [Errors(), Errors(tilt_rad=1.5e-3)])
-def test_claims_are_kept(errors: Errors) -> None:
+@pytest.mark.parametrize("errors", [BoardErrors(), BoardErrors(tilt_rad=1.5e-3)])
+def test_claims_are_kept(errors: BoardErrors) -> None:
     found = [calibrate_board(session(seed, errors)) for seed in range(8)]
     claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
     observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
@@ -50,30 +50,32 @@ def test_claims_are_kept(errors: Errors) -> None:
 
 def test_a_robots_noise_is_told_from_a_rocking_board() -> None:
     poses = POSES * 3
-    inputs = session(1, Errors(tilt_rad=2e-3), poses=poses)
-    camera, T = board_camera(inputs.seen, PAPER, inputs.size_px)
+    inputs = session(1, BoardErrors(tilt_rad=2e-3), poses=poses)
+    camera, T = board_camera(inputs.seen, PAPER_BOARD, inputs.size_px)
     views = [
-        BoardView(PAPER, one.detection, one.stripe, np.zeros(len(one.stripe.u), np.bool_))
+        BoardView(PAPER_BOARD, one.detection, one.stripe, np.zeros(len(one.stripe.u), np.bool_))
         for one in inputs.seen
     ]
-    found = bundle(views, [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T])
+    found = adjust_bundle(
+        views, [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T]
+    )
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
-    mounting = mounting_by_motion(inputs.readings, T_cam_obj, PAPER.size_mm)
-    seen = PosesSeen(inputs.readings, T_cam_obj, found.covariance, middle_of(PAPER))
-    noise = robot_noise(seen, mounting.T_flange_cam, mounting.T_arm_obj)
+    mounting = mounting_by_motion(inputs.readings, T_cam_obj, PAPER_BOARD.size_mm)
+    seen = PosePairs(inputs.readings, T_cam_obj, found.covariance, pattern_centre(PAPER_BOARD))
+    noise = estimate_robot_noise(seen, mounting.T_flange_cam, mounting.T_arm_obj)
     assert noise.turn_rad == pytest.approx(3e-4, rel=0.35)
     assert noise.shift_mm == pytest.approx(0.05, rel=0.5)
     assert noise.tilt_rad == pytest.approx(2e-3, rel=0.35)
 
 
 def test_a_rocking_board_is_named() -> None:
-    rocks = finding(session(2, Errors(tilt_rad=3e-3)), "board-rocks")
+    rocks = finding(session(2, BoardErrors(tilt_rad=3e-3)), "board-rocks")
     assert rocks.quality == "attention"
     assert "Fix the board" in rocks.remedy
 
 
 def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
-    poor = session(3, Errors(turn_rad=2e-4, shift_mm=0.2))
+    poor = session(3, BoardErrors(turn_rad=2e-4, shift_mm=0.2))
     told = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
     assert told.quality == "bad"
     assert "robot's poses" in told.text
@@ -81,7 +83,7 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     assert "--usable-um" in told.remedy
     nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
     assert "like these, in all, would do" in nearer.remedy
-    assert not sentences_of("de").best(nearer.remedy).left
+    assert not load_sentences("de").best(nearer.remedy).left
     easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
     assert easy.quality == "good"
 
@@ -89,14 +91,14 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
 @pytest.mark.parametrize("contacts", [False, True])
 def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: bool) -> None:
     touched = touching(12, TIP.radius_mm) if contacts else None
-    wrong = replace(PAPER, square_mm=10.2)
+    wrong = replace(PAPER_BOARD, square_mm=10.2)
     size = finding(replace(given, board=wrong, contact_readings=touched), "board-size")
     assert size.quality == "bad"
     assert "the certificate 10.2 mm" in size.text
 
 
 def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> None:
-    proud = replace(PAPER, standard_uncertainty_mm=0.001, flatness_mm=0.01)
+    proud = replace(PAPER_BOARD, standard_uncertainty_mm=0.001, flatness_mm=0.01)
     found = calibrate_board(replace(given, board=proud))
     said = {one.code: one.text for one in found.findings}
     assert "by the certificate 1 µm" in said["board-print"]
@@ -172,7 +174,7 @@ def test_a_pose_slightly_astray_is_left_out(given: BoardInputs) -> None:
 
 
 def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
-    found = calibrate_board(session(4, Errors(drift_mm=(3.0, 2.5))))
+    found = calibrate_board(session(4, BoardErrors(drift_mm=(3.0, 2.5))))
     (moved,) = (one for one in found.findings if one.code == "laser-moved")
     assert moved.quality == "attention"
     assert "poses 1, 2 lie" in moved.text
@@ -183,7 +185,7 @@ def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
 
 
 def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
-    given = session(4, Errors(drift_mm=(3.0, 2.5)))
+    given = session(4, BoardErrors(drift_mm=(3.0, 2.5)))
     readings = given.readings.copy()
     readings[[0, 1]] = readings[[1, 0]]
     found = calibrate_board(replace(given, readings=readings))
@@ -195,14 +197,14 @@ def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
 
 
 def test_a_laser_that_moved_at_the_end_is_nowhere_for_sure() -> None:
-    moved = finding(session(4, Errors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
+    moved = finding(session(4, BoardErrors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
     assert moved.quality == "bad"
     assert "poses 7, 8 lie" in moved.text
     assert "made to count" in moved.text
 
 
 def test_one_line_that_contradicts_is_left_out() -> None:
-    found = calibrate_board(session(4, Errors(drift_mm=(3.0,))))
+    found = calibrate_board(session(4, BoardErrors(drift_mm=(3.0,))))
     (left_out,) = (pose for pose in found.poses if pose.reason)
     assert left_out.number == 1
     assert "laser line was left out" in left_out.reason
@@ -213,7 +215,7 @@ def test_one_line_that_contradicts_is_left_out() -> None:
 def test_a_laser_along_the_board_is_refused() -> None:
     upright = POSES[0][:3, 2]
     offset_mm = float(upright @ POSES[0][:3, 3])
-    poses = tuple(seen_from(5, about, 10 * about, 230) for about in range(0, 360, 45))
+    poses = tuple(camera_pose(5, about, 10 * about, 230) for about in range(0, 360, 45))
     along = np.array([0.06, 0.0, upright[2]])
     along /= np.linalg.norm(along)
     refused = refusal(session(5, poses=poses, normal=along, offset_mm=offset_mm))
@@ -233,14 +235,14 @@ def test_boards_all_parallel_are_refused() -> None:
 
 @pytest.mark.parametrize("level", [0, 90, 255])
 def test_a_picture_of_nothing_is_refused(level: int) -> None:
-    with pytest.raises(Refusal) as refused:
-        see_board(1, PAPER, np.full((480, 640), level, np.uint8), None, "v")
+    with pytest.raises(OperationError) as refused:
+        observe_board(1, PAPER_BOARD, np.full((480, 640), level, np.uint8), None, "v")
     assert refused.value.code == "board-not-found"
 
 
 def test_the_truth_is_where_it_was_put() -> None:
     """The sessions made here have no error but those asked for."""
-    none = Errors(1e-9, 1e-6, 0.0, 1e-6, 1e-9, 1e-3, 1e-3)
+    none = BoardErrors(1e-9, 1e-6, 0.0, 1e-6, 1e-9, 1e-3, 1e-3)
     state = calibrate_board(session(7, none)).adjusted.state
     assert np.linalg.norm((state.T_flange_cam - T_FLANGE_CAM)[:3, 3]) < 0.02
     assert np.linalg.norm((state.T_arm_obj - T_ARM_OBJ)[:3, 3]) < 0.05

@@ -4,25 +4,30 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
-from app.metrology.calibration.camera_refinement import CameraFit, Observations, fit_camera
+from app.errors import OperationError
+from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
-from app.metrology.calibration.observation_model import Scene, corner_rows, edge_rows, stripe_rows
+from app.metrology.calibration.observation_model import (
+    SceneModel,
+    corner_rows,
+    edge_rows,
+    stripe_rows,
+)
 from app.metrology.detection.detect_block import Corner
 from app.metrology.detection.visibility import visible_corners
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.faugeras import solve_faugeras
-from app.metrology.sensor.projection import COUNT, project_with_jacobian, stepped
+from app.metrology.sensor.projection import COUNT, project_with_jacobian, step_camera
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats, apply, rigid_fit
 from tests.metrology.builders import BLOCK
 from tests.metrology.seen_block import (
-    as_made,
     camera_over,
-    edges_seen,
+    draw_true_block,
     laser_plane,
-    stripe_on,
+    simulate_edges,
+    simulate_stripe,
     volume_points,
 )
 
@@ -39,13 +44,13 @@ def linear_start(camera: Camera) -> Camera:
 def fitted(camera: Camera, seed: int, edge_sd: float = 0.1, stripe_sd: float = 0.14) -> CameraFit:
     """A fit to what ``camera`` shows of a block as far off its certificate as that allows."""
     rng = np.random.default_rng(seed)
-    made = as_made(BLOCK, rng)
-    stripe = stripe_on(camera, made, PLANE, rng, stripe_sd)
+    made = draw_true_block(BLOCK, rng)
+    stripe = simulate_stripe(camera, made, PLANE, rng, stripe_sd)
     stripe = type(stripe)(stripe.u, stripe.v, stripe.intensity, np.full(len(stripe.u), 0.14))
     start = linear_start(camera)
     levels = fit_laser_plane(start, BLOCK, stripe)
-    edges = edges_seen(camera, made, rng, max(edge_sd, 1e-6))
-    return fit_camera(start, BLOCK, Observations(edges, (), stripe, levels))
+    edges = simulate_edges(camera, made, rng, max(edge_sd, 1e-6))
+    return fit_camera(start, BLOCK, ImageObservations(edges, (), stripe, levels))
 
 
 def error_um(fit: CameraFit, camera: Camera) -> float:
@@ -80,7 +85,7 @@ def test_neglected_distortion_would_cost_much_more() -> None:
     camera = camera_over(BLOCK, k1=-0.1)
     start = linear_start(camera)
     rng = np.random.default_rng(0)
-    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
     linear = fit_laser_plane(start, BLOCK, stripe)
     uv, points = volume_points(camera, PLANE, BLOCK)
     found = sensor_points(start, linear.plane, uv)
@@ -122,13 +127,13 @@ def _heights(fit: CameraFit, uv: Floats) -> tuple[Floats, Floats, Floats]:
 def test_a_wrong_edge_and_wild_points_are_left_out() -> None:
     camera = camera_over(BLOCK)
     rng = np.random.default_rng(4)
-    edges = edges_seen(camera, BLOCK, rng, 0.1)
+    edges = simulate_edges(camera, BLOCK, rng, 0.1)
     for edge in edges[::4]:
         edge.uv_px[::7] += edge.normal[::7] * rng.choice([-4.0, 4.0], (len(edge.uv_px[::7]), 1))
-    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
     start = linear_start(camera)
     levels = fit_laser_plane(start, BLOCK, stripe)
-    fit = fit_camera(start, BLOCK, Observations(edges, (), stripe, levels))
+    fit = fit_camera(start, BLOCK, ImageObservations(edges, (), stripe, levels))
     wild = np.concatenate(
         [(np.arange(len(e.uv_px)) % 7 == 0) & (i % 4 == 0) for i, e in enumerate(edges)]
     )
@@ -145,18 +150,18 @@ def test_corners_alone_serve_where_there_are_no_edges() -> None:
     for name in sorted(visible_corners(BLOCK, camera.centre_mm)):
         u, v = project(camera, at[name][None])[0] + rng.normal(0, 0.03, 2)
         seen.append(Corner(name, float(u), float(v), np.eye(2) * 0.03**2))
-    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
     start = linear_start(camera)
     levels = fit_laser_plane(start, BLOCK, stripe)
-    fit = fit_camera(start, BLOCK, Observations((), seen, stripe, levels))
+    fit = fit_camera(start, BLOCK, ImageObservations((), seen, stripe, levels))
     assert error_um(fit, camera) < 4
 
 
 def test_a_picture_without_edges_is_refused() -> None:
     camera = camera_over(BLOCK)
-    stripe = stripe_on(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
     levels = fit_laser_plane(camera, BLOCK, stripe)
-    nothing = Observations((), (), type(stripe)(*[np.zeros(0)] * 4), levels)
+    nothing = ImageObservations((), (), type(stripe)(*[np.zeros(0)] * 4), levels)
     few = levels.used[:0]
     empty = type(levels)(
         levels.plane,
@@ -170,8 +175,8 @@ def test_a_picture_without_edges_is_refused() -> None:
         levels.covariance,
         levels.centroid_mm,
     )
-    with pytest.raises(Refusal, match="do not determine"):
-        fit_camera(camera, BLOCK, Observations((), (), nothing.stripe, empty))
+    with pytest.raises(OperationError, match="do not determine"):
+        fit_camera(camera, BLOCK, ImageObservations((), (), nothing.stripe, empty))
 
 
 def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None:
@@ -195,8 +200,8 @@ def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None
         step = np.zeros(COUNT)
         step[k] = 1e-4 if k < 4 else 1e-6
         ahead, behind = (
-            project(stepped(camera, step), points),
-            project(stepped(camera, -step), points),
+            project(step_camera(camera, step), points),
+            project(step_camera(camera, -step), points),
         )
         np.testing.assert_allclose(
             J[:, :, k], (ahead - behind) / (2 * step[k]), rtol=1e-5, atol=1e-4
@@ -210,9 +215,9 @@ def test_projection_and_its_jacobian_agree_with_opencv_and_differences() -> None
 @pytest.mark.parametrize("kind", ["edges", "stripe", "corners"])
 def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) -> None:
     camera, rng = camera_over(BLOCK, roll=0.2), np.random.default_rng(1)
-    stripe = stripe_on(camera, BLOCK, PLANE, rng, 0.1)
+    stripe = simulate_stripe(camera, BLOCK, PLANE, rng, 0.1)
     levels = fit_laser_plane(camera, BLOCK, stripe)
-    edges = edges_seen(camera, BLOCK, rng, 0.1)
+    edges = simulate_edges(camera, BLOCK, rng, 0.1)
     at = corners(BLOCK)
     seen = [
         Corner(
@@ -227,7 +232,7 @@ def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) 
         "stripe": lambda scene: stripe_rows(scene, stripe, np.where(levels.used, levels.level, "")),
         "corners": lambda scene: corner_rows(scene, seen),
     }[kind]
-    scene = Scene(camera, levels.plane, BLOCK)
+    scene = SceneModel(camera, levels.plane, BLOCK)
     found = rows(scene).jacobian
     for k in range(len(scene.names)):
         step = np.zeros(len(scene.names))

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import Refusal
-from app.metrology.chessboard.detect_board import detect_board, outshining
-from app.metrology.detection.failure_evidence import DetectionRefusal
+from app.errors import OperationError
+from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.stripe import extract_stripe
-from app.metrology.targets.chessboard import Chessboard, corner_points, ways_to_number
+from app.metrology.targets.chessboard import Chessboard, corner_points, numbering_count
 from app.metrology.transforms import Floats, apply
-from tests.metrology.boards import BOARD, K1, POSES, K, Look, picture, seen_from
+from tests.metrology.boards import BOARD, K1, POSES, K, Look, camera_pose, picture
 
 CROSSED = POSES[6]
 
@@ -26,7 +26,7 @@ def pixels(board: Chessboard, T_cam_obj: Floats) -> Floats:
 
 def test_corners_are_right_to_hundredths_of_a_pixel_under_the_laser() -> None:
     image = picture(CROSSED, Look())
-    found = detect_board(image, BOARD, outshining(image, extract_stripe(image, "v")))
+    found = detect_board(image, BOARD, drop_faint_stripe(image, extract_stripe(image, "v")))
     off = found.uv_px - pixels(BOARD, CROSSED)[found.number]
     assert 36 <= len(found) < 42  # those under the line are left out
     assert np.sqrt(np.mean(off**2)) < 0.03
@@ -36,7 +36,7 @@ def test_corners_are_right_to_hundredths_of_a_pixel_under_the_laser() -> None:
 
 @pytest.mark.parametrize("turn_deg", [95, 185, 275])
 def test_a_board_seen_upside_down_is_numbered_alike(turn_deg: float) -> None:
-    T = seen_from(10, 40, turn_deg, 260)
+    T = camera_pose(10, 40, turn_deg, 260)
     found = detect_board(picture(T, Look(laser=False)), BOARD)
     assert len(found) == 42
     assert np.abs(found.uv_px - pixels(BOARD, T)[found.number]).max() < 0.1
@@ -63,13 +63,13 @@ def test_dim_and_blurred_boards_are_found() -> None:
 
 def test_a_board_that_reads_alike_both_ways_says_so() -> None:
     square = Chessboard("square", "", (5, 5), 10.0, 0.01)
-    T = seen_from(10, 30, 5, 240)
+    T = camera_pose(10, 30, 5, 240)
     found = detect_board(picture(T, Look(laser=False, board=square)), square)
     ways = (found.number, *found.other_numbers)
-    assert len(ways) == ways_to_number(square) == 2
+    assert len(ways) == numbering_count(square) == 2
     assert any(np.abs(found.uv_px - pixels(square, T)[way]).max() < 0.1 for way in ways)
-    assert ways_to_number(Chessboard("", "", (6, 6), 10.0, 0.01)) == 4
-    assert ways_to_number(BOARD) == 1
+    assert numbering_count(Chessboard("", "", (6, 6), 10.0, 0.01)) == 4
+    assert numbering_count(BOARD) == 1
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_a_board_that_reads_alike_both_ways_says_so() -> None:
 def test_another_board_is_refused_with_what_was_found(
     board: Chessboard, code: str, fault: str
 ) -> None:
-    with pytest.raises(DetectionRefusal, match=r"7 x 6|6 x 7") as refused:
+    with pytest.raises(DetectionError, match=r"7 x 6|6 x 7") as refused:
         detect_board(picture(POSES[1], Look(laser=False)), board)
     assert (refused.value.code, refused.value.fault) == (code, fault)
     true = pixels(BOARD, POSES[1])
@@ -94,14 +94,14 @@ def test_another_board_is_refused_with_what_was_found(
 def test_a_board_partly_out_of_the_picture_is_refused() -> None:
     T = POSES[1].copy()
     T[0, 3] += 45.0
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         detect_board(picture(T, Look(laser=False)), BOARD)
     assert refused.value.code == "board-partly-seen"
 
 
 def test_no_board_is_refused() -> None:
     grey = np.random.default_rng(0).normal(90, 3, (512, 640)).astype(np.uint8)
-    with pytest.raises(DetectionRefusal) as refused:
+    with pytest.raises(DetectionError) as refused:
         detect_board(grey, BOARD)
     assert refused.value.code == "board-not-found"
     assert refused.value.marks == ()
@@ -109,17 +109,17 @@ def test_no_board_is_refused() -> None:
 
 def test_a_picture_too_dark_or_too_soft_is_at_fault_before_the_framing() -> None:
     dark = picture(POSES[1], Look(laser=False, bright=8.0, dark=5.0, noise=2.0))
-    with pytest.raises(DetectionRefusal, match="the picture is dim") as refused:
+    with pytest.raises(DetectionError, match="the picture is dim") as refused:
         detect_board(dark, BOARD)
     assert refused.value.fault == "exposure"
     soft = picture(POSES[1], Look(laser=False, blur_px=20.0))
-    with pytest.raises(DetectionRefusal) as refused:
+    with pytest.raises(DetectionError) as refused:
         detect_board(soft, BOARD)
     assert refused.value.fault == "focus"
 
 
 def test_white_squares_are_no_stripe() -> None:
     image = picture(POSES[2], Look())  # the line is out of this picture
-    assert len(outshining(image, extract_stripe(image, "v")).u) == 0
+    assert len(drop_faint_stripe(image, extract_stripe(image, "v")).u) == 0
     crossed = picture(CROSSED, Look())
-    assert len(outshining(crossed, extract_stripe(crossed, "v")).u) > 300
+    assert len(drop_faint_stripe(crossed, extract_stripe(crossed, "v")).u) > 300

@@ -6,23 +6,23 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
-from app.metrology.detection.acceptance import too_little_left
-from app.metrology.detection.corner_fit import corners_where_edges_meet
+from app.errors import OperationError
+from app.metrology.detection.acceptance import is_cut_off
+from app.metrology.detection.corner_fit import fit_corners
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.detection.edges.measure_all import survey
-from app.metrology.detection.edges.stations import stations
+from app.metrology.detection.edges.measure_all import measure_edges
+from app.metrology.detection.edges.stations import place_stations
 from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
 from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import corners as corners_of
-from tests.metrology.rendered_block import Rendered, rendered
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 
-def corner_errors(found: ObjectDetection, shown: Rendered) -> np.ndarray:
+def corner_errors(found: ObjectDetection, shown: RenderedBlock) -> np.ndarray:
     """Distances (N,) in px of the corners from where the true camera has them."""
     points = corners_of(shown.block)
     true = project(shown.camera, np.array([points[corner.name] for corner in found.corners]))
@@ -30,15 +30,15 @@ def corner_errors(found: ObjectDetection, shown: Rendered) -> np.ndarray:
     return np.hypot(*(got - true).T)
 
 
-def refused(image, block, stripe=None) -> Refusal:
-    with pytest.raises(Refusal) as caught:
+def refused(image, block, stripe=None) -> OperationError:
+    with pytest.raises(OperationError) as caught:
         detect_object(image, block, stripe)
     return caught.value
 
 
 @pytest.fixture(scope="module")
-def plain() -> Rendered:
-    return rendered(1, merlons=4)
+def plain() -> RenderedBlock:
+    return render_block(1, merlons=4)
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def plain() -> Rendered:
     ],
 )
 def test_any_block_from_any_side(seed, look):
-    shown = rendered(seed, **look)
+    shown = render_block(seed, **look)
     found = detect_object(shown.image, shown.block)
     errors = corner_errors(found, shown)
     assert len(errors) >= 10
@@ -64,7 +64,7 @@ def test_any_block_from_any_side(seed, look):
 
 
 def test_the_stripe_over_the_edges_is_left_out(plain):
-    lit = rendered(1, merlons=4, laser=0.9)
+    lit = render_block(1, merlons=4, laser=0.9)
     stripe = extract_stripe(lit.image)
     found = detect_object(lit.image, lit.block, stripe)
     assert np.median(corner_errors(found, lit)) < 0.25
@@ -78,7 +78,7 @@ def test_the_stripe_over_the_edges_is_left_out(plain):
 
 def test_deviations_of_edge_points_are_those_of_their_scatter(plain):
     found = detect_object(plain.image, plain.block)
-    at = stations(wireframe(plain.block), found.camera, 1.0, 0.0)
+    at = place_stations(wireframe(plain.block), found.camera, 1.0, 0.0)
     names = np.array(wireframe(plain.block).names)
     z = []
     for edge in found.edges:
@@ -127,7 +127,7 @@ def test_one_edge_of_other_measure_is_refused(plain, edge, by_mm):
 
 
 def test_another_block_is_refused(plain):
-    assert refused(plain.image, rendered(9).block).code == "object-does-not-match"
+    assert refused(plain.image, render_block(9).block).code == "object-does-not-match"
 
 
 def test_a_longer_block_that_begins_alike_is_refused(plain):
@@ -137,7 +137,7 @@ def test_a_longer_block_that_begins_alike_is_refused(plain):
 
 def test_a_block_that_reads_alike_both_ways_is_refused(plain):
     edges = (-20.0, -12.0, -5.0, 5.0, 12.0, 20.0)
-    shown = rendered(2)
+    shown = render_block(2)
     assert refused(shown.image, replace(shown.block, edges_x_mm=edges)).code in (
         "object-ambiguous",
         "object-does-not-match",
@@ -176,14 +176,16 @@ def test_a_noisy_picture(plain):
 
 def test_edges_of_a_few_long_pieces_make_corners(plain):
     """As in noise: what each piece gathers is worth many, but short edges have few of them."""
-    found = survey(plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002)
+    found = measure_edges(
+        plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002
+    )
     at, used, length = found.at, found.used.copy(), found.at.length_px.copy()
     fronts = [k for k, name in enumerate(found.frame.names) if name.startswith("crest:1:front")]
     rows = np.flatnonzero(used & np.isin(at.edge, fronts))
     middle = rows[len(rows) // 2]
     used[rows], used[middle], length[middle] = False, True, length[rows].sum()
     few = replace(found, at=replace(at, length_px=length), used=used)
-    corners = {corner.name: corner for corner in corners_where_edges_meet(few, plain.block)}
+    corners = {corner.name: corner for corner in fit_corners(few, plain.block)}
     for name in ("crest:1:L:front", "crest:1:R:front"):
         true = project(plain.camera, corners_of(plain.block)[name][None])[0]
         corner = corners[name]
@@ -197,15 +199,17 @@ def test_a_block_half_out_of_the_picture_is_refused(plain):
 
 
 def test_a_cut_off_block_needs_a_level_below_its_crests(plain):
-    found = survey(plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002)
+    found = measure_edges(
+        plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002
+    )
 
     def without(*kinds):
         names = np.array(found.frame.names)[found.at.edge]
         left_out = np.array([name.startswith(kinds) for name in names])
         return replace(found, used=found.used & ~left_out)
 
-    assert not too_little_left(without("floor"), plain.block, 0.8)
-    assert too_little_left(without("floor", "base"), plain.block, 0.8)
+    assert not is_cut_off(without("floor"), plain.block, 0.8)
+    assert is_cut_off(without("floor", "base"), plain.block, 0.8)
 
 
 def test_twelve_bits(plain):
@@ -216,4 +220,4 @@ def test_twelve_bits(plain):
 def test_directions_that_no_segment_follows_place_nothing(plain):
     lines = np.array([[10.0, 10.0, 90.0, 20.0], [30.0, 80.0, 70.0, 15.0]])
     nobody = Directions(np.eye(3), 1.5, np.array([-1, -1]), 0.0)
-    assert placings(nobody, Segments(lines, np.ones(2)), plain.block) == []
+    assert pose_hypotheses(nobody, Segments(lines, np.ones(2)), plain.block) == []

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
@@ -94,9 +94,9 @@ def test_merlons_of_one_pitch_are_read_from_the_right_side(samples, angle_deg, z
 def test_wrong_readings_are_refused(samples, name):
     session = samples / name
     image = picture_of(session, 0)
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         detect_object(np.ascontiguousarray(image[:, ::-1]), block_of(session))
     assert caught.value.code == "object-mirrored"
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         detect_object(image, block_of(samples / "many-poses"))
     assert caught.value.code == "object-does-not-match"

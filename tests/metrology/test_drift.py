@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.calibration.drift import ARCSEC, Mounted, drift
+from app.metrology.calibration.drift import ARCSEC, MountedSensor, measure_drift
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import rigid, rotation_from_vector
 from tests.formats.builders import little_calibration
@@ -14,22 +14,22 @@ UV = np.array([(u, v) for u in (10, 20, 30, 40, 50) for v in (15, 24, 33)], dtyp
 
 
 @pytest.fixture
-def mounted() -> Mounted:
+def mounted() -> MountedSensor:
     found = little_calibration()
-    return Mounted(found.camera, found.plane, found.T_flange_sensor)
+    return MountedSensor(found.camera, found.plane, found.T_flange_sensor)
 
 
-def test_a_sensor_that_stayed_did_not_move(mounted: Mounted) -> None:
-    found = drift(mounted, mounted, UV)
+def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
+    found = measure_drift(mounted, mounted, UV)
     assert found is not None
     assert (found.sensor_um, found.plane_um, found.points_um) == (0, 0, 0)
     assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
 
 
-def test_a_shift_and_a_turn_are_told_apart(mounted: Mounted) -> None:
+def test_a_shift_and_a_turn_are_told_apart(mounted: MountedSensor) -> None:
     T = mounted.T_flange_sensor
     shifted = replace(mounted, T_flange_sensor=rigid(np.eye(3), np.array([0.03, 0, 0.04])) @ T)
-    found = drift(mounted, shifted, UV)
+    found = measure_drift(mounted, shifted, UV)
     assert found is not None
     assert found.sensor_um == pytest.approx(50)
     assert found.points_um == pytest.approx(50)
@@ -37,20 +37,20 @@ def test_a_shift_and_a_turn_are_told_apart(mounted: Mounted) -> None:
     assert found.plane_um <= 50
     turn = rotation_from_vector(np.array([0, 60 / ARCSEC, 0]))
     turned = replace(mounted, T_flange_sensor=T @ rigid(turn, np.zeros(3)))
-    found = drift(mounted, turned, UV)
+    found = measure_drift(mounted, turned, UV)
     assert found is not None
     assert found.sensor_arcsec == pytest.approx(60, rel=1e-6)
 
 
-def test_a_plane_that_tilts_is_told_in_seconds_of_arc(mounted: Mounted) -> None:
+def test_a_plane_that_tilts_is_told_in_seconds_of_arc(mounted: MountedSensor) -> None:
     plane = mounted.plane
     along = np.cross(plane.normal, [1.0, 0.0, 0.0])
     tilt = rotation_from_vector(along / np.linalg.norm(along) * 30 / ARCSEC)
     flipped = LaserPlane(-(tilt @ plane.normal), -plane.offset_mm)
-    found = drift(mounted, replace(mounted, plane=flipped), UV)
+    found = measure_drift(mounted, replace(mounted, plane=flipped), UV)
     assert found is not None
     assert found.plane_arcsec == pytest.approx(30, rel=1e-6)
 
 
-def test_too_few_common_points_tell_nothing(mounted: Mounted) -> None:
-    assert drift(mounted, mounted, UV[:5]) is None
+def test_too_few_common_points_tell_nothing(mounted: MountedSensor) -> None:
+    assert measure_drift(mounted, mounted, UV[:5]) is None

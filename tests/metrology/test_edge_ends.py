@@ -5,33 +5,33 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.edges.dimension_test import in_place, planes
-from app.metrology.detection.edges.edge_ends import ends_elsewhere, ends_of, in_place_by
-from app.metrology.detection.edges.measure_all import Survey, survey
-from app.metrology.detection.edges.other_edges import missized
-from app.metrology.detection.rejection import Objection
+from app.metrology.detection.edges.dimension_test import count_in_place, planes
+from app.metrology.detection.edges.edge_ends import ends_in_place, find_misplaced_ends, measure_ends
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
+from app.metrology.detection.edges.other_edges import find_wrong_dimension
+from app.metrology.detection.rejection import RejectionReason
 from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated, corners
-from tests.metrology.rendered_block import Rendered, rendered
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 BLUR_PX, MADE_MM = 0.7, 0.002
 
 
 @pytest.fixture(scope="module")
-def shown() -> Rendered:
-    return rendered(1, merlons=4)
+def shown() -> RenderedBlock:
+    return render_block(1, merlons=4)
 
 
-def surveyed(shown: Rendered, grey: np.ndarray, block: Crenellated) -> Survey:
+def surveyed(shown: RenderedBlock, grey: np.ndarray, block: Crenellated) -> EdgeMeasurements:
     """The edges of a certificate measured with the camera that took the picture."""
-    found = survey(grey, wireframe(block), shown.camera, BLUR_PX, MADE_MM)
+    found = measure_edges(grey, wireframe(block), shown.camera, BLUR_PX, MADE_MM)
     assert found is not None
     return found
 
 
-def elsewhere_by_ends(grey: np.ndarray, found: Survey) -> Objection | None:
-    return ends_elsewhere(grey, found, ends_of(grey, found))
+def elsewhere_by_ends(grey: np.ndarray, found: EdgeMeasurements) -> RejectionReason | None:
+    return find_misplaced_ends(grey, found, measure_ends(grey, found))
 
 
 def with_wrong_size(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
@@ -40,7 +40,9 @@ def with_wrong_size(block: Crenellated, edge: int, by_mm: float) -> Crenellated:
     return replace(block, edges_x_mm=tuple(edges))
 
 
-def covered(shown: Rendered, grey: np.ndarray, corner: str, level: float = 128.0) -> np.ndarray:
+def covered(
+    shown: RenderedBlock, grey: np.ndarray, corner: str, level: float = 128.0
+) -> np.ndarray:
     """The picture with a grey square over one of the block's corners; NaN: clipped there."""
     u, v = np.rint(project(shown.camera, corners(shown.block)[corner][None])[0]).astype(int)
     grey = grey.copy()
@@ -113,7 +115,7 @@ def test_things_over_both_ends_of_an_edge_that_shows_between_them(shown, side, l
 
 
 def striped(
-    shown: Rendered, side: str, left: int, right: int, level: float, askew: int = 0
+    shown: RenderedBlock, side: str, left: int, right: int, level: float, askew: int = 0
 ) -> np.ndarray:
     """The picture with a strip along an upper edge of the block, from so many px left of it,
     and ``askew`` more of them at its front."""
@@ -160,7 +162,7 @@ def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go
     edges = next(
         e for axis, at, e in planes(found.frame) if (axis, at) == (0, claimed.edges_x_mm[1])
     )
-    assert in_place(found, edges, 0) == 1
+    assert count_in_place(found, edges, 0) == 1
     against = elsewhere_by_ends(grey, found)
     assert against is not None
     assert against.edges == edges
@@ -168,14 +170,14 @@ def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go
 
 def test_ends_in_place_gainsay_lines_elsewhere(shown):
     grey = shown.image.astype(float)
-    ends = ends_of(grey, surveyed(shown, grey, shown.block))
+    ends = measure_ends(grey, surveyed(shown, grey, shown.block))
     at_mm = shown.block.edges_x_mm[4]
-    assert in_place_by(ends, at_mm, 1.4)
-    assert in_place_by(ends, at_mm, -1.4)
+    assert ends_in_place(ends, at_mm, 1.4)
+    assert ends_in_place(ends, at_mm, -1.4)
     # Within what the blur leaves unclear, an end says nothing.
-    assert not in_place_by(ends, at_mm, 0.1)
+    assert not ends_in_place(ends, at_mm, 0.1)
     wrong = with_wrong_size(shown.block, 4, 1.4)
     found = surveyed(shown, grey, wrong)
-    assert not in_place_by(ends_of(grey, found), wrong.edges_x_mm[4], -1.4)
-    assert missized(grey, found, lambda at_mm, by_mm: False) is not None
-    assert missized(grey, found, lambda at_mm, by_mm: True) is None
+    assert not ends_in_place(measure_ends(grey, found), wrong.edges_x_mm[4], -1.4)
+    assert find_wrong_dimension(grey, found, lambda at_mm, by_mm: False) is not None
+    assert find_wrong_dimension(grey, found, lambda at_mm, by_mm: True) is None

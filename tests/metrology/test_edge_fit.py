@@ -5,8 +5,8 @@ from numpy.testing import assert_allclose
 
 from app.metrology.detection.edges.camera_from_edges import (
     WITH_K2,
+    apply_camera_step,
     fit_edges,
-    moved,
     residuals,
     residuals_with_jacobian,
 )
@@ -36,8 +36,8 @@ def test_derivatives_are_those_of_small_steps() -> None:
     for k in range(12):
         step = np.zeros(12)
         step[k] = 1e-6
-        there = residuals(moved(camera, step), points, uv, normal)
-        back = residuals(moved(camera, -step), points, uv, normal)
+        there = residuals(apply_camera_step(camera, step), points, uv, normal)
+        back = residuals(apply_camera_step(camera, -step), points, uv, normal)
         assert_allclose(J[:, k], (there - back) / 2e-6, atol=2e-6 * np.abs(J[:, k]).max())
 
 
@@ -46,7 +46,7 @@ def test_fit_returns_to_the_camera_that_drew_the_edges() -> None:
     points, normal = _points(np.random.default_rng(6))
     uv = project(camera, points)
     step = np.array([0.01, 0, 2e-3, -1e-3, 0.01, -0.01, 0.005, 0.01, 0, -0.01, 0, 0])
-    start = moved(camera, step)
+    start = apply_camera_step(camera, step)
     found, covariance = fit_edges(start, points, uv, normal, np.full(200, 0.01), WITH_K2, rounds=15)
     assert (np.diag(covariance) > 0).all()
     assert_allclose(project(found, points), uv, atol=2e-3)

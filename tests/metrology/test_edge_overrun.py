@@ -5,28 +5,28 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.edges.edge_overrun import overrun
-from app.metrology.detection.edges.measure_all import survey
-from app.metrology.detection.rejection import Objection
+from app.metrology.detection.edges.edge_overrun import find_overrun
+from app.metrology.detection.edges.measure_all import measure_edges
+from app.metrology.detection.rejection import RejectionReason
 from app.metrology.detection.visibility import wireframe
 from app.metrology.targets.crenellated_block import Crenellated
-from tests.metrology.rendered_block import Rendered, rendered
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 MADE_MM = 0.002
 
 
 @pytest.fixture(scope="module")
-def shown() -> Rendered:
-    return rendered(1, merlons=4)
+def shown() -> RenderedBlock:
+    return render_block(1, merlons=4)
 
 
-def runs_on(shown: Rendered, block: Crenellated, noise: float) -> Objection | None:
+def runs_on(shown: RenderedBlock, block: Crenellated, noise: float) -> RejectionReason | None:
     """What is objected to ``block`` in the picture, with so many grey levels of noise added."""
     rng = np.random.default_rng(7)
     grey = shown.image + noise * rng.standard_normal(shown.image.shape)
-    found = survey(grey, wireframe(block), shown.camera, 0.7, MADE_MM)
+    found = measure_edges(grey, wireframe(block), shown.camera, 0.7, MADE_MM)
     assert found is not None
-    return overrun(grey, found)
+    return find_overrun(grey, found)
 
 
 @pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])

@@ -5,25 +5,25 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.acceptance import judged
-from app.metrology.detection.edges.dimension_test import unseen
-from app.metrology.detection.edges.measure_all import Survey, survey
+from app.metrology.detection.acceptance import check_measurements
+from app.metrology.detection.edges.dimension_test import find_unobserved_planes
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
 from app.metrology.detection.visibility import wireframe
-from tests.metrology.rendered_block import Rendered, rendered
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 MADE_MM = 0.002
 SIDE = "crest:1:L"
 
 
 @pytest.fixture(scope="module")
-def shown() -> Rendered:
-    return rendered(1, merlons=4, azimuth=0.4)
+def shown() -> RenderedBlock:
+    return render_block(1, merlons=4, azimuth=0.4)
 
 
-def with_one_edge_off(shown: Rendered, by_px: float) -> Survey:
+def with_one_edge_off(shown: RenderedBlock, by_px: float) -> EdgeMeasurements:
     """The block's edges, of one side but one, and that moved across itself."""
     grey = shown.image.astype(float)
-    found = survey(grey, wireframe(shown.block), shown.camera, 0.7, MADE_MM)
+    found = measure_edges(grey, wireframe(shown.block), shown.camera, 0.7, MADE_MM)
     assert found is not None
     names = np.array(found.frame.names)[found.at.edge]
     others = np.isin(names, ["floor:0:R", "wall:1:L:front", "wall:1:L:back"])
@@ -40,13 +40,15 @@ def with_one_edge_off(shown: Rendered, by_px: float) -> Survey:
 def test_an_edge_a_little_off_is_left_out_and_its_side_named(shown):
     found = with_one_edge_off(shown, 0.6)
     assert SIDE in np.array(found.frame.names)[found.at.edge[found.used]]
-    rest, against = judged(shown.image.astype(float), found, MADE_MM)
+    rest, against = check_measurements(shown.image.astype(float), found, MADE_MM)
     assert against is None
     assert SIDE not in np.array(rest.frame.names)[rest.at.edge[rest.used]]
-    assert "the left side of merlon 2" in unseen(rest)
+    assert "the left side of merlon 2" in find_unobserved_planes(rest)
 
 
 def test_an_edge_further_off_is_doubtful(shown):
-    _, against = judged(shown.image.astype(float), with_one_edge_off(shown, 1.4), MADE_MM)
+    _, against = check_measurements(
+        shown.image.astype(float), with_one_edge_off(shown, 1.4), MADE_MM
+    )
     assert against is not None
     assert against.definite

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from app.metrology.detection.edges.scatter import scatter
-from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.scatter import estimate_scatter
+from app.metrology.detection.edges.stations import EdgeStations
 
 PARTS, POINTS, SIGMA_PX = 40, 30, 0.02
 
 
-def on_edges() -> Stations:
+def on_edges() -> EdgeStations:
     part = np.repeat(np.arange(PARTS), POINTS)
     two = np.zeros((len(part), 2))
-    return Stations(
+    return EdgeStations(
         part, part, np.zeros((len(part), 3)), two, two, two, two[:, 0], two.astype(np.int64), 1.0
     )
 
@@ -26,7 +26,7 @@ def test_what_the_certificate_moves_is_not_counted_twice(moved_px, certificate_p
     at = on_edges()
     sigma, none = np.full(len(at.part), SIGMA_PX), np.zeros(len(at.part))
     off = sigma * rng.normal(size=len(sigma)) + np.repeat(moved_px * rng.normal(size=PARTS), POINTS)
-    used, along, together = scatter(
+    used, along, together = estimate_scatter(
         off, at, np.ones(len(off), np.bool_), sigma, none, none + certificate_px
     )
     assert used.mean() > 0.99

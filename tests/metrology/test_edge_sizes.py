@@ -5,26 +5,30 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.edges.dimension_test import planes, shifts, unseen
-from app.metrology.detection.edges.measure_all import survey
-from app.metrology.detection.edges.stations import stations
-from app.metrology.detection.image_quality import grey_picture
-from app.metrology.detection.rejection import in_words
+from app.metrology.detection.edges.dimension_test import (
+    estimate_shifts,
+    find_unobserved_planes,
+    planes,
+)
+from app.metrology.detection.edges.measure_all import measure_edges
+from app.metrology.detection.edges.stations import place_stations
+from app.metrology.detection.image_quality import grey_levels
+from app.metrology.detection.rejection import describe_edge
 from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import project
-from tests.metrology.rendered_block import Rendered, rendered
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 
 @pytest.fixture(scope="module")
-def plain() -> Rendered:
-    return rendered(1, merlons=4)
+def plain() -> RenderedBlock:
+    return render_block(1, merlons=4)
 
 
-def told(picture: Rendered, claimed):
-    grey, _ = grey_picture(picture.image)
-    found = survey(grey, wireframe(claimed), picture.camera, 0.8, 0.002)
+def told(picture: RenderedBlock, claimed):
+    grey, _ = grey_levels(picture.image)
+    found = measure_edges(grey, wireframe(claimed), picture.camera, 0.8, 0.002)
     assert found is not None
-    return max(shifts(found, 0.002), key=lambda one: one.ratio)
+    return max(estimate_shifts(found, 0.002), key=lambda one: one.ratio)
 
 
 def test_the_block_itself_is_nowhere_shifted(plain):
@@ -42,15 +46,15 @@ def test_a_side_of_a_merlon_is_told_with_its_amount(plain, edge, by_mm):
 
 
 def test_a_side_whose_edges_do_not_show_is_named(plain):
-    grey, _ = grey_picture(plain.image)
-    found = survey(grey, wireframe(plain.block), plain.camera, 0.8, 0.002)
+    grey, _ = grey_levels(plain.image)
+    found = measure_edges(grey, wireframe(plain.block), plain.camera, 0.8, 0.002)
     assert found is not None
-    assert unseen(found) == ()
+    assert find_unobserved_planes(found) == ()
     for plane, name in ((2, "the left side of merlon 2"), (5, "the right side of merlon 3")):
         _, at_mm, edges = planes(found.frame)[plane]
         assert at_mm == plain.block.edges_x_mm[plane]
         hidden = replace(found, used=found.used & ~np.isin(found.at.edge, edges))
-        assert unseen(hidden) == (name,)
+        assert find_unobserved_planes(hidden) == (name,)
 
 
 @pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])
@@ -63,7 +67,7 @@ def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
     K = camera.matrix.copy()
     middle = np.array([400.0, 320.0])
     K[:2, 2] += middle - project(camera, frame.starts_mm).mean(axis=0)
-    at = stations(frame, replace(camera, matrix=K), 5.0, 4.0)
+    at = place_stations(frame, replace(camera, matrix=K), 5.0, 4.0)
     rows = np.array(frame.names)[at.edge] == "crest:0:L"
     assert rows.any()
     assert bool((at.room_px[rows].min(axis=1) > 4.0).any()) is measured
@@ -79,4 +83,4 @@ def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
     ],
 )
 def test_edges_are_named_in_words(edge, words):
-    assert in_words(edge) == words
+    assert describe_edge(edge) == words

@@ -5,8 +5,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.special import erf
 
-from app.metrology.detection.edges.stations import Stations
-from app.metrology.detection.edges.step_fit import measure
+from app.metrology.detection.edges.stations import EdgeStations
+from app.metrology.detection.edges.step_fit import measure_steps
 from app.metrology.transforms import Floats
 
 SIDE = 160
@@ -33,12 +33,12 @@ def picture(
     return np.asarray(grey + np.random.default_rng(seed).normal(0, noise, grey.shape))
 
 
-def stations(angle: float, count: int = 20) -> Stations:
+def stations(angle: float, count: int = 20) -> EdgeStations:
     normal = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-normal[1], normal[0]])
     s = np.linspace(-45, 45, count)[:, None]
     zeros: NDArray[np.int64] = np.zeros(count, dtype=np.int64)
-    return Stations(
+    return EdgeStations(
         zeros,
         zeros,
         np.zeros((count, 3)),
@@ -54,25 +54,25 @@ def stations(angle: float, count: int = 20) -> Stations:
 @pytest.mark.parametrize("angle", [0.0, 0.013, 0.4, np.pi / 4, 1.56, 3.0])
 @pytest.mark.parametrize("offset", [-0.47, 0.0, 0.31, 0.9])
 def test_no_bias_however_the_edge_lies(angle, offset):
-    seen = measure(picture(angle, offset, 0.8), stations(angle), BLUR)
+    seen = measure_steps(picture(angle, offset, 0.8), stations(angle), BLUR)
     assert np.abs(seen.offset_px.mean() - offset) < 0.004
     assert np.abs(seen.offset_px - offset).max() < 0.02
 
 
 def test_no_bias_from_shading_on_one_side():
-    seen = measure(picture(0.3, 0.2, 0.8, slopes=(0.0, 4.0)), stations(0.3), BLUR)
+    seen = measure_steps(picture(0.3, 0.2, 0.8, slopes=(0.0, 4.0)), stations(0.3), BLUR)
     assert np.abs(seen.offset_px.mean() - 0.2) < 0.01
 
 
 def test_the_blur_is_found():
-    seen = measure(picture(0.3, 0.1, 1.7), stations(0.3), 1.3, free_blur=True)
+    seen = measure_steps(picture(0.3, 0.1, 1.7), stations(0.3), 1.3, free_blur=True)
     assert np.median(seen.blur_px) == pytest.approx(np.hypot(1.7, np.sqrt(1 / 12)), rel=0.02)
 
 
 def test_deviations_are_those_of_the_scatter():
     z = []
     for seed in range(12):
-        seen = measure(picture(0.3, 0.2, 0.8, noise=4.0, seed=seed), stations(0.3), BLUR)
+        seen = measure_steps(picture(0.3, 0.2, 0.8, noise=4.0, seed=seed), stations(0.3), BLUR)
         z.append((seen.offset_px - 0.2) / seen.sigma_px)
     assert 0.85 < np.concatenate(z).std() < 1.15
 
@@ -80,14 +80,14 @@ def test_deviations_are_those_of_the_scatter():
 def test_the_step_has_the_sign_of_the_normal():
     up, down = stations(0.0), stations(np.pi)
     image = picture(0.0, 0.0, 0.8)
-    assert np.median(measure(image, up, BLUR).step) == pytest.approx(80, abs=1)
-    assert np.median(measure(image, down, BLUR).step) == pytest.approx(-80, abs=1)
+    assert np.median(measure_steps(image, up, BLUR).step) == pytest.approx(80, abs=1)
+    assert np.median(measure_steps(image, down, BLUR).step) == pytest.approx(-80, abs=1)
 
 
 def test_hidden_pixels_give_no_edge():
     image = picture(0.0, 0.0, 0.8)
     image[60:100] = np.nan
-    seen = measure(image, stations(0.0), BLUR)
+    seen = measure_steps(image, stations(0.0), BLUR)
     hidden = np.abs(stations(0.0).uv_px[:, 1] - 80) < 15
     assert np.isnan(seen.offset_px[hidden]).all()
     assert np.isfinite(seen.offset_px[~hidden]).any()

@@ -6,34 +6,34 @@ import cv2
 import numpy as np
 import pytest
 
-from app.bench.metrology.detection import certificate_of, found_in
-from app.errors import Refusal
-from app.metrology.detection.detect_block import DetectionRefusal, detect_object
-from app.metrology.detection.errors import contradicted
-from app.metrology.detection.failure_evidence import with_evidence
-from app.metrology.detection.image_quality import PictureFinding, edge_blur_px
-from app.metrology.detection.rejection import Objection
+from app.bench.metrology.detection import block_certificate, detect_block
+from app.errors import OperationError
+from app.metrology.detection.detect_block import detect_object
+from app.metrology.detection.errors import contradiction_error
+from app.metrology.detection.failure_evidence import DetectionError, with_evidence
+from app.metrology.detection.image_quality import ImageFinding, edge_blur_px
+from app.metrology.detection.rejection import RejectionReason
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import corners as corners_of
-from hardware.simulator.rendering.degradations import draw_shot
-from tests.metrology.rendered_block import Rendered, rendered
+from hardware.simulator.rendering.degradations import draw_degraded_image
+from tests.metrology.rendered_block import RenderedBlock, render_block
 
 
-def refused(image, block) -> DetectionRefusal:
-    with pytest.raises(DetectionRefusal) as caught:
+def refused(image, block) -> DetectionError:
+    with pytest.raises(DetectionError) as caught:
         detect_object(image, block)
     return caught.value
 
 
-def marks_of(refusal: DetectionRefusal, kind: str) -> np.ndarray:
+def marks_of(refusal: DetectionError, kind: str) -> np.ndarray:
     """(N, 4) the lines of one kind."""
     lines = [(m.u0, m.v0, m.u1, m.v1) for m in refusal.marks if m.kind == kind]
     return np.array(lines).reshape(-1, 4)
 
 
 @pytest.fixture(scope="module")
-def plain() -> Rendered:
-    return rendered(1, merlons=4)
+def plain() -> RenderedBlock:
+    return render_block(1, merlons=4)
 
 
 def test_overexposed_faces_are_framed(plain):
@@ -51,8 +51,10 @@ def test_a_blurred_picture_is_the_focus_s_fault(plain):
 
 
 def test_in_a_dim_picture_more_light_is_the_first_remedy():
-    dim = PictureFinding("image-dim", "the picture is dim", "turn up the light", 0.04, 0.15)
-    unclear = Refusal("object-unclear", "it is not seen well", "few edges show", "come nearer")
+    dim = ImageFinding("image-dim", "the picture is dim", "turn up the light", 0.04, 0.15)
+    unclear = OperationError(
+        "object-unclear", "it is not seen well", "few edges show", "come nearer"
+    )
     refusal = with_evidence(unclear, [dim], np.zeros((8, 8), np.bool_), None, None, None)
     assert refusal.fault == "exposure"
     assert refusal.why == "the picture is dim; few edges show"
@@ -99,17 +101,19 @@ def test_straight_edges_are_shown_where_there_is_no_block(plain):
 
 def test_a_single_edge_elsewhere_is_not_called_another_object(plain):
     """A shadow along a crest is like a merlon of another width."""
-    against = Objection("the left edge of merlon 3's crest lies 90 µm off", True, (1,), True, 1.4)
-    refusal = contradicted(plain.block, against, [], 0.7)
+    against = RejectionReason(
+        "the left edge of merlon 3's crest lies 90 µm off", True, (1,), True, 1.4
+    )
+    refusal = contradiction_error(plain.block, against, [], 0.7)
     assert refusal.code == "object-unclear"
     assert "merlon 3's crest" in refusal.why
     assert "shadow" in refusal.why
 
 
-def refused_shot(seed: int) -> DetectionRefusal:
-    shot = draw_shot(seed)
-    with pytest.raises(DetectionRefusal) as caught:
-        found_in(shot, certificate_of(shot.certificate))
+def refused_shot(seed: int) -> DetectionError:
+    shot = draw_degraded_image(seed)
+    with pytest.raises(DetectionError) as caught:
+        detect_block(shot, block_certificate(shot.certificate))
     return caught.value
 
 
@@ -126,7 +130,7 @@ def test_floors_and_base_in_shadow_are_not_called_another_object():
     assert "none of the edges of its floors and its base" in refusal.why
 
 
-SOFT = PictureFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
+SOFT = ImageFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
 
 
 @pytest.mark.parametrize(
@@ -140,7 +144,7 @@ SOFT = PictureFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
 def test_a_soft_picture_tells_no_size_to_less_than_its_edges_are_wide(
     plain, off_px, findings, code
 ):
-    against = Objection("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)
-    refusal = contradicted(plain.block, against, findings, 3.0)
+    against = RejectionReason("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)
+    refusal = contradiction_error(plain.block, against, findings, 3.0)
     assert refusal.code == code
     assert ("focus the camera" in refusal.remedy) == (code == "object-unclear")

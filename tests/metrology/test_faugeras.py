@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.sensor.faugeras import LARGEST_CONDITION, solve_faugeras
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
@@ -97,7 +97,7 @@ def test_an_origin_in_the_cameras_own_plane_does_no_harm() -> None:
 
 
 def refused(points: Floats, uv: Floats) -> str:
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(OperationError) as refusal:
         solve_faugeras(points, uv, 1280, 1024)
     return refusal.value.code
 

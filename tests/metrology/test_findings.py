@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.calibration.findings import (
-    Finding,
+    CalibrationFinding,
     Limits,
     Quality,
-    about_contacts,
-    about_size,
-    about_unseen,
-    gravest_first,
+    contact_findings,
+    size_coverage_findings,
+    size_finding,
+    sort_by_severity,
 )
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.detection.detect_block import ObjectDetection
@@ -24,11 +24,11 @@ from tests.metrology.seen_block import camera_over
 from tests.metrology.test_one_pose import read_inputs
 
 
-def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> Finding:
+def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> CalibrationFinding:
     rng = np.random.default_rng(21)
     features, tips = contacts_on(rng, random_pose(rng), faces=faces, noise_mm=0.005)
     found = align(features, tips, tip_radius_mm, BLOCK)
-    return about_size(found, features, BLOCK)
+    return size_finding(found, features, BLOCK)
 
 
 @pytest.mark.parametrize(
@@ -50,17 +50,17 @@ def test_opposite_faces_tell_the_tips_diameter(
 
 def test_the_gravest_finding_comes_first_and_the_others_as_they_were() -> None:
     qualities: tuple[Quality, ...] = ("good", "attention", "neutral", "bad", "attention")
-    found = [Finding(quality, f"code-{i}", "") for i, quality in enumerate(qualities)]
-    assert [one.code for one in gravest_first(found)] == [f"code-{i}" for i in (3, 1, 4, 0, 2)]
+    found = [CalibrationFinding(quality, f"code-{i}", "") for i, quality in enumerate(qualities)]
+    assert [one.code for one in sort_by_severity(found)] == [f"code-{i}" for i in (3, 1, 4, 0, 2)]
 
 
 @pytest.mark.parametrize(("noise_mm", "quality"), [(0.01, "good"), (0.08, "attention")])
 def test_contacts_that_scatter_widely_are_never_good(noise_mm: float, quality: str) -> None:
     features, tips = contacts_on(np.random.default_rng(4), np.eye(4), noise_mm=noise_mm)
-    (said, *_) = about_contacts(align(features, tips, TIP_RADIUS_MM, BLOCK), features)
+    (said, *_) = contact_findings(align(features, tips, TIP_RADIUS_MM, BLOCK), features)
     assert (said.code, said.quality) == ("contacts", quality)
     wide = Limits(good_um=200.0)
-    (said, *_) = about_contacts(align(features, tips, TIP_RADIUS_MM, BLOCK), features, wide)
+    (said, *_) = contact_findings(align(features, tips, TIP_RADIUS_MM, BLOCK), features, wide)
     assert said.quality == "good"
 
 
@@ -86,7 +86,7 @@ def test_a_certificate_wrong_along_the_view_is_told_by_its_pixels(inputs: OnePos
 
 def test_one_that_is_further_wrong_is_refused(inputs: OnePoseInputs) -> None:
     block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.2)
-    with pytest.raises(Refusal, match="does not match the certificate"):
+    with pytest.raises(OperationError, match="does not match the certificate"):
         said_of(replace(inputs, block=block))
 
 
@@ -100,10 +100,12 @@ def test_a_size_that_no_picture_shows_is_said() -> None:
     def seen(*unseen: str) -> ObjectDetection:
         return ObjectDetection((), (), camera_over(BLOCK), 0.1, unseen)
 
-    [said] = about_unseen([seen("the left side of merlon 2", "the block's back")])
+    [said] = size_coverage_findings([seen("the left side of merlon 2", "the block's back")])
     assert said.code == "size-unseen"
     assert "merlon 2" in said.text
     assert "back" in said.text
-    [said] = about_unseen([seen("the left side of merlon 2"), seen("the left side of merlon 2")])
+    [said] = size_coverage_findings(
+        [seen("the left side of merlon 2"), seen("the left side of merlon 2")]
+    )
     assert "merlon 2" in said.text
-    assert about_unseen([seen("the left side of merlon 2"), seen()]) == []
+    assert size_coverage_findings([seen("the left side of merlon 2"), seen()]) == []

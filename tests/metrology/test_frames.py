@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.transforms import (
     apply,
     inverse,
@@ -59,9 +59,9 @@ def test_a_rigid_fit_never_mirrors() -> None:
 
 def test_a_rigid_fit_of_points_on_a_line_is_refused() -> None:
     line = np.outer(np.arange(5.0), [1.0, 2.0, 3.0])
-    with pytest.raises(Refusal, match="one line"):
+    with pytest.raises(OperationError, match="one line"):
         rigid_fit(line, line)
-    with pytest.raises(Refusal, match="at least three"):
+    with pytest.raises(OperationError, match="at least three"):
         rigid_fit(line[:2], line[:2])
 
 
@@ -74,6 +74,8 @@ def test_the_nearest_rotation_is_proper() -> None:
 
 
 def test_a_refusal_reads_as_one_line() -> None:
-    refusal = Refusal("some-code", "the file ended early.", "the power failed", "Scan again.")
+    refusal = OperationError(
+        "some-code", "the file ended early.", "the power failed", "Scan again."
+    )
     assert str(refusal) == "the file ended early: the power failed. Scan again."
     assert "\n" not in str(refusal)

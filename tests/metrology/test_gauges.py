@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
     angle_between_rad,
     check_plane,
     check_sphere,
-    spread,
+    compute_repeatability,
 )
 from app.metrology.transforms import rotation_from_vector
 
@@ -81,8 +81,8 @@ def test_a_sphere_is_compared_with_its_nominal() -> None:
 
 
 def test_the_spread_over_clouds() -> None:
-    found = spread([1.0, 2.0, 6.0])
+    found = compute_repeatability([1.0, 2.0, 6.0])
     assert (found.mean, found.range) == (3.0, 5.0)
     assert found.standard_deviation == pytest.approx(np.sqrt(7))
-    with pytest.raises(Refusal, match="at least two"):
-        spread([1.0])
+    with pytest.raises(OperationError, match="at least two"):
+        compute_repeatability([1.0])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
 from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.detection.visibility import visible_parts
 from app.metrology.sensor.camera import Camera, project
@@ -56,7 +56,9 @@ def test_the_block_is_placed_though_a_direction_does_not_show(axes: str) -> None
     segments, family = seen(camera, axes)
     # Directions as the picture gives them: half a degree off.
     off = rotation_from_vector(np.array([0.005, -0.006, 0.004]))
-    found = placings(Directions(off @ camera.rotation, FOCAL / WIDTH, family, 1.0), segments, BLOCK)
+    found = pose_hypotheses(
+        Directions(off @ camera.rotation, FOCAL / WIDTH, family, 1.0), segments, BLOCK
+    )
     best = found[0]
     assert not best.mirrored
     assert np.linalg.norm(best.centre_mm - camera.centre_mm) < 8.0
@@ -72,5 +74,5 @@ def test_far_fewer_votes_than_the_best_are_of_no_interest() -> None:
     camera = standing()
     segments, family = seen(camera, "xyz")
     directions = Directions(camera.rotation, FOCAL / WIDTH, family, 1.0)
-    votes = placings(directions, segments, BLOCK)[0].votes
-    assert placings(directions, segments, BLOCK, best=3 * votes) == []
+    votes = pose_hypotheses(directions, segments, BLOCK)[0].votes
+    assert pose_hypotheses(directions, segments, BLOCK, best=3 * votes) == []

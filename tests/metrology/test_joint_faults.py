@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from app.metrology.arm.joint_plausibility import JointJudge
+from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from tests.metrology.joint_motions import ARM, Motion, Sample, judged, read, samples, sweep
 
 RATES = (50.0, 100.0, 250.0, 500.0, 1000.0)
@@ -45,7 +45,7 @@ def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
         slips, again = int(2.2 * rate_hz), int(4.5 * rate_hz)
         q[slips:, 2] += np.radians(degrees)
         readings = samples(read(q, bits), rate_hz)
-        judge: JointJudge[Sample] = JointJudge(6, rate_hz, ARM)
+        judge: PlausibilityFilter[Sample] = PlausibilityFilter(6, rate_hz, ARM)
         good = judge.passed(readings[:again])
         assert len(good) == slips
         assert judge.newest is not None

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm.joint_plausibility import EQUAL_FROZEN, JointJudge, outside_limits
+from app.metrology.arm.joint_plausibility import EQUAL_FROZEN, PlausibilityFilter, limits_error
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 from tests.metrology.joint_motions import ARM, MS, NOISE_RAD, Sample
@@ -26,7 +26,9 @@ def swept(count: int, quantum_rad: float = FINE, seed: int = 1) -> Floats:
     return np.asarray(np.rint(q / quantum_rad) * quantum_rad)
 
 
-def judged(readings: list[Sample], arm: Arm | None = ARM) -> tuple[JointJudge[Sample], Floats]:
+def judged(
+    readings: list[Sample], arm: Arm | None = ARM
+) -> tuple[PlausibilityFilter[Sample], Floats]:
     """The judge, and the stamps in ms of what it let pass."""
     found = judged_each(readings, arm=arm)
     stamps = np.array([one.stamp_ns // MS for one in readings])
@@ -136,7 +138,7 @@ def test_after_a_gap_the_arm_may_be_anywhere() -> None:
 
 
 def test_limits_are_those_of_the_arm_with_a_little_beyond_the_stop() -> None:
-    assert outside_limits([0.0, 3.005, 0, 0, 0, -3.005], ARM) is None
-    refusal = outside_limits([0.0, 0.0, 0, 0, 3.5, 0], ARM)
+    assert limits_error([0.0, 3.005, 0, 0, 0, -3.005], ARM) is None
+    refusal = limits_error([0.0, 0.0, 0, 0, 3.5, 0], ARM)
     assert refusal is not None
     assert "joint J5 reads 200.5°" in refusal.line

@@ -5,15 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.errors import Refusal
-from app.metrology.calibration.laser_plane_fit import LaserPlaneFit, fit_laser_plane, levels_of
+from app.errors import OperationError
+from app.metrology.calibration.laser_plane_fit import (
+    LaserPlaneFit,
+    classify_levels,
+    fit_laser_plane,
+)
 from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.sensor.residual_correlation import neighbours_alike
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
-from tests.metrology.seen_block import camera_over, laser_plane, stripe_on
+from tests.metrology.seen_block import camera_over, laser_plane, simulate_stripe
 
 
 def tilt_rad(found: LaserPlane, true: LaserPlane) -> float:
@@ -47,7 +51,7 @@ def normalised_error(fit: LaserPlaneFit, true: LaserPlane) -> float:
 @pytest.mark.parametrize("tilt", [-0.2, 0.02, 0.2])
 def test_a_plane_without_noise_is_found_exactly(azimuth: float, tilt: float) -> None:
     camera, plane = camera_over(BLOCK, azimuth), laser_plane(tilt)
-    stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(0), 0.0)
+    stripe = simulate_stripe(camera, BLOCK, plane, np.random.default_rng(0), 0.0)
     exact = replace(stripe, sigma_px=np.full(len(stripe.u), 0.05))
     fit = fit_laser_plane(camera, BLOCK, exact)
     assert tilt_rad(fit.plane, plane) < 2e-6
@@ -59,7 +63,7 @@ def test_the_covariance_is_that_of_many_fits() -> None:
     camera, plane = camera_over(BLOCK), laser_plane()
     squares = []
     for seed in range(40):
-        stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(seed), 0.15)
+        stripe = simulate_stripe(camera, BLOCK, plane, np.random.default_rng(seed), 0.15)
         fit = fit_laser_plane(camera, BLOCK, stripe)
         assert fit.correlation < 1.6
         squares.append(normalised_error(fit, plane))
@@ -69,7 +73,7 @@ def test_the_covariance_is_that_of_many_fits() -> None:
 def test_streaks_on_walls_the_table_and_reflections_do_not_pull_the_plane() -> None:
     camera, plane = camera_over(BLOCK, 0.25), laser_plane()
     rng = np.random.default_rng(3)
-    clean = stripe_on(camera, BLOCK, plane, rng, 0.1)
+    clean = simulate_stripe(camera, BLOCK, plane, rng, 0.1)
     wall_x, y = BLOCK.edges_x_mm[3], plane.offset_mm
     wall = np.column_stack([np.full(60, wall_x), np.full(60, y), np.linspace(1, 15, 60)])
     table = np.column_stack([np.linspace(26, 40, 80), np.full(80, y), np.full(80, -11.0)])
@@ -106,7 +110,7 @@ def test_each_pixel_is_given_the_level_that_its_ray_meets_first(
 ) -> None:
     camera = camera_over(BLOCK, azimuth, elevation)
     uv = np.random.default_rng(2).uniform([150, 150], [1150, 900], (500, 2))
-    level, points = levels_of(camera, BLOCK, uv)
+    level, points = classify_levels(camera, BLOCK, uv)
     met = np.array(first_met(camera, uv))
     assert np.sum(level == "crest") > 60
     assert np.sum(level == "floor") > 30
@@ -117,15 +121,15 @@ def test_each_pixel_is_given_the_level_that_its_ray_meets_first(
 
 
 def refusal_of(camera: Camera, stripe: Stripe) -> str:
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(OperationError) as refusal:
         fit_laser_plane(camera, BLOCK, stripe)
     return refusal.value.code
 
 
 def test_too_little_stripe_is_refused() -> None:
     camera = camera_over(BLOCK)
-    stripe = stripe_on(camera, BLOCK, laser_plane(), np.random.default_rng(0), 0.1)
-    level, _ = levels_of(camera, BLOCK, stripe.uv_px)
+    stripe = simulate_stripe(camera, BLOCK, laser_plane(), np.random.default_rng(0), 0.1)
+    level, _ = classify_levels(camera, BLOCK, stripe.uv_px)
 
     def only(chosen: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Stripe:
         return Stripe(
@@ -144,7 +148,7 @@ def test_a_plane_through_the_camera_is_refused() -> None:
     normal = np.cross(toward, [1.0, 0.0, 0.0])
     normal /= np.linalg.norm(normal)
     plane = LaserPlane(normal, float(normal @ np.array([0.0, 0.5, 8.0])))
-    stripe = stripe_on(camera, BLOCK, plane, np.random.default_rng(0), 0.05)
+    stripe = simulate_stripe(camera, BLOCK, plane, np.random.default_rng(0), 0.05)
     assert refusal_of(camera, stripe) == "laser-through-camera"
 
 

@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.fitting.cylinder import (
-    across,
     cylinder_distances,
     cylinder_jacobian,
     fit_cylinder,
+    perpendicular_axes,
 )
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
 
@@ -24,7 +24,7 @@ def cylinder_points(
     """Points on a cylinder that a stripe passed over, frame by frame along the axis."""
     direction = rng.normal(size=3)
     direction /= np.linalg.norm(direction)
-    a, b = across(direction)
+    a, b = perpendicular_axes(direction)
     point, radius = rng.uniform(-200, 200, 3), float(rng.uniform(5, 30))
     along = 40 * (frame / FRAMES - 0.5)
     turn = rng.uniform(-arc_rad / 2, arc_rad / 2, len(frame))
@@ -68,7 +68,7 @@ def test_the_jacobian_is_the_change_of_the_distances() -> None:
     points, point, direction, radius = cylinder_points(
         rng, rng.normal(0, 1, 50), frames_of(rng, 50)
     )
-    a, b = across(direction)
+    a, b = perpendicular_axes(direction)
     J = cylinder_jacobian(points, np.concatenate([point, direction]))
     step = 1e-6
     moved = [
@@ -88,9 +88,9 @@ def test_the_jacobian_is_the_change_of_the_distances() -> None:
 def test_what_is_no_cylinder_is_refused() -> None:
     rng = np.random.default_rng(3)
     flat = np.column_stack([rng.uniform(-20, 20, (500, 2)), np.zeros(500)])
-    with pytest.raises(Refusal, match="fix no cylinder"):
+    with pytest.raises(OperationError, match="fix no cylinder"):
         fit_cylinder(flat)
-    with pytest.raises(Refusal, match="at least 5"):
+    with pytest.raises(OperationError, match="at least 5"):
         fit_cylinder(flat[:4])
 
 

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, flange_pose
 from app.metrology.calibration.one_pose import (
     OnePoseCalibration,
@@ -233,7 +233,7 @@ def inputs(samples: Path) -> OnePoseInputs:
 
 
 def refused(inputs: OnePoseInputs) -> str:
-    with pytest.raises(Refusal) as refusal:
+    with pytest.raises(OperationError) as refusal:
         calibrate_one_pose(inputs)
     assert refusal.value.what
     return refusal.value.code

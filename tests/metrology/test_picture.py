@@ -4,18 +4,18 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import Refusal
-from app.metrology.detection.image_quality import edge_blur_px, grey_picture, picture_findings
-from tests.metrology.rendered_block import rendered
+from app.errors import OperationError
+from app.metrology.detection.image_quality import edge_blur_px, grey_levels, image_findings
+from tests.metrology.rendered_block import render_block
 
 
 @pytest.fixture(scope="module")
 def image():
-    return rendered(4).image
+    return render_block(4).image
 
 
 def codes(picture) -> list[str]:
-    return [finding.code for finding in picture_findings(picture)]
+    return [finding.code for finding in image_findings(picture)]
 
 
 def test_nothing_is_wrong_with_a_good_picture(image):
@@ -55,13 +55,13 @@ def test_soft_and_blurred(image):
 
 
 def test_a_twelve_bit_picture_reads_as_an_eight_bit_one(image):
-    wide, _ = grey_picture((image.astype(np.uint16) * 16) + 8)
+    wide, _ = grey_levels((image.astype(np.uint16) * 16) + 8)
     assert np.abs(wide - image).max() < 1.0
     assert codes(image.astype(np.uint16) * 16) == []
 
 
 @pytest.mark.parametrize("bad", [np.zeros((480, 640, 3), np.uint8), np.zeros((480, 640))])
 def test_what_is_not_a_grey_picture_is_refused(bad):
-    with pytest.raises(Refusal) as refused:
-        picture_findings(bad)
+    with pytest.raises(OperationError) as refused:
+        image_findings(bad)
     assert refused.value.code == "image-not-grey"

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.bench.stripe.extraction import judged
-from app.bench.stripe.frames import spoiled, taken
+from app.bench.stripe.extraction import measure_errors
+from app.bench.stripe.frames import simulate_frame, simulate_reflections
 from app.bench.stripe.methods import crenel_line
-from app.errors import Refusal
-from app.metrology.stripe import Choice, Stripe, StripeSettings, StripeTracker, extract_stripe
+from app.errors import OperationError
+from app.metrology.stripe import PeakChoice, Stripe, StripeSettings, StripeTracker, extract_stripe
 from app.metrology.transforms import Floats
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -47,7 +47,9 @@ REFLECTION = np.where(np.abs(U - 250) < 20, 160.0, np.where(np.abs(U - 250) < 15
     ("rule", "on_main", "on_upper"),
     [("continuity", 1, 0), ("strength", 0.92, 0.08), ("first", 0.42, 0.58), ("last", 1, 0)],
 )
-def test_of_several_peaks_the_rule_chooses(rule: Choice, on_main: float, on_upper: float) -> None:
+def test_of_several_peaks_the_rule_chooses(
+    rule: PeakChoice, on_main: float, on_upper: float
+) -> None:
     image = picture((MAIN, steady(100)), (MAIN - 70, REFLECTION))
     stripe = extract_stripe(image, settings=StripeSettings(choice=rule))
     assert share_on(stripe, MAIN) == pytest.approx(on_main, abs=0.03)
@@ -56,7 +58,7 @@ def test_of_several_peaks_the_rule_chooses(rule: Choice, on_main: float, on_uppe
 
 def test_every_rule_finds_a_line_that_is_alone() -> None:
     image = picture((MAIN, steady(100)))
-    for rule in get_args(Choice):
+    for rule in get_args(PeakChoice):
         assert share_on(extract_stripe(image, settings=StripeSettings(choice=rule)), MAIN) > 0.98
 
 
@@ -88,7 +90,7 @@ def test_masked_zones_hold_no_points() -> None:
     where[:165] = False
     stripe = extract_stripe(image, where=where)
     assert share_on(stripe, MAIN) > 0.98
-    with pytest.raises(Refusal, match="another size"):
+    with pytest.raises(OperationError, match="another size"):
         extract_stripe(image, where=where[1:])
 
 
@@ -103,12 +105,12 @@ def test_masked_zones_hold_no_points() -> None:
     ],
 )
 def test_settings_that_cannot_be_meant_are_refused(wrong: StripeSettings) -> None:
-    with pytest.raises(Refusal, match="of the stripe"):
+    with pytest.raises(OperationError, match="of the stripe"):
         extract_stripe(picture((MAIN, steady(100))), settings=wrong)
 
 
 def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
-    found = judged([spoiled(seed) for seed in range(4)], crenel_line)
+    found = measure_errors([simulate_reflections(seed) for seed in range(4)], crenel_line)
     assert found.false < 0.5
     assert found.missed < 0.03
 
@@ -117,7 +119,7 @@ def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
 def test_stripes_of_all_widths_are_placed_at_the_bound_and_say_so(
     grains: tuple[float, float] | None,
 ) -> None:
-    found = judged([taken(seed, grains) for seed in range(8)], crenel_line)
+    found = measure_errors([simulate_frame(seed, grains) for seed in range(8)], crenel_line)
     assert found.over_bound < (1.03 if grains is None else 1.08)
     assert found.pull == pytest.approx(1, abs=0.06)
 

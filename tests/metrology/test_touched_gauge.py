@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose, tip_centres
 from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import measure_shape
 from app.metrology.gauges.conformity import decide
-from app.metrology.gauges.probed_gauge import touched_plane, touched_sphere
-from app.metrology.gauges.scanned_gauge import gauge_plane, gauge_sphere, zone_mm
+from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
+from app.metrology.gauges.scanned_gauge import fit_gauge_plane, fit_gauge_sphere, zone_mm
 from tests.guide.builders import REST_RAD, reach_tip
 
 RNG = np.random.default_rng(7)
@@ -40,7 +40,7 @@ def test_a_touched_plane_lies_a_tips_radius_beneath_and_faces_the_arm(arm: Arm) 
     a /= np.linalg.norm(a)
     b = np.cross(normal, a)
     places = np.array([(-20, -15), (20, 15), (-20, 15), (20, -15), (0, 3)])
-    found = touched_plane(arm, touching(arm, middle + places @ np.stack([a, b])))
+    found = fit_probed_plane(arm, touching(arm, middle + places @ np.stack([a, b])))
     assert arm_side != 0
     assert found.nominal.normal == pytest.approx(normal, abs=1e-6)
     assert found.nominal.offset_mm == pytest.approx(normal @ middle - 3.0, abs=1e-6)
@@ -56,10 +56,10 @@ def flange_above(arm: Arm, normal: np.ndarray) -> float:
 def test_touches_on_a_line_fix_no_plane(arm: Arm) -> None:
     middle = tip_centres(arm, REST_RAD[None])[0]
     q = touching(arm, middle + np.outer(np.linspace(-20, 20, 5), [1.0, 0.0, 0.0]))
-    with pytest.raises(Refusal, match="one line"):
-        touched_plane(arm, q)
-    with pytest.raises(Refusal, match="at least 4"):
-        touched_plane(arm, q[:3])
+    with pytest.raises(OperationError, match="one line"):
+        fit_probed_plane(arm, q)
+    with pytest.raises(OperationError, match="at least 4"):
+        fit_probed_plane(arm, q[:3])
 
 
 def directions(count: int, lowest: float) -> np.ndarray:
@@ -75,7 +75,7 @@ def test_the_stated_uncertainty_of_a_touched_sphere_is_how_it_scatters(arm: Arm)
     off, stated = [], []
     for _ in range(60):
         tips = centre + (13.0 + RNG.normal(0, 0.01, 9))[:, None] * outward
-        found = touched_sphere(arm, touching(arm, tips), 10.0)
+        found = fit_probed_sphere(arm, touching(arm, tips), 10.0)
         off.append(found.nominal.centre_mm - centre)
         stated.append(np.sqrt(np.trace(found.covariance)))
         assert abs(found.radius_mm - 10.0) < 6 * found.radius_sd_mm
@@ -87,8 +87,8 @@ def test_one_ring_about_a_sphere_fixes_no_centre(arm: Arm) -> None:
     centre = tip_centres(arm, REST_RAD[None])[0]
     turn = np.linspace(0, 2 * np.pi, 7)[:-1]
     ring = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(6)])
-    with pytest.raises(Refusal, match="ring"):
-        touched_sphere(arm, touching(arm, centre + 13.0 * ring), 10.0)
+    with pytest.raises(OperationError, match="ring"):
+        fit_probed_sphere(arm, touching(arm, centre + 13.0 * ring), 10.0)
 
 
 def sphere_scan(radius_mm: float, on_it: int, beside: int) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +105,7 @@ def sphere_scan(radius_mm: float, on_it: int, beside: int) -> tuple[np.ndarray, 
 
 
 def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
-    found = gauge_sphere(*sphere_scan(12.7, 3000, 12000), 12.7)
+    found = fit_gauge_sphere(*sphere_scan(12.7, 3000, 12000), 12.7)
     assert found.points == 15000
     assert found.used > 2800
     assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
@@ -114,7 +114,7 @@ def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
 
 @pytest.mark.parametrize("beside", [30000, 60000])
 def test_a_sphere_is_found_though_it_is_a_twentieth_of_the_cloud(beside: int) -> None:
-    found = gauge_sphere(*sphere_scan(12.7, 3000, beside), 12.7)
+    found = fit_gauge_sphere(*sphere_scan(12.7, 3000, beside), 12.7)
     assert found.used > 2800
     assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
 
@@ -130,26 +130,26 @@ def test_a_sphere_is_found_though_it_is_a_twentieth_of_the_cloud(beside: int) ->
 def test_another_gauge_or_too_small_a_cloud_is_named(
     radius_mm: float, points: tuple[np.ndarray, np.ndarray], said: str
 ) -> None:
-    with pytest.raises(Refusal, match=said):
-        gauge_sphere(*points, radius_mm)
+    with pytest.raises(OperationError, match=said):
+        fit_gauge_sphere(*points, radius_mm)
 
 
 def test_a_cap_is_too_little_of_a_sphere() -> None:
     points, frame = sphere_scan(12.7, 20000, 0)
     top = points[:, 2] > 11.5
-    with pytest.raises(Refusal, match="cap of 2"):
-        gauge_sphere(points[top], frame[top], 12.7)
+    with pytest.raises(OperationError, match="cap of 2"):
+        fit_gauge_sphere(points[top], frame[top], 12.7)
 
 
 def test_a_strip_is_too_little_of_a_plane_and_a_bowl_is_none() -> None:
     x, y = RNG.uniform(-20, 20, 4000), RNG.uniform(-20, 20, 4000)
     frame = RNG.integers(0, 50, 4000)
     flat = np.column_stack([x, y, RNG.normal(0, 0.01, 4000)])
-    assert gauge_plane(flat, frame).used > 3900
-    with pytest.raises(Refusal, match="strip"):
-        gauge_plane(flat * [1.0, 0.05, 1.0], frame)
-    with pytest.raises(Refusal, match="no plane"):
-        gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
+    assert fit_gauge_plane(flat, frame).used > 3900
+    with pytest.raises(OperationError, match="strip"):
+        fit_gauge_plane(flat * [1.0, 0.05, 1.0], frame)
+    with pytest.raises(OperationError, match="no plane"):
+        fit_gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
 
 
 def test_a_hand_that_rests_at_the_end_of_a_pass_makes_no_strip_of_it() -> None:
@@ -159,7 +159,7 @@ def test_a_hand_that_rests_at_the_end_of_a_pass_makes_no_strip_of_it() -> None:
     at = np.minimum(np.arange(frames), 40.0) - 20 + RNG.normal(0, 0.01, frames)
     y = np.repeat(at, len(along))
     z = 0.1 * x + 0.2 * y + RNG.normal(0, 0.01, len(x))
-    found = gauge_plane(np.column_stack([x, y, z]), np.repeat(np.arange(frames), len(along)))
+    found = fit_gauge_plane(np.column_stack([x, y, z]), np.repeat(np.arange(frames), len(along)))
     assert found.used < 100 * len(along)
     assert isinstance(found.shape.fit, PlaneFit)
     normal = np.array([-0.1, -0.2, 1.0]) / np.sqrt(1.05)

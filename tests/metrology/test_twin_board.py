@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 from app.guide.calibration.poses.board_views import VIEWS
-from app.metrology.adjustment.planning.next_pose import held
+from app.metrology.adjustment.planning.next_pose import pose_delta
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import inverse
-from hardware.simulator.station import TwinConfig
+from hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:
-    return RenderedBoards(tmp_path_factory.mktemp("twin"), TwinConfig(seed=1))
+    return RenderedBoards(tmp_path_factory.mktemp("twin"), SimulationConfig(seed=1))
 
 
 def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
@@ -44,7 +44,7 @@ def test_the_hand_holds_the_sensor_as_the_operator_is_told(session: RenderedBoar
     T_cam_sensor = session.twin._rig.optics.T_cam_sensor
     holds = [shot.T_board_sensor @ inverse(T_cam_sensor) for shot in session.shots]
     for told, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
-        done = held(hold, holds[0], session.board)
+        done = pose_delta(hold, holds[0], session.board)
         assert abs(done.tilt_right_deg - told.tilt_right_deg) < 8
         assert abs(done.tilt_back_deg - told.tilt_back_deg) < 8
         assert abs(done.turn_deg - told.turn_deg) < 8

@@ -8,13 +8,18 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 from app.metrology.detection.edges.camera_from_edges import residuals_with_jacobian
-from app.metrology.detection.edges.stations import Stations, profiles, search, stations
-from app.metrology.detection.edges.step_fit import measure
+from app.metrology.detection.edges.stations import (
+    EdgeStations,
+    place_stations,
+    sample_profiles,
+    search_edges,
+)
+from app.metrology.detection.edges.step_fit import measure_steps
 from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import placings
+from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
 from app.metrology.detection.search.vanishing_points import perpendicular_directions
-from app.metrology.detection.visibility import seen, visible_corners, wireframe
-from app.metrology.sensor.camera import Camera, normalised, project
+from app.metrology.detection.visibility import find_visible_edges, visible_corners, wireframe
+from app.metrology.sensor.camera import Camera, project, undistort_pixels
 from app.metrology.sensor.line_projection import across_lines
 from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
 from app.metrology.transforms import Floats, rotation_from_vector
@@ -51,14 +56,14 @@ def drawn() -> Floats:
     return np.asarray(image)
 
 
-def upright(count: int = 40) -> Stations:
+def upright(count: int = 40) -> EdgeStations:
     """Stations down the middle of the picture."""
     at = np.column_stack([np.full(count, 320.0), np.linspace(20, HEIGHT - 20, count)])
     zeros = np.zeros(count, dtype=np.int64)
     normal = np.tile([np.cos(0.02), np.sin(0.02)], (count, 1))
     room = np.tile([np.inf, 9.0], (count, 1))
     regions = np.zeros((1, 2), np.int64)
-    return Stations(
+    return EdgeStations(
         zeros, zeros, np.zeros((count, 3)), at, normal, room, np.ones(count), regions, 2.5
     )
 
@@ -99,23 +104,25 @@ def test_directions_alike_are_given_once(variant: str) -> None:
 def test_placings_are_the_same(variant: str) -> None:
     _, segments = cube_segments()
     directions = perpendicular_directions(segments)[0]
-    found = placings(directions, segments, BLOCK)
+    found = pose_hypotheses(directions, segments, BLOCK)
     assert found
-    as_by_v1(lambda: [[*p.centre_mm, p.votes] for p in placings(directions, segments, BLOCK)])
+    as_by_v1(
+        lambda: [[*p.centre_mm, p.votes] for p in pose_hypotheses(directions, segments, BLOCK)]
+    )
 
 
 def test_what_is_seen_is_the_same(variant: str) -> None:
     frame = wireframe(BLOCK)
     centre = camera().centre_mm
-    parts = seen(frame, centre)
+    parts = find_visible_edges(frame, centre)
     assert (parts.start < parts.end).all()
-    as_by_v1(lambda: [one.ravel() for one in vars(seen(frame, centre)).values()])
+    as_by_v1(lambda: [one.ravel() for one in vars(find_visible_edges(frame, centre)).values()])
     shown = visible_corners(BLOCK, centre)
     with CRENEL.using("v1"):
         assert shown == visible_corners(BLOCK, centre)
 
 
-def room_of(at: Stations, ends: NDArray[np.float64], row: int) -> tuple[float, float]:
+def room_of(at: EdgeStations, ends: NDArray[np.float64], row: int) -> tuple[float, float]:
     """Distances along and against a station's normal to other parts' segments, by solving."""
     room = [np.inf, np.inf]
     for part, (start, end) in enumerate(ends.reshape(-1, 2, 2)):
@@ -134,8 +141,8 @@ def room_of(at: Stations, ends: NDArray[np.float64], row: int) -> tuple[float, f
 
 def test_room_reaches_to_the_next_edge(variant: str) -> None:
     frame, looks = wireframe(BLOCK), camera()
-    at = stations(frame, looks, 9.0, 3.0)
-    parts = seen(frame, looks.centre_mm)
+    at = place_stations(frame, looks, 9.0, 3.0)
+    parts = find_visible_edges(frame, looks.centre_mm)
     along = (frame.ends_mm - frame.starts_mm)[parts.edge]
     begin = frame.starts_mm[parts.edge]
     ends = [project(looks, begin + one[:, None] * along) for one in (parts.start, parts.end)]
@@ -146,31 +153,31 @@ def test_room_reaches_to_the_next_edge(variant: str) -> None:
 
 def test_profiles_are_the_picture_between_pixels(variant: str) -> None:
     image, at = drawn(), upright()
-    found = profiles(image, at.uv_px, at.normal, 6)
+    found = sample_profiles(image, at.uv_px, at.normal, 6)
     places = at.uv_px[:, None] + np.arange(-6, 7)[:, None] * at.normal[:, None]
     wanted = map_coordinates(image, [places[..., 1], places[..., 0]], order=1)
     known = np.isfinite(wanted)
     assert 0 < (~known).sum() < 40
     assert found[known] == pytest.approx(wanted[known], rel=1e-12)
-    assert np.isnan(profiles(image, np.array([[3.0, 3.0]]), at.normal[:1], 4)[0, 0])
+    assert np.isnan(sample_profiles(image, np.array([[3.0, 3.0]]), at.normal[:1], 4)[0, 0])
 
 
 def test_the_steepest_place_is_found(variant: str) -> None:
     image, at = drawn(), upright()
-    offset, slope = search(image, at, 6.0)
+    offset, slope = search_edges(image, at, 6.0)
     known = np.isfinite(offset)
     assert offset[known] == pytest.approx(0.3, abs=0.15)
     assert (slope[known] > 15).all()
-    as_by_v1(lambda: search(image, at, 6.0))
+    as_by_v1(lambda: search_edges(image, at, 6.0))
 
 
 @pytest.mark.parametrize("free_blur", [False, True])
 def test_steps_are_measured_alike(variant: str, free_blur: bool) -> None:
     image, at = drawn(), upright()
-    found = measure(image, at, 1.2, free_blur)
+    found = measure_steps(image, at, 1.2, free_blur)
     assert np.isnan(found.offset_px).sum() == np.isnan(found.step).sum() > 0
     assert np.nanmedian(found.offset_px) == pytest.approx(0.3, abs=0.1)
-    as_by_v1(lambda: list(vars(measure(image, at, 1.2, free_blur)).values()))
+    as_by_v1(lambda: list(vars(measure_steps(image, at, 1.2, free_blur)).values()))
 
 
 def test_edge_rows_are_the_same(variant: str) -> None:
@@ -198,7 +205,7 @@ def test_pixels_lie_across_lines(variant: str) -> None:
     assert (by_points * along).sum(axis=1) == pytest.approx(0.0, abs=1e-8)
     aside = across_lines(looks, uv + 0.7 * normals, start, along)[0]
     assert aside == pytest.approx(0.7, abs=0.01)
-    assert len(normalised(looks, uv)) == 50
+    assert len(undistort_pixels(looks, uv)) == 50
     as_by_v1(lambda: [one.ravel() for one in across_lines(looks, uv + 0.7, start, along, 16)])
 
 

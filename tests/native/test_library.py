@@ -9,45 +9,45 @@ from pathlib import Path
 import pytest
 
 from app.native.build import BuildError, build
-from app.native.library import VARIANT_SETTING, Library
+from app.native.library import VARIANT_SETTING, NativeLibrary
 from app.native.product import CRENEL
-from app.native.sources import LIBRARIES, LibraryError, Source, source_hash
+from app.native.sources import LIBRARIES, LibraryError, LibrarySource, source_hash
 
 
-def copied(folder: Path) -> Source:
+def copied(folder: Path) -> LibrarySource:
     """The product's library, with its sources, elsewhere."""
     source = LIBRARIES[0]
     shutil.copytree(source.folder / "c", folder / "c")
     shutil.copy(source.built(), folder)
-    return Source(source.name, folder)
+    return LibrarySource(source.name, folder)
 
 
 def test_a_missing_library_is_named_with_the_command_that_builds_it(tmp_path: Path) -> None:
     with pytest.raises(LibraryError, match=r"is not built\. Build it: python -m"):
-        _ = Library(Source("crenel", tmp_path)).variants
+        _ = NativeLibrary(LibrarySource("crenel", tmp_path)).variants
 
 
 def test_a_library_older_than_its_sources_is_refused(tmp_path: Path) -> None:
     source = copied(tmp_path)
-    assert Library(source).variants == CRENEL.variants
+    assert NativeLibrary(source).variants == CRENEL.variants
     header = tmp_path / "c" / "export.h"
     header.write_text(header.read_text() + "/* changed */\n")
     with pytest.raises(LibraryError, match="is older than its C sources"):
-        _ = Library(source).variants
+        _ = NativeLibrary(source).variants
 
 
 def test_an_installed_library_without_sources_is_used(tmp_path: Path) -> None:
     source = copied(tmp_path)
     shutil.rmtree(tmp_path / "c")
-    assert Library(source).variants == CRENEL.variants
+    assert NativeLibrary(source).variants == CRENEL.variants
 
 
 def test_the_hash_tells_files_apart(tmp_path: Path) -> None:
     (tmp_path / "c").mkdir()
     (tmp_path / "c" / "one.c").write_text("int one;")
-    before = source_hash(Source("some", tmp_path))
+    before = source_hash(LibrarySource("some", tmp_path))
     (tmp_path / "c" / "one.c").rename(tmp_path / "c" / "two.c")
-    assert source_hash(Source("some", tmp_path)) != before
+    assert source_hash(LibrarySource("some", tmp_path)) != before
 
 
 def test_an_unknown_variant_is_refused_with_those_that_run() -> None:

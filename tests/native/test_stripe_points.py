@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.native.arguments import F64, I32, Array, Function, Whole
+from app.native.arguments import F64, I32, Array, Function, Integer
 from app.native.product import CRENEL
 
 keep_long_runs = Function(
@@ -13,7 +13,7 @@ keep_long_runs = Function(
     Array(F64, "n"),
     Array(F64, "n"),
     Array(F64, "n", optional=True),
-    Whole(),
+    Integer(),
     Array(I32, "n", written=True),
     returns=int,
 )
@@ -24,8 +24,8 @@ speckle_variance = Function(
     Array(F64, "n"),
     Array(F64, "n"),
     Array(F64, 2, "n", written=True),
-    Whole(),
-    Whole(),
+    Integer(),
+    Integer(),
     returns=float,
 )
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.metrology.image import Image
 from app.metrology.stripe import Stripe, StripeTracker, extract_stripe
 from app.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspace
-from app.native.arguments import F32, I32, Array, Function, Record, Whole
+from app.native.arguments import F32, I32, Array, Function, Integer, Record
 from app.native.product import CRENEL
 
 KINDS = [np.uint8, np.uint16]
@@ -122,7 +122,7 @@ def test_each_lane_holds_the_pixels_about_its_peak(
         Array(I32, "n"),
         Array(I32, "n"),
         Record(Fields),
-        Whole(),
+        Integer(),
         Array(F32, PROFILE_ROWS, BLOCK, written=True),
     )
     places = columns.astype(np.int32), rows.astype(np.int32)

@@ -12,29 +12,29 @@ from reportlab.pdfbase.pdfmetrics import stringWidth
 from typer.testing import CliRunner
 
 from app.cli.main import cli
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import write_arm
-from app.formats.json_document import sha256_of
+from app.formats.json_document import file_sha256
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
 from app.formats.software import SOFTWARE
-from app.metrology.arm.identification.observations import Observations, Seat, Sphere
+from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
 from app.report.content import Pictures, Report, Section, Text, Verdict
 from app.report.contents.calibration import calibration_report
 from app.report.contents.verification import LABELS
 from app.report.figure import Figure, magnification
-from app.report.formatting import moment, tied
-from app.report.html import page
-from app.report.pdf import paper
-from app.report.reports import report_as, report_of
-from app.report.translation import said_by
+from app.report.formatting import format_moment, join_units
+from app.report.html import html_page
+from app.report.pdf import pdf_document
+from app.report.reports import folder_report, render_report
+from app.report.translation import apply_translation
 from app.strings.files import languages
-from app.strings.sentences import sentences_of
+from app.strings.sentences import load_sentences
 from app.workflows.calibrate import calibrate_session
-from app.workflows.identify_arm import Signature, identify_folder
+from app.workflows.identify_arm import IdentificationProvenance, identify_folder
 from app.workflows.measure_gauge import MAP, MapFile
 from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.simulator.session import SessionPlan, render_session
@@ -51,7 +51,7 @@ def accept(folder: Path, operator: str) -> None:
         accepted_at="2026-11-21T10:00:00+00:00",
         operator=operator,
         station="Room 2",
-        calibration_sha256=sha256_of(folder / "calibration.json"),
+        calibration_sha256=file_sha256(folder / "calibration.json"),
         good_um=50,
         usable_um=150,
         temperature_c=20.4,
@@ -82,12 +82,12 @@ def text_of(pdf: bytes) -> str:
 def known_in_german(folder: Path, *own: str) -> None:
     """Nothing of a report stays English but a test's own words; the same bytes again."""
     texts: list[str] = []
-    said_by(report_of(folder), lambda text: texts.append(text) or text)  # type: ignore[func-returns-value]
-    german = sentences_of("de")
+    apply_translation(folder_report(folder), lambda text: texts.append(text) or text)  # type: ignore[func-returns-value]
+    german = load_sentences("de")
     missed = {part for text in texts for part in german.best(text).missed}
     assert not [part for part in missed if TWO_WORDS.search(part) and part not in own]
     for form in (".html", ".pdf"):
-        assert report_as(folder, form, "de") == report_as(folder, form, "de")
+        assert render_report(folder, form, "de") == render_report(folder, form, "de")
 
 
 def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
@@ -99,17 +99,17 @@ def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
     shown = html.unescape(written.read_text(encoding="utf-8"))
     for told in ('<html lang="de">', "Kalibrierbericht", "Bediener: Anna", "bekannt auf"):
         assert told in shown, told
-    assert "Kalibrierbericht" in text_of(report_as(folder, ".pdf", "de"))
-    with pytest.raises(Refusal, match="no language 'xx'"):
-        report_as(folder, ".pdf", "xx")
+    assert "Kalibrierbericht" in text_of(render_report(folder, ".pdf", "de"))
+    with pytest.raises(OperationError, match="no language 'xx'"):
+        render_report(folder, ".pdf", "xx")
 
 
 def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> None:
     sheet = CalibrationFile.read(folder / "calibration.json")
     assert sheet.uncertainty is not None
     total_um = sheet.uncertainty.total_um
-    shown = html.unescape(report_as(folder, ".html").decode()).replace("\u00a0", " ")
-    printed = text_of(report_as(folder, ".pdf"))
+    shown = html.unescape(render_report(folder, ".html").decode()).replace("\u00a0", " ")
+    printed = text_of(render_report(folder, ".pdf"))
     for text in (shown, printed):
         for told in (
             "Anna",
@@ -145,7 +145,7 @@ def test_a_pose_without_its_laser_line_is_told_apart(folder: Path, tmp_path: Pat
     reason = "its laser line was left out, 2.1 mm off the plane of the others"
     told["poses"][0].update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
     (away / "calibration.json").write_text(json.dumps(told))
-    found = html.unescape(page(calibration_report(away)).decode()).replace("\u00a0", " ")
+    found = html.unescape(html_page(calibration_report(away)).decode()).replace("\u00a0", " ")
     assert found.count(f"used, but {reason}") == 1
     assert found.count("no stripe. Edges") == 1
     assert ">0.000<" not in found
@@ -153,7 +153,7 @@ def test_a_pose_without_its_laser_line_is_told_apart(folder: Path, tmp_path: Pat
 
 
 def test_its_pictures_are_in_both_forms(folder: Path) -> None:
-    shown = report_as(folder, ".html").decode()
+    shown = render_report(folder, ".html").decode()
     for title in (
         "Residuals of the contacts on the object",
         "Residuals of pose 0 on its picture",
@@ -163,7 +163,7 @@ def test_its_pictures_are_in_both_forms(folder: Path) -> None:
     ):
         assert f'aria-label="{title}"' in shown
     assert shown.count("data:image/jpeg;base64,") == 2
-    document = pypdfium2.PdfDocument(report_as(folder, ".pdf"))
+    document = pypdfium2.PdfDocument(render_report(folder, ".pdf"))
     kinds = [item.type for sheet in document for item in sheet.get_objects()]
     document.close()
     assert kinds.count(pypdfium2.raw.FPDF_PAGEOBJ_IMAGE) == 2
@@ -173,7 +173,7 @@ def test_the_same_folder_gives_the_same_bytes(folder: Path, tmp_path: Path) -> N
     for name in ("report.pdf", "report.html"):
         result = CliRunner().invoke(cli, ["report", str(folder), "-o", str(tmp_path / name)])
         assert result.exit_code == 0, result.output
-        assert (tmp_path / name).read_bytes() == report_as(folder, Path(name).suffix)
+        assert (tmp_path / name).read_bytes() == render_report(folder, Path(name).suffix)
 
 
 def test_a_page_needs_nothing_and_runs_nothing(folder: Path, tmp_path: Path) -> None:
@@ -184,14 +184,14 @@ def test_a_page_needs_nothing_and_runs_nothing(folder: Path, tmp_path: Path) -> 
         fields = json.loads((own / name).read_text())
         fields["name"] = fields["serial_number"] = HOSTILE
         (own / name).write_text(json.dumps(fields))
-    shown = report_as(own, ".html").decode()
+    shown = render_report(own, ".html").decode()
     assert "<script" not in shown
     assert "<img" not in shown
     assert html.escape(HOSTILE) in shown
     assert "http" not in shown.replace("http-equiv", "")
     assert "default-src 'none'" in shown
     # a face without these letters shows boxes, and nothing fails
-    assert "<script>" in text_of(report_as(own, ".pdf"))
+    assert "<script>" in text_of(render_report(own, ".pdf"))
 
 
 def test_changed_inputs_are_told(folder: Path, tmp_path: Path) -> None:
@@ -199,16 +199,16 @@ def test_changed_inputs_are_told(folder: Path, tmp_path: Path) -> None:
     shutil.copytree(folder, own)
     with open(own / "probing.csv", "a") as table:
         table.write("\n")
-    shown = page(calibration_report(own)).decode()
+    shown = html_page(calibration_report(own)).decode()
     assert "1 of these files are not what the result was made from" in shown
     (own / ACCEPTANCE).unlink()
-    assert "was not accepted at a station" in page(calibration_report(own)).decode()
+    assert "was not accepted at a station" in html_page(calibration_report(own)).decode()
 
 
 def test_an_arm_checks_report(tmp_path: Path) -> None:
     swing = np.random.default_rng(3).normal(0.2, 0.4, (40, 6))
     write_arm(tmp_path / "arm.json", ARM)
-    write_observations(tmp_path, Observations((Seat("Seat 1", swing),), (), ()))
+    write_observations(tmp_path, ArmObservations((Seat("Seat 1", swing),), (), ()))
     ArmCheckFile.model_validate(
         {
             "checked_at": "2026-11-21T07:30:00+00:00",
@@ -222,23 +222,23 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
             "limit_um": 60.0,
             "verdict": "bad",
             "inputs": [
-                Input(file=name, sha256=sha256_of(tmp_path / name))
+                Input(file=name, sha256=file_sha256(tmp_path / name))
                 for name in ("arm.json", "articulation.csv")
             ],
             "software": SOFTWARE,
         }
     ).write(tmp_path / ARM_CHECK)
-    printed = text_of(report_as(tmp_path, ".pdf"))
+    printed = text_of(render_report(tmp_path, ".pdf"))
     for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
         assert told in printed, told
-    assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+    assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
     known_in_german(tmp_path, ARM.name)
 
 
 def test_a_tip_checks_report(tmp_path: Path) -> None:
     touches = np.random.default_rng(5).normal(0.2, 0.3, (9, 6))
     write_arm(tmp_path / "arm.json", ARM)
-    write_observations(tmp_path, Observations((), (Sphere("Sphere 1", 25.0, touches),), ()))
+    write_observations(tmp_path, ArmObservations((), (Sphere("Sphere 1", 25.0, touches),), ()))
     TipCheckFile.model_validate(
         {
             "checked_at": "2026-11-21T07:30:00+00:00",
@@ -255,11 +255,11 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
             "limit_um": 60.0,
             "decision": "fail",
             "words": "The tip is worn.",
-            "inputs": [Input(file="arm.json", sha256=sha256_of(tmp_path / "arm.json"))],
+            "inputs": [Input(file="arm.json", sha256=file_sha256(tmp_path / "arm.json"))],
             "software": SOFTWARE,
         }
     ).write(tmp_path / TIP_CHECK)
-    printed = text_of(report_as(tmp_path, ".pdf"))
+    printed = text_of(render_report(tmp_path, ".pdf"))
     for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
         assert told in printed, told
     known_in_german(tmp_path, ARM.name, "The tip is worn.")
@@ -277,22 +277,24 @@ def test_an_identifications_report(tmp_path: Path) -> None:
     )
     render_arm_session(tmp_path, 3, plan)
     identified = tmp_path / "identified.json"
-    signature = Signature(operator="Ben", station="Room 2", simulated=True, temperature_c=21.5)
+    signature = IdentificationProvenance(
+        operator="Ben", station="Room 2", simulated=True, temperature_c=21.5
+    )
     sheet, _ = identify_folder(tmp_path, identified, signature=signature)
-    printed = text_of(report_as(tmp_path, ".pdf"))
+    printed = text_of(render_report(tmp_path, ".pdf"))
     told = ("Identified", "Ben", "Room 2", "21.5 °C", sheet.serial_number, "k = 1", "unchanged")
     for words in (*told, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
         assert words in printed, words
-    assert report_as(tmp_path, ".pdf") == report_as(tmp_path, ".pdf")
+    assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
     known_in_german(tmp_path, sheet.name, "Room 2")
-    assert "1 in 4 Lagen" in text_of(report_as(tmp_path, ".pdf", "de"))
+    assert "1 in 4 Lagen" in text_of(render_report(tmp_path, ".pdf", "de"))
     (tmp_path / "articulation.csv").write_text(
         (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
     )
-    assert "changed" in text_of(report_as(tmp_path, ".pdf"))
+    assert "changed" in text_of(render_report(tmp_path, ".pdf"))
     write_arm(identified, ARM)
-    with pytest.raises(Refusal, match="says nothing of an identification"):
-        report_of(tmp_path)
+    with pytest.raises(OperationError, match="says nothing of an identification"):
+        folder_report(tmp_path)
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:
@@ -302,8 +304,8 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1)).write(
         tmp_path / "cloud-1" / MAP
     )
-    printed = text_of(report_as(tmp_path, ".pdf"))
-    shown = html.unescape(report_as(tmp_path, ".html").decode())
+    printed = text_of(render_report(tmp_path, ".pdf"))
+    shown = html.unescape(render_report(tmp_path, ".html").decode())
     for told in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
         assert told in printed, told
     assert "Verification on a gauge sphere" in shown
@@ -313,12 +315,12 @@ def test_a_verifications_report(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match="holds no record"):
-        report_as(tmp_path, ".pdf")
-    with pytest.raises(Refusal, match="no such folder"):
-        report_as(tmp_path / "nowhere", ".pdf")
-    with pytest.raises(Refusal, match="cannot be written"):
-        report_as(tmp_path, ".doc")
+    with pytest.raises(OperationError, match="holds no record"):
+        render_report(tmp_path, ".pdf")
+    with pytest.raises(OperationError, match="no such folder"):
+        render_report(tmp_path / "nowhere", ".pdf")
+    with pytest.raises(OperationError, match="cannot be written"):
+        render_report(tmp_path, ".doc")
 
 
 @pytest.mark.parametrize(("largest", "factor"), [(0.021, 200), (1.0, 5), (0.0, 1), (30.0, 0.1)])
@@ -327,10 +329,10 @@ def test_magnification_is_round(largest: float, factor: float) -> None:
 
 
 def test_words_are_printed_as_read() -> None:
-    assert tied("-3 µm at 20261121-2026") == "−3\u00a0µm at 20261121-2026"
-    assert tied("tip Ø 3 mm, ≤ 5 µm") == "tip\u00a0Ø\u00a03\u00a0mm, ≤\u00a05\u00a0µm"
-    assert moment("2026-11-21T12:00:00+02:00") == "2026-11-21 10:00 UTC"
-    assert moment("yesterday") == "yesterday"
+    assert join_units("-3 µm at 20261121-2026") == "−3\u00a0µm at 20261121-2026"
+    assert join_units("tip Ø 3 mm, ≤ 5 µm") == "tip\u00a0Ø\u00a03\u00a0mm, ≤\u00a05\u00a0µm"
+    assert format_moment("2026-11-21T12:00:00+02:00") == "2026-11-21 10:00 UTC"
+    assert format_moment("yesterday") == "yesterday"
 
 
 @pytest.mark.parametrize("lines", range(24, 40, 2))
@@ -340,13 +342,13 @@ def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
     filling = Section("Before", [Text("A line.")] * lines, together=False)
     pictures = Section("Pictures", [Pictures([picture])], together=False)
     report = Report("Report", "1", "Room", "", Verdict("good", "Good", ""), [filling, pictures])
-    document = pypdfium2.PdfDocument(paper(report))
+    document = pypdfium2.PdfDocument(pdf_document(report))
     pages = [sheet.get_textpage().get_text_range() for sheet in document]
     assert next("What it shows" in page for page in pages if "Pictures" in page)
 
 
 @pytest.mark.parametrize("language", languages())
 def test_the_longest_name_of_a_figure_is_whole_in_every_language(language: str) -> None:
-    longest = sentences_of(language).said("Distance between the clouds' centres")
+    longest = load_sentences(language).said("Distance between the clouds' centres")
     # the report's own face is wider than the one that is measured with here
     assert 1.08 * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8

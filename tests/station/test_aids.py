@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.guide.calibration.steps.first_pose import first_outline
-from app.metrology.detection.image_quality import measured, picture_findings
+from app.metrology.detection.image_quality import image_findings, measure_image_quality
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
@@ -17,7 +17,7 @@ from app.station.preview.capture_aids import (
     line_aid,
 )
 from app.station.preview.image_quality import CELL_PX, saturation
-from app.station.working_distance import DistanceWatch, distance_of
+from app.station.working_distance import WorkingRange, classify_distance
 from tests.formats.builders import BLOCK
 
 WIDTH, HEIGHT = 640, 480
@@ -36,7 +36,7 @@ def picture(level: float, blur_px: float = 0.4) -> np.ndarray:
 
 
 def test_a_good_picture_is_called_so_in_figures() -> None:
-    found = measured(picture(180))
+    found = measure_image_quality(picture(180))
     exposure, focus = exposure_aid(found), focus_aid(found)
     assert (exposure.quality, exposure.words) == ("good", "")
     assert exposure.value == pytest.approx(100 * 180 / 255, abs=2)
@@ -46,17 +46,17 @@ def test_a_good_picture_is_called_so_in_figures() -> None:
 
 
 def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
-    bright = exposure_aid(measured(picture(400)))
+    bright = exposure_aid(measure_image_quality(picture(400)))
     assert bright.words.startswith("Too bright: ")
     assert bright.words.endswith(" % saturated")
     assert bright.value > 3
-    assert exposure_aid(measured(picture(60) // 3)).words.startswith("Too dark")
-    soft = focus_aid(measured(picture(180, blur_px=3.0)))
+    assert exposure_aid(measure_image_quality(picture(60) // 3)).words.startswith("Too dark")
+    soft = focus_aid(measure_image_quality(picture(180, blur_px=3.0)))
     assert soft is not None
     assert soft.quality == "attention"
     assert "wanted" in soft.words
     # the aid and the finding tell of the same width
-    (finding,) = picture_findings(picture(180, blur_px=3.0))
+    (finding,) = image_findings(picture(180, blur_px=3.0))
     assert f"{soft.value:.0f} px wide" in finding.text
 
 
@@ -104,7 +104,7 @@ def test_what_is_saturated_is_marked_where_it_is() -> None:
     assert percent == pytest.approx(100 * (16 * 64 + 1) / image.size)
 
 
-def watch(axis: str = "u") -> DistanceWatch:
+def watch(axis: str = "u") -> WorkingRange:
     """A camera that looks along z, and a laser plane that crosses its view."""
     matrix = np.array([[1600.0, 0, 319.5], [0, 1600.0, 239.5], [0, 0, 1]])
     camera = Camera(matrix, np.eye(3), np.zeros(3), WIDTH, HEIGHT)
@@ -113,7 +113,7 @@ def watch(axis: str = "u") -> DistanceWatch:
     if axis == "v":
         normal = normal[[1, 0, 2]]
     plane = LaserPlane(normal, float(normal @ [0, 0, 100.0]))
-    return DistanceWatch(camera, plane, (95.0, 108.0), "u" if axis == "u" else "v")
+    return WorkingRange(camera, plane, (95.0, 108.0), "u" if axis == "u" else "v")
 
 
 @pytest.mark.parametrize("axis", ["u", "v"])
@@ -134,7 +134,7 @@ def test_the_distance_of_a_line() -> None:
     assert at_mm is not None
     assert at_mm.mm == pytest.approx(100.5, abs=1)
     assert at_mm.state == "in"
-    aid = distance_aid(distance_of(120.0, (95.0, 108.0)))
+    aid = distance_aid(classify_distance(120.0, (95.0, 108.0)))
     assert (aid.quality, aid.words) == ("attention", "Too far: 120 mm, 95 to 108 wanted")
 
 

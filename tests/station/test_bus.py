@@ -3,7 +3,7 @@
 import asyncio
 import threading
 
-from app.station.bus import EVENTS_KEPT, Bus
+from app.station.bus import EVENT_BUFFER, Bus
 
 
 def test_a_new_reader_gets_the_whole_snapshot_and_then_only_what_changes() -> None:
@@ -68,15 +68,15 @@ def test_events_are_numbered_and_a_reader_is_told_what_it_missed() -> None:
         bus.attach(asyncio.get_running_loop())
         bus.event("before", "told to nobody")
         reader = bus.subscribe()
-        for number in range(EVENTS_KEPT + 10):
+        for number in range(EVENT_BUFFER + 10):
             bus.event("beep", str(number))
         updates = await reader.next()
         assert updates.events_missed == 10
         assert [event.text for event in updates.events] == [
-            str(number) for number in range(10, EVENTS_KEPT + 10)
+            str(number) for number in range(10, EVENT_BUFFER + 10)
         ]
         ids = [event.id for event in updates.events]
-        assert ids == list(range(ids[0], ids[0] + EVENTS_KEPT))
+        assert ids == list(range(ids[0], ids[0] + EVENT_BUFFER))
         bus.event("beep", "last")
         updates = await reader.next()
         assert (updates.events_missed, [e.text for e in updates.events]) == (0, ["last"])

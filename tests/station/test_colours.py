@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from app.formats.clouds.points import Points, packed
-from app.station.view3d.cloud_colouring import TRAITS, Painter, Target
-from app.station.view3d.colormaps import APART, BALANCE, NO_VALUE, SCALE, oklab, painted, srgb
+from app.formats.clouds.points import Points, pack_points
+from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
+from app.station.view3d.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
 from app.station.view3d.scene import Scene
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
@@ -30,7 +30,7 @@ def viewer(scene: Scene) -> Iterator[Viewer]:
 def slope(count: int, seed: int = 1) -> Points:
     """On a slope from 0 to 60 mm, brighter to one side, less certain to the other."""
     x, y = np.random.default_rng(seed).uniform(0, 60, (2, count))
-    return packed(np.column_stack([500 + x, y, x]), 10 + y, 3 + y / 10, 0)
+    return pack_points(np.column_stack([500 + x, y, x]), 10 + y, 3 + y / 10, 0)
 
 
 def colours(viewer: Viewer) -> np.ndarray:
@@ -84,7 +84,7 @@ def test_more_is_lighter_and_both_grounds_show_it() -> None:
 
 
 def test_beyond_its_limits_a_value_has_the_outermost_colour() -> None:
-    found = painted(np.array([-5.0, 0, 10, 99, np.nan]), 0.0, 10.0, SCALE)
+    found = map_colours(np.array([-5.0, 0, 10, 99, np.nan]), 0.0, 10.0, SCALE)
     assert found.tolist() == [
         *(SCALE[i].tolist() for i in (0, 0, 255, 255)),
         list(NO_VALUE),
@@ -144,13 +144,13 @@ def test_an_automatic_range_follows_what_is_shown(scene: Scene) -> None:
 
 
 def traits(taken_s: np.ndarray) -> np.ndarray:
-    found = np.zeros(len(taken_s), TRAITS)
+    found = np.zeros(len(taken_s), ATTRIBUTES)
     found["taken_s"] = taken_s
     return found
 
 
 def test_the_newest_points_stand_out_by_age() -> None:
-    painter, taken_s = Painter(), np.linspace(0, 20, 201)
+    painter, taken_s = CloudColouring(), np.linspace(0, 20, 201)
     painter.show("age", None)
     painter.settle_range(20.0 - taken_s)
     legend = painter.legend
@@ -166,8 +166,8 @@ def test_the_newest_points_stand_out_by_age() -> None:
 
 
 def test_deviations_are_in_micrometres_from_the_shape_and_the_rest_stands_apart() -> None:
-    painter = Painter()
-    painter.aim_at(Target(lambda points: points[:, 2], rms_mm=0.01))
+    painter = CloudColouring()
+    painter.aim_at(ReferenceShape(lambda points: points[:, 2], rms_mm=0.01))
     painter.show("deviation", None)
     painter.settle_range(np.zeros(0))
     legend = painter.legend

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.findings import figures, signed
+from app.findings import figures, format_signed
 
 
 @pytest.mark.parametrize(
@@ -20,4 +20,4 @@ def test_numbers_have_a_true_minus_and_nothing_has_no_sign(
     value: float, decimals: int, plain: str, with_sign: str
 ) -> None:
     assert figures(value, decimals) == plain
-    assert signed(value, decimals) == with_sign
+    assert format_signed(value, decimals) == with_sign

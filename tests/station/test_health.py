@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.monitoring import health
-from app.monitoring.log_store import FILE, FILE_BYTES, LogBook
+from app.monitoring.log_store import FILE, FILE_BYTES, LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
 from app.monitoring.system_info import Memory, WallClock, memory, writable
 from app.station.devices.link_state import Losses, LossWindow
@@ -50,13 +50,13 @@ def test_a_loop_that_is_held_up_is_counted_with_the_stack_of_what_does_it(
 
 
 @pytest.fixture
-def book(tmp_path: Path) -> Iterator[LogBook]:
-    opened = LogBook(tmp_path)
+def book(tmp_path: Path) -> Iterator[LogStore]:
+    opened = LogStore(tmp_path)
     yield opened
     opened.close()
 
 
-def test_what_is_logged_is_read_by_level_and_words(book: LogBook) -> None:
+def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
     log = logging.getLogger("app.test_health")
     began = time.time()
     log.debug("too small")
@@ -84,7 +84,7 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogBook) -> None:
         assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
 
 
-def test_the_log_is_searched_in_the_readers_language_too(book: LogBook) -> None:
+def test_the_log_is_searched_in_the_readers_language_too(book: LogStore) -> None:
     log = logging.getLogger("app.test_health")
     german = {"point #": "Punkt #", "the arm came back": "der Messarm ist zurück"}
     asked = []
@@ -107,14 +107,14 @@ def test_the_log_is_searched_in_the_readers_language_too(book: LogBook) -> None:
     assert asked.count("point #") == 3, "once for each search, however many points there are"
 
 
-def written(book: LogBook, count: int) -> None:
+def written(book: LogStore, count: int) -> None:
     deadline = time.monotonic() + 5.0
     while len(book.read("info", "", 1000)) < count:
         assert time.monotonic() < deadline
         time.sleep(0.01)
 
 
-def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogBook) -> None:
+def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogStore) -> None:
     log = logging.getLogger("app.test_health")
     log.info("first")
     written(book, 1)
@@ -130,7 +130,7 @@ def test_a_log_is_rotated_and_a_line_cut_off_by_a_kill_is_left_out(book: LogBook
 
 def test_a_closed_log_leaves_nothing_behind(tmp_path: Path) -> None:
     before = logging.getLogger().handlers[:], threading.active_count()
-    opened = LogBook(tmp_path)
+    opened = LogStore(tmp_path)
     opened.close()
     opened.close()
     assert (logging.getLogger().handlers, threading.active_count()) == before
@@ -164,14 +164,14 @@ def test_thermometers(tmp_path: Path) -> None:
     file.write_text("85000")
     watch.read()
     assert watch.now.celsius is None
-    assert health.room(watch.now, None).quality == "attention"
+    assert health.temperature(watch.now, None).quality == "attention"
     assert 20 < RoomThermometer().read_c() < 23
-    colder = health.room(Temperature(-4.0), -2.5)
+    colder = health.temperature(Temperature(-4.0), -2.5)
     assert (colder.quality, colder.what) == (
         "attention",
         "−4.0 °C, −2.5 °C since the calibration.",
     )
-    assert health.room(Temperature(21.0), 0.3).quality == "good"
+    assert health.temperature(Temperature(21.0), 0.3).quality == "good"
     nothing = TemperatureWatch(None, kept.append)
     nothing.read()
     assert (nothing.there, nothing.now.celsius) == (False, None)
@@ -199,7 +199,7 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
         health.memory_use(Memory(100, 4_000_000_000)),
         health.backup(None, "", False, ""),
     ]
-    whole = health.health_of(items, "now")
+    whole = health.summarise_health(items, "now")
     assert whole.quality == "bad"
     assert [item.quality for item in whole.items] == ["bad", "attention", "good", "good"]
     for item in whole.items:
@@ -216,7 +216,9 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
 
 def test_readings_that_cannot_be_true_are_told_with_what_to_do() -> None:
     assert health.readings(0, None, None).quality == "good"
-    refusal = Refusal("joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable")
+    refusal = OperationError(
+        "joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable"
+    )
     told = health.readings(3, refusal, 5.0)
     assert told.quality == "bad"
     assert told.what == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."

@@ -5,7 +5,7 @@ import threading
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
 
@@ -38,7 +38,7 @@ def test_work_runs_on_a_thread_and_tells_its_progress(bus: Bus) -> None:
 
 def test_a_refusal_and_a_mistake_both_end_as_a_reason(bus: Bus) -> None:
     def refuse(progress: Progress) -> int:
-        raise Refusal("too-few-contacts", "four contacts", "six are needed")
+        raise OperationError("too-few-contacts", "four contacts", "six are needed")
 
     def fail(progress: Progress) -> int:
         return 1 // 0
@@ -56,7 +56,7 @@ def test_a_refusal_and_a_mistake_both_end_as_a_reason(bus: Bus) -> None:
 def test_one_job_at_a_time(bus: Bus) -> None:
     jobs, go_on = Jobs(bus), threading.Event()
     jobs.start("Solving", lambda progress: go_on.wait(10), lambda job: None)
-    with pytest.raises(Refusal, match="Solving is still running"):
+    with pytest.raises(OperationError, match="Solving is still running"):
         jobs.start("Another", lambda progress: 1, lambda job: None)
     go_on.set()
     jobs.wait(10)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.metrology.arm.kinematics import tip_centres
-from app.station.devices.joint_buffer import KEPT_SAMPLES, JointRing, JointWindow, mean_of
+from app.station.devices.joint_buffer import RING_SAMPLES, JointRing, JointWindow, average_joints
 from app.station.devices.stillness import stillness
 from hardware.interfaces import JointSample
 from tests.station.conftest import REST_RAD, six_axis_arm
@@ -49,14 +49,14 @@ def test_an_encoder_that_rolls_over_is_interpolated_the_short_way() -> None:
     assert found is not None
     assert np.cos(found[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
     window = ring.between(0, 2 * MS)
-    assert np.cos(mean_of(window).q_rad[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
+    assert np.cos(average_joints(window).q_rad[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_the_ring_forgets_its_oldest_and_keeps_its_order() -> None:
-    ring = ring_of(KEPT_SAMPLES + 500)
+    ring = ring_of(RING_SAMPLES + 500)
     assert ring.at(499 * 2 * MS) is None
     first = ring.between(0, 10**18)
-    assert len(first) == KEPT_SAMPLES
+    assert len(first) == RING_SAMPLES
     assert (np.diff(first.stamps_ns) == 2 * MS).all()
     assert first.stamps_ns[0] == 500 * 2 * MS
 
@@ -123,7 +123,7 @@ def test_too_few_samples_are_not_called_still() -> None:
 def test_the_mean_comes_with_the_scatter_of_the_samples() -> None:
     random = np.random.default_rng(2)
     q = REST_RAD + 1e-4 * random.normal(size=(400, 6))
-    mean = mean_of(window_of(q))
+    mean = average_joints(window_of(q))
     np.testing.assert_allclose(mean.q_rad, q.mean(axis=0))
     np.testing.assert_allclose(mean.scatter_rad, 1e-4, rtol=0.15)
     assert mean.samples == 400

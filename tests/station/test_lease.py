@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.control_lease import LAPSES_S, Control, Lease, Person
 
@@ -27,9 +27,9 @@ def test_whoever_acts_first_has_it_and_all_are_told() -> None:
     lease.act(ANNA)
     lease.act(ANNA)
     assert bus.latest("control") == Control(ANNA)
-    with pytest.raises(Refusal, match="Anna has control"):
+    with pytest.raises(OperationError, match="Anna has control"):
         lease.act(BEN)
-    with pytest.raises(Refusal, match="in another browser"):
+    with pytest.raises(OperationError, match="in another browser"):
         lease.act(TABLET)
 
 
@@ -62,11 +62,11 @@ def test_a_late_beat_does_not_bring_it_back() -> None:
 def test_only_the_holder_answers_and_lets_go() -> None:
     lease, _, _ = leased()
     lease.act(ANNA)
-    with pytest.raises(Refusal, match="Nobody asks"):
+    with pytest.raises(OperationError, match="Nobody asks"):
         lease.answer(ANNA, give=True)
     lease.ask(BEN)
     for act in (lambda: lease.answer(BEN, give=True), lambda: lease.release(BEN)):
-        with pytest.raises(Refusal, match="do not have control"):
+        with pytest.raises(OperationError, match="do not have control"):
             act()
     lease.answer(ANNA, give=False)
     assert lease.control == Control(ANNA)
@@ -80,7 +80,7 @@ def test_the_same_person_takes_over_without_a_reason_others_need_one() -> None:
     lease.act(ANNA)
     lease.take_over(TABLET, "")
     assert lease.control == Control(TABLET)
-    with pytest.raises(Refusal, match="No reason"):
+    with pytest.raises(OperationError, match="No reason"):
         lease.take_over(BEN, "   ")
     subscription = bus.subscribe()
     lease.take_over(BEN, "she went home")

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.file_names import printable
-from app.monitoring.log_store import FILE, LogBook
-from app.monitoring.log_text import FIRST, FORGOTTEN_S, Repeats
-from app.server.listener import FirstLine
+from app.formats.file_names import escape_unprintable
+from app.monitoring.log_store import FILE, LogStore
+from app.monitoring.log_text import FIRST, FORGOTTEN_S, RepeatFilter
+from app.server.listener import OneLineFormatter
 
 HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
 
@@ -27,17 +27,17 @@ def record(text: str, *args: object, level: int = logging.ERROR) -> logging.LogR
 
 
 def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
-    told = printable(HOSTILE)
+    told = escape_unprintable(HOSTILE)
     assert told.isprintable()
     assert "\\x1b[31m red" in told
     assert "\\u2028" in told
     assert "\\ud800" in told
-    assert printable("µm ″ Prüfkörper") == "µm ″ Prüfkörper"
-    assert printable("a\nb", "\n") == "a\nb"
+    assert escape_unprintable("µm ″ Prüfkörper") == "µm ″ Prüfkörper"
+    assert escape_unprintable("a\nb", "\n") == "a\nb"
 
 
 def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> None:
-    book = LogBook(tmp_path)
+    book = LogStore(tmp_path)
     logging.getLogger("app.test").error("before")
     # pytest's own workers cannot hand on a lone surrogate that was logged
     encodable = HOSTILE.replace("\ud800", "")
@@ -48,14 +48,14 @@ def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> 
     raw = (book.folder / FILE).read_text("utf-8")
     assert all(sign.isprintable() or sign == "\n" for sign in raw)
     assert len(raw) < 3000
-    line = FirstLine("%(message)s").format(record("GET %s failed", HOSTILE + "x" * 10_000))
+    line = OneLineFormatter("%(message)s").format(record("GET %s failed", HOSTILE + "x" * 10_000))
     assert line.isprintable()
     assert len(line) < 600
 
 
 def test_equal_errors_are_counted_instead_of_repeated() -> None:
     clock = Clock()
-    repeats = Repeats(clock)
+    repeats = RepeatFilter(clock)
     passed = []
     for _ in range(1000):
         one = record("the request failed")
@@ -73,14 +73,14 @@ def test_equal_errors_are_counted_instead_of_repeated() -> None:
 
 
 def test_one_line_in_ever_other_words_is_counted_too() -> None:
-    repeats = Repeats(Clock())
+    repeats = RepeatFilter(Clock())
     paths = [chr(0x4E00 + number) for number in range(5000)]
     assert sum(repeats.filter(record("GET /%s failed", path)) for path in paths) < 30
 
 
 def test_an_hour_of_a_flood_is_a_few_lines() -> None:
     clock = Clock()
-    repeats, written = Repeats(clock), 0
+    repeats, written = RepeatFilter(clock), 0
     for number in range(3600 * 20):
         clock.now_s += 0.05
         words = f"GET /{chr(0x4E00 + number % 200)} failed"
@@ -89,7 +89,7 @@ def test_an_hour_of_a_flood_is_a_few_lines() -> None:
 
 
 def test_what_is_said_of_normal_work_is_not_counted() -> None:
-    repeats = Repeats(Clock())
+    repeats = RepeatFilter(Clock())
     assert all(repeats.filter(record("point %d", n, level=logging.INFO)) for n in range(100))
 
 
@@ -97,7 +97,7 @@ def test_a_flood_pushes_no_fault_out_of_the_log(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     caplog.set_level(logging.CRITICAL)
-    book, log = LogBook(tmp_path), logging.getLogger("app.test")
+    book, log = LogStore(tmp_path), logging.getLogger("app.test")
     log.setLevel(logging.INFO)
     log.error("the camera is gone")
     for number in range(20_000):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.scan.pipeline import ScanCalibration
@@ -17,7 +17,7 @@ from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from hardware.registry import arm_driver
 from hardware.simulator.devices.faults import Faults
-from hardware.simulator.station import Twin
+from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_the_twin import CONFIG, true_calibration
 
@@ -40,18 +40,20 @@ LIES = {"J4": frozen, "J1": three_turns_on, "J3": astray}
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin(CONFIG) as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation(CONFIG) as twin:
         yield twin
 
 
 @pytest.fixture
-def calibration(twin: Twin, tmp_path: Path) -> ScanCalibration:
+def calibration(twin: SimulatedStation, tmp_path: Path) -> ScanCalibration:
     return true_calibration(twin, tmp_path)
 
 
 @pytest.fixture
-def rig(twin: Twin, bus: Bus, calibration: ScanCalibration, tmp_path: Path) -> Iterator[Rig]:
+def rig(
+    twin: SimulatedStation, bus: Bus, calibration: ScanCalibration, tmp_path: Path
+) -> Iterator[Rig]:
     options = {"url": twin.arm_url}
     rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
     rig.arm.set_model(calibration.arm)
@@ -62,7 +64,7 @@ def rig(twin: Twin, bus: Bus, calibration: ScanCalibration, tmp_path: Path) -> I
     rig.stop()
 
 
-def begin(lie: Lie, twin: Twin, rig: Rig) -> float:
+def begin(lie: Lie, twin: SimulatedStation, rig: Rig) -> float:
     """Seconds until the lie is told."""
     started_s = time.monotonic()
     lie(twin.faults)
@@ -71,16 +73,18 @@ def begin(lie: Lie, twin: Twin, rig: Rig) -> float:
 
 
 @pytest.mark.parametrize("joint", LIES)
-def test_nothing_is_taken_and_the_joint_is_named(joint: str, twin: Twin, rig: Rig) -> None:
+def test_nothing_is_taken_and_the_joint_is_named(
+    joint: str, twin: SimulatedStation, rig: Rig
+) -> None:
     begin(LIES[joint], twin, rig)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.arm.average()
     assert refused.value.code == "joint-implausible"
     assert f"joint {joint} reads" in refused.value.what
     assert refused.value.remedy
     assert not rig.arm.stillness().still
     assert refused.value.what[1:] in rig.arm.link().text
-    with pytest.raises(Refusal, match=f"joint {joint} reads"):
+    with pytest.raises(OperationError, match=f"joint {joint} reads"):
         rig.capture_pair()
     twin.faults.clear()
     until(lambda: rig.arm.stillness().still)
@@ -89,7 +93,12 @@ def test_nothing_is_taken_and_the_joint_is_named(joint: str, twin: Twin, rig: Ri
 
 @pytest.mark.parametrize("joint", LIES)
 def test_a_scan_leaves_out_what_a_lying_encoder_says(
-    joint: str, twin: Twin, rig: Rig, calibration: ScanCalibration, bus: Bus, tmp_path: Path
+    joint: str,
+    twin: SimulatedStation,
+    rig: Rig,
+    calibration: ScanCalibration,
+    bus: Bus,
+    tmp_path: Path,
 ) -> None:
     """Every angle that the scan goes by is what the joints truly were."""
     scene = Scene(point_budget=10_000)
@@ -122,7 +131,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         scene.close()
 
 
-def test_an_honest_hand_is_never_accused(twin: Twin, rig: Rig) -> None:
+def test_an_honest_hand_is_never_accused(twin: SimulatedStation, rig: Rig) -> None:
     assert twin.hand.scan_part("sphere")
     assert twin.hand.touch("crest", 0)
     assert rig.arm.kept_back == 0

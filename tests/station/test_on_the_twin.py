@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.arm import read_arm
 from app.metrology.fitting.plane_sphere import fit_sphere
@@ -22,13 +22,15 @@ from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from hardware.interfaces import Button, ButtonEvent
 from hardware.registry import arm_driver
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.station.conftest import until
 
-CONFIG = TwinConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)
+CONFIG = SimulationConfig(
+    imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0
+)
 
 
-def true_calibration(twin: Twin, folder: Path) -> ScanCalibration:
+def true_calibration(twin: SimulatedStation, folder: Path) -> ScanCalibration:
     """What a perfect calibration of the twin would find."""
     (folder / "arm.json").write_text(json.dumps(twin.papers()["arm.json"]))
     arm = read_arm(folder / "arm.json")
@@ -58,13 +60,13 @@ def true_calibration(twin: Twin, folder: Path) -> ScanCalibration:
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[Twin]:
-    with Twin(CONFIG) as twin:
+def twin() -> Iterator[SimulatedStation]:
+    with SimulatedStation(CONFIG) as twin:
         yield twin
 
 
 @pytest.fixture
-def rig(twin: Twin, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
+def rig(twin: SimulatedStation, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
     options = {"url": twin.arm_url}
     rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
     rig.arm.set_model(true_calibration(twin, tmp_path).arm)
@@ -75,7 +77,9 @@ def rig(twin: Twin, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
     twin.faults.clear()
 
 
-def test_the_sphere_is_scanned_to_its_size(twin: Twin, rig: Rig, bus: Bus, tmp_path: Path) -> None:
+def test_the_sphere_is_scanned_to_its_size(
+    twin: SimulatedStation, rig: Rig, bus: Bus, tmp_path: Path
+) -> None:
     scene = Scene(point_budget=100_000)
     scanner = Scanner(bus, rig, scene, tmp_path / "scans")
     scanner.set_calibration(true_calibration(twin, tmp_path))
@@ -95,7 +99,9 @@ def test_the_sphere_is_scanned_to_its_size(twin: Twin, rig: Rig, bus: Bus, tmp_p
     np.testing.assert_allclose(fit.centre_mm, nominal["centre_mm"], atol=0.06)
 
 
-def test_a_touch_of_the_hand_is_heard_and_averaged(twin: Twin, rig: Rig, bus: Bus) -> None:
+def test_a_touch_of_the_hand_is_heard_and_averaged(
+    twin: SimulatedStation, rig: Rig, bus: Bus
+) -> None:
     async def scenario() -> ButtonEvent:
         loop = asyncio.get_running_loop()
         bus.attach(loop)
@@ -111,7 +117,9 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(twin: Twin, rig: Rig, bus: Bu
     assert mean.scatter_rad.max() < 1e-4
 
 
-def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(twin: Twin, rig: Rig) -> None:
+def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(
+    twin: SimulatedStation, rig: Rig
+) -> None:
     assert twin.hand.hold_over("block")
     until(lambda: rig.arm.stillness().still)
     taken = rig.capture_pair()
@@ -121,7 +129,9 @@ def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(twin: Twin, ri
     assert taken.laser.image.mean() < taken.ambient.image.mean() / 2
 
 
-def test_garbage_and_lost_packets_are_counted_and_harmless(twin: Twin, rig: Rig) -> None:
+def test_garbage_and_lost_packets_are_counted_and_harmless(
+    twin: SimulatedStation, rig: Rig
+) -> None:
     twin.faults.corrupt_rate = twin.faults.garbage_rate = twin.faults.drop_rate = 0.02
     until(lambda: rig.arm.link().lost > 20 and rig.arm.link().corrupt > 20)
     assert rig.arm.link().state == "connected"
@@ -129,17 +139,17 @@ def test_garbage_and_lost_packets_are_counted_and_harmless(twin: Twin, rig: Rig)
     assert rig.arm.average().samples > 100
 
 
-def test_an_unplugged_arm_and_a_lost_camera_come_back(twin: Twin, rig: Rig) -> None:
+def test_an_unplugged_arm_and_a_lost_camera_come_back(twin: SimulatedStation, rig: Rig) -> None:
     twin.faults.unplugged = twin.faults.camera_lost = True
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost", 3)
-    with pytest.raises(Refusal):
+    with pytest.raises(OperationError):
         rig.capture_pair()
     twin.faults.unplugged = twin.faults.camera_lost = False
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "connected", 20)
     assert rig.arm.info is not None
 
 
-def test_an_arm_that_stalls_is_lost_and_found(twin: Twin, rig: Rig) -> None:
+def test_an_arm_that_stalls_is_lost_and_found(twin: SimulatedStation, rig: Rig) -> None:
     twin.faults.stalled = True
     until(lambda: rig.arm.link().state == "lost", 2)
     twin.faults.stalled = False

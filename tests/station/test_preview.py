@@ -18,7 +18,7 @@ from app.formats.settings.scan_settings import ScanSettings
 from app.metrology.stripe import Stripe, extract_stripe
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
-from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimated, jpeg
+from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimate, jpeg
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 
 
@@ -105,10 +105,10 @@ def test_a_large_picture_is_made_small_and_a_deep_one_shown_in_full_range() -> N
 
 def test_a_stripe_is_thinned_evenly() -> None:
     u = np.arange(1280.0)
-    points = decimated(Stripe(u, 2 * u, u, u))
+    points = decimate(Stripe(u, 2 * u, u, u))
     assert len(points) <= STRIPE_POINTS
     np.testing.assert_allclose(np.diff([x for x, _ in points]), points[1][0] - points[0][0])
-    assert decimated(None) == ()
+    assert decimate(None) == ()
 
 
 def test_the_object_is_found_in_the_live_picture_and_lost_with_its_reason(
@@ -154,7 +154,7 @@ def test_what_was_found_goes_with_the_hold_that_it_was_found_in(
 def test_the_stripe_of_a_real_picture_is_drawn_on_it(samples: Path) -> None:
     picture = read_grey(samples / "one-pose/images/pose00_laser.png")
     stripe = extract_stripe(picture)
-    at = np.array(decimated(stripe)).round().astype(int)
+    at = np.array(decimate(stripe)).round().astype(int)
     assert np.median(picture[at[:, 1], at[:, 0]]) > 3 * np.median(picture)
 
 

@@ -6,7 +6,7 @@ import time
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from hardware.clock import now_ns
@@ -42,7 +42,7 @@ def test_an_unplugged_arm_is_said_lost_and_comes_back(rig: Rig, bench: Bench, bu
     assert "bench:1" in rig.arm.link().text
     assert rig.arm.latest() is None
     assert rig.sensor.link().state == "connected"
-    with pytest.raises(Refusal, match="sends no joint angles"):
+    with pytest.raises(OperationError, match="sends no joint angles"):
         rig.arm.average()
     received = rig.arm.link().received
     bench.arm_plugged = True
@@ -122,7 +122,7 @@ def test_a_lost_packet_is_counted(rig: Rig, bench: Bench) -> None:
 def test_a_moving_arm_is_not_averaged_and_a_still_one_is(rig: Rig, bench: Bench) -> None:
     bench.joints_at = swing
     until(lambda: rig.arm.stillness().moved_um > 1000)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.arm.average()
     assert refused.value.code == "arm-moving"
     bench.joints_at = lambda seconds: REST_RAD
@@ -144,7 +144,7 @@ def test_an_arm_that_was_away_for_a_moment_is_not_called_still(rig: Rig, bench: 
     until(lambda: (now := rig.arm.latest()) and now.stamp_ns > newest.stamp_ns + 50_000_000)
     latest = rig.arm.latest()
     assert latest is not None
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.arm.average(0.2, until_ns=newest.stamp_ns + 220_000_000)
     assert refused.value.code == "no-joints"
 
@@ -213,7 +213,7 @@ def test_a_capture_is_refused_while_the_arm_moves(rig: Rig, bench: Bench) -> Non
     bench.joints_at = swing
     # the scripted arm jumps to its swing, which is noticed too
     until(lambda: not rig.arm.stillness().still and rig.arm.doubt() is None)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.capture_pair()
     assert refused.value.code == "arm-moving"
     assert "hold it still" in refused.value.line.lower()
@@ -228,7 +228,7 @@ def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Benc
         return REST_RAD + 0.01 * max(0.0, seconds - moves_from)
 
     bench.joints_at = late_move
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.capture_pair()
     assert refused.value.code == "arm-moved"
     assert not bench.laser_on
@@ -237,7 +237,7 @@ def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Benc
 def test_a_laser_that_does_not_obey_is_named(rig: Rig, bench: Bench) -> None:
     ready(rig)
     bench.laser_obeys = False
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         rig.capture_pair()
     assert refused.value.code == "laser-stuck"
 
@@ -251,7 +251,7 @@ def test_a_sensor_without_a_laser_switch_gives_one_picture(rig: Rig, bench: Benc
     ready(rig)
     taken = rig.capture_pair()
     assert (taken.lighting, taken.laser) == ("both", None)
-    with pytest.raises(Refusal, match="cannot be switched from here"):
+    with pytest.raises(OperationError, match="cannot be switched from here"):
         rig.sensor.set_laser(True)
 
 
@@ -296,7 +296,7 @@ def test_a_lost_sensor_refuses_in_words(rig: Rig, bench: Bench) -> None:
     bench.sensor_plugged = False
     until(lambda: rig.sensor.link().state == "lost")
     for act in (rig.capture_pair, rig.sensor.auto_exposure, lambda: rig.sensor.set_laser(True)):
-        with pytest.raises(Refusal) as refused:
+        with pytest.raises(OperationError) as refused:
             act()
         assert refused.value.code == "sensor-lost"
     rig.sensor.laser_off()

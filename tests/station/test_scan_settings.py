@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.reader import EXTRACTION, ImageRecord, StripeRecord, open_recording
 from app.formats.results.calibration import Calibration, SerialNumbers
@@ -18,7 +18,7 @@ from app.station.jobs import Jobs
 from app.station.operator_settings import OperatorSettings, PassRecord
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
-from app.workflows.reconstruct import rebuild
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.test_mask import settings
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 from tests.station.test_scanner import calibration, scanner, scene
@@ -103,14 +103,14 @@ def test_values_out_of_range_change_nothing(
     operator: OperatorSettings, kept: Kept, field: str, value: object
 ) -> None:
     before = operator.view()
-    with pytest.raises(Refusal, match=field):
+    with pytest.raises(OperationError, match=field):
         operator.change({**UNSET, field: value}, [])
     assert operator.view() == before
     assert kept.settings == AUTOMATIC
 
 
 def test_zones_that_cannot_be_meant_change_nothing(operator: OperatorSettings) -> None:
-    with pytest.raises(Refusal, match="no area"):
+    with pytest.raises(OperationError, match="no area"):
         operator.change(UNSET, [[[1.0, 1.0], [5.0, 5.0], [9.0, 9.0]]])
     assert operator.view().zones == ()
 
@@ -120,7 +120,7 @@ def test_the_exposure_is_set_and_found_from_the_line(
 ) -> None:
     operator.change({**UNSET, "exposure_us": 2500.0}, [])
     assert bench.exposure_us == 2500.0
-    with pytest.raises(Refusal, match="the laser is off"):
+    with pytest.raises(OperationError, match="the laser is off"):
         operator.expose_by_the_line()
     rig.sensor.set_laser(True)
     # the line is a hundredth of the picture, and grows with the exposure
@@ -130,7 +130,7 @@ def test_the_exposure_is_set_and_found_from_the_line(
     assert operator.view().exposure_us == kept.settings.exposure_us
     bench.picture = np.full((HEIGHT, WIDTH), 3, np.uint8)
     held = bench.exposure_us
-    with pytest.raises(Refusal, match="no line is seen"):
+    with pytest.raises(OperationError, match="no line is seen"):
         operator.expose_by_the_line()
     assert bench.exposure_us == held
     rig.sensor.set_laser(False)
@@ -182,7 +182,7 @@ def test_pictures_are_recorded_beside_their_stripes(
     sheet = Calibration(
         use.camera, use.plane, use.T_flange_sensor, "u", SerialNumbers(arm="A-1", sensor="S-1")
     )
-    rebuilt = rebuild(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
+    rebuilt = reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
     assert result is not None
     assert rebuilt.points == result.points
 
@@ -201,9 +201,9 @@ def test_the_delay_of_the_settings_is_in_cloud_and_recording(
         use.camera, use.plane, use.T_flange_sensor, "u", SerialNumbers(arm="A-1", sensor="S-1")
     )
     live = read_cloud(folder / "cloud.ply").points_mm
-    rebuild(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
+    reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
     np.testing.assert_allclose(read_cloud(tmp_path / "again.ply").points_mm, live, atol=1e-6)
-    rebuild(folder / "scan.mcap", sheet, use.arm, tmp_path / "raw.ply", delay_ns=0)
+    reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "raw.ply", delay_ns=0)
     raw = read_cloud(tmp_path / "raw.ply").points_mm
     assert np.abs(raw[: len(live)] - live[: len(raw)]).max() > 0.1
 
@@ -227,7 +227,7 @@ def test_a_delay_that_is_applied_already_stays(
 def test_a_delay_that_cannot_be_found_is_said(
     operator: OperatorSettings, bus: Bus, tmp_path: Path
 ) -> None:
-    with pytest.raises(Refusal, match="No delay was found"):
+    with pytest.raises(OperationError, match="No delay was found"):
         operator.use_delay(True)
     nowhere = tmp_path / "nothing"
 
@@ -250,10 +250,10 @@ def test_what_the_disk_does_not_keep_is_not_used(
     operator: OperatorSettings, kept: Kept, scanner: Scanner
 ) -> None:
     def full(_: ScanSettings) -> None:
-        raise Refusal("disk-full", "scan_settings.json", "the disk is full")
+        raise OperationError("disk-full", "scan_settings.json", "the disk is full")
 
     kept.keep = full  # type: ignore[method-assign]
-    with pytest.raises(Refusal, match="the disk is full"):
+    with pytest.raises(OperationError, match="the disk is full"):
         operator.change({**UNSET, "threshold": 200.0}, [])
     assert operator.view().threshold is None
     scanner.start("as before")

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import capital
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.reader import open_recording
@@ -25,7 +25,7 @@ from app.station.scan.pipeline import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult, ScanState
 from app.station.view3d.scene import Scene
-from app.workflows.reconstruct import rebuild
+from app.workflows.reconstruct import reconstruct_cloud
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 
 
@@ -90,7 +90,7 @@ def test_a_scan_is_recorded_saved_and_shown(
     assert result.points > 40 * 0.9 * WIDTH
     use = calibration()
     serials = SerialNumbers(arm="A-1", sensor="S-1", object="B-1")
-    rebuilt = rebuild(
+    rebuilt = reconstruct_cloud(
         folder / "scan.mcap",
         Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials),
         use.arm,
@@ -173,7 +173,7 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
     }
     for code, other in cases.items():
         scanner.set_calibration(other)
-        with pytest.raises(Refusal) as refused:
+        with pytest.raises(OperationError) as refused:
             scanner.start("no")
         assert refused.value.code == code
         assert scanner.state().state == "blocked"
@@ -181,14 +181,14 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
     scanner.set_calibration(calibration())
     bench.arm_plugged = False
     until(lambda: not rig.arm.fresh)
-    with pytest.raises(Refusal, match="the arm sends nothing"):
+    with pytest.raises(OperationError, match="the arm sends nothing"):
         scanner.start("no")
     assert not bench.laser_on
 
 
 def test_one_scan_at_a_time(scanner: Scanner) -> None:
     scanner.start("one")
-    with pytest.raises(Refusal, match="a scan is running already"):
+    with pytest.raises(OperationError, match="a scan is running already"):
         scanner.start("two")
     assert scanner.stop() is not None
     assert scanner.stop() is None
@@ -240,7 +240,7 @@ def test_too_little_room_refuses_before_anything_moves(
     scanner: Scanner, bench: Bench, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(scan_folders, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         scanner.start("no room")
     assert refused.value.code == "disk-full"
     assert not bench.laser_on

@@ -9,7 +9,7 @@ import viser
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.formats.clouds.points import Points, packed
+from app.formats.clouds.points import Points, pack_points
 from app.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -50,7 +50,7 @@ def surface(count: int, seed: int = 1, size_mm: float = 60.0) -> np.ndarray:
 
 def records(points: np.ndarray, intensity: float = 100.0, uncertainty_um: float = 5.0) -> Points:
     ones = np.ones(len(points))
-    return packed(points, intensity * ones, uncertainty_um * ones, 0)
+    return pack_points(points, intensity * ones, uncertainty_um * ones, 0)
 
 
 def add(scene: Scene, points: np.ndarray) -> None:

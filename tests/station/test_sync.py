@@ -17,10 +17,10 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
-from app.workflows.estimate_delay import sync
-from app.workflows.reconstruct import rebuilt_points
+from app.workflows.estimate_delay import estimate_recording_delay
+from app.workflows.reconstruct import reconstruct_points
 from hardware.registry import arm_driver
-from hardware.simulator.station import Twin
+from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_the_twin import CONFIG, true_calibration
 
@@ -28,18 +28,20 @@ DELAY_MS = 4.0
 
 
 @pytest.fixture(scope="module")
-def late() -> Iterator[Twin]:
-    with Twin(replace(CONFIG, arm_delay_ms=DELAY_MS)) as twin:
+def late() -> Iterator[SimulatedStation]:
+    with SimulatedStation(replace(CONFIG, arm_delay_ms=DELAY_MS)) as twin:
         yield twin
 
 
-def plane_rms_um(points: np.ndarray, twin: Twin) -> float:
+def plane_rms_um(points: np.ndarray, twin: SimulatedStation) -> float:
     nominal = json.loads(json.dumps(twin.papers()["plate.nominal.json"]))
     off = (points - nominal["point_mm"]) @ nominal["normal"]
     return 1e3 * fit_plane(points[np.abs(off) < 1.5]).rms_mm
 
 
-def transport_ms(recording: Path, arm: Arm, T_flange_sensor: np.ndarray, twin: Twin) -> float:
+def transport_ms(
+    recording: Path, arm: Arm, T_flange_sensor: np.ndarray, twin: SimulatedStation
+) -> float:
     """By how much the arm's stamps are late of themselves: its line takes a while."""
     records = open_recording(recording).records()
     joints = [record for record in records if isinstance(record, JointRecord)][200:-200:20]
@@ -52,7 +54,9 @@ def transport_ms(recording: Path, arm: Arm, T_flange_sensor: np.ndarray, twin: T
     return float(lags_ms[np.argmin(off)])
 
 
-def test_a_late_arm_is_found_out_and_put_right(late: Twin, bus: Bus, tmp_path: Path) -> None:
+def test_a_late_arm_is_found_out_and_put_right(
+    late: SimulatedStation, bus: Bus, tmp_path: Path
+) -> None:
     rig = Rig(
         bus, lambda: arm_driver("serial-encoder", {"url": late.arm_url}), late.sensor, tmp_path
     )
@@ -75,13 +79,13 @@ def test_a_late_arm_is_found_out_and_put_right(late: Twin, bus: Bus, tmp_path: P
     calibration = Calibration(use.camera, use.plane, use.T_flange_sensor, "u", serials)
 
     recording = result.folder / "scan.mcap"
-    found = sync(recording, calibration, use.arm)
+    found = estimate_recording_delay(recording, calibration, use.arm)
     true_ms = DELAY_MS + transport_ms(recording, use.arm, use.T_flange_sensor, late)
     assert found.standard_uncertainty_ms < 0.1
     assert abs(found.delay_ms - true_ms) < 3 * found.standard_uncertainty_ms + 0.05
     found.write(tmp_path / "sync.json")
     assert Sync.read(tmp_path / "sync.json") == found
 
-    before, _ = rebuilt_points(recording, calibration, use.arm)
-    after, _ = rebuilt_points(recording, calibration, use.arm, found.delay_ns)
+    before, _ = reconstruct_points(recording, calibration, use.arm)
+    after, _ = reconstruct_points(recording, calibration, use.arm, found.delay_ns)
     assert plane_rms_um(before, late) > 3 * plane_rms_um(after, late)

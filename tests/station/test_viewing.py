@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.points import Points, packed
+from app.formats.clouds.points import Points, pack_points
 from app.metrology.fitting.shape import measure_shape
 from app.metrology.transforms import Floats
 from app.station.bus import Bus
@@ -19,13 +19,13 @@ from app.station.view3d.selection import (
     MOST_FITTED,
     FrontSurface,
     Rectangle,
-    ShownCloud,
     ViewCamera,
-    pick,
+    VisibleCloud,
+    select_points,
 )
-from app.station.view3d.shape_fits import figures_of
-from app.station.view3d.view_controller import StoredScan, Viewing
-from app.station.working_distance import distance_of
+from app.station.view3d.shape_fits import shape_parameters
+from app.station.view3d.view_controller import StoredScan, ViewController
+from app.station.working_distance import classify_distance
 from tests.station.conftest import until
 from tests.station.viewer import Viewer
 
@@ -43,7 +43,7 @@ def from_above(height_mm: float = 300.0) -> ViewCamera:
 def cloud(points: Floats, frame: np.ndarray | int = 0, noise_mm: float = 0.0) -> Points:
     noise = np.random.default_rng(5).normal(0, noise_mm, points.shape) if noise_mm else 0.0
     ones = np.ones(len(points))
-    return packed(points + noise, 100 * ones, 5 * ones, frame)
+    return pack_points(points + noise, 100 * ones, 5 * ones, frame)
 
 
 def ball(count: int = 20_000, noise_mm: float = 0.01) -> Points:
@@ -68,7 +68,7 @@ class Room:
 
     scene: Scene
     bus: Bus
-    viewing: Viewing
+    viewing: ViewController
     folder: Path
 
     def store(self, name: str, points: Points) -> StoredScan:
@@ -97,7 +97,7 @@ class Room:
 @pytest.fixture
 def room(tmp_path: Path) -> Iterator[Room]:
     scene, bus = Scene(point_budget=40_000), Bus()
-    viewing = Viewing(bus, scene, tmp_path, lambda: None)
+    viewing = ViewController(bus, scene, tmp_path, lambda: None)
     viewing.look(KEY, from_above())
     yield Room(scene, bus, viewing, tmp_path)
     viewing.close()
@@ -136,8 +136,10 @@ def test_more_points_than_a_fit_takes_are_taken_evenly(tmp_path: Path) -> None:
     with cloud_writer(tmp_path / "cloud.ply") as writer:
         writer.append(points)
     thin = np.column_stack([x, np.zeros(count), np.zeros(count)])[::50]
-    shown = ShownCloud(thin, np.zeros(len(thin), [("taken_s", "<f4")]), 0.1, tmp_path / "cloud.ply")
-    picked = pick(from_above(), Rectangle(0, 0, 1, 1), [shown])
+    shown = VisibleCloud(
+        thin, np.zeros(len(thin), [("taken_s", "<f4")]), 0.1, tmp_path / "cloud.ply"
+    )
+    picked = select_points(from_above(), Rectangle(0, 0, 1, 1), [shown])
     assert picked.count == count
     assert picked.every
     assert MOST_FITTED / 2 < len(picked.points_mm) <= MOST_FITTED
@@ -185,7 +187,7 @@ def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(room: Ro
 
 
 def test_deviations_are_from_the_last_fit_and_end_with_it(room: Room) -> None:
-    with pytest.raises(Refusal, match="There is no fitted shape yet"):
+    with pytest.raises(OperationError, match="There is no fitted shape yet"):
         room.viewing.colour_by("deviation", None)
     room.viewing.show(room.store("ball", ball()))
     until(lambda: room.whole("ball"))
@@ -223,7 +225,7 @@ def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(room: R
     assert "No sphere was fitted" in room.told()[-1]
     room.fitted(MIDDLE, "cylinder")
     assert "No cylinder was fitted" in room.told()[-1]
-    with pytest.raises(Refusal, match="not connected"):
+    with pytest.raises(OperationError, match="not connected"):
         room.viewing.fit("cd" * 16, MIDDLE, "plane")
 
 
@@ -255,13 +257,13 @@ def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(room: Room) -
     assert "Ball cannot be shown" in room.told()[-1]
     assert not room.viewing.state().scans
     file.unlink()
-    with pytest.raises(Refusal, match="not in the data folder"):
+    with pytest.raises(OperationError, match="not in the data folder"):
         room.viewing.show(scan)
 
 
 def test_limits_by_hand_must_be_a_range(room: Room) -> None:
     for limits in ((3.0, 3.0), (4.0, 1.0), (0.0, float("inf"))):
-        with pytest.raises(Refusal, match="lower limit"):
+        with pytest.raises(OperationError, match="lower limit"):
             room.viewing.colour_by("intensity", limits)
     room.viewing.colour_by("intensity", (0.0, 50.0))
     legend = room.viewing.state().legend
@@ -270,9 +272,9 @@ def test_limits_by_hand_must_be_a_range(room: Room) -> None:
 
 
 def test_a_distance_is_within_the_range_or_to_one_side_of_it() -> None:
-    assert distance_of(150.0, (120.0, 180.0)).state == "in"
-    assert distance_of(119.0, (120.0, 180.0)).state == "near"
-    assert distance_of(181.0, (120.0, 180.0)).state == "far"
+    assert classify_distance(150.0, (120.0, 180.0)).state == "in"
+    assert classify_distance(119.0, (120.0, 180.0)).state == "near"
+    assert classify_distance(181.0, (120.0, 180.0)).state == "far"
 
 
 def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
@@ -283,7 +285,7 @@ def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
         frame = np.sort(rng.integers(0, FRAMES, 3000))
         off = rng.normal(0, 0.005, 3000) + rng.normal(0, 0.01, FRAMES)[frame]
         points = np.column_stack([780 + 0.7 * frame, rng.uniform(-20, 20, 3000), 30 + off])
-        distance = figures_of(measure_shape("plane", points, frame))[0]
+        distance = shape_parameters(measure_shape("plane", points, frame))[0]
         assert distance.uncertainty is not None
         scores.append(1e3 * (distance.value - 30.0) / distance.uncertainty)
     assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35

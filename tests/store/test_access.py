@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
-from app.monitoring.log_store import LogBook
+from app.errors import OperationError
+from app.monitoring.log_store import LogStore
 from app.store import login_sessions as sign_ins
 from app.store.accounts import Role
 from app.store.database import Database
 from app.store.schemas import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS
 from app.store.store import Store
-from app.strings.sentences import sentences_of
+from app.strings.sentences import load_sentences
 
 PASSWORD = "three unrelated words"
 
@@ -63,7 +63,7 @@ def test_a_guest_has_no_password_and_is_no_administrator_who_can_sign_in(store: 
     ],
 )
 def test_what_will_not_do_is_refused(store: Store, name: str, password: str, code: str) -> None:
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         store.accounts.add(name, Role.viewer, password)
     assert refused.value.code == code
     assert store.accounts.all() == []
@@ -128,7 +128,7 @@ def test_the_audit_log_is_searched_by_words(store: Store) -> None:
 def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> None:
     store.audit.note("Anna", "10.0.0.1", "pressed Stop")
     store.audit.note("Ben", "10.0.0.2", "calibration: took a point", "Control is with Anna.")
-    say = sentences_of("de").said
+    say = load_sentences("de").said
     found = [entry.who for entry in store.audit.newest(10, "punkt kalibrierung", say)]
     assert found == ["Ben"]
     assert [entry.who for entry in store.audit.newest(1, "anna", say)] == ["Ben"]
@@ -170,7 +170,7 @@ def test_the_database_and_what_is_logged_are_for_the_owner_alone(store: Store) -
     assert file.stat().st_mode & 0o777 == 0o600
     journal = file.with_name("station.db-wal")
     assert journal.stat().st_mode & 0o777 == 0o600
-    book = LogBook(store.folder)
+    book = LogStore(store.folder)
     book.close()
     assert book.folder.stat().st_mode & 0o777 == 0o700
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.store.accounts import Role
 from app.store.backup import LAST, NOTE, backup, last_backup
 from app.store.database import Database
@@ -77,7 +77,7 @@ def test_what_cannot_be_backed_up_is_refused_and_leaves_nothing(
         (store.folder, store.folder / "sessions/copy", "output-inside"),
         (store.folder, taken / "file/copy", "file-is-no-folder"),
     ):
-        with pytest.raises(Refusal) as refused:
+        with pytest.raises(OperationError) as refused:
             backup(data, output)
         assert refused.value.code in (code, "file-error"), refused.value
     assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "taken"]
@@ -99,7 +99,7 @@ def test_a_damaged_database_is_told(store: Store, tmp_path: Path) -> None:
     raw = bytearray(file.read_bytes())
     raw[4096:12288] = b"\xff" * 8192
     file.write_bytes(raw)
-    with pytest.raises(Refusal, match="cannot be copied"):
+    with pytest.raises(OperationError, match="cannot be copied"):
         backup(store.folder, tmp_path / "out")
 
 
@@ -132,7 +132,7 @@ def test_a_database_without_one_of_its_columns_is_refused(
     changing.execute(change)
     changing.commit()
     changing.close()
-    with pytest.raises(Refusal, match=told):
+    with pytest.raises(OperationError, match=told):
         Database(path)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.store.accounts import Role
 from app.store.backup import backup
 from app.store.database import Database
@@ -47,7 +47,7 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
     store = Store(small / "data")
     store.accounts.add("Ada", Role.operator, "three unrelated words")
     filler = fill(small)
-    with pytest.raises(Refusal, match="disk is full"):
+    with pytest.raises(OperationError, match="disk is full"):
         keep_on(store)
     token = store.sign_ins.begin("Ada", "tablet")
     visitor = store.sign_ins.visitor(token)
@@ -60,7 +60,7 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
     store.scans.add(scan)
     assert store.scans.all() == [scan]
     assert store.scans.get("one") == scan
-    with pytest.raises(Refusal, match="disk is full"):
+    with pytest.raises(OperationError, match="disk is full"):
         store.scans.add_waiting()
     filler.unlink()
     store.scans.add_waiting()
@@ -75,7 +75,7 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
 def test_a_full_disk_is_no_broken_database(small: Path) -> None:
     Store(small / "data").close()
     filler = fill(small)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         Store(small / "data").close()
     assert refused.value.code == "disk-full"
     assert "Free some space" in refused.value.remedy
@@ -87,7 +87,7 @@ def test_a_full_disk_is_no_broken_database(small: Path) -> None:
 def test_a_damaged_database_is_no_full_disk(tmp_path: Path) -> None:
     path = tmp_path / "station.db"
     path.write_bytes(b"no database at all" * 1000)
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         Database(path)
     assert refused.value.code == "database-unreadable"
 
@@ -95,7 +95,7 @@ def test_a_damaged_database_is_no_full_disk(tmp_path: Path) -> None:
 def test_a_backup_that_finds_no_room_leaves_nothing(small: Path, tmp_path: Path) -> None:
     store = Store(tmp_path / "data")
     (store.folder / "scans/cloud.ply").write_bytes(os.urandom(5_000_000))
-    with pytest.raises(Refusal) as refused:
+    with pytest.raises(OperationError) as refused:
         backup(store.folder, small / "copy")
     assert refused.value.code == "disk-full"
     assert list(small.iterdir()) == []

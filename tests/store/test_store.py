@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
-from app.store.calibrations import Figures
+from app.errors import OperationError
+from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
 from app.store.store import Store
 
@@ -73,7 +73,7 @@ def test_the_journal_refuses_to_be_rewritten(tmp_path: Path, statement: str) -> 
 def test_no_number_that_is_not_one_enters_the_journal(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.journal.begin_session("s1", "calibration")
-    with pytest.raises(Refusal, match="JSON compliant"):
+    with pytest.raises(OperationError, match="JSON compliant"):
         store.journal.append("s1", "point_taken", {"residual": float("nan")})
     assert store.journal.rows("s1") == []
     store.close()
@@ -90,7 +90,7 @@ def test_only_the_last_accepted_calibration_is_active(tmp_path: Path) -> None:
     assert active is not None
     assert active.id == "s2"
     assert active.file == store.folder / "sessions/s2/calibration.json"
-    assert active.figures == Figures(**FIGURES)
+    assert active.figures == CalibrationFigures(**FIGURES)
     assert [(c.id, c.active) for c in store.calibrations.all()] == [("s2", True), ("s1", False)]
     assert [row.kind for row in store.journal.rows("s2")] == ["accepted"]
     latest = store.journal.latest_session("calibration")
@@ -145,7 +145,7 @@ def test_a_data_folder_can_be_moved(tmp_path: Path) -> None:
 
 def test_a_second_server_is_refused_naming_the_first(tmp_path: Path) -> None:
     store = Store(tmp_path)
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         Store(tmp_path)
     assert caught.value.code == "data-folder-in-use"
     assert str(os.getpid()) in caught.value.line
@@ -159,7 +159,7 @@ def test_a_database_of_a_later_version_is_left_alone(tmp_path: Path) -> None:
     connection.execute("PRAGMA user_version = 99")
     connection.close()
     for _ in range(2):  # the refusal must also let the lock go
-        with pytest.raises(Refusal) as caught:
+        with pytest.raises(OperationError) as caught:
             Store(tmp_path)
         assert caught.value.code == "database-newer"
 
@@ -169,13 +169,13 @@ def test_another_programs_database_is_left_alone(tmp_path: Path, version: int) -
     connection = sqlite3.connect(tmp_path / "station.db")
     connection.executescript(f"CREATE TABLE things (x); PRAGMA user_version = {version};")
     connection.close()
-    with pytest.raises(Refusal, match="another program"):
+    with pytest.raises(OperationError, match="another program"):
         Store(tmp_path)
 
 
 def test_a_folder_in_the_databases_place_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").mkdir()
-    with pytest.raises(Refusal, match="cannot be read as a station's database"):
+    with pytest.raises(OperationError, match="cannot be read as a station's database"):
         Store(tmp_path)
 
 
@@ -195,7 +195,7 @@ def test_no_file_in_the_place_of_one_of_the_databases_is_named(
     if name:
         Store(tmp_path).close()
     make(tmp_path / f"station.db{name}")
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         Store(tmp_path)
     assert f"station.db{name} cannot be" in caught.value.what
     assert caught.value.why.startswith("it is a ")
@@ -206,13 +206,13 @@ def test_no_file_in_the_place_of_one_of_the_databases_is_named(
 def test_a_link_beside_the_database_that_leads_nowhere_is_named(tmp_path: Path) -> None:
     Store(tmp_path).close()
     (tmp_path / "station.db-wal").symlink_to(tmp_path / "nowhere")
-    with pytest.raises(Refusal, match=r"station\.db-wal cannot be used .* Move it away"):
+    with pytest.raises(OperationError, match=r"station\.db-wal cannot be used .* Move it away"):
         Store(tmp_path)
 
 
 def test_what_is_not_a_database_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").write_text("no database at all, but long enough to be read as one")
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         Store(tmp_path)
     assert caught.value.code == "database-unreadable"
     assert "station.db" in caught.value.line
@@ -220,7 +220,7 @@ def test_what_is_not_a_database_is_named(tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(Refusal) as caught:
+    with pytest.raises(OperationError) as caught:
         Store(tmp_path / "file" / "data")
     assert caught.value.code == "data-folder-unwritable"
 

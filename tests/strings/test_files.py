@@ -5,9 +5,9 @@ import re
 
 import pytest
 
-from app.strings.collect import collected, of_python, of_typescript
-from app.strings.files import FOLDER, languages, strings_of
-from app.strings.sentences import Sentences, sentences_of
+from app.strings.collect import collect_texts, python_texts, typescript_texts
+from app.strings.files import FOLDER, languages, load_strings
+from app.strings.sentences import Sentences, load_sentences
 
 PLACE = re.compile(r"\{\w+\}")
 OTHERS = languages()[1:]
@@ -15,15 +15,15 @@ OTHERS = languages()[1:]
 
 def test_english_is_what_the_code_says() -> None:
     """Brought up to it by ``python -m app.strings``."""
-    texts = collected()
-    assert dict(strings_of("en")) == {text: text for text in texts}
+    texts = collect_texts()
+    assert dict(load_strings("en")) == {text: text for text in texts}
     assert len(texts) > 2000
 
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_language_says_all_of_it_with_the_same_places(language: str) -> None:
-    strings = strings_of(language)
-    assert strings.keys() == strings_of("en").keys()
+    strings = load_strings(language)
+    assert strings.keys() == load_strings("en").keys()
     for text, other in strings.items():
         assert other.strip(), text
         assert sorted(PLACE.findall(text)) == sorted(PLACE.findall(other)), text
@@ -40,7 +40,7 @@ def test_a_file_is_sorted_and_read_by_people(language: str) -> None:
 @pytest.mark.parametrize("language", OTHERS)
 def test_what_the_browser_fills_in_itself_is_known(language: str) -> None:
     """A template whose places are filled by numbers is found again, whole."""
-    sentences, strings = sentences_of(language), strings_of(language)
+    sentences, strings = load_sentences(language), load_strings(language)
     unknown = [
         text
         for text in strings
@@ -56,7 +56,7 @@ text = f"{count} point{'s' if count != 1 else ''} of {len(all_points)} lie {off_
 raise Refusal("code", "the arm is lost", remedy="Look at its cable")
 path = "/api/home"
 '''
-    assert sorted(of_python(module)) == [
+    assert sorted(python_texts(module)) == [
         "Look at its cable",
         "the arm is lost",
         "{count} point of {all_points} lie {off_um} µm off",
@@ -65,7 +65,12 @@ path = "/api/home"
     client = (
         't("Take the picture"); words("Poses"); counted(n, "1 point", "{n} points"); other("no")'
     )
-    assert sorted(of_typescript(client)) == ["1 point", "Poses", "Take the picture", "{n} points"]
+    assert sorted(typescript_texts(client)) == [
+        "1 point",
+        "Poses",
+        "Take the picture",
+        "{n} points",
+    ]
 
 
 STRINGS = {

@@ -3,8 +3,8 @@
 import pytest
 
 from app.report.html import escape
-from app.report.pdf import _shown
-from app.strings.isolated import with_isolated
+from app.report.pdf import _replace_missing
+from app.strings.isolated import isolate_names
 
 HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"
 
@@ -20,11 +20,11 @@ HEBREW, ARABIC = "זרוע מדידה", "ذراع القياس"
     ],
 )
 def test_a_text_with_names_in_any_script(text: str, shown: str) -> None:
-    assert with_isolated(text) == shown
-    assert with_isolated(shown) == shown
+    assert isolate_names(text) == shown
+    assert isolate_names(shown) == shown
 
 
 def test_reports_isolate_whatever_they_show() -> None:
     assert escape(f"{HEBREW} <12>") == f"\u2068{HEBREW}\u2069 &lt;12&gt;"
     assert "\u202e" not in escape("a\u202eb")
-    assert _shown("a\u202eb") == "a□b"
+    assert _replace_missing("a\u202eb") == "a□b"

@@ -37,7 +37,7 @@ IDLE = ActivityReport(
 )
 
 
-def report_of(station: str, instance: str, **changed: object) -> StationReport:
+def make_report(station: str, instance: str, **changed: object) -> StationReport:
     return StationReport(
         station=station,
         instance=instance,
@@ -59,7 +59,7 @@ def report_of(station: str, instance: str, **changed: object) -> StationReport:
     ).model_copy(update=changed)
 
 
-def event_of(station: str, instance: str, number: int) -> StationEvent:
+def make_event(station: str, instance: str, number: int) -> StationEvent:
     return StationEvent(
         station=station,
         instance=instance,
@@ -78,8 +78,8 @@ async def publish(port: int, station: str) -> None:
     number = 0
     while not running.done():
         number += 1
-        broker.report(report_of(station, instance))
-        broker.event(event_of(station, instance, number))
+        broker.report(make_report(station, instance))
+        broker.event(make_event(station, instance, number))
         if broker.state.connected and number % 5 == 1:
             print("connected", flush=True)
         await asyncio.sleep(0.5)

@@ -15,10 +15,10 @@ from jsonschema import Draft202012Validator
 
 from app.supervision.broker import Broker
 from app.supervision.broker_settings import BrokerSettings
-from app.supervision.messages import new_instance, parts_of, schema
-from app.supervision.remote_stations import Fleet, StationShown
+from app.supervision.messages import new_instance, parse_topic, schema
+from app.supervision.remote_stations import Fleet, RemoteStation
 from tests.supervision.mosquitto import PASSWORD, USER, Mosquitto
-from tests.supervision.publishing import event_of, publish, report_of
+from tests.supervision.publishing import make_event, make_report, publish
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 20.0
@@ -59,7 +59,7 @@ class Watch:
         self.fleet, self.instance, self.name = Fleet(), new_instance(), name
         self.broker = Broker(settings, name, name, self.instance, self.fleet)
 
-    def shown(self, name: str) -> StationShown | None:
+    def shown(self, name: str) -> RemoteStation | None:
         return next((one for one in self.fleet.shown() if one.id == name), None)
 
     def state(self, name: str) -> str:
@@ -125,7 +125,7 @@ def test_a_station_that_is_killed_or_hangs_is_lost_within_five_seconds(broker: M
 
 def test_a_station_that_ends_in_order_says_so(broker: Mosquitto) -> None:
     async def ends(watch: Watch) -> None:
-        watch.broker.report(report_of("ordered", watch.instance))
+        watch.broker.report(make_report("ordered", watch.instance))
         await watch.until(lambda: watch.broker.state.connected)
 
     watching(broker.port, ends, "ordered")
@@ -156,7 +156,7 @@ def test_a_lost_broker_is_told_and_found_again(tmp_path: Path, broker: Mosquitto
                 assert watch.state("other") == "unknown", "it is the broker that is lost"
                 assert watch.broker.state.text
                 for number in range(300):
-                    watch.broker.event(event_of("watcher", watch.instance, number))
+                    watch.broker.event(make_event("watcher", watch.instance, number))
                 assert watch.broker.events_dropped == 200
                 own.start()
                 await watch.until(lambda: watch.broker.state.connected)
@@ -202,7 +202,7 @@ def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:
         ):
             await early.subscribe("crenel/lasting/#")
             async for message in early.messages:
-                found = parts_of("crenel", message.topic.value)
+                found = parse_topic("crenel", message.topic.value)
                 assert found is not None
                 heard[found[1]] = message
                 if set(heard) == {"presence", "report", "event"}:
@@ -229,7 +229,7 @@ def test_a_station_ends_at_once_also_amid_its_events(broker: Mosquitto) -> None:
             running = asyncio.create_task(watch.broker.run())
             await watch.until(lambda watch=watch: watch.broker.state.connected)  # type: ignore[misc]
             for number in range(60):
-                watch.broker.event(event_of("ending", watch.instance, number))
+                watch.broker.event(make_event("ending", watch.instance, number))
             await asyncio.sleep(0.0004 * turn)
             running.cancel()
             done, _ = await asyncio.wait([running], timeout=PATIENCE_S)

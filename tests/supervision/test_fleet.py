@@ -10,7 +10,7 @@ from app.supervision.messages import (
     station_id,
 )
 from app.supervision.remote_stations import LOST_AFTER_S, MOST_STATIONS, Fleet
-from tests.supervision.publishing import event_of, report_of
+from tests.supervision.publishing import make_event, make_report
 
 
 class Clock:
@@ -45,29 +45,29 @@ def state(made: Fleet) -> str:
 def test_what_the_broker_kept_is_no_sign_of_life() -> None:
     made, clock = fleet()
     take(made, presence("online"), "presence", retained=True)
-    take(made, report_of("a", "1"), "report", retained=True)
+    take(made, make_report("a", "1"), "report", retained=True)
     assert state(made) == "waiting"
     clock.now_s += LOST_AFTER_S + 0.1
     assert state(made) == "lost"
-    take(made, report_of("a", "1"), "report")
+    take(made, make_report("a", "1"), "report")
     assert state(made) == "live"
 
 
 def test_a_will_of_an_earlier_start_is_no_loss() -> None:
     made, _ = fleet()
     take(made, presence("online", "2"), "presence")
-    take(made, report_of("a", "2"), "report")
+    take(made, make_report("a", "2"), "report")
     take(made, presence("lost", "1"), "presence")
     assert state(made) == "live"
     take(made, presence("lost", "2"), "presence")
     assert state(made) == "lost"
-    take(made, report_of("a", "3"), "report")
+    take(made, make_report("a", "3"), "report")
     assert state(made) == "live"
 
 
 def test_silence_while_the_broker_was_away_is_no_loss() -> None:
     made, clock = fleet()
-    take(made, report_of("a", "1"), "report")
+    take(made, make_report("a", "1"), "report")
     made.broker(False)
     clock.now_s += 60
     assert state(made) == "unknown"
@@ -83,19 +83,21 @@ def test_what_is_no_payload_is_counted_and_dropped() -> None:
         b"{",
         b"[]",
         b'{"station": "a"}',
-        report_of("b", "1").model_dump_json().encode(),
+        make_report("b", "1").model_dump_json().encode(),
     ):
         made.take("a", "report", payload, False)
     assert (made.shown(), made.unread.counts) == ((), {"strange": 4})
     for number in range(MOST_STATIONS + 5):
         name = f"s{number}"
-        made.take(name, "report", report_of(name, "1").model_dump_json().encode(), False)
+        made.take(name, "report", make_report(name, "1").model_dump_json().encode(), False)
     assert len(made.shown()) == MOST_STATIONS
 
 
 def test_a_later_version_may_say_more() -> None:
     made, _ = fleet()
-    payload = report_of("a", "1").model_dump_json().replace('"format"', '"later":{"x":1},"format"')
+    payload = (
+        make_report("a", "1").model_dump_json().replace('"format"', '"later":{"x":1},"format"')
+    )
     made.take("a", "report", payload.encode(), False)
     assert state(made) == "live"
 
@@ -103,7 +105,7 @@ def test_a_later_version_may_say_more() -> None:
 def test_of_events_the_newest_is_shown() -> None:
     made, _ = fleet()
     for number in range(20):
-        take(made, event_of("a", "1", number), "event")
+        take(made, make_event("a", "1", number), "event")
     (shown,) = made.shown()
     assert [event.number for event in shown.events] == [19]
     made.take("a", "presence", b"", True)
@@ -117,7 +119,7 @@ def test_names_become_parts_of_topics() -> None:
 
 
 def take_of(made: Fleet, name: str, retained: bool = False) -> None:
-    made.take(name, "report", report_of(name, "1").model_dump_json().encode(), retained)
+    made.take(name, "report", make_report(name, "1").model_dump_json().encode(), retained)
 
 
 def names(made: Fleet) -> list[str]:
@@ -160,7 +162,7 @@ def test_a_lost_station_that_was_there_long_outlasts_those_that_just_came() -> N
 def test_lists_of_a_report_are_bounded() -> None:
     made, _ = fleet()
     alarm = Alarm(quality="bad", text="x", remedy="")
-    said = report_of("a", "1").model_dump()
+    said = make_report("a", "1").model_dump()
     said |= {"alarms": [alarm.model_dump()] * 900, "devices": said["devices"] * 300}
     made.take("a", "report", json.dumps(said).encode(), False)
     (shown,) = made.shown()

@@ -13,7 +13,7 @@ import pytest
 from app.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient
 from app.supervision.remote_stations import MOST_STATIONS
 from tests.supervision.mosquitto import Mosquitto
-from tests.supervision.publishing import report_of
+from tests.supervision.publishing import make_report
 from tests.supervision.test_broker import PATIENCE_S, Watch, station, watching
 
 LONG = b"x" * 20_000_000
@@ -73,11 +73,11 @@ def test_a_flood_and_invented_stations_hide_nothing(
 ) -> None:
     async def flood(until: asyncio.Event) -> None:
         """Of two topics, of many stations, and of no station."""
-        padded = report_of("loud", "1").model_dump_json().encode().ljust(60_000)
+        padded = make_report("loud", "1").model_dump_json().encode().ljust(60_000)
         async with aiomqtt.Client("127.0.0.1", broker.port) as other:
             for number in range(2 * MOST_STATIONS):
                 name = f"kept-{number}"
-                report = report_of(name, "1").model_dump_json()
+                report = make_report(name, "1").model_dump_json()
                 await other.publish(f"crenel/{name}/report", report, qos=1, retain=True)
             for kind in ("report", "presence", "event"):
                 await other.publish(f"crenel/long/{kind}", LONG[:3_000_000], qos=1, retain=True)
@@ -86,7 +86,9 @@ def test_a_flood_and_invented_stations_hide_nothing(
                 number += 1
                 name = f"invented-{number}"
                 await other.publish("crenel/loud/report", padded)
-                await other.publish(f"crenel/{name}/report", report_of(name, "1").model_dump_json())
+                await other.publish(
+                    f"crenel/{name}/report", make_report(name, "1").model_dump_json()
+                )
                 await other.publish(f"crenel/{'x' * 300}/report", b"[" * 50_000)
                 await other.publish("crenel/watcher/presence", b'{"state":"lost"}')
 

@@ -2,12 +2,12 @@
 
 from app.supervision.inbox import (
     LONGEST_BYTES,
-    MOST_STRANGE,
-    MOST_STRANGE_BYTES,
+    MOST_UNKNOWN,
+    MOST_UNKNOWN_BYTES,
     TOLERATED,
     Inbox,
 )
-from app.supervision.messages import EVENTS_KEPT
+from app.supervision.messages import EVENTS_STORED
 from app.supervision.unread import Unread
 
 
@@ -36,7 +36,7 @@ def test_the_latest_of_a_topic_wins_and_known_stations_come_first() -> None:
 
 def test_events_are_not_overtaken_at_once() -> None:
     inbox, _ = made()
-    for number in range(EVENTS_KEPT + 2):
+    for number in range(EVENTS_STORED + 2):
         inbox.put("crenel/known-1/event", b"%d" % number, False)
     assert [payload for _, payload in drained(inbox)] == [b"2", b"3", b"4", b"5", b"6", b"7"]
 
@@ -54,18 +54,18 @@ def test_a_flood_of_one_topic_is_counted() -> None:
 def test_the_longest_waiting_of_unknown_stations_is_dropped_first() -> None:
     inbox, unread = made()
     inbox.put("crenel/known-1/report", b"x", False)
-    for number in range(MOST_STRANGE + 3):
+    for number in range(MOST_UNKNOWN + 3):
         inbox.put(f"crenel/new-{number}/report", b"x", False)
     assert unread.counts == {"crowded": 3}
     stations = [station for station, _ in drained(inbox)]
-    assert len(stations) == MOST_STRANGE + 1
+    assert len(stations) == MOST_UNKNOWN + 1
     assert (stations[0], stations[1]) == ("known-1", "new-3")
 
 
 def test_what_waits_of_unknown_stations_is_bounded_in_bytes() -> None:
     inbox, unread = made()
     payload = b"x" * LONGEST_BYTES["report"]
-    fitting = MOST_STRANGE_BYTES // len(payload)
+    fitting = MOST_UNKNOWN_BYTES // len(payload)
     for _ in range(2):
         for number in range(fitting + 2):
             inbox.put(f"crenel/new-{number}/report", payload, False)

@@ -14,16 +14,16 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Event
 from app.supervision import webhook as webhook_room
-from app.supervision.notifications import Notice, NoticeKind, Repeats, kind_of
+from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
 from app.supervision.webhook import (
-    WAITING,
+    MOST_WAITING,
     Webhook,
     WebhookSettings,
     WebhookStore,
-    checked,
+    check_url,
 )
 
 SECRET = "a secret of the webhook"
@@ -147,9 +147,9 @@ def test_an_address_where_nobody_is_holds_nobody_up() -> None:
     async def act() -> None:
         webhook.offer(notice(0))
         await until(lambda: webhook.trouble)
-        for number in range(WAITING + 20):
+        for number in range(MOST_WAITING + 20):
             webhook.offer(notice(number))
-        assert (webhook.waiting, webhook.failed) == (WAITING, 21)
+        assert (webhook.waiting, webhook.failed) == (MOST_WAITING, 21)
 
     sending(webhook, act)
     assert webhook.trouble == "no connection"
@@ -264,18 +264,18 @@ def test_the_settings_are_for_the_owner_alone(tmp_path: Path) -> None:
 
 
 def test_addresses() -> None:
-    assert checked(" https://x.example/a?b ") == "https://x.example/a?b"
-    assert checked("") == ""
+    assert check_url(" https://x.example/a?b ") == "https://x.example/a?b"
+    assert check_url("") == ""
     for wrong in ("ftp://x/", "x.example", "http://", "javascript:1", "http://[::1", "http://x\0/"):
-        with pytest.raises(Refusal):
-            checked(wrong)
-        with pytest.raises(Refusal):
+        with pytest.raises(OperationError):
+            check_url(wrong)
+        with pytest.raises(OperationError):
             WebhookSettings(url=wrong)
 
 
 def test_what_is_told_to_whoever_is_away() -> None:
     def kind(kind: str, quality: str) -> str | None:
-        return kind_of(Event(1, kind, quality, ""))  # type: ignore[arg-type]
+        return notice_kind(Event(1, kind, quality, ""))  # type: ignore[arg-type]
 
     assert kind("scan-saved", "good") == "done"
     assert kind("accepted", "good") == "done"
@@ -283,7 +283,7 @@ def test_what_is_told_to_whoever_is_away() -> None:
     assert kind("refused", "bad") is None
     assert kind("point_taken", "good") is None
     now_s = 0.0
-    repeats = Repeats(lambda: now_s)
+    repeats = NoticeDeduplicator(lambda: now_s)
     assert repeats.is_new("fault", "the arm is lost")
     assert not repeats.is_new("fault", "the arm is lost")
     assert repeats.is_new("fault", "the camera is lost")

@@ -8,7 +8,7 @@ import pytest
 
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance
 from app.formats.results.calibration import BudgetPart, MapPart, PlanePart, Uncertainty
-from app.workflows.calibration_history import history
+from app.workflows.calibration_history import read_history
 from tests.formats.test_documents import calibration_file
 
 UV = tuple((float(u), float(v)) for u in (10, 20, 30, 40) for v in (15, 24, 33))
@@ -52,7 +52,7 @@ def test_each_is_compared_with_the_one_before_of_the_same_arm(tmp_path: Path) ->
         write(tmp_path, "other", 1.0, arm="A-2"),
         write(tmp_path, "second", 0.02),
     ]
-    first, other, second = history(files)
+    first, other, second = read_history(files)
     assert first.since is None
     assert other.since is None
     assert (first.good_um, first.temperature_c) == (40, 21.0)
@@ -66,5 +66,5 @@ def test_each_is_compared_with_the_one_before_of_the_same_arm(tmp_path: Path) ->
 def test_a_file_that_is_gone_is_passed_over(tmp_path: Path) -> None:
     files = [write(tmp_path, "first", 0.0), write(tmp_path, "second", 0.01)]
     files[0][1].write_text(json.dumps({}))
-    (second,) = history(files)
+    (second,) = read_history(files)
     assert (second.id, second.since) == ("second", None)

@@ -5,13 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply
-from app.workflows.reconstruct import Rebuilt, rebuild
+from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
 from tests.formats.builders import (
     ARM,
     HEIGHT,
@@ -19,7 +19,7 @@ from tests.formats.builders import (
     joints_every,
     little_calibration,
     q_at,
-    stripe_pixels,
+    stripe_points,
 )
 
 NAMES = tuple(joint.name for joint in ARM.joints)
@@ -27,7 +27,7 @@ MS = 1_000_000
 
 
 def record_stripe(writer: RecordingWriter, stamp_ns: int, width: int = WIDTH) -> None:
-    _, uv = stripe_pixels()
+    _, uv = stripe_points()
     count = len(uv)
     stripe = Stripe(uv[:, 0], uv[:, 1], np.full(count, 99.0), np.full(count, 0.05))
     writer.stripe(stamp_ns, stripe, width, HEIGHT)
@@ -35,7 +35,7 @@ def record_stripe(writer: RecordingWriter, stamp_ns: int, width: int = WIDTH) ->
 
 def record_image(writer: RecordingWriter, stamp_ns: int) -> None:
     """A picture of the same stripe."""
-    _, uv = stripe_pixels()
+    _, uv = stripe_points()
     v = np.interp(np.arange(WIDTH), uv[:, 0], uv[:, 1])
     rows = np.arange(HEIGHT)[:, None]
     grey = 8 + 200 * np.exp(-((rows - v) ** 2) / (2 * 1.5**2))
@@ -45,15 +45,15 @@ def record_image(writer: RecordingWriter, stamp_ns: int) -> None:
 
 def expected(stamps: list[int]) -> Floats:
     """By the definition of Eq. 9, one frame after the other."""
-    points, _ = stripe_pixels()
+    points, _ = stripe_points()
     T_flange_sensor = little_calibration().T_flange_sensor
     return np.concatenate(
         [apply(flange_pose(ARM, q_at(stamp)) @ T_flange_sensor, points) for stamp in stamps]
     )
 
 
-def rebuilt(tmp_path: Path, name: str = "scan.mcap") -> tuple[Rebuilt, Floats]:
-    result = rebuild(tmp_path / name, little_calibration(), ARM, tmp_path / "cloud.ply")
+def rebuilt(tmp_path: Path, name: str = "scan.mcap") -> tuple[Reconstruction, Floats]:
+    result = reconstruct_cloud(tmp_path / name, little_calibration(), ARM, tmp_path / "cloud.ply")
     return result, read_cloud(tmp_path / "cloud.ply").points_mm
 
 
@@ -169,11 +169,13 @@ def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None
     np.testing.assert_allclose(points, expected(stamps[: result.frames]), atol=1e-8)
 
 
-def refusal_of(tmp_path: Path, sensor: str = "S-1", arm: str = "A-1") -> Refusal:
+def refusal_of(tmp_path: Path, sensor: str = "S-1", arm: str = "A-1") -> OperationError:
     """Rebuilds ``scan.mcap``, which is refused, and leaves no cloud behind."""
     before = sorted(path.name for path in tmp_path.iterdir())
-    with pytest.raises(Refusal) as refused:
-        rebuild(tmp_path / "scan.mcap", little_calibration(sensor, arm), ARM, tmp_path / "c.ply")
+    with pytest.raises(OperationError) as refused:
+        reconstruct_cloud(
+            tmp_path / "scan.mcap", little_calibration(sensor, arm), ARM, tmp_path / "c.ply"
+        )
     assert sorted(path.name for path in tmp_path.iterdir()) == before
     return refused.value
 
@@ -277,7 +279,7 @@ def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:
 @pytest.mark.parametrize("beside", ["image", "other axis", "other writer"])
 def test_blocks_of_all_kinds_give_the_same_points(tmp_path: Path, beside: str) -> None:
     """What is not as this program writes it goes through the general decoders."""
-    points, uv = stripe_pixels()
+    points, uv = stripe_points()
     stamps = [100 * MS + i * 5 * MS for i in range(12)]
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         joints_every(writer, 0, 400 * MS, 4 * MS)

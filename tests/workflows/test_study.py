@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
@@ -15,8 +15,8 @@ from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
-from app.workflows.reconstruct import rebuild
-from app.workflows.repeatability_study import Study, range_rows, study
+from app.workflows.reconstruct import reconstruct_cloud
+from app.workflows.repeatability_study import Study, range_rows, run_study
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.workflows.test_reconstruct import MS, NAMES
 
@@ -47,7 +47,7 @@ def test_planes_turn_and_shift_by_what_the_calibrations_differ(tmp_path: Path) -
     wrong = rigid(rotation_from_vector(np.array([1e-3, -5e-4, 2e-4])), np.array([0.1, 0.05, -0.2]))
     off = replace(true, T_flange_sensor=true.T_flange_sensor @ wrong)
     named = [(Path("true.json"), true), (Path("off.json"), off)]
-    done = study(recordings, named, ARM)
+    done = run_study(recordings, named, ARM)
     assert done.warnings == ()
     assert [(row.recording, row.calibration) for row in done.rows[:3]] == [
         (str(recordings[0]), "true.json"),
@@ -57,7 +57,7 @@ def test_planes_turn_and_shift_by_what_the_calibrations_differ(tmp_path: Path) -
     for recording, between in zip(recordings, done.between_calibrations, strict=True):
         fits = []
         for _, calibration in named:
-            rebuild(recording, calibration, ARM, tmp_path / "c.ply")
+            reconstruct_cloud(recording, calibration, ARM, tmp_path / "c.ply")
             fits.append(fit_plane(read_cloud(tmp_path / "c.ply").points_mm))
         cosine = abs(float(fits[0].normal @ fits[1].normal))
         arcsec = np.degrees(np.arccos(cosine)) * 3600
@@ -83,7 +83,7 @@ def test_against_a_nominal(tmp_path: Path) -> None:
         '{"format": "crenel/nominal", "version": 1, "shape": "plane", '
         f'"point_mm": {point.tolist()}, "normal": {(-NORMAL).tolist()}}}'
     )
-    done: Study = study([recording] * 2, [(Path("c.json"), use)], ARM, tmp_path / "n.json")
+    done: Study = run_study([recording] * 2, [(Path("c.json"), use)], ARM, tmp_path / "n.json")
     assert done.rows[0].offset_um == pytest.approx(-13, abs=0.01)
     assert done.rows[0].angle_arcsec < 0.1
     assert done.between_calibrations == ()
@@ -91,5 +91,5 @@ def test_against_a_nominal(tmp_path: Path) -> None:
 
 def test_what_is_no_study_is_refused(tmp_path: Path) -> None:
     recording = scan_a_plane(tmp_path / "a.mcap", 0.0)
-    with pytest.raises(Refusal, match="one plane"):
-        study([recording], [(Path("c.json"), little_calibration())], ARM)
+    with pytest.raises(OperationError, match="one plane"):
+        run_study([recording], [(Path("c.json"), little_calibration())], ARM)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
 from app.formats.results.verification import VerificationFile, read_verification, write_verification
 
@@ -74,7 +74,7 @@ def test_a_record_without_clouds_is_none(tmp_path: Path) -> None:
     path.write_text(
         json.dumps({"format": "crenel/verification", "version": 1, **SHEET, "clouds": []})
     )
-    with pytest.raises(Refusal, match="clouds"):
+    with pytest.raises(OperationError, match="clouds"):
         read_verification(tmp_path)
 
 
@@ -87,11 +87,11 @@ def gauge(tmp_path: Path, **fields: object) -> Path:
 def test_a_gauge_needs_no_place_but_a_sphere_its_size(tmp_path: Path) -> None:
     found = read_gauge(gauge(tmp_path, shape="plane", limits={"form": 40}))
     assert found.limits.over(DEFAULT_LIMITS) == DEFAULT_LIMITS.model_copy(update={"form": 40.0})
-    with pytest.raises(Refusal, match="radius_mm"):
+    with pytest.raises(OperationError, match="radius_mm"):
         read_gauge(gauge(tmp_path, shape="sphere"))
-    with pytest.raises(Refusal, match="radius_mm"):
+    with pytest.raises(OperationError, match="radius_mm"):
         read_gauge(gauge(tmp_path, shape="sphere", radius_mm="12"))
-    with pytest.raises(Refusal, match="shape"):
+    with pytest.raises(OperationError, match="shape"):
         read_gauge(gauge(tmp_path, shape="cone"))
 
 

@@ -4,12 +4,12 @@ from pathlib import Path
 
 from starlette.responses import FileResponse, Response
 
-from app.api.problems import NotFound
-from app.formats.io_errors import files_refused
+from app.api.problems import NotFoundError
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 
 
-def sent_file(
+def send_file(
     path: Path | None, missing: str, media_type: str, name: str = "", cached: bool = False
 ) -> Response:
     """A file to look at, or where it is named to download.
@@ -22,8 +22,8 @@ def sent_file(
         Refusal: it cannot be read.
     """
     if path is None or not path.is_file():
-        raise NotFound(missing)
-    with files_refused(path):
+        raise NotFoundError(missing)
+    with convert_io_errors(path):
         open_file(path).close()
     headers = {"Cache-Control": "private"} if cached else None
     return FileResponse(path, media_type=media_type, filename=name or None, headers=headers)

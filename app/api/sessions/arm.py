@@ -10,16 +10,16 @@ from app.guide.arm.view import (
     IdentificationSummary,
     TipCheckSummary,
 )
-from app.guide.common.audit_labels import deed_of
+from app.guide.common.audit_labels import audit_label
 from app.operations.context import TheContext
-from app.wire.encoding import encoded
+from app.wire.encoding import encode_json
 from app.wire.schema import ArmStart, FlowCommand
 
 router = APIRouter(prefix="/api/arm")
 
 
 def _answer(view: ArmView) -> Response:
-    return Response(encoded(view), media_type="application/json")
+    return Response(encode_json(view), media_type="application/json")
 
 
 @router.get("", response_model=ArmView)
@@ -53,7 +53,7 @@ def start(asked: ArmStart, context: TheContext) -> Response:
 
 
 @router.post("/command", response_model=ArmView)
-def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
+def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = deed_of(asked.name)
+    request.state.detail = audit_label(asked.name)
     return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

@@ -5,19 +5,19 @@ from pathlib import Path
 from fastapi import APIRouter, Request
 from starlette.responses import Response
 
-from app.api.files.file_response import sent_file
+from app.api.files.file_response import send_file
 from app.guide.calibration.commands import command
-from app.guide.common.audit_labels import deed_of
+from app.guide.common.audit_labels import audit_label
 from app.guide.common.view import FlowView
 from app.operations.context import TheContext
-from app.wire.encoding import encoded
+from app.wire.encoding import encode_json
 from app.wire.schema import FlowCommand
 
 router = APIRouter(prefix="/api/flow")
 
 
 def _answer(view: FlowView) -> Response:
-    return Response(encoded(view), media_type="application/json")
+    return Response(encode_json(view), media_type="application/json")
 
 
 @router.get("", response_model=FlowView)
@@ -33,9 +33,9 @@ def start(context: TheContext) -> Response:
 
 
 @router.post("/command", response_model=FlowView)
-def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
+def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = deed_of(asked.name)
+    request.state.detail = audit_label(asked.name)
     return _answer(command(context.guide, asked.name, asked.args, asked.rev, asked.key))
 
 
@@ -43,4 +43,4 @@ def act(asked: FlowCommand, request: Request, context: TheContext) -> Response:
 def image(name: str, context: TheContext) -> Response:
     """A captured picture of the present session."""
     path: Path | None = context.guide.folder.image(name)
-    return sent_file(path, f"This session has no picture {name}.", "image/png", cached=True)
+    return send_file(path, f"This session has no picture {name}.", "image/png", cached=True)

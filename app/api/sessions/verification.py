@@ -6,20 +6,20 @@ from fastapi import APIRouter, Path, Request
 from starlette.responses import Response
 
 from app.api.authorization import TheVisitor
-from app.api.files.file_response import sent_file
-from app.api.problems import NotFound
-from app.errors import Refusal
+from app.api.files.file_response import send_file
+from app.api.problems import NotFoundError
+from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
-from app.guide.common.audit_labels import deed_of
+from app.guide.common.audit_labels import audit_label
 from app.guide.verify.commands import command
 from app.guide.verify.view import VerifyView
 from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
 from app.store.verifications import VerificationRecord
-from app.wire.encoding import encoded
-from app.wire.schema import FlowCommand, StudyState, Temperature, VerificationSummary
+from app.wire.encoding import encode_json
+from app.wire.schema import FlowCommand, NewTemperature, StudyState, VerificationSummary
 from app.workflows.measure_gauge import MAP
-from app.workflows.verification_study import Source, StudyFile, study_verification
+from app.workflows.verification_study import AcceptedCalibration, StudyFile, study_verification
 
 router = APIRouter(prefix="/api")
 CloudNumber = Annotated[int, Path(ge=1, le=999)]
@@ -27,7 +27,7 @@ STUDY_TITLE = "Rebuilding the clouds with every calibration"
 
 
 def _answer(view: VerifyView) -> Response:
-    return Response(encoded(view), media_type="application/json")
+    return Response(encode_json(view), media_type="application/json")
 
 
 @router.get("/verify", response_model=VerifyView)
@@ -43,9 +43,11 @@ def start(context: TheContext) -> Response:
 
 
 @router.post("/verify/command", response_model=VerifyView)
-def act(asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor) -> Response:
+def run_command(
+    asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor
+) -> Response:
     """One of the view's actions; once for each key, and only on the present view."""
-    request.state.detail = deed_of(asked.name)
+    request.state.detail = audit_label(asked.name)
     guide, temperatures = context.verify_guide, context.store.temperatures
     return _answer(
         command(guide, asked.name, asked.args, asked.rev, asked.key, visitor.name, temperatures)
@@ -53,7 +55,7 @@ def act(asked: FlowCommand, request: Request, context: TheContext, visitor: TheV
 
 
 @router.post("/temperature")
-def temperature(asked: Temperature, context: TheContext, visitor: TheVisitor) -> None:
+def temperature(asked: NewTemperature, context: TheContext, visitor: TheVisitor) -> None:
     """What the temperature at the station is now."""
     context.store.temperatures.add(asked.celsius, visitor.name)
 
@@ -91,7 +93,7 @@ def verification(verification_id: str, context: TheContext) -> Response:
     """The record as its file has it."""
     path = _record(verification_id, context).folder / VERIFICATION
     missing = "The record is not in the data folder any more."
-    return sent_file(path, missing, "application/json", f"verification-{verification_id}.json")
+    return send_file(path, missing, "application/json", f"verification-{verification_id}.json")
 
 
 @router.get("/verifications/{verification_id}/cloud/{number}/map")
@@ -103,7 +105,7 @@ def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) ->
     else:
         folder = _record(verification_id, context).folder
     path = folder / f"cloud-{number}" / MAP
-    return sent_file(path, f"There is no map of cloud {number}.", "application/json")
+    return send_file(path, f"There is no map of cloud {number}.", "application/json")
 
 
 @router.get("/verifications/{verification_id}/study")
@@ -117,7 +119,7 @@ def make_study(verification_id: str, context: TheContext) -> StudyState:
     """Rebuilds the clouds with every accepted calibration, in the background."""
     record = _record(verification_id, context)
     sources = [
-        Source(calibration.id, calibration.name, calibration.file.parent)
+        AcceptedCalibration(calibration.id, calibration.name, calibration.file.parent)
         for calibration in reversed(context.store.calibrations.all())
     ]
 
@@ -147,12 +149,12 @@ def _study_state(verification_id: str, context: Context) -> StudyState:
         return StudyState(running, text, fraction, accepted, None)
     try:
         return StudyState(running, text, fraction, accepted, StudyFile.read(path).fields())
-    except Refusal:
+    except OperationError:
         return StudyState(running, text, fraction, accepted, None)
 
 
 def _record(verification_id: str, context: Context) -> VerificationRecord:
     record = context.store.verifications.get(verification_id)
     if record is None:
-        raise NotFound(f"There is no verification {verification_id}.")
+        raise NotFoundError(f"There is no verification {verification_id}.")
     return record

@@ -18,7 +18,7 @@ ALIGNED_BYTES = 8
 
 
 @dataclass
-class _Node:
+class _ViewerNode:
     tier: int
     points: int
     size: float
@@ -27,18 +27,18 @@ class _Node:
     passed: bool = False
 
 
-class FewerPoints:
+class PointLimiter:
     """Passes one browser's frames on, with at most so many points in large nodes."""
 
     def __init__(self, most: int) -> None:
         self._most = most
-        self._nodes: dict[str, _Node] = {}
+        self._nodes: dict[str, _ViewerNode] = {}
         self._finest = 0
         """The lowest tier that is passed; it falls again once all nodes are gone."""
 
     def passed(self, frame: bytes) -> bytes:
         """What of a frame of viser's socket the browser gets."""
-        content, arrays = _unpacked(frame)
+        content, arrays = _unpack(frame)
         told: list[Message] = []
         for message in content["messages"]:
             instead = self._of(message, arrays)
@@ -46,7 +46,7 @@ class FewerPoints:
             if not any(one is message for one in instead):
                 for index in _indices(message):
                     arrays[index] = b""
-        return _packed({**content, "messages": told}, arrays)
+        return _pack({**content, "messages": told}, arrays)
 
     def _of(self, message: Message, arrays: list[bytes]) -> list[Message]:
         """What the browser gets in its place."""
@@ -55,7 +55,7 @@ class FewerPoints:
             props = message["props"]
             points = len(arrays[props["points"]["__binary_index"]]) // POINT_BYTES
             owner = message.get("owner", "")
-            self._nodes[name] = _Node(int(tier[1]), points, props["point_size"], owner)
+            self._nodes[name] = _ViewerNode(int(tier[1]), points, props["point_size"], owner)
             return [*self._coarsened(), *self._entered(message, name)]
         node = self._nodes.get(name)
         if node is None:
@@ -96,13 +96,13 @@ class FewerPoints:
     def _left(self) -> int:
         return sum(node.points for node in self._nodes.values() if node.tier >= self._finest)
 
-    def _size(self, node: _Node) -> float:
+    def _size(self, node: _ViewerNode) -> float:
         """So much larger as the points lie further apart: two tiers are twice the distance."""
         lowest = min(each.tier for each in self._nodes.values())
         return node.size * float(2.0 ** (max(self._finest - lowest, 0) / 2))
 
 
-def _message(kind: str, name: str, node: _Node, **more: object) -> Message:
+def _message(kind: str, name: str, node: _ViewerNode, **more: object) -> Message:
     return {"type": kind, "name": name, "owner": node.owner, **more}
 
 
@@ -112,7 +112,7 @@ def _indices(message: Message) -> list[int]:
     return [part["__binary_index"] for part in parts if isinstance(part, dict)]
 
 
-def _unpacked(frame: bytes) -> tuple[Message, list[bytes]]:
+def _unpack(frame: bytes) -> tuple[Message, list[bytes]]:
     """What is in one frame of viser's socket: its content, and the arrays it refers to."""
     packed_bytes = int.from_bytes(frame[8:16], "little")
     inner = zstandard.ZstdDecompressor().decompress(
@@ -127,7 +127,7 @@ def _unpacked(frame: bytes) -> tuple[Message, list[bytes]]:
     return content, arrays
 
 
-def _packed(content: Message, arrays: list[bytes]) -> bytes:
+def _pack(content: Message, arrays: list[bytes]) -> bytes:
     """The inverse."""
     content["binaryBufferLengths"] = [len(array) for array in arrays]
     inner = msgspec.msgpack.encode(content)

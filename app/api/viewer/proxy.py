@@ -20,12 +20,12 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
-from app.api.authorization import until_signed_out
-from app.api.problems import NotFound
-from app.api.viewer.point_limit import FewerPoints
+from app.api.authorization import wait_for_sign_out
+from app.api.problems import NotFoundError
+from app.api.viewer.point_limit import PointLimiter
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
-from app.station.view3d.view_controller import Viewing
+from app.station.view3d.view_controller import ViewController
 from app.wire.problem import problem
 
 router = APIRouter()
@@ -64,7 +64,7 @@ class CameraMessage(
 CAMERA = msgspec.msgpack.Decoder(CameraMessage)
 
 
-def passed(message: bytes) -> CameraMessage | None:
+def decode_camera(message: bytes) -> CameraMessage | None:
     """What of a browser's message reaches viser: a camera message, or nothing."""
     try:
         return CAMERA.decode(message)
@@ -95,7 +95,7 @@ async def page(path: str, context: TheContext) -> Response:
     except httpx.HTTPError:
         return problem(503, "viewer-gone", "The 3D view does not answer.", "Load the page again.")
     if found.status_code == 404:
-        raise NotFound("There is no such page of the 3D view.")
+        raise NotFoundError("There is no such page of the 3D view.")
     headers = {name: found.headers[name] for name in PASSED_HEADERS if name in found.headers}
     return Response(body, found.status_code, {**headers, "Cache-Control": "no-cache"})
 
@@ -128,13 +128,13 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
     known = KEY.fullmatch(key)
     page = _Page(viewing, known[1] if known else "")
-    fewer = FewerPoints(1000 * int(known[2])) if known and known[2] else None
+    fewer = PointLimiter(1000 * int(known[2])) if known and known[2] else None
     async with viser:
         await browser.accept(viser.subprotocol)
         tasks = [
             asyncio.create_task(_to_browser(viser, browser, fewer)),
             asyncio.create_task(_to_viser(browser, viser, page)),
-            asyncio.create_task(until_signed_out(browser)),
+            asyncio.create_task(wait_for_sign_out(browser)),
         ]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -148,7 +148,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 class _Page:
     """Tells the station where a page looks from, under the page's key."""
 
-    def __init__(self, viewing: Viewing, key: str) -> None:
+    def __init__(self, viewing: ViewController, key: str) -> None:
         self._viewing, self._key = viewing, key
         self._camera: ViewCamera | None = None
 
@@ -165,7 +165,7 @@ class _Page:
 
 
 async def _to_browser(
-    viser: ClientConnection, browser: WebSocket, fewer: FewerPoints | None
+    viser: ClientConnection, browser: WebSocket, fewer: PointLimiter | None
 ) -> None:
     with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
         async for message in viser:
@@ -180,7 +180,7 @@ async def _to_viser(browser: WebSocket, viser: ClientConnection, page: _Page) ->
             message = await browser.receive()
             if message["type"] == "websocket.disconnect":
                 return
-            camera = passed(message.get("bytes") or b"")
+            camera = decode_camera(message.get("bytes") or b"")
             if camera is not None:
                 page.look(camera)
                 await viser.send(msgspec.msgpack.encode(camera))

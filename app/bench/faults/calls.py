@@ -6,27 +6,27 @@ By a small library that is preloaded into its process (``c/disk_calls.c``); Linu
 import sys
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.native.build import BuildError, build_plain
 
 CODE = Path(__file__).parent / "c" / "disk_calls.c"
 
 
-def preloaded(folder: Path) -> Path:
+def compile_library(folder: Path) -> Path:
     """Compiles the library into a folder.
 
     Raises:
         Refusal: it cannot be, or preloaded, here.
     """
     if sys.platform != "linux" or not CODE.is_file():
-        raise _untried("this needs Linux, and a checkout of the sources")
+        raise _unavailable_error("this needs Linux, and a checkout of the sources")
     try:
         return build_plain(CODE, folder / "disk_calls.so")
     except BuildError as error:
-        raise _untried(str(error).splitlines()[0]) from error
+        raise _unavailable_error(str(error).splitlines()[0]) from error
 
 
-def calls_under(folder: Path, library: Path, **files: Path) -> dict[str, str]:
+def preload_environment(folder: Path, library: Path, **files: Path) -> dict[str, str]:
     """The environment in which the preloaded library minds the calls on what is in a folder.
 
     Args:
@@ -36,5 +36,5 @@ def calls_under(folder: Path, library: Path, **files: Path) -> dict[str, str]:
     return {"LD_PRELOAD": str(library), "CRENEL_CALLS_UNDER": str(folder), **given}
 
 
-def _untried(why: str) -> Refusal:
-    return Refusal("bench-untried", "A full disk at every call was not tried", why)
+def _unavailable_error(why: str) -> OperationError:
+    return OperationError("bench-untried", "A full disk at every call was not tried", why)

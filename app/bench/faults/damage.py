@@ -10,12 +10,12 @@ from pathlib import Path
 
 import httpx
 
-from app.bench.faults.damages import Damage, in_database, in_folders, in_places
-from app.bench.faults.furnished import Kept, furnish
-from app.bench.faults.looking import TRACE, look_at
+from app.bench.faults.damages import Damage, database_damages, file_damages, folder_damages
+from app.bench.faults.furnished import FolderRecords, furnish
+from app.bench.faults.looking import TRACE, query_station
 from app.bench.faults.row import FaultRow
-from app.bench.faults.station import ENDED, Station
-from app.errors import Refusal
+from app.bench.faults.station import ENDED, StationProcess
+from app.errors import OperationError
 from app.progress import Progress, no_progress
 
 NOBODY = 65534
@@ -43,8 +43,8 @@ def run(
     """
     kept = furnish(data, progress)
     rng, row = random.Random(seed), FaultRow("a damaged data folder")
-    everywhere = in_places(kept)
-    damages = [*in_database(kept), *in_folders()]
+    everywhere = file_damages(kept)
+    damages = [*database_damages(kept), *folder_damages()]
     damages += rng.sample(everywhere, min(tries, len(everywhere))) if not words else everywhere
     damages = [damage for damage in damages if words in damage.name]
     if not _is_runnable_by(NOBODY):
@@ -71,19 +71,21 @@ def _is_runnable_by(user: int) -> bool:
     return looked.returncode == 0
 
 
-def _try(copy: Path, damage: Damage, kept: Kept, rng: random.Random, row: FaultRow) -> None:
+def _try(
+    copy: Path, damage: Damage, kept: FolderRecords, rng: random.Random, row: FaultRow
+) -> None:
     user = None
     if damage.by_others and os.getuid() == 0:
         user = NOBODY
         for path in (copy.parent, copy, *copy.rglob("*")):
             os.chown(path, NOBODY, NOBODY, follow_symlinks=False)
     damage.do(copy, rng)
-    with Station(copy, user=user) as station:
+    with StationProcess(copy, user=user) as station:
         try:
             station.enter()
-        except Refusal as refusal:
+        except OperationError as refusal:
             ended = refusal.code == ENDED
-            why = _refused_wrongly(station, damage) if ended else refusal.line
+            why = _check_rejection(station, damage) if ended else refusal.line
             row.outcome(not why, note=f"{damage.name}: {why}" if why else "")
             return
         except httpx.HTTPStatusError as error:  # accounts are on a damaged page
@@ -91,12 +93,12 @@ def _try(copy: Path, damage: Damage, kept: Kept, rng: random.Random, row: FaultR
             clear = answer.is_client_error and damage.told and re.search(damage.told, answer.text)
             row.outcome(bool(clear), note="" if clear else f"{damage.name}: {answer.text[:200]}")
             return
-        wrong, lost = _served_wrongly(station, damage, kept, row)
+        wrong, lost = _check_service(station, damage, kept, row)
         notes = "; ".join([*wrong, *lost])
         row.outcome(not wrong and not lost, bool(lost), f"{damage.name}: {notes}" if notes else "")
 
 
-def _refused_wrongly(station: Station, damage: Damage) -> str:
+def _check_rejection(station: StationProcess, damage: Damage) -> str:
     """What is wrong with how a station refused to start; empty where nothing is."""
     lines = [line for line in station.said.splitlines() if not line.startswith("(viser)")]
     last = lines[-1] if lines else ""
@@ -110,14 +112,14 @@ def _refused_wrongly(station: Station, damage: Damage) -> str:
     return ""
 
 
-def _served_wrongly(
-    station: Station, damage: Damage, kept: Kept, row: FaultRow
+def _check_service(
+    station: StationProcess, damage: Damage, kept: FolderRecords, row: FaultRow
 ) -> tuple[list[str], list[str]]:
     """What is wrong with a station that runs, and what it has lost."""
     ids = {"scan_id": list(kept.scans), "calibration_id": [kept.calibration]}
     ids |= {"record_id": [kept.calibration], "form": ["html"], "name": ["pose-1.png"]}
     try:
-        look = look_at(station, ids)
+        look = query_station(station, ids)
         row.stopped(station.stop_s())
         lost = [
             f"{one} is not listed"
@@ -128,6 +130,6 @@ def _served_wrongly(
         if damage.told and not look.told(damage.told):
             wrong.append("nothing is told of it")
         station.end()
-    except Refusal as refusal:
+    except OperationError as refusal:
         return [refusal.line], []
     return wrong, lost

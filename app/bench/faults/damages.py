@@ -9,14 +9,14 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.bench.faults.furnished import FOLDERS, Kept
+from app.bench.faults.furnished import FOLDERS, FolderRecords
 
 PAGE_BYTES = 4096
 RANDOM_BYTES = 5000
 HUGE_BYTES = 1 << 42
 """Of a file that takes no room on the disk."""
 FOREIGN = b'{"format": "another/program", "version": 1, "url": 7, "figures": [null, {}]}'
-Way = Callable[[Path, random.Random], None]
+DamageMethod = Callable[[Path, random.Random], None]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Damage:
     """Files are not the station's: it must run as another user than whoever made them."""
 
 
-def _gone(path: Path) -> None:
+def _remove(path: Path) -> None:
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
@@ -45,7 +45,7 @@ def _empty(path: Path, rng: random.Random) -> None:
     path.write_bytes(b"")
 
 
-def _cut(path: Path, rng: random.Random) -> None:
+def _truncate(path: Path, rng: random.Random) -> None:
     os.truncate(path, path.stat().st_size // 2)
 
 
@@ -61,7 +61,7 @@ def _turn(path: Path, rng: random.Random) -> None:
     path.write_bytes(content)
 
 
-def _put(content: bytes) -> Way:
+def _overwrite_with(content: bytes) -> DamageMethod:
     def put(path: Path, rng: random.Random) -> None:
         path.write_bytes(content)
 
@@ -69,26 +69,26 @@ def _put(content: bytes) -> Way:
 
 
 def _folder(path: Path, rng: random.Random) -> None:
-    _gone(path)
+    _remove(path)
     path.mkdir()
     (path / "within").write_text("something")
 
 
 def _pipe(path: Path, rng: random.Random) -> None:
-    _gone(path)
+    _remove(path)
     os.mkfifo(path)
 
 
-def _link(target: str) -> Way:
+def _link(target: str) -> DamageMethod:
     def link(path: Path, rng: random.Random) -> None:
-        _gone(path)
+        _remove(path)
         path.symlink_to(target)
 
     return link
 
 
 def _loop(path: Path, rng: random.Random) -> None:
-    _gone(path)
+    _remove(path)
     path.symlink_to(path.name)
 
 
@@ -97,22 +97,24 @@ def _huge(path: Path, rng: random.Random) -> None:
 
 
 def _take(path: Path, rng: random.Random) -> None:
-    _gone(path)
+    _remove(path)
 
 
 def _forbid(path: Path, rng: random.Random) -> None:
     path.chmod(0)
 
 
-WAYS: dict[str, Way] = {
+DAMAGE_METHODS: dict[str, DamageMethod] = {
     "emptied": _empty,
-    "cut in half": _cut,
+    "cut in half": _truncate,
     "random bytes": _scramble,
     "some bytes turned": _turn,
-    "foreign JSON": _put(FOREIGN),
-    "JSON without end": _put(b"[" * 200_000),
-    "a number of 5000 digits": _put(b'{"format": ' + b"7" * 5000 + b"}"),
-    "half a character": _put(b'{"format": "\\ud800", "url": "\\ud800", "folder": "\\ud800"}'),
+    "foreign JSON": _overwrite_with(FOREIGN),
+    "JSON without end": _overwrite_with(b"[" * 200_000),
+    "a number of 5000 digits": _overwrite_with(b'{"format": ' + b"7" * 5000 + b"}"),
+    "half a character": _overwrite_with(
+        b'{"format": "\\ud800", "url": "\\ud800", "folder": "\\ud800"}'
+    ),
     "a folder in its place": _folder,
     "a pipe in its place": _pipe,
     "a loop of links": _loop,
@@ -125,7 +127,7 @@ WAYS: dict[str, Way] = {
 
 
 @dataclass(frozen=True)
-class Place:
+class DataFile:
     """A file of a data folder."""
 
     path: str
@@ -134,33 +136,33 @@ class Place:
     of: tuple[str, ...] = ()
 
 
-def places(kept: Kept) -> list[Place]:
+def list_data_files(kept: FolderRecords) -> list[DataFile]:
     """A file of every kind."""
     scan, flow = f"scans/{kept.scans[0]}", f"sessions/{kept.flow}"
     calibration = f"sessions/{kept.calibration}"
     return [
-        Place("station.db", r"station\.db", (*kept.scans, kept.calibration)),
-        Place("station.lock"),
-        Place("notifications.json", "notifications"),
-        Place("scan_settings.json", "settings"),
-        Place("last_backup.json"),
-        *(Place(f"{folder}/spare.json", r"spare") for folder in ("arms", "objects", "sensors")),
-        Place("gauges/spare.nominal.json", "spare"),
-        Place(f"{calibration}/calibration.json", r"calibration", (kept.calibration,)),
-        Place(f"{calibration}/arm.json", r"arm\.json|calibration", (kept.calibration,)),
-        Place(f"{flow}/probing.csv"),
-        Place(f"{scan}/scan.mcap", "recording"),
-        Place(f"{scan}/cloud.ply"),
-        Place("logs/station.jsonl"),
+        DataFile("station.db", r"station\.db", (*kept.scans, kept.calibration)),
+        DataFile("station.lock"),
+        DataFile("notifications.json", "notifications"),
+        DataFile("scan_settings.json", "settings"),
+        DataFile("last_backup.json"),
+        *(DataFile(f"{folder}/spare.json", r"spare") for folder in ("arms", "objects", "sensors")),
+        DataFile("gauges/spare.nominal.json", "spare"),
+        DataFile(f"{calibration}/calibration.json", r"calibration", (kept.calibration,)),
+        DataFile(f"{calibration}/arm.json", r"arm\.json|calibration", (kept.calibration,)),
+        DataFile(f"{flow}/probing.csv"),
+        DataFile(f"{scan}/scan.mcap", "recording"),
+        DataFile(f"{scan}/cloud.ply"),
+        DataFile("logs/station.jsonl"),
     ]
 
 
-def in_places(kept: Kept) -> list[Damage]:
+def file_damages(kept: FolderRecords) -> list[Damage]:
     """Every way in every place."""
 
-    def damage(place: Place, way: str) -> Damage:
+    def damage(place: DataFile, way: str) -> Damage:
         def do(data: Path, rng: random.Random) -> None:
-            WAYS[way](data / place.path, rng)
+            DAMAGE_METHODS[way](data / place.path, rng)
 
         kind = place.path.replace(kept.scans[0], "…").replace(kept.flow, "…")
         harmless = way == "some bytes turned" or (way == "gone" and "spare" in place.path)
@@ -168,7 +170,7 @@ def in_places(kept: Kept) -> list[Damage]:
             f"{kind}: {way}", do, "" if harmless else place.told, place.of, way == "forbidden"
         )
 
-    return [damage(place, way) for place in places(kept) for way in WAYS]
+    return [damage(place, way) for place in list_data_files(kept) for way in DAMAGE_METHODS]
 
 
 def _statement(*statements: str) -> Callable[[Path, random.Random], None]:
@@ -183,7 +185,7 @@ def _statement(*statements: str) -> Callable[[Path, random.Random], None]:
     return do
 
 
-def _page(data: Path, rng: random.Random) -> None:
+def _scramble_page(data: Path, rng: random.Random) -> None:
     """One page of the database, not the first, is of random bytes."""
     path = data / "station.db"
     with path.open("r+b") as file:
@@ -192,7 +194,7 @@ def _page(data: Path, rng: random.Random) -> None:
         file.write(rng.randbytes(PAGE_BYTES))
 
 
-def _texts(data: Path, rng: random.Random) -> None:
+def _break_texts(data: Path, rng: random.Random) -> None:
     """Texts in the database are not UTF-8."""
     path = data / "station.db"
     path.write_bytes(path.read_bytes().replace(b"Scan 1", b"Sc\xe4n 1"))
@@ -204,7 +206,7 @@ def _no_database(data: Path, rng: random.Random) -> None:
 
 def _file_for_folder(name: str) -> Callable[[Path, random.Random], None]:
     def do(data: Path, rng: random.Random) -> None:
-        _gone(data / name)
+        _remove(data / name)
         (data / name).write_text("no folder")
 
     return do
@@ -231,7 +233,7 @@ def _leftovers(data: Path, rng: random.Random) -> None:
 ROW = "INSERT INTO journal (session_id, at, kind, payload) VALUES ('{}', '2026-01-01', '{}', '{}')"
 
 
-def in_database(kept: Kept) -> list[Damage]:
+def database_damages(kept: FolderRecords) -> list[Damage]:
     """What stands in the database is of a newer version, of another program, or damaged."""
     session = rf"{kept.flow}|journal"
 
@@ -260,8 +262,8 @@ def in_database(kept: Kept) -> list[Damage]:
             "database",
             every,
         ),
-        Damage("database: a damaged page", _page, "database|damaged|not-readable", every),
-        Damage("database: texts that are not UTF-8", _texts),
+        Damage("database: a damaged page", _scramble_page, "database|damaged|not-readable", every),
+        Damage("database: texts that are not UTF-8", _break_texts),
         Damage("database: not there beside folders", _no_database, r"station\.db", every),
         Damage(
             "calibration: figures that cannot be read",
@@ -291,7 +293,7 @@ def in_database(kept: Kept) -> list[Damage]:
     ]
 
 
-def in_folders() -> list[Damage]:
+def folder_damages() -> list[Damage]:
     """Foreign and missing things beside the files."""
     found = [
         Damage(f"a file in the place of {name}", _file_for_folder(name), name)

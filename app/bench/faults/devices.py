@@ -22,22 +22,22 @@ from websockets.sync.connection import Connection
 from app.bench.station.subprocess_station import (
     GUEST,
     PATIENCE_S,
-    breaks_told,
-    served,
+    convert_connection_errors,
+    serve_in_thread,
     sign_in,
-    stuck,
+    stuck_error,
 )
 from app.progress import Progress, no_progress
-from app.server.demo import parts_of
+from app.server.demo import station_parts
 from hardware.simulator.devices.faults import Faults
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 View = dict[str, Any]
 KIND = "devices"
 """Its name on the command line."""
 POLL_S = 0.05
 DEVICES = ("arm", "sensor")
-TOUCHES = 4
+CONTACT_COUNT = 4
 """Done in their step before the devices fail there."""
 
 
@@ -70,7 +70,7 @@ def _turn_on(faults: Faults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
 
 
-def _stray(faults: Faults) -> None:
+def _offset_readings(faults: Faults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
 
 
@@ -79,13 +79,13 @@ FAILURES = (
     Failure("garbage on the arm's line", "arm", _spoil),
     Failure("joint 4 frozen", "arm", _freeze),
     Failure("joint 1 three turns on", "arm", _turn_on),
-    Failure("joint 3 off by 90° once in 211", "arm", _stray),
+    Failure("joint 3 off by 90° once in 211", "arm", _offset_readings),
     Failure("camera lost", "sensor", _lose_camera),
 )
 
 
 @dataclass(frozen=True)
-class FaultRow:
+class DeviceFaultRow:
     """What came of one failure in one step."""
 
     step: str
@@ -99,7 +99,7 @@ class FaultRow:
 COLUMNS = ("step", "failure", "said after", "there again after", "what was taken")
 
 
-def table(rows: list[FaultRow]) -> list[tuple[str, ...]]:
+def table(rows: list[DeviceFaultRow]) -> list[tuple[str, ...]]:
     return [
         (
             row.step,
@@ -112,31 +112,31 @@ def table(rows: list[FaultRow]) -> list[tuple[str, ...]]:
     ]
 
 
-def run(progress: Progress = no_progress) -> list[FaultRow]:
+def run(progress: Progress = no_progress) -> list[DeviceFaultRow]:
     """Every failure in every step; a refusal where the station does not go on."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        Twin(TwinConfig(pace=4.0)) as twin,
+        SimulatedStation(SimulationConfig(pace=4.0)) as twin,
     ):
-        parts = replace(parts_of(twin, Path(folder)), guest=GUEST)
-        with breaks_told(), served(parts) as (station, port):
+        parts = replace(station_parts(twin, Path(folder)), guest=GUEST)
+        with convert_connection_errors(), serve_in_thread(parts) as (station, port):
             signed_in = sign_in(station, port)
             with (
                 httpx.Client(
                     base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0
                 ) as http,
                 connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live,
-                _Told(live) as told,
+                _DeviceMonitor(live) as told,
             ):
-                return list(_walk(_Bench(http, told, twin), progress))
+                return list(_walk(_StationClient(http, told, twin), progress))
 
 
-def done(view: View) -> int:
+def done_count(view: View) -> int:
     """How much of a step is done."""
     return int((view["progress"] or {"done": 0})["done"])
 
 
-class _Told:
+class _DeviceMonitor:
     """What the live connection tells of the devices, read all the time as a browser does.
 
     A connection that nobody reads answers no pings, and the station ends it.
@@ -148,7 +148,7 @@ class _Told:
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._read, daemon=True)
 
-    def __enter__(self) -> "_Told":
+    def __enter__(self) -> "_DeviceMonitor":
         self._thread.start()
         return self
 
@@ -177,14 +177,14 @@ class _Told:
             if not self._changed.wait_for(
                 lambda: self._there.get(device) is there, timeout=PATIENCE_S
             ):
-                raise stuck(f"nothing is told of the {device}")
+                raise stuck_error(f"nothing is told of the {device}")
             return time.monotonic()
 
 
-class _Bench:
+class _StationClient:
     """The station under test, from its browser's end."""
 
-    def __init__(self, http: httpx.Client, told: _Told, twin: Twin) -> None:
+    def __init__(self, http: httpx.Client, told: _DeviceMonitor, twin: SimulatedStation) -> None:
         self.http, self._told, self._twin = http, told, twin
 
     def view(self) -> View:
@@ -194,7 +194,7 @@ class _Bench:
         deadline_s = time.monotonic() + PATIENCE_S
         while not enough(view := self.view()):
             if time.monotonic() > deadline_s:
-                raise stuck(f"the flow stays at {view['step']}")
+                raise stuck_error(f"the flow stays at {view['step']}")
             time.sleep(POLL_S)
         return view
 
@@ -212,7 +212,9 @@ class _Bench:
         self.http.post("/api/stop").raise_for_status()
         self.until(lambda view: view["busy"] is None)
 
-    def fail(self, step: str, taken: Callable[[], object] | None = None) -> Iterator[FaultRow]:
+    def fail(
+        self, step: str, taken: Callable[[], object] | None = None
+    ) -> Iterator[DeviceFaultRow]:
         """Every failure; ``taken`` tells what must be there afterwards as before."""
         taken = taken or self.taken
         for failure in FAILURES:
@@ -224,16 +226,16 @@ class _Bench:
             self._twin.faults.clear()
             mended_s = time.monotonic()
             back_s = self._told.when(failure.device, True) - mended_s
-            yield FaultRow(step, failure.name, said_s, back_s, before == taken())
+            yield DeviceFaultRow(step, failure.name, said_s, back_s, before == taken())
 
     def taken(self) -> tuple[str, int, int]:
         """The step, and how much there is in it."""
         view = self.view()
         points = len(view["picture"].get("points") or ())
-        return view["step"], points, done(view)
+        return view["step"], points, done_count(view)
 
 
-def _walk(bench: _Bench, progress: Progress) -> Iterator[FaultRow]:
+def _walk(bench: _StationClient, progress: Progress) -> Iterator[DeviceFaultRow]:
     """A calibration by the hand, and a scan with it, failing at each step."""
     bench.http.post("/api/flow/start").raise_for_status()
     bench.until(lambda view: bool(view["actions"][0]["enabled"]))
@@ -243,7 +245,7 @@ def _walk(bench: _Bench, progress: Progress) -> Iterator[FaultRow]:
     progress(0.1, "setup")
     yield from bench.fail("setup")
     bench.command("let_hand", all=True)
-    bench.until(lambda view: len(view["picture"].get("points") or ()) >= TOUCHES)
+    bench.until(lambda view: len(view["picture"].get("points") or ()) >= CONTACT_COUNT)
     bench.rest()
     progress(0.3, "touch")
     yield from bench.fail("touch")

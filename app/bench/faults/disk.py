@@ -8,16 +8,16 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from app.bench.faults.calls import calls_under, preloaded
-from app.bench.faults.furnished import Kept, furnish
-from app.bench.faults.looking import look_at
+from app.bench.faults.calls import compile_library, preload_environment
+from app.bench.faults.furnished import FolderRecords, furnish
+from app.bench.faults.looking import query_station
 from app.bench.faults.row import FaultRow
-from app.bench.faults.station import Station
-from app.errors import Refusal
+from app.bench.faults.station import StationProcess
+from app.errors import OperationError
 from app.progress import Progress, no_progress
 
 TRIES = 30
-FURTHEST = 400
+MAX_CALLS = 400
 """Calls after which it is full at the latest; about as many as one look makes."""
 LENGTHS = (1, 2, 5, 20, 100, -1)
 """So many calls find it full; -1 for all until it is emptied."""
@@ -67,11 +67,11 @@ def run(
         Refusal: the library cannot be preloaded here.
     """
     data.parent.mkdir(parents=True, exist_ok=True)
-    library = preloaded(data.parent)
+    library = compile_library(data.parent)
     kept = furnish(data, progress)
     rng, row = random.Random(seed), FaultRow("a disk that fills up")
     for number in range(tries):
-        after, length = rng.randrange(FURTHEST * (number + 1) // tries), rng.choice(LENGTHS)
+        after, length = rng.randrange(MAX_CALLS * (number + 1) // tries), rng.choice(LENGTHS)
         progress(number / tries, f"a disk that is full after {after} calls")
         copy = data.with_name(f"{data.name}-filled")
         shutil.copytree(data, copy)
@@ -87,36 +87,36 @@ def run(
 
 
 def _try(
-    data: Path, library: Path, disk: Disk, when: tuple[int, int], kept: Kept, row: FaultRow
+    data: Path, library: Path, disk: Disk, when: tuple[int, int], kept: FolderRecords, row: FaultRow
 ) -> tuple[list[str], list[str]]:
-    environment = calls_under(data, library, DISK=data.parent / "disk")
+    environment = preload_environment(data, library, DISK=data.parent / "disk")
     try:
-        with Station(data, environment) as station:
+        with StationProcess(data, environment) as station:
             station.enter()
             disk.fill(*when)
-            wrong = look_at(station, {"scan_id": list(kept.scans)}).faults
+            wrong = query_station(station, {"scan_id": list(kept.scans)}).faults
             row.stopped(station.stop_s())
             wrong += _sign_in_again(station)
             disk.empty()
             station.begin_scan("With room again")
             station.wait(lambda: station.get("/api/scan")["frames"] > 0)
             station.post("/api/scan/stop").raise_for_status()
-            listed = _listed(station)
+            listed = _list_stored(station)
             station.kill()
-        with Station(data) as station:
+        with StationProcess(data) as station:
             station.enter()
-            lost = [f"{one} is not listed" for one in listed - _listed(station)]
-    except Refusal as refusal:
+            lost = [f"{one} is not listed" for one in listed - _list_stored(station)]
+    except OperationError as refusal:
         return [refusal.line], []
     return wrong, lost
 
 
-def _sign_in_again(station: Station) -> list[str]:
+def _sign_in_again(station: StationProcess) -> list[str]:
     answer = station.sign_in()
     return [] if answer.is_success else [f"signing in: {answer.status_code} {answer.text[:200]}"]
 
 
-def _listed(station: Station) -> set[str]:
+def _list_stored(station: StationProcess) -> set[str]:
     """What people are told is kept: scans, calibrations, and the points of the open session."""
     records = [*station.get("/api/scans"), *station.get("/api/calibrations")]
     flow = station.get("/api/flow")

@@ -8,38 +8,38 @@ from pathlib import Path
 
 from app.bench.faults import damage, disk, floods, kills
 from app.bench.faults.row import FaultRow
-from app.bench.station.subprocess_station import breaks_told
-from app.errors import Refusal
+from app.bench.station.subprocess_station import convert_connection_errors
+from app.errors import OperationError
 from app.progress import Progress, no_progress
 
-Try = Callable[[Path, int, Progress], list[FaultRow]]
+Attempt = Callable[[Path, int, Progress], list[FaultRow]]
 """Of a folder, a seed and a progress."""
 
 
 @dataclass(frozen=True)
-class Kind:
+class FaultKind:
     """A kind of fault by its name on the command line, and what tries it in a new folder."""
 
     name: str
-    attempt: Try
+    attempt: Attempt
 
 
 KINDS = (
-    Kind(
+    FaultKind(
         "kills-in-scans",
-        lambda data, seed, tell: [kills.scans(data, seed=seed, progress=tell)],
+        lambda data, seed, tell: [kills.kill_scans(data, seed=seed, progress=tell)],
     ),
-    Kind(
+    FaultKind(
         "kills-in-calibrations",
-        lambda data, seed, tell: [kills.guides(data, "flow", progress=tell)],
+        lambda data, seed, tell: [kills.kill_guides(data, "flow", progress=tell)],
     ),
-    Kind(
+    FaultKind(
         "kills-in-verifications",
-        lambda data, seed, tell: [kills.guides(data, "verify", progress=tell)],
+        lambda data, seed, tell: [kills.kill_guides(data, "verify", progress=tell)],
     ),
-    Kind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)]),
-    Kind("damage", lambda data, seed, tell: [damage.run(data, seed=seed, progress=tell)]),
-    Kind("floods", lambda data, seed, tell: floods.run(data, progress=tell)),
+    FaultKind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)]),
+    FaultKind("damage", lambda data, seed, tell: [damage.run(data, seed=seed, progress=tell)]),
+    FaultKind("floods", lambda data, seed, tell: floods.run(data, progress=tell)),
 )
 
 
@@ -51,12 +51,12 @@ def run(names: list[str], seed: int = 0, progress: Progress = no_progress) -> li
     """
     known = [kind.name for kind in KINDS]
     if unknown := [name for name in names if not any(_has(kind, name) for kind in known)]:
-        raise Refusal(
+        raise OperationError(
             "bench-kind", f"There is no kind {unknown[0]}", f"there are: {', '.join(known)}"
         )
     chosen = [kind for kind in KINDS if not names or any(_has(kind.name, name) for name in names)]
     rows: list[FaultRow] = []
-    with tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder, breaks_told():
+    with tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder, convert_connection_errors():
         for number, kind in enumerate(chosen):
             share = partial(_share, progress, number, len(chosen))
             rows += kind.attempt(Path(folder) / kind.name / "data", seed, share)

@@ -9,21 +9,21 @@ from pathlib import Path
 
 import httpx
 
-from app.bench.faults.hostile import FLOODS, Address, Sent
+from app.bench.faults.hostile import FLOODS, Address, FloodCounts
 from app.bench.faults.row import FaultRow
 from app.bench.faults.served import prepare
-from app.bench.faults.station import Station
+from app.bench.faults.station import StationProcess
 from app.bench.station.subprocess_station import memory_mb
-from app.errors import Refusal
+from app.errors import OperationError
 from app.progress import Progress, no_progress
 
 SECONDS = 20.0
 THREADS = 4
-EVERY_S, AN_HOUR_S = 0.25, 3600.0
+EVERY_S, HOUR_S = 0.25, 3600.0
 BEGINNING_S, SETTLED = 1.0, 0.4
 """A flood begins so much later than its process, and after this share of it, lines of each kind
 are counted rather than written."""
-LEAST_TRIES = 3
+MIN_TRIES = 3
 """Of Stop, however long it takes."""
 
 
@@ -40,7 +40,7 @@ def run(data: Path, seconds: float = SECONDS, progress: Progress = no_progress) 
     """
     prepare(data)
     rows = []
-    with Station(data) as station:
+    with StationProcess(data) as station:
         station.enter()
         base = station.http.base_url
         address = (base.host, base.port or 0)
@@ -48,7 +48,7 @@ def run(data: Path, seconds: float = SECONDS, progress: Progress = no_progress) 
             stop_bytes = _logged_by_stop(station, seconds)
             for number, name in enumerate(FLOODS):
                 progress(number / len(FLOODS), f"flood: {name}")
-                rows.append(_under(station, name, address, seconds, stop_bytes))
+                rows.append(_measure_under(station, name, address, seconds, stop_bytes))
         station.end()
     return rows
 
@@ -57,7 +57,7 @@ def run(data: Path, seconds: float = SECONDS, progress: Progress = no_progress) 
 class _Logged:
     """What a station logs at the beginning and from then on, and how often Stop was pressed."""
 
-    station: Station
+    station: StationProcess
     beginning_s: float
     pressed: int = 0
     """After the beginning."""
@@ -68,7 +68,7 @@ class _Logged:
         self._pressed_before = 0
 
     def press(self) -> float:
-        """Presses Stop; how long it took in s. Raises as ``Station.stop_s``."""
+        """Presses Stop; how long it took in s. Raises as ``StationProcess.stop_s``."""
         if not self.pressed and time.monotonic() < self._from_s:
             self._pressed_before += 1
             return self.station.stop_s()
@@ -86,10 +86,10 @@ class _Logged:
         """The beginning, and as after it for an hour, without what Stop logs."""
         late = self.station.logged_bytes() - self._before - stop_bytes * self.pressed
         early = self._before - self._first - stop_bytes * self._pressed_before
-        return max(early, 0.0) + max(late, 0.0) * AN_HOUR_S / (time.monotonic() - self._from_s)
+        return max(early, 0.0) + max(late, 0.0) * HOUR_S / (time.monotonic() - self._from_s)
 
 
-def _logged_by_stop(station: Station, seconds: float) -> float:
+def _logged_by_stop(station: StationProcess, seconds: float) -> float:
     """Bytes that a station without a flood logs for each Stop."""
     logged, until_s = _Logged(station, SETTLED * seconds), time.monotonic() + seconds
     while time.monotonic() < until_s or not logged.pressed:
@@ -98,8 +98,8 @@ def _logged_by_stop(station: Station, seconds: float) -> float:
     return logged.bytes_by_stop
 
 
-def _under(
-    station: Station, name: str, address: Address, seconds: float, stop_bytes: float
+def _measure_under(
+    station: StationProcess, name: str, address: Address, seconds: float, stop_bytes: float
 ) -> FaultRow:
     """Stop is pressed here while the flood comes from a process of its own."""
     row = FaultRow(f"flood: {name}")
@@ -108,11 +108,11 @@ def _under(
     with ProcessPoolExecutor(1, get_context("spawn")) as processes:
         flood = processes.submit(_flood, name, address, seconds)
         logged = _Logged(station, BEGINNING_S + SETTLED * seconds)
-        while not flood.done() or pressed < LEAST_TRIES or not logged.pressed:
+        while not flood.done() or pressed < MIN_TRIES or not logged.pressed:
             pressed += 1
             try:
                 row.stopped(logged.press())
-            except (httpx.HTTPError, Refusal) as error:
+            except (httpx.HTTPError, OperationError) as error:
                 failed.append(type(error).__name__)
             most_mb = max(most_mb, memory_mb(station.pid))
             time.sleep(EVERY_S)
@@ -125,8 +125,8 @@ def _under(
     return row
 
 
-def _flood(name: str, address: Address, seconds: float) -> Sent:
-    sent, until_s = Sent(), time.monotonic() + seconds
+def _flood(name: str, address: Address, seconds: float) -> FloodCounts:
+    sent, until_s = FloodCounts(), time.monotonic() + seconds
     threads = [
         threading.Thread(target=FLOODS[name], args=(address, until_s, sent)) for _ in range(THREADS)
     ]

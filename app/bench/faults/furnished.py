@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.bench.faults.served import prepare
-from app.bench.faults.station import Station
+from app.bench.faults.station import StationProcess
 from app.progress import Progress, no_progress
 
 SCANS = 2
@@ -34,7 +34,7 @@ FOLDERS = ("arms", "objects", "sensors", "gauges", "sessions", "scans", "verific
 
 
 @dataclass(frozen=True)
-class Kept:
+class FolderRecords:
     """What is in the folder: the ids of its records."""
 
     scans: tuple[str, ...]
@@ -45,14 +45,14 @@ class Kept:
     """The one that is open."""
 
 
-def furnish(data: Path, progress: Progress = no_progress) -> Kept:
+def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
     """Makes a data folder, which must not be there: calibration, scans, open sessions, settings.
 
     Raises:
         Refusal: the station does not go on.
     """
     prepare(data)
-    with Station(data) as station:
+    with StationProcess(data) as station:
         station.enter()
         for number in range(SCANS):
             progress(number / (SCANS + 2), "a folder to be damaged: scans")
@@ -72,7 +72,7 @@ def furnish(data: Path, progress: Progress = no_progress) -> Kept:
         station.post("/api/stop").raise_for_status()
         station.post("/api/backup").raise_for_status()
         station.wait(lambda: station.get("/api/health")["backup"]["last"])
-        kept = Kept(
+        kept = FolderRecords(
             tuple(scan["id"] for scan in station.get("/api/scans")),
             station.get("/api/calibrations")[0]["id"],
             station.get("/api/flow")["session_id"],

@@ -16,7 +16,7 @@ Address = tuple[str, int]
 
 
 @dataclass
-class Sent:
+class FloodCounts:
     """How many requests were sent, and how many were answered by an error of the program."""
 
     requests: int = 0
@@ -27,7 +27,7 @@ class Sent:
         self.faults += answer.startswith(b"HTTP/1.1 500")
 
 
-Flood = Callable[[Address, float, Sent], None]
+Flood = Callable[[Address, float, FloodCounts], None]
 """Goes on until a monotonic time in s."""
 
 
@@ -104,7 +104,7 @@ ODD: tuple[bytes, ...] = (
 """Requests that nobody ought to send."""
 
 
-def odd_requests(address: Address, until_s: float, sent: Sent) -> None:
+def odd_requests(address: Address, until_s: float, sent: FloodCounts) -> None:
     rng = random.Random(sent.requests)
     while time.monotonic() < until_s:
         for request in ODD:
@@ -114,7 +114,7 @@ def odd_requests(address: Address, until_s: float, sent: Sent) -> None:
             sent.note(ask(address, bytes(cut) + b"\r\n\r\n"))
 
 
-def one_header(address: Address, until_s: float, sent: Sent) -> None:
+def one_header(address: Address, until_s: float, sent: FloodCounts) -> None:
     """100 MB of headers on each connection."""
     piece = b"x" * PIECE_BYTES
     while time.monotonic() < until_s:
@@ -125,26 +125,26 @@ def one_header(address: Address, until_s: float, sent: Sent) -> None:
                 connection.sendall(piece)
 
 
-def many_headers(address: Address, until_s: float, sent: Sent) -> None:
+def many_headers(address: Address, until_s: float, sent: FloodCounts) -> None:
     request = get(b"/", *(b"X-%d: y" % number for number in range(5000)))
     while time.monotonic() < until_s:
         sent.note(ask(address, request))
 
 
-def long_addresses(address: Address, until_s: float, sent: Sent) -> None:
+def long_addresses(address: Address, until_s: float, sent: FloodCounts) -> None:
     number = 0
     while time.monotonic() < until_s:
         number += 1
         sent.note(ask(address, get(b"/api/%d/" % number + b"long" * (number % 2040))))
 
 
-def big_bodies(address: Address, until_s: float, sent: Sent) -> None:
+def big_bodies(address: Address, until_s: float, sent: FloodCounts) -> None:
     body = b'{"name": "' + b"x" * (8 << 20) + b'"}'
     while time.monotonic() < until_s:
         sent.note(ask(address, post(b"/api/session", body, JSON)))
 
 
-def many_connections(address: Address, until_s: float, sent: Sent) -> None:
+def many_connections(address: Address, until_s: float, sent: FloodCounts) -> None:
     """A thousand at once, each of which has begun a request."""
     while time.monotonic() < until_s:
         with ExitStack() as opened:
@@ -156,7 +156,7 @@ def many_connections(address: Address, until_s: float, sent: Sent) -> None:
                 sent.requests += 1
 
 
-def slow_requests(address: Address, until_s: float, sent: Sent) -> None:
+def slow_requests(address: Address, until_s: float, sent: FloodCounts) -> None:
     """Two hundred connections, each sending a byte now and then."""
     with ExitStack() as opened:
         held = [opened.enter_context(one) for one in _connections(address, 200)]
@@ -168,7 +168,7 @@ def slow_requests(address: Address, until_s: float, sent: Sent) -> None:
             time.sleep(0.2)
 
 
-def requests_ahead(address: Address, until_s: float, sent: Sent) -> None:
+def requests_ahead(address: Address, until_s: float, sent: FloodCounts) -> None:
     """Thousands on one connection, whose answers nobody reads."""
     while time.monotonic() < until_s:
         sent.requests += 1
@@ -178,7 +178,7 @@ def requests_ahead(address: Address, until_s: float, sent: Sent) -> None:
             time.sleep(0.05)
 
 
-def sudden_ends(address: Address, until_s: float, sent: Sent) -> None:
+def sudden_ends(address: Address, until_s: float, sent: FloodCounts) -> None:
     """Connections that are reset in the middle of a request, or of its answer."""
     while time.monotonic() < until_s:
         sent.requests += 1

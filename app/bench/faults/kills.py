@@ -9,18 +9,18 @@ from typing import Any
 
 from app.bench.faults.row import FaultRow
 from app.bench.faults.served import prepare
-from app.bench.faults.station import Station, View
-from app.errors import Refusal
+from app.bench.faults.station import StationProcess, View
+from app.errors import OperationError
 from app.formats.recording.reader import open_recording
-from app.formats.recording.stream import blocks
+from app.formats.recording.stream import read_blocks
 from app.progress import Progress, no_progress
 
 SCANS = 20
 LONGEST_S = 3.0
 LOST_S = 0.5
 """So much of a scan may be lost at most."""
-Place = tuple[str, int]
-PLACES: dict[str, tuple[Place, ...]] = {
+KillPoint = tuple[str, int]
+KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
     "flow": (
         *(("devices", 0), ("setup", 0), ("touch", 0), ("touch", 1), ("touch", 5), ("touch", 12)),
         *(("touch", 20), ("touch", 26), ("place", 0), ("capture", 0), ("solve", 0), ("review", 0)),
@@ -34,7 +34,7 @@ PLACES: dict[str, tuple[Place, ...]] = {
 NAMES = {"flow": "kill -9 in a calibration", "verify": "kill -9 in a verification"}
 
 
-def scans(
+def kill_scans(
     data: Path, kills: int = SCANS, seed: int = 0, progress: Progress = no_progress
 ) -> FaultRow:
     """Kills at any moment of scans; each is listed, with its cloud, at the next start.
@@ -44,11 +44,11 @@ def scans(
     """
     prepare(data)
     row, rng = FaultRow("kill -9 in a scan"), random.Random(seed)
-    killed: _Killed | None = None
+    killed: _RunningScan | None = None
     losses_s = []
     for number in range(kills + 1):
         progress(number / (kills + 1), f"kill {number} of {kills} in scans")
-        with Station(data) as station:
+        with StationProcess(data) as station:
             station.enter()
             if killed is not None:
                 losses_s.append(_settle(station, killed, data, row))
@@ -61,7 +61,7 @@ def scans(
 
 
 @dataclass(frozen=True)
-class _Killed:
+class _RunningScan:
     """A scan that ran when its station was killed, and what was shown of it just before."""
 
     name: str
@@ -76,7 +76,7 @@ class _Killed:
         return max(frames_s, 1e-9 * (self.at_ns - joints_ns), 0.0)
 
 
-def _kill(station: Station, name: str, seconds: float) -> _Killed:
+def _kill(station: StationProcess, name: str, seconds: float) -> _RunningScan:
     """Kills a station once its scan has run for so long."""
 
     def live() -> View | None:
@@ -84,10 +84,10 @@ def _kill(station: Station, name: str, seconds: float) -> _Killed:
         return scan if scan["seconds"] > seconds else None
 
     last = station.wait(live)
-    return _Killed(name, station.kill(), last["seconds"], last["frames"])
+    return _RunningScan(name, station.kill(), last["seconds"], last["frames"])
 
 
-def _settle(station: Station, killed: _Killed, data: Path, row: FaultRow) -> float:
+def _settle(station: StationProcess, killed: _RunningScan, data: Path, row: FaultRow) -> float:
     """Counts what became of a killed scan; how much of it is lost, in s."""
 
     def found() -> Any:
@@ -102,7 +102,7 @@ def _settle(station: Station, killed: _Killed, data: Path, row: FaultRow) -> flo
         return killed.seconds
     try:
         scan = station.wait(lambda: _with_cloud(found()))
-    except Refusal as refusal:
+    except OperationError as refusal:
         row.outcome(False, True, f"{killed.name}: {refusal.line}")
         return killed.seconds
     folder = data / "scans" / scan["id"]
@@ -120,15 +120,15 @@ def last_joints_ns(recording: Path) -> int:
     """The stamp of the last joints that a recording holds; 0 for none."""
     last_ns = 0
     with ThreadPoolExecutor(1) as pool:
-        for block in blocks(open_recording(recording), pool, 1):
+        for block in read_blocks(open_recording(recording), pool, 1):
             last_ns = max([last_ns, *(int(joints.stamps_ns[-1]) for joints in block.joints)])
     return last_ns
 
 
-def guides(
+def kill_guides(
     data: Path,
     flow: str,
-    places: tuple[Place, ...] | None = None,
+    places: tuple[KillPoint, ...] | None = None,
     progress: Progress = no_progress,
 ) -> FaultRow:
     """Kills in every step of a guide; nothing that was shown is lost.
@@ -136,15 +136,15 @@ def guides(
     Args:
         data: a folder for the station's own, which is made.
         flow: ``flow`` for a calibration, ``verify`` for a verification.
-        places: where, instead of in ``PLACES``.
+        places: where, instead of in ``KILL_POINTS``.
     """
     row, before = FaultRow(NAMES[flow]), None
     if flow == "verify":
         prepare(data)
-    places = places or PLACES[flow]
+    places = places or KILL_POINTS[flow]
     for number, place in enumerate([*places, None]):
         progress(number / len(places), f"{flow}: {place[0] if place else 'the end'}")
-        with Station(data) as station:
+        with StationProcess(data) as station:
             station.enter()
             if before is None:
                 _begin(station, flow)
@@ -153,18 +153,18 @@ def guides(
                 row.outcome(not wrong, bool(wrong), wrong)
                 row.stopped(station.stop_s())
             if place is not None:
-                before = _go_on(station, flow, place)
+                before = _advance(station, flow, place)
                 station.kill()
     return row
 
 
-def _begin(station: Station, flow: str) -> None:
+def _begin(station: StationProcess, flow: str) -> None:
     station.post(f"/api/{flow}/start").raise_for_status()
     if flow == "verify":
         station.wait(lambda: station.ask(flow, "choose_gauge", id="plate"))
 
 
-def _go_on(station: Station, flow: str, place: Place) -> View:
+def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
     """Until so much is done in a step: by the operator in the first ones, then by the hand."""
     step, count = place
     if step == "setup":
@@ -173,7 +173,7 @@ def _go_on(station: Station, flow: str, place: Place) -> View:
     def there() -> View | None:
         """So far by the hand, which rests where something was declined until it is let again."""
         view: View = station.get(f"/api/{flow}")
-        if _reached(view, step, count):
+        if _has_reached(view, step, count):
             return view
         if view["busy"] is None and step != "setup":
             station.ask(flow, "let_hand", all=True)
@@ -182,7 +182,7 @@ def _go_on(station: Station, flow: str, place: Place) -> View:
     return dict(station.wait(there))
 
 
-def _taken(view: View) -> set[Any]:
+def _stored_items(view: View) -> set[Any]:
     """What an operator has done in this step, as the page shows it."""
     picture, step = view["picture"], view["step"]
     if step == "touch":
@@ -193,9 +193,9 @@ def _taken(view: View) -> set[Any]:
     return {c["number"] for c in picture.get("clouds", []) if c["state"] == "good"}
 
 
-def _reached(view: View, step: str, count: int) -> bool:
+def _has_reached(view: View, step: str, count: int) -> bool:
     order = [each["id"] for each in view["steps"]]
-    return (order.index(view["step"]), len(_taken(view))) >= (order.index(step), count)
+    return (order.index(view["step"]), len(_stored_items(view))) >= (order.index(step), count)
 
 
 def differences(before: View, after: View) -> Iterator[str]:
@@ -207,5 +207,5 @@ def differences(before: View, after: View) -> Iterator[str]:
     # what the hand did between the last look and the kill may have ended the step
     if order.index(after["step"]) - order.index(before["step"]) not in (0, 1):
         yield f"{before['step']}: resumed at {after['step']}"
-    elif after["step"] == before["step"] and not _taken(before) <= _taken(after):
-        yield f"{before['step']}: {len(_taken(before) - _taken(after))} are missing"
+    elif after["step"] == before["step"] and not _stored_items(before) <= _stored_items(after):
+        yield f"{before['step']}: {len(_stored_items(before) - _stored_items(after))} are missing"

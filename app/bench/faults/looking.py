@@ -11,13 +11,13 @@ import httpx
 from websockets.exceptions import WebSocketException
 
 from app.bench.faults.furnished import NOTIFIED, SETTINGS
-from app.bench.faults.station import Station, View
+from app.bench.faults.station import StationProcess, View
 
 PARAMETER = re.compile(r"{(\w+)}")
-OK, FAULT_STATUS, NOT_KEPT_STATUS = 200, 500, 507
+OK, FAULT_STATUS, NOT_STORED_STATUS = 200, 500, 507
 LIVE_S = 1.0
 TRACE = "Traceback (most recent call last)"
-ASKED: tuple[tuple[str, Mapping[str, object]], ...] = (
+REQUESTS: tuple[tuple[str, Mapping[str, object]], ...] = (
     ("/api/temperature", {"celsius": 20.5}),
     ("/api/settings", SETTINGS),
     ("/api/settings/delay/find", {}),
@@ -33,11 +33,11 @@ ASKED: tuple[tuple[str, Mapping[str, object]], ...] = (
 )
 """What is asked of a station besides looking, in this order."""
 
-AFTERWARDS = ("/api/health", "/api/home", "/api/scans", "/api/flow")
+CHECK_ROUTES = ("/api/health", "/api/home", "/api/scans", "/api/flow")
 
 
 @dataclass
-class Look:
+class StationResponses:
     """What a station answered."""
 
     faults: list[str] = field(default_factory=list)
@@ -46,7 +46,7 @@ class Look:
     """Of each route that answered with JSON."""
 
     def note(self, asked: str, answer: httpx.Response) -> None:
-        if answer.status_code >= FAULT_STATUS and answer.status_code != NOT_KEPT_STATUS:
+        if answer.status_code >= FAULT_STATUS and answer.status_code != NOT_STORED_STATUS:
             self.faults.append(f"{asked}: {answer.status_code}")
         if "json" in answer.headers.get("content-type", ""):
             self.texts[asked] = answer.text
@@ -56,27 +56,29 @@ class Look:
         return any(re.search(words, text, re.IGNORECASE) for text in self.texts.values())
 
 
-def look_at(station: Station, ids: Mapping[str, list[str]], acts: bool = True) -> Look:
+def query_station(
+    station: StationProcess, ids: Mapping[str, list[str]], acts: bool = True
+) -> StationResponses:
     """Asks for everything.
 
     Args:
         ids: what a parameter of a route is filled with, besides an id that nothing has.
         acts: also begins sessions, a scan and a backup.
     """
-    look = Look()
+    look = StationResponses()
     for path in _paths(station, ids):
         _ask(look, station, "GET", path)
     look.faults += _live_faults(station)
-    for path, body in ASKED if acts else ():
+    for path, body in REQUESTS if acts else ():
         _ask(look, station, "POST", path, body)
     if acts:
         station.wait(lambda: _has_no_job(station.http.get("/api/health")))
-        for path in AFTERWARDS:
+        for path in CHECK_ROUTES:
             _ask(look, station, "GET", path)
     logged = station.http.get("/api/logs")
     look.note("GET /api/logs", logged)
     if logged.status_code == OK:
-        look.faults += [fault_of(line) for line in logged.json() if line["level"] == "error"]
+        look.faults += [describe_fault(line) for line in logged.json() if line["level"] == "error"]
     if TRACE in station.said:
         look.faults.append("a trace on the console")
     return look
@@ -87,14 +89,18 @@ def _has_no_job(health: httpx.Response) -> bool:
     return health.status_code != OK or '"share":null' in health.text
 
 
-def fault_of(line: View) -> str:
+def describe_fault(line: View) -> str:
     """A line of the log with an error, and the end of its trace."""
     last = (line["trace"].strip().splitlines() or [""])[-1]
     return f"logged: {line['text'][:120]} {last[:120]}"
 
 
 def _ask(
-    look: Look, station: Station, method: str, path: str, body: Mapping[str, object] | None = None
+    look: StationResponses,
+    station: StationProcess,
+    method: str,
+    path: str,
+    body: Mapping[str, object] | None = None,
 ) -> None:
     try:
         look.note(f"{method} {path}", station.http.request(method, path, json=body))
@@ -102,18 +108,18 @@ def _ask(
         look.faults.append(f"{method} {path}: {type(error).__name__}")
 
 
-def _paths(station: Station, ids: Mapping[str, list[str]]) -> list[str]:
+def _paths(station: StationProcess, ids: Mapping[str, list[str]]) -> list[str]:
     """Every address that can be asked for, its parameters filled."""
     routes: View = station.get("/api/openapi.json")["paths"]
     return [
         filled
         for route, methods in sorted(routes.items())
         if "get" in methods and not route.startswith(("/viewer", "/{"))
-        for filled in _filled(route, ids)
+        for filled in _fill_route(route, ids)
     ]
 
 
-def _filled(route: str, ids: Mapping[str, list[str]]) -> list[str]:
+def _fill_route(route: str, ids: Mapping[str, list[str]]) -> list[str]:
     filled = [route]
     for name in PARAMETER.findall(route):
         values = [*ids.get(name, []), "none"]
@@ -122,7 +128,7 @@ def _filled(route: str, ids: Mapping[str, list[str]]) -> list[str]:
     return filled
 
 
-def _live_faults(station: Station) -> list[str]:
+def _live_faults(station: StationProcess) -> list[str]:
     """Whether a browser's live connection is told things, and lives."""
     told = 0
     try:

@@ -11,18 +11,18 @@ from typing import Any
 import numpy as np
 import typer
 
-from app.console import refusing
-from app.server.demo import parts_of, put_papers
+from app.console import report_errors
+from app.server.demo import station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
 from app.store.store import Store
-from hardware.simulator.station import Twin, TwinConfig
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
-CONFIG = TwinConfig(pace=4.0)
+CONFIG = SimulationConfig(pace=4.0)
 HOST = "127.0.0.1"
 
 
-def true_calibration(twin: Twin) -> dict[str, Any]:
+def true_calibration(twin: SimulatedStation) -> dict[str, Any]:
     """The calibration of a simulated sensor as a solve without any error would have it."""
     truth: dict[str, Any] = json.loads(json.dumps(twin.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
@@ -47,7 +47,7 @@ def true_calibration(twin: Twin) -> dict[str, Any]:
     }
 
 
-def accept_truth(store: Store, twin: Twin, name: str) -> None:
+def accept_truth(store: Store, twin: SimulatedStation, name: str) -> None:
     """Puts the true calibration in use, as a session of this name would have."""
     folder = store.folder / "sessions" / name
     folder.mkdir(parents=True)
@@ -67,8 +67,8 @@ def accept_truth(store: Store, twin: Twin, name: str) -> None:
 
 def prepare(data: Path) -> None:
     """Makes a data folder of a station whose sensor is calibrated."""
-    with Twin(CONFIG) as twin:
-        put_papers(twin, data)
+    with SimulatedStation(CONFIG) as twin:
+        write_datasheets(twin, data)
         store = Store(data)
         try:
             accept_truth(store, twin, "truth")
@@ -76,13 +76,13 @@ def prepare(data: Path) -> None:
             store.close()
 
 
-@refusing
+@report_errors
 def serve(data: Path) -> None:
     """Until SIGINT or SIGTERM."""
     with ExitStack() as devices:
         plan = Plan(
             "Bench",
-            lambda: parts_of(devices.enter_context(Twin(CONFIG)), data),
+            lambda: station_parts(devices.enter_context(SimulatedStation(CONFIG)), data),
             HOST,
             by_link=True,
         )

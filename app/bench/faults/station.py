@@ -15,8 +15,8 @@ from typing import Any
 import httpx
 from websockets.sync.client import ClientConnection, connect
 
-from app.bench.station.subprocess_station import PATIENCE_S, stuck
-from app.errors import Refusal
+from app.bench.station.subprocess_station import PATIENCE_S, stuck_error
+from app.errors import OperationError
 
 View = dict[str, Any]
 LINK = re.compile(r"(http://\S+)#code=(\w+)")
@@ -24,7 +24,7 @@ LOOK_S, END_S = 0.03, 20.0
 ENDED = "ended"
 
 
-class Station:
+class StationProcess:
     """A simulated station on a data folder, from its start to its end; also one that refuses."""
 
     def __init__(
@@ -47,7 +47,7 @@ class Station:
             )
         self.http = httpx.Client(timeout=30.0)
 
-    def __enter__(self) -> "Station":
+    def __enter__(self) -> "StationProcess":
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -79,7 +79,7 @@ class Station:
         """How it ended; None while it runs."""
         return self._process.poll()
 
-    def enter(self) -> "Station":
+    def enter(self) -> "StationProcess":
         """Signs in as the demonstration's guest, once the whole station is there.
 
         Raises:
@@ -118,9 +118,9 @@ class Station:
         while not (found := enough()):
             if self.status is not None:
                 last = (self.said.strip().splitlines() or ["it said nothing"])[-1]
-                raise Refusal(ENDED, "the station ended", last)
+                raise OperationError(ENDED, "the station ended", last)
             if time.monotonic() > deadline_s:
-                raise stuck("the station does not go on")
+                raise stuck_error("the station does not go on")
             time.sleep(LOOK_S)
         return found
 
@@ -159,7 +159,7 @@ class Station:
         try:
             self._process.wait(END_S)
         except subprocess.TimeoutExpired as error:
-            raise stuck("the station does not end", END_S) from error
+            raise stuck_error("the station does not end", END_S) from error
         return time.monotonic() - began_s
 
     def kill(self) -> int:

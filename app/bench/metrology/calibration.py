@@ -15,17 +15,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.bench.metrology.simulated import Draw, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust, embedded
-from app.metrology.adjustment.core.linearise import linearise, normal
-from app.metrology.adjustment.core.parameters import LENS, SENSOR, State, layout_of
-from app.metrology.adjustment.core.robust_weights import Judgement
+from app.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
+from app.metrology.adjustment.core.gauss_newton import (
+    AdjustmentResult,
+    free_covariance,
+    solve_adjustment,
+)
+from app.metrology.adjustment.core.linearise import assemble_normal_equations, linearise
+from app.metrology.adjustment.core.parameters import LENS, SENSOR, AdjustmentState, parameter_layout
+from app.metrology.adjustment.core.robust_weights import RobustWeights
 from app.metrology.adjustment.core.uncertainty import (
     Volume,
-    by_sensor,
     measuring_volume,
-    plane_of,
+    plane_across_view,
     plane_uncertainty,
+    sensor_jacobian,
 )
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.sensor.triangulation import sensor_points
@@ -33,12 +37,12 @@ from app.metrology.transforms import Floats, apply, rigid_fit
 
 Progress = Callable[[float, str], None]
 
-FIVE = ("crest", "front", "back", "left", "right")
+FIVE_FACES = ("crest", "front", "back", "left", "right")
 POOR_ARM = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
 SET_UPS = (
     SetUp("one pose", 1, seed=11),
     SetUp("8 poses", 8, seed=12),
-    SetUp("8 poses, 250 µm arm, five faces", 8, faces=FIVE, scales=POOR_ARM, seed=13),
+    SetUp("8 poses, 250 µm arm, five faces", 8, faces=FIVE_FACES, scales=POOR_ARM, seed=13),
     SetUp(
         "8 poses, seven axes, camera turned, no distortion",
         8,
@@ -70,7 +74,7 @@ def ratio(squares: Floats, bound: float) -> Ratio:
 
 
 @dataclass(frozen=True)
-class Kept:
+class SetUpResult:
     """What a set-up came to; lengths in µm, angles in arcseconds, k = 1."""
 
     name: str
@@ -106,60 +110,63 @@ class _Solve:
 
 def run(
     solves: int, setups: tuple[SetUp, ...] = SET_UPS, progress: Progress | None = None
-) -> list[Kept]:
+) -> list[SetUpResult]:
     """``solves`` noisy sessions of each set-up, solved from a rough start."""
     tell = progress or (lambda _share, _text: None)
     results = []
     for i, setup in enumerate(setups):
-        station = station_of(setup)
-        reference = drawn(station, np.random.default_rng(0), noisy=False)
-        exact = bound(reference, setup.scales)
+        station = draw_setup(setup)
+        reference = draw_session(station, np.random.default_rng(0), noisy=False)
+        exact = bound_adjustment(reference, setup.scales)
         volume = measuring_volume(exact)
         done, failed = [], 0
         for trial in range(solves):
             tell((i + trial / solves) / len(setups), setup.name)
-            draw = drawn(station, np.random.default_rng([setup.seed, trial]))
+            draw = draw_session(station, np.random.default_rng([setup.seed, trial]))
             try:
-                done.append(_solved(draw, exact, volume))
+                done.append(_solve_draw(draw, exact, volume))
             except Exception as refusal:  # counted, with what it was
                 failed += 1
                 tell((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
-        results.append(_kept(setup, station, exact, volume, done, failed))
+        results.append(_summarise(setup, station, exact, volume, done, failed))
     return results
 
 
-def bound(reference: Draw, scales: Scales) -> Adjusted:
+def bound_adjustment(reference: Draw, scales: Scales) -> AdjustmentResult:
     """The adjustment's normal matrix at the truth, with true weights: the inverse of its sum
     is the (Bayesian) Cramér-Rao bound for all unknowns."""
     problem, state = reference.problem, reference.truth
-    at = layout_of(problem)
+    at = parameter_layout(problem)
     linear = linearise(problem, at, state)
     judgements = tuple(
-        (_all(len(shape.sigma)), _all(len(stripe.sigma))) for shape, stripe in linear.rows
+        (_unit_weights(len(shape.sigma)), _unit_weights(len(stripe.sigma)))
+        for shape, stripe in linear.rows
     )
-    parts, _ = normal(linear, judgements).with_scales(scales)
+    parts, _ = assemble_normal_equations(linear, judgements).with_scales(scales)
     free = np.ones(at.count, dtype=np.bool_)
     free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
-    covariance = embedded(np.sum(list(parts.values()), axis=0), free)
-    return Adjusted(linear, scales, free, covariance, parts, judgements, 0, scales_told=False)
+    covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
+    return AdjustmentResult(
+        linear, scales, free, covariance, parts, judgements, 0, scales_told=False
+    )
 
 
-def _all(count: int) -> Judgement:
-    return Judgement(np.ones(count, np.bool_), np.ones(count))
+def _unit_weights(count: int) -> RobustWeights:
+    return RobustWeights(np.ones(count, np.bool_), np.ones(count))
 
 
-def _solved(draw: Draw, exact: Adjusted, volume: Volume) -> _Solve:
+def _solve_draw(draw: Draw, exact: AdjustmentResult, volume: Volume) -> _Solve:
     truth = exact.state
     began = time.perf_counter()
-    found = adjust(draw.problem, draw.start)
+    found = solve_adjustment(draw.problem, draw.start)
     seconds = time.perf_counter() - began
     state = found.state
-    told = adjust(draw.problem, draw.start, exact.scales)
+    told = solve_adjustment(draw.problem, draw.start, exact.scales)
     in_cam = sensor_points(state.camera, state.plane, volume.uv_px)
     true_in_cam = sensor_points(truth.camera, truth.plane, volume.uv_px)
     errors = _flange_points(state, volume) - volume.points_flange_mm
-    across = plane_of(truth, volume)
-    J = by_sensor(state, volume.uv_px)
+    across = plane_across_view(truth, volume)
+    J = sensor_jacobian(state, volume.uv_px)
     squares = np.einsum("gik,kl,gil->g", J, found.uncertainty[SENSOR, SENSOR], J)
     own = Volume(volume.uv_px, _flange_points(state, volume))
     plane = plane_uncertainty(found, own)
@@ -175,19 +182,19 @@ def _solved(draw: Draw, exact: Adjusted, volume: Volume) -> _Solve:
     )
 
 
-def _flange_points(state: State, volume: Volume) -> Floats:
+def _flange_points(state: AdjustmentState, volume: Volume) -> Floats:
     return apply(state.T_flange_cam, sensor_points(state.camera, state.plane, volume.uv_px))
 
 
-def _kept(
+def _summarise(
     setup: SetUp,
-    station: Station,
-    exact: Adjusted,
+    station: SimulatedSetup,
+    exact: AdjustmentResult,
     volume: Volume,
     done: list[_Solve],
     failed: int,
-) -> Kept:
-    J = by_sensor(exact.state, volume.uv_px)
+) -> SetUpResult:
+    J = sensor_jacobian(exact.state, volume.uv_px)
     squares = np.einsum("gik,kl,gil->g", J, exact.covariance[SENSOR, SENSOR], J)
     bound_mm = float(np.sqrt(np.mean(squares)))
     square = np.array([np.mean(np.sum(one.errors_mm**2, 1)) for one in done])
@@ -198,7 +205,7 @@ def _kept(
     def rms(values: Floats) -> float:
         return float(np.sqrt(np.mean(values**2)))
 
-    return Kept(
+    return SetUpResult(
         setup.name,
         len(done),
         failed,
@@ -216,7 +223,7 @@ def _kept(
     )
 
 
-def table(results: list[Kept]) -> list[tuple[str, ...]]:
+def table(results: list[SetUpResult]) -> list[tuple[str, ...]]:
     """Rows to print, for the columns of ``COLUMNS``."""
     return [
         (

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.detection.edges.dimension_test import plane_in_words
+from app.metrology.detection.edges.dimension_test import describe_plane
 from app.metrology.detection.visibility import visible_parts
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
@@ -23,21 +23,21 @@ from app.metrology.transforms import Floats
 from hardware.simulator.rendering.degradations import (
     CERTIFICATE_SD_MM,
     NUISANCES,
-    Shot,
-    any_comb,
-    draw_shot,
+    DegradedImage,
+    draw_degraded_image,
+    draw_workshop_block,
 )
 from hardware.simulator.scene.camera import to_pixels
-from hardware.simulator.scene.world import Comb
+from hardware.simulator.scene.world import CrenellatedBlock
 
 # A corner is right within a pixel, or within this many of its own standard deviations;
 CORNER_PX, CORNER_SIGMAS = 1.0, 5.0
 # so are all corners of a picture together, root mean square, within these.
-TOGETHER_PX, TOGETHER_SIGMAS = 0.3, 1.5
+RMS_PX, RMS_SIGMAS = 0.3, 1.5
 # What a lens model leaves of the truth, beside each corner's own deviation.
 MODEL_PX = 0.02
 # A wrong measure can be told where it moves an edge that shows by so many pixels.
-TELLING_PX = 2.0
+VISIBLE_SHIFT_PX = 2.0
 # Sizes beside the merlons': what they are called, their fields, axes and planes along these.
 _OTHER_SIZES = (
     ("front", "front_y_mm", 1, 0),
@@ -52,7 +52,7 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
-class Searched:
+class SearchOutcome:
     """What one search gave. ``outcome``: ``right``, ``wrong``, or a refusal's code."""
 
     seed: int
@@ -68,7 +68,7 @@ class Searched:
 
 
 @dataclass(frozen=True)
-class Deceived:
+class WrongCertificateOutcome:
     """A search with a certificate that is wrong by ``moved_px`` in this picture.
 
     ``named``: accepted, but what is wrong is named as not shown by the picture.
@@ -83,15 +83,15 @@ class Deceived:
     @property
     def believed(self) -> bool:
         """Whether it is accepted though the picture shows it to be wrong."""
-        return self.accepted and self.moved_px >= TELLING_PX
+        return self.accepted and self.moved_px >= VISIBLE_SHIFT_PX
 
 
 @dataclass(frozen=True)
 class DetectionBench:
     """The outcome of a benchmark: ``lines()`` is the table to print."""
 
-    searched: Sequence[Searched]
-    deceived: Sequence[Deceived]
+    searched: Sequence[SearchOutcome]
+    deceived: Sequence[WrongCertificateOutcome]
 
     @property
     def right(self) -> int:
@@ -132,7 +132,7 @@ class DetectionBench:
             found.append(f"time: {np.median(plain):.2f} s for 1280 x 1024, median")
         if seconds:
             found.append(f"time: {np.mean(seconds):.2f} s mean, {max(seconds):.2f} s at most")
-        telling = [d for d in self.deceived if d.moved_px >= TELLING_PX]
+        telling = [d for d in self.deceived if d.moved_px >= VISIBLE_SHIFT_PX]
         named = sum(d.believed and d.named for d in telling)
         found.append(
             f"wrong certificates: {len(telling)} that the picture shows to be wrong,"
@@ -144,7 +144,7 @@ class DetectionBench:
         return found
 
     @staticmethod
-    def _row(name: str, group: Sequence[Searched]) -> str:
+    def _row(name: str, group: Sequence[SearchOutcome]) -> str:
         right = sum(one.outcome == "right" for one in group)
         wrong = sum(one.outcome == "wrong" for one in group)
         share = f"{100 * right / len(group):.1f} %" if group else "-"
@@ -160,15 +160,15 @@ def run(images: int, seed: int, progress: Progress | None = None) -> DetectionBe
     """
     searched, deceived = [], []
     for number in range(images):
-        shot = draw_shot(seed + number)
-        searched.append(search(shot, seed + number))
-        deceived.append(deceive(shot, seed + number))
+        shot = draw_degraded_image(seed + number)
+        searched.append(search_image(shot, seed + number))
+        deceived.append(search_wrong_certificate(shot, seed + number))
         if progress is not None:
             progress(number + 1, images)
     return DetectionBench(searched, deceived)
 
 
-def certificate_of(comb: Comb) -> Crenellated:
+def block_certificate(comb: CrenellatedBlock) -> Crenellated:
     """The certificate of a simulated block."""
     return Crenellated(
         "Simulated block",
@@ -183,7 +183,7 @@ def certificate_of(comb: Comb) -> Crenellated:
     )
 
 
-def found_in(shot: Shot, block: Crenellated) -> ObjectDetection:
+def detect_block(shot: DegradedImage, block: Crenellated) -> ObjectDetection:
     """The detection in a shot, its stripe left out where the laser is on.
 
     Raises:
@@ -194,13 +194,13 @@ def found_in(shot: Shot, block: Crenellated) -> ObjectDetection:
     return detect_object(shot.image, block, stripe)
 
 
-def search(shot: Shot, seed: int) -> Searched:
+def search_image(shot: DegradedImage, seed: int) -> SearchOutcome:
     """Searches a shot with the block's own certificate and judges the answer."""
     began = time.process_time()
     outcome, why, count, rms, normalised = "right", "", 0, 0.0, 0.0
     try:
-        found = found_in(shot, certificate_of(shot.certificate))
-    except Refusal as refusal:
+        found = detect_block(shot, block_certificate(shot.certificate))
+    except OperationError as refusal:
         outcome, why = refusal.code, refusal.line
         seconds = time.process_time() - began
     else:
@@ -210,21 +210,21 @@ def search(shot: Shot, seed: int) -> Searched:
         count, rms = len(errors), float(np.sqrt(np.mean(far**2))) if len(errors) else 0.0
         normalised = float(np.sqrt(np.mean(sigmas**2) / 2)) if len(errors) else 0.0
         astray = (far > CORNER_PX) & (sigmas > CORNER_SIGMAS)
-        together = rms <= TOGETHER_PX or normalised <= TOGETHER_SIGMAS
+        together = rms <= RMS_PX or normalised <= RMS_SIGMAS
         if astray.any() or not together or count == 0:
             worst = int(np.argmax(far)) if count else -1
             outcome = "wrong"
             why = (
                 f"{found.corners[worst].name} is {far[worst]:.2f} px off" if count else "no corner"
             )
-    return Searched(
+    return SearchOutcome(
         seed, shot.nuisances, outcome, why, count, rms, normalised, seconds, shot.image.size
     )
 
 
-def corner_errors(found: ObjectDetection, shot: Shot) -> tuple[Floats, Floats]:
+def corner_errors(found: ObjectDetection, shot: DegradedImage) -> tuple[Floats, Floats]:
     """Errors (N, 2) of the corners in px, and (N,) their lengths in standard deviations."""
-    true = corners_of(certificate_of(shot.made))
+    true = corners_of(block_certificate(shot.made))
     at = to_pixels(shot.optics, np.array([true[corner.name] for corner in found.corners]))
     errors = np.array([[corner.u, corner.v] for corner in found.corners]) - at
     own = np.array([corner.covariance_px2 for corner in found.corners])
@@ -233,26 +233,26 @@ def corner_errors(found: ObjectDetection, shot: Shot) -> tuple[Floats, Floats]:
     return errors, np.sqrt(squares)
 
 
-def deceive(shot: Shot, seed: int) -> Deceived:
+def search_wrong_certificate(shot: DegradedImage, seed: int) -> WrongCertificateOutcome:
     """Searches a shot with a wrong certificate: another block's, one size off, or mirrored."""
     rng = np.random.default_rng((seed, 4))
     kind = str(rng.choice(["other", "size", "size", "mirrored"]))
-    claimed, wrong = certificate_of(shot.certificate), ""
+    claimed, wrong = block_certificate(shot.certificate), ""
     if kind == "other":
-        claimed = certificate_of(any_comb(rng))
+        claimed = block_certificate(draw_workshop_block(rng))
     elif kind == "mirrored":
         claimed = replace(claimed, edges_x_mm=tuple(-x for x in reversed(claimed.edges_x_mm)))
     else:
-        claimed, kind, wrong = _missized(claimed, rng)
-    moved = _moved_px(shot, claimed) if wrong else np.inf
+        claimed, kind, wrong = _change_one_size(claimed, rng)
+    moved = _edge_shift_px(shot, claimed) if wrong else np.inf
     try:
-        found = found_in(shot, claimed)
-    except Refusal:
-        return Deceived(seed, kind, moved, False)
-    return Deceived(seed, kind, moved, True, wrong in found.unseen)
+        found = detect_block(shot, claimed)
+    except OperationError:
+        return WrongCertificateOutcome(seed, kind, moved, False)
+    return WrongCertificateOutcome(seed, kind, moved, True, wrong in found.unseen)
 
 
-def _missized(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated, str, str]:
+def _change_one_size(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated, str, str]:
     """The certificate with one size off by 0.3 to 2 mm, which, and what of the block that is."""
     by = float(rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 2.0))
     count = len(block.edges_x_mm)
@@ -261,22 +261,22 @@ def _missized(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated
         edges = list(block.edges_x_mm)
         edges[which] += by
         wrong = replace(block, edges_x_mm=tuple(edges))
-        return wrong, f"edge {which} by {by:+.2f} mm", plane_in_words(0, which)
+        return wrong, f"edge {which} by {by:+.2f} mm", describe_plane(0, which)
     name, field, axis, number = _OTHER_SIZES[which - count]
     wrong = replace(block, **{field: getattr(block, field) + by})
-    return wrong, f"{name} by {by:+.2f} mm", plane_in_words(axis, number)
+    return wrong, f"{name} by {by:+.2f} mm", describe_plane(axis, number)
 
 
-def _moved_px(shot: Shot, claimed: Crenellated) -> float:
+def _edge_shift_px(shot: DegradedImage, claimed: Crenellated) -> float:
     """By how many pixels, at most, a wrong certificate moves the edges that are in the picture.
 
     Across the edges, as the true camera sees them.
     """
-    true, false = corners_of(certificate_of(shot.certificate)), corners_of(claimed)
+    true, false = corners_of(block_certificate(shot.certificate)), corners_of(claimed)
     names, points = tuple(true), np.array(list(true.values()))
     size = [shot.optics.width_px, shot.optics.height_px]
     moved = 0.0
-    for part in visible_parts(certificate_of(shot.certificate), shot.optics.centre_mm):
+    for part in visible_parts(block_certificate(shot.certificate), shot.optics.centre_mm):
         pixels = to_pixels(shot.optics, np.array([part.start_mm, part.end_mm]))
         length = float(np.hypot(*(pixels[1] - pixels[0])))
         if length < 1.0:

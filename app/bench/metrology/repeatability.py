@@ -9,8 +9,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.bench.metrology.simulated import SetUp, Station, designed, drawn, rig_of
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
+from app.bench.metrology.simulated import (
+    SetUp,
+    SimulatedSetup,
+    design_setup,
+    draw_session,
+    draw_setup_rig,
+)
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.parameters import pose_scene
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.fitting.plane_sphere import fit_plane
@@ -20,14 +26,14 @@ from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, inverse, rigid
-from hardware.simulator.devices.kinematics import UnreachableError, imperfect, reach
-from hardware.simulator.session import Rig, sensor_over
+from hardware.simulator.devices.kinematics import UnreachableError, perturb_arm, solve_joints
+from hardware.simulator.session import SimulatedRig, draw_sensor_pose
 
 Progress = Callable[[float, str], None]
 
 ARM_UM = 250.0
 CLOUDS, FRAMES, POINTS, STEP_MM = 10, 12, 30, 5.0
-PAPER_ARCSEC, PAPER_UM = 230.0, 100.0
+ARTICLE_ARCSEC, ARTICLE_UM = 230.0, 100.0
 METHODS = (
     ("the paper's method, one pose", 1, True),
     ("joint, one pose", 1, False),
@@ -38,7 +44,7 @@ COLUMNS = ("calibrations of one arm", "range of the angle", "range of the offset
 
 
 @dataclass(frozen=True)
-class Ranges:
+class CalibrationRanges:
     """Over the calibrations: how far a plane turns and shifts, median over the arms."""
 
     method: str
@@ -54,7 +60,9 @@ class _Cloud:
     q_rad: Floats
 
 
-def run(arms: int, calibrations: int = 10, progress: Progress | None = None) -> list[Ranges]:
+def run(
+    arms: int, calibrations: int = 10, progress: Progress | None = None
+) -> list[CalibrationRanges]:
     """``calibrations`` by each method on each of ``arms`` whose models are 250 µm off."""
     tell = progress or (lambda _share, _text: None)
     found: dict[str, list[tuple[float, float]]] = {name: [] for name, _, _ in METHODS}
@@ -74,39 +82,42 @@ def run(arms: int, calibrations: int = 10, progress: Progress | None = None) -> 
             found[name].append(ranges)
         done += 1
     medians = {name: np.median(np.array(values), axis=0) for name, values in found.items()}
-    return [Ranges(name, float(median[0]), float(median[1])) for name, median in medians.items()]
+    return [
+        CalibrationRanges(name, float(median[0]), float(median[1]))
+        for name, median in medians.items()
+    ]
 
 
-def table(results: list[Ranges]) -> list[tuple[str, ...]]:
+def table(results: list[CalibrationRanges]) -> list[tuple[str, ...]]:
     """Rows to print, the paper's own figures last."""
     rows = [(one.method, f"{one.angle_arcsec:.0f}″", f"{one.offset_um:.0f} µm") for one in results]
-    paper = ("the paper, on real hardware", f"{PAPER_ARCSEC:.0f}″", f"{PAPER_UM:.0f} µm")
+    paper = ("the paper, on real hardware", f"{ARTICLE_ARCSEC:.0f}″", f"{ARTICLE_UM:.0f} µm")
     return [*rows, paper]
 
 
-def _rig(seed: int) -> Rig:
-    rig = rig_of(SetUp("", 1), seed)
-    return replace(rig, arm=imperfect(rig.nominal_arm, ARM_UM, np.random.default_rng(seed)))
+def _rig(seed: int) -> SimulatedRig:
+    rig = draw_setup_rig(SetUp("", 1), seed)
+    return replace(rig, arm=perturb_arm(rig.nominal_arm, ARM_UM, np.random.default_rng(seed)))
 
 
-def _links(rig: Rig) -> Floats:
+def _link_errors(rig: SimulatedRig) -> Floats:
     """(6n,) turn and shift of each link's error, as the adjustment orders them."""
     errors = np.array([link.error_mm_rad for link in rig.arm.links])
     return np.concatenate([errors[:, 3:], errors[:, :3]], axis=1).ravel()
 
 
-def _cloud(rig: Rig, rng: np.random.Generator) -> _Cloud:
+def _cloud(rig: SimulatedRig, rng: np.random.Generator) -> _Cloud:
     """A sweep of the true arm over a plane through the middle of the block."""
     length = float(np.linalg.norm(rig.sheet.normal))
     normal, offset_mm = np.array(rig.sheet.normal) / length, rig.sheet.offset_mm / length
     height = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
-    first, q = sensor_over(rig, rng, 4.0), np.zeros(rig.arm.joint_count)
+    first, q = draw_sensor_pose(rig, rng, 4.0), np.zeros(rig.arm.joint_count)
     x = np.linspace(-18.0, 18.0, POINTS)
     pixels, angles = [], []
     for frame in range(FRAMES):
         T = first.copy()
         T[:3, 3] += rig.T_arm_obj[:3, 1] * (frame - FRAMES / 2) * STEP_MM
-        q = reach(rig.arm, T @ np.linalg.inv(rig.T_flange_sensor), q, rng)
+        q = solve_joints(rig.arm, T @ np.linalg.inv(rig.T_flange_sensor), q, rng)
         T_sensor_obj = np.linalg.inv(T) @ rig.T_arm_obj
         n = T_sensor_obj[:3, :3].T @ normal
         y = (offset_mm - normal @ T_sensor_obj[:3, 3] - n[0] * x - n[2] * height) / n[1]
@@ -116,7 +127,7 @@ def _cloud(rig: Rig, rng: np.random.Generator) -> _Cloud:
     return _Cloud(np.array(pixels), np.array(angles))
 
 
-def _camera(rig: Rig, T_cam_obj: Floats) -> Camera:
+def _camera(rig: SimulatedRig, T_cam_obj: Floats) -> Camera:
     o = rig.optics
     K = np.array([[o.fx_px, 0, o.cx_px], [0, o.fy_px, o.cy_px], [0, 0, 1.0]])
     R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
@@ -124,32 +135,32 @@ def _camera(rig: Rig, T_cam_obj: Floats) -> Camera:
 
 
 def _ranges(
-    rig: Rig, seed: int, poses: int, alone: bool, calibrations: int, clouds: list[_Cloud]
+    rig: SimulatedRig, seed: int, poses: int, alone: bool, calibrations: int, clouds: list[_Cloud]
 ) -> tuple[float, float]:
     """Mean over the clouds of the range over the calibrations: angle, offset."""
     planes = []
     for i in range(calibrations):
-        station = _designed(rig, poses, np.random.default_rng([seed, poses, i]))
-        draw = drawn(station, np.random.default_rng([seed, i]), links=_links(rig))
-        found = adjust(draw.problem, draw.start)
-        X = _by_contacts(station, found) if alone else found.state.T_flange_cam
+        station = _design_setup(rig, poses, np.random.default_rng([seed, poses, i]))
+        draw = draw_session(station, np.random.default_rng([seed, i]), links=_link_errors(rig))
+        found = solve_adjustment(draw.problem, draw.start)
+        X = _place_by_contacts(station, found) if alone else found.state.T_flange_cam
         camera, plane = found.state.camera, found.state.plane
-        planes.append([_plane(rig, station.arm, camera, plane, X, cloud) for cloud in clouds])
+        planes.append([_fit_plane(rig, station.arm, camera, plane, X, cloud) for cloud in clouds])
     normals = np.array([[n for n, _ in one] for one in planes])  # (C, clouds, 3)
     offsets = np.array([[d for _, d in one] for one in planes])
     return float(angle_ranges_arcsec(normals).mean()), float(offset_ranges_um(offsets).mean())
 
 
-def _designed(rig: Rig, poses: int, rng: np.random.Generator) -> Station:
+def _design_setup(rig: SimulatedRig, poses: int, rng: np.random.Generator) -> SimulatedSetup:
     for _ in range(20):
         try:
-            return designed(SetUp("", poses), replace(rig, arm=rig.nominal_arm), rng)
+            return design_setup(SetUp("", poses), replace(rig, arm=rig.nominal_arm), rng)
         except UnreachableError:
             continue
     raise UnreachableError("the arm cannot do this calibration")
 
 
-def _by_contacts(station: Station, found: Adjusted) -> Floats:
+def _place_by_contacts(station: SimulatedSetup, found: AdjustmentResult) -> Floats:
     """``T_flange_cam`` as the paper has it: contacts alone place the object (Eq. 8)."""
     touches = found.problem.touches
     assert touches is not None
@@ -162,8 +173,13 @@ def _by_contacts(station: Station, found: Adjusted) -> Floats:
     return np.asarray(inverse(T_arm_flange) @ alignment.T_arm_obj @ inverse(T_cam_obj))
 
 
-def _plane(
-    rig: Rig, arm: Arm, camera: Camera, plane: LaserPlane, T_flange_cam: Floats, cloud: _Cloud
+def _fit_plane(
+    rig: SimulatedRig,
+    arm: Arm,
+    camera: Camera,
+    plane: LaserPlane,
+    T_flange_cam: Floats,
+    cloud: _Cloud,
 ) -> tuple[Floats, float]:
     """Normal (3,) of a cloud's plane, and its offset (mm) at the block."""
     T_arm_flange = flange_poses(arm, cloud.q_rad)

@@ -16,11 +16,11 @@ import numpy as np
 
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.target import read_block
-from app.metrology.adjustment.block.observations import BlockView, block_papers, block_touches
-from app.metrology.adjustment.block.predicted_view import Seeing, expected_view
+from app.metrology.adjustment.block.observations import BlockView, block_contacts, block_prior
+from app.metrology.adjustment.block.predicted_view import ObservationNoise, predict_view
 from app.metrology.adjustment.core.arm_errors import arm_motion
-from app.metrology.adjustment.core.observations import Problem
-from app.metrology.adjustment.core.parameters import State
+from app.metrology.adjustment.core.observations import AdjustmentProblem
+from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.arm.kinematics import (
     Arm,
@@ -35,10 +35,10 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
-from hardware.simulator.devices.kinematics import UnreachableError, reach
-from hardware.simulator.operator.contact import contact_pose, contact_spot
-from hardware.simulator.scene.datasheets import arm_paper, object_paper
-from hardware.simulator.session import Rig, SessionPlan, draw_rig, sensor_over
+from hardware.simulator.devices.kinematics import UnreachableError, solve_joints
+from hardware.simulator.operator.contact import choose_contact_point, contact_pose
+from hardware.simulator.scene.datasheets import arm_datasheet, block_datasheet
+from hardware.simulator.session import SessionPlan, SimulatedRig, draw_rig, draw_sensor_pose
 
 # How far a start may be off: focal length (share), mounting and place (mm, rad).
 START_FOCAL, START_MM, START_RAD = 0.01, 0.5, 0.004
@@ -63,7 +63,7 @@ class SetUp:
 
 
 @dataclass(frozen=True)
-class Station:
+class SimulatedSetup:
     """A set-up as designed: true sensor, block by its certificate, joint angles."""
 
     setup: SetUp
@@ -77,33 +77,33 @@ class Station:
     contact_q_rad: Floats
     spots_mm: Floats  # (N, 3) where each contact is, object frame
     q_rad: Floats  # (P, n)
-    seeing: Seeing
+    seeing: ObservationNoise
 
 
-def station_of(setup: SetUp) -> Station:
+def draw_setup(setup: SetUp) -> SimulatedSetup:
     """Draws a station whose arm can do the set-up."""
     for attempt in range(TRIES):
         seed = setup.seed + 1000 * attempt
         try:
-            return designed(setup, rig_of(setup, seed), np.random.default_rng(seed))
+            return design_setup(setup, draw_setup_rig(setup, seed), np.random.default_rng(seed))
         except UnreachableError:
             continue
     raise UnreachableError(f"no arm was found that can do {setup.name}")
 
 
-def rig_of(setup: SetUp, seed: int) -> Rig:
+def draw_setup_rig(setup: SetUp, seed: int) -> SimulatedRig:
     """Arm, sensor and block of a set-up."""
     plan = SessionPlan(joints=setup.joints, roll_rad=setup.roll_rad, distortion=setup.distortion)
     return draw_rig(seed, plan)
 
 
-def designed(setup: SetUp, rig: Rig, rng: np.random.Generator) -> Station:
+def design_setup(setup: SetUp, rig: SimulatedRig, rng: np.random.Generator) -> SimulatedSetup:
     """Where the contacts are taken and how the sensor is held.
 
     Raises:
         UnreachableError: the arm cannot do it.
     """
-    arm, certificate = _papers(rig)
+    arm, certificate = _read_datasheets(rig)
     T_cam_sensor = np.array(rig.optics.T_cam_sensor)
     optics = rig.optics
     K = np.array([[optics.fx_px, 0, optics.cx_px], [0, optics.fy_px, optics.cy_px], [0, 0, 1.0]])
@@ -115,7 +115,7 @@ def designed(setup: SetUp, rig: Rig, rng: np.random.Generator) -> Station:
     offset = (rig.sheet.offset_mm + normal @ T_cam_sensor[:3, 3]) / length
     features, spots, contact_q = _contacts(rig, setup, rng)
     stripe_axis = "u" if abs(np.sin(setup.roll_rad)) < 0.7 else "v"
-    return Station(
+    return SimulatedSetup(
         setup,
         arm,
         certificate,
@@ -126,59 +126,59 @@ def designed(setup: SetUp, rig: Rig, rng: np.random.Generator) -> Station:
         features,
         contact_q,
         spots,
-        _holds(rig, setup, rng),
-        Seeing(axis=stripe_axis),
+        _hold_joints(rig, setup, rng),
+        ObservationNoise(axis=stripe_axis),
     )
 
 
-def _papers(rig: Rig) -> tuple[Arm, Crenellated]:
+def _read_datasheets(rig: SimulatedRig) -> tuple[Arm, Crenellated]:
     with tempfile.TemporaryDirectory() as folder:
         arm, block = Path(folder, "arm.json"), Path(folder, "object.json")
-        arm.write_text(json.dumps(arm_paper(rig.nominal_arm)))
-        block.write_text(json.dumps(object_paper(rig.certificate, 0.002)))
+        arm.write_text(json.dumps(arm_datasheet(rig.nominal_arm)))
+        block.write_text(json.dumps(block_datasheet(rig.certificate, 0.002)))
         return read_arm(arm), read_block(block)
 
 
 def _contacts(
-    rig: Rig, setup: SetUp, rng: np.random.Generator
+    rig: SimulatedRig, setup: SetUp, rng: np.random.Generator
 ) -> tuple[tuple[str, ...], Floats, Floats]:
     features, spots, angles = [], [], []
     radius = rig.arm.tip_diameter_mm / 2
     q = np.zeros(rig.arm.joint_count)
     for face in setup.faces:
         for i in range(setup.contacts_per_face):
-            spot = contact_spot(rig.certificate, face, i, radius, rng)
+            spot = choose_contact_point(rig.certificate, face, i, radius, rng)
             touching = partial(
                 contact_pose, rig.nominal_arm, rig.T_arm_obj, face, spot, radius, rng
             )
-            q = _reached(rig, touching, q, rng)
+            q = _reach_target(rig, touching, q, rng)
             features.append(face)
             spots.append(spot)
             angles.append(q)
     return tuple(features), np.array(spots), np.array(angles)
 
 
-def _holds(rig: Rig, setup: SetUp, rng: np.random.Generator) -> Floats:
+def _hold_joints(rig: SimulatedRig, setup: SetUp, rng: np.random.Generator) -> Floats:
     q, angles = np.zeros(rig.arm.joint_count), []
     for pose in range(setup.poses):
-        held = partial(_held, rig, rng, 1.0 if pose == 0 else 5.0)
-        q = _reached(rig, held, q, rng)
+        held = partial(_flange_pose_over, rig, rng, 1.0 if pose == 0 else 5.0)
+        q = _reach_target(rig, held, q, rng)
         angles.append(q)
     return np.array(angles)
 
 
-def _held(rig: Rig, rng: np.random.Generator, spread: float) -> Floats:
+def _flange_pose_over(rig: SimulatedRig, rng: np.random.Generator, spread: float) -> Floats:
     """The flange's pose (4, 4) with the sensor over the block."""
-    return np.asarray(sensor_over(rig, rng, spread) @ np.linalg.inv(rig.T_flange_sensor))
+    return np.asarray(draw_sensor_pose(rig, rng, spread) @ np.linalg.inv(rig.T_flange_sensor))
 
 
-def _reached(
-    rig: Rig, target: Callable[[], Floats], q_rad: Floats, rng: np.random.Generator
+def _reach_target(
+    rig: SimulatedRig, target: Callable[[], Floats], q_rad: Floats, rng: np.random.Generator
 ) -> Floats:
     """Joint angles for a target that is drawn anew where it is out of reach."""
     for _ in range(TRIES):
         try:
-            return reach(rig.arm, target(), q_rad, rng, attempts=12)
+            return solve_joints(rig.arm, target(), q_rad, rng, attempts=12)
         except UnreachableError:
             continue
     raise UnreachableError("the arm cannot do this set-up")
@@ -188,13 +188,16 @@ def _reached(
 class Draw:
     """One simulated session: what is true, what was measured, and where a solve starts."""
 
-    truth: State
-    problem: Problem
-    start: State
+    truth: AdjustmentState
+    problem: AdjustmentProblem
+    start: AdjustmentState
 
 
-def drawn(
-    station: Station, rng: np.random.Generator, noisy: bool = True, links: Floats | None = None
+def draw_session(
+    station: SimulatedSetup,
+    rng: np.random.Generator,
+    noisy: bool = True,
+    links: Floats | None = None,
 ) -> Draw:
     """A session of a station: the arm's links, the block and all noise drawn anew.
 
@@ -207,29 +210,30 @@ def drawn(
         sd = share * scales.of_links(station.arm.joint_count)
         links = sd * rng.normal(size=len(sd))
     arm = _with_links(station.arm, links)
-    papers = block_papers(station.certificate)
+    papers = block_prior(station.certificate)
     values = papers.coordinates + share * papers.sd * rng.normal(size=len(papers.sd))
     block = with_coordinates(station.certificate, values)
-    contact_q = _touching(station, arm, block, share * scales.touch_mm, rng)
+    contact_q = _contact_joints(station, arm, block, share * scales.touch_mm, rng)
     encoders = share * scales.noise * station.arm.encoder_sd_rad
     T_arm_cam = flange_poses(arm, station.q_rad) @ station.T_flange_cam
     views = tuple(
-        _seen(station, block, inverse(T) @ station.T_arm_obj, rng, share) for T in T_arm_cam
+        _simulate_view(station, block, inverse(T) @ station.T_arm_obj, rng, share)
+        for T in T_arm_cam
     )
     told = station.q_rad + encoders * rng.normal(size=station.q_rad.shape)
     contacts_told = contact_q + encoders * rng.normal(size=contact_q.shape)
     kept = np.ones(len(station.features), dtype=np.bool_)
     moves = arm_motion(station.arm, told)
-    problem = Problem(
+    problem = AdjustmentProblem(
         tuple(range(len(views))),
         views,
         moves,
-        block_touches(station.arm, station.certificate, station.features, contacts_told, kept),
+        block_contacts(station.arm, station.certificate, station.features, contacts_told, kept),
         papers,
         station.camera.width_px,
         station.camera.height_px,
     )
-    truth = State(
+    truth = AdjustmentState(
         station.camera,
         station.plane,
         station.T_flange_cam,
@@ -238,7 +242,7 @@ def drawn(
         links,
         (station.q_rad - told) if noisy else np.zeros(station.q_rad.shape),
     )
-    return Draw(truth, problem, _start(truth, papers.coordinates, rng))
+    return Draw(truth, problem, _draw_start(truth, papers.coordinates, rng))
 
 
 def _with_links(arm: Arm, links: Floats) -> Arm:
@@ -249,8 +253,8 @@ def _with_links(arm: Arm, links: Floats) -> Arm:
     return replace(arm, joints=tuple(joints))
 
 
-def _touching(
-    station: Station, arm: Arm, block: Crenellated, touch_mm: float, rng: np.random.Generator
+def _contact_joints(
+    station: SimulatedSetup, arm: Arm, block: Crenellated, touch_mm: float, rng: np.random.Generator
 ) -> Floats:
     """Joint angles (N, n) at which the true arm's tip touches the true block."""
     R, t = station.T_arm_obj[:3, :3], station.T_arm_obj[:3, 3]
@@ -267,8 +271,8 @@ def _touching(
     return q
 
 
-def _seen(
-    station: Station,
+def _simulate_view(
+    station: SimulatedSetup,
     block: Crenellated,
     T_cam_obj: Floats,
     rng: np.random.Generator,
@@ -279,7 +283,7 @@ def _seen(
     n = station.plane.normal
     plane = LaserPlane(R.T @ n, float(station.plane.offset_mm - n @ t))
     camera = replace(station.camera, rotation=R, translation_mm=t)
-    view = expected_view(camera, plane, block, station.seeing)
+    view = predict_view(camera, plane, block, station.seeing)
     edges = []
     for edge in view.edges:
         off = edge.sigma_px * rng.normal(size=len(edge.sigma_px))
@@ -293,7 +297,9 @@ def _seen(
     )
 
 
-def _start(truth: State, by_papers: Floats, rng: np.random.Generator) -> State:
+def _draw_start(
+    truth: AdjustmentState, by_papers: Floats, rng: np.random.Generator
+) -> AdjustmentState:
     """Off the truth as a first guess is."""
     matrix = truth.camera.matrix.copy()
     matrix[[0, 1], [0, 1]] *= 1 + START_FOCAL * float(rng.uniform(-1, 1))

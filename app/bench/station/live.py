@@ -19,13 +19,13 @@ from app.bench.station.subprocess_station import (
     GUEST,
     MB,
     PATIENCE_S,
-    apart,
     memory_mb,
-    served,
+    run_in_process,
+    serve_in_thread,
     sign_in,
-    stuck,
+    stuck_error,
 )
-from app.bench.station.viewer_client import watching
+from app.bench.station.viewer_client import watch_view
 from app.formats.recording.reader import StripeRecord, open_recording
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.sensor.camera import Camera
@@ -37,11 +37,11 @@ from hardware.simulator.devices.fast_simulator import (
     JOINTS,
     REACH_MM,
     SENSOR_MM,
-    Pace,
-    SwiftArm,
-    SwiftClock,
-    SwiftSensor,
-    stripe_pictures,
+    FastArm,
+    FastSensor,
+    FastStationConfig,
+    SweepClock,
+    draw_stripe_images,
 )
 
 FOCAL_PX = 4400.0
@@ -101,18 +101,18 @@ def table(found: LiveBench) -> list[tuple[str, str]]:
     ]
 
 
-def run(pace: Pace, seconds: float, progress: Progress = no_progress) -> LiveBench:
+def run(pace: FastStationConfig, seconds: float, progress: Progress = no_progress) -> LiveBench:
     """Scans for so long; a refusal or an HTTP error where the station does not."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        _station(Path(folder), pace) as station,
+        _run_station(Path(folder), pace) as station,
         httpx.Client(base_url=station.address, headers=station.signed_in, timeout=30.0) as http,
     ):
         return _scan(station, http, Path(folder), pace, seconds, progress)
 
 
 @dataclass(frozen=True)
-class _Station:
+class _LiveStation:
     port: int
     pid: int
     start_ns: int
@@ -140,14 +140,16 @@ class _Station:
 
 
 def _scan(
-    station: _Station,
+    station: _LiveStation,
     http: httpx.Client,
     folder: Path,
-    pace: Pace,
+    pace: FastStationConfig,
     seconds: float,
     progress: Progress,
 ) -> LiveBench:
-    with watching(station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s) as watched:
+    with watch_view(
+        station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s
+    ) as watched:
         http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
         began_s, busy_s = time.monotonic(), station.processor_s
         settled_mb = float("nan")
@@ -160,7 +162,7 @@ def _scan(
         last_mb = station.memory_mb
         joined_s = _join(station, pace)
         http.post("/api/stop").raise_for_status()
-        scan = stopped(http)
+        scan = wait_for_stop(http)
         seen = watched()
     recording = next((folder / "scans").glob("*/scan.mcap"))
     recorded = sum(
@@ -184,33 +186,33 @@ def _scan(
     )
 
 
-def _join(station: _Station, pace: Pace) -> float:
+def _join(station: _LiveStation, pace: FastStationConfig) -> float:
     """How long a second viewer waits for what the first one sees."""
-    with watching(
+    with watch_view(
         station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s, until_whole=True
     ) as watched:
         return watched().whole_s
 
 
-def stopped(http: httpx.Client) -> dict[str, float]:
+def wait_for_stop(http: httpx.Client) -> dict[str, float]:
     """The scan's state once it has ended."""
     deadline_s = time.monotonic() + PATIENCE_S
     while (scan := http.get("/api/scan").json())["state"] in ("running", "stopping"):
         if time.monotonic() > deadline_s:
-            raise stuck("the scan does not end")
+            raise stuck_error("the scan does not end")
         time.sleep(0.1)
     return dict(scan)
 
 
 @contextlib.contextmanager
-def _station(data: Path, pace: Pace) -> Iterator[_Station]:
+def _run_station(data: Path, pace: FastStationConfig) -> Iterator[_LiveStation]:
     """A station on the swift devices, serving in a process of its own."""
-    with apart(_serve, data, pace) as (pipe, pid):
+    with run_in_process(_serve, data, pace) as (pipe, pid):
         port, start_ns, signed_in = pipe.recv()
-        yield _Station(port, pid, start_ns, signed_in)
+        yield _LiveStation(port, pid, start_ns, signed_in)
 
 
-def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
+def _serve(pipe: Connection, data: Path, pace: FastStationConfig) -> None:
     """In the station's process: until something comes through the pipe."""
     with scanning(data, pace) as (station, port, clock):
         pipe.send((port, clock.start_ns, sign_in(station, port)))
@@ -218,35 +220,35 @@ def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
 
 
 @contextlib.contextmanager
-def scanning(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+def scanning(data: Path, pace: FastStationConfig) -> Iterator[tuple[Context, int, SweepClock]]:
     """As ``serving``, and ready to scan: devices there, calibrated."""
     with serving(data, pace) as (station, port, clock):
         while not station.rig.sensor.fresh:
             time.sleep(0.05)
-        calibration = swift_calibration(pace)
+        calibration = fast_station_calibration(pace)
         station.rig.arm.set_model(calibration.arm)
         station.scanner.set_calibration(calibration)
         yield station, port, clock
 
 
 @contextlib.contextmanager
-def serving(data: Path, pace: Pace) -> Iterator[tuple[Context, int, SwiftClock]]:
+def serving(data: Path, pace: FastStationConfig) -> Iterator[tuple[Context, int, SweepClock]]:
     """A station on the swift devices that serves from a thread; its port, and their clock."""
-    from app.server.composition import Parts
+    from app.server.composition import StationParts
 
-    pool, clock = stripe_pictures(pace), SwiftClock()
-    parts = Parts(
+    pool, clock = draw_stripe_images(pace), SweepClock()
+    parts = StationParts(
         "Bench",
         data,
-        lambda: SwiftArm(pace, clock),
-        lambda: SwiftSensor(pace, clock, pool),
+        lambda: FastArm(pace, clock),
+        lambda: FastSensor(pace, clock, pool),
         guest=GUEST,
     )
-    with served(parts) as (station, port):
+    with serve_in_thread(parts) as (station, port):
         yield station, port, clock
 
 
-def swift_calibration(pace: Pace) -> ScanCalibration:
+def fast_station_calibration(pace: FastStationConfig) -> ScanCalibration:
     """Of the swift station: what it was drawn with."""
     joints = [Joint(f"J{i + 1}", 0.0, 0.0, 0.0, 0.0) for i in range(JOINTS)]
     joints[0] = Joint("J1", REACH_MM, 0.0, 0.0, 0.0)

@@ -11,7 +11,7 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.bench.station.started import Copy, Station, busy_machine
+from app.bench.station.started import DemoProcess, InstalledCopy, busy_machine
 from app.progress import Progress, no_progress
 from hardware.simulator.session import SessionPlan, render_session
 
@@ -38,18 +38,18 @@ class Rounds:
     busy: int = 3
 
 
-def columns(copies: Sequence[Copy]) -> tuple[str, ...]:
+def columns(copies: Sequence[InstalledCopy]) -> tuple[str, ...]:
     return ("measure", *(copy.name for copy in copies))
 
 
 def table(rows: Sequence[StartRow]) -> list[tuple[str, ...]]:
     return [
-        (row.measure, *(_told(figures, row.unit) for figures in row.figures.values()))
+        (row.measure, *(_format_figures(figures, row.unit) for figures in row.figures.values()))
         for row in rows
     ]
 
 
-def _told(figures: tuple[float, float, float], unit: str) -> str:
+def _format_figures(figures: tuple[float, float, float], unit: str) -> str:
     median, least, most = figures
     decimals = 2 if unit == "s" else 0
     told = f"{median:.{decimals}f} {unit}".rstrip()
@@ -57,7 +57,7 @@ def _told(figures: tuple[float, float, float], unit: str) -> str:
 
 
 def run(
-    copies: Sequence[Copy],
+    copies: Sequence[InstalledCopy],
     rounds: Rounds,
     session: Path | None = None,
     progress: Progress = no_progress,
@@ -87,13 +87,13 @@ def run(
         StartRow(
             name,
             _unit(name),
-            {copy.name: _spread(samples[name, copy.name]) for copy in copies},
+            {copy.name: _summarise(samples[name, copy.name]) for copy in copies},
         )
         for name in names
     ]
 
 
-def _spread(figures: list[float]) -> tuple[float, float, float]:
+def _summarise(figures: list[float]) -> tuple[float, float, float]:
     return statistics.median(figures), min(figures), max(figures)
 
 
@@ -103,10 +103,12 @@ def _unit(name: str) -> str:
     return "MB" if name.endswith(("RSS", "size")) else "s"
 
 
-Round = tuple[Copy, Callable[[], Iterator[Sample]]]
+Round = tuple[InstalledCopy, Callable[[], Iterator[Sample]]]
 
 
-def _rounds(folder: Path, copies: Sequence[Copy], rounds: Rounds, session: Path) -> Iterator[Round]:
+def _rounds(
+    folder: Path, copies: Sequence[InstalledCopy], rounds: Rounds, session: Path
+) -> Iterator[Round]:
     """Each of them in the order in which it is measured; whoever began begins last next time."""
     warm = {copy: folder / f"warm-{i}" for i, copy in enumerate(copies)}
     number = 0
@@ -116,13 +118,13 @@ def _rounds(folder: Path, copies: Sequence[Copy], rounds: Rounds, session: Path)
                 number += 1
                 place = folder / f"round-{number}"
                 cache = place if kind == "cold" else warm[copy]
-                yield copy, _measuring(copy, kind, cache, place, session)
+                yield copy, _make_measure(copy, kind, cache, place, session)
     for copy in copies:
-        yield copy, _weighing(copy)
+        yield copy, _make_size_measure(copy)
 
 
-def _measuring(
-    copy: Copy, kind: str, cache: Path, place: Path, session: Path
+def _make_measure(
+    copy: InstalledCopy, kind: str, cache: Path, place: Path, session: Path
 ) -> Callable[[], Iterator[Sample]]:
     def measure() -> Iterator[Sample]:
         place.mkdir()
@@ -136,20 +138,20 @@ def _measuring(
             for name, figure in _demo(copy, cache, place / "data", cold=kind == "cold"):
                 yield f"{kind}: {name}", figure
         if kind == "warm":
-            with Station(copy, cache, place / "idle") as station:
+            with DemoProcess(copy, cache, place / "idle") as station:
                 station.ready_s()
                 yield "idle station: RSS", station.idle_mb()
 
     return measure
 
 
-def _weighing(copy: Copy) -> Callable[[], Iterator[Sample]]:
+def _make_size_measure(copy: InstalledCopy) -> Callable[[], Iterator[Sample]]:
     return lambda: iter([("installed size", copy.installed_mb())])
 
 
-def _demo(copy: Copy, cache: Path, data: Path, cold: bool = False) -> Iterator[Sample]:
-    cache = _own(cache, "demo", cold)
-    with Station(copy, cache, data) as station:
+def _demo(copy: InstalledCopy, cache: Path, data: Path, cold: bool = False) -> Iterator[Sample]:
+    cache = _cache_folder(cache, "demo", cold)
+    with DemoProcess(copy, cache, data) as station:
         yield "first page", station.first_page_s()
         yield "ready", station.ready_s()
         yield "calibrated by the simulated operator", station.calibrated_s()
@@ -157,7 +159,7 @@ def _demo(copy: Copy, cache: Path, data: Path, cold: bool = False) -> Iterator[S
 
 
 def _commands(
-    copy: Copy, cache: Path, session: Path, cold: bool = False, into: Path | None = None
+    copy: InstalledCopy, cache: Path, session: Path, cold: bool = False, into: Path | None = None
 ) -> Iterator[Sample]:
     """Each command cold has caches of its own: none finds what another has left there."""
     target = into or cache
@@ -166,7 +168,7 @@ def _commands(
     recording = min(session.glob("*.mcap"), default=None)
 
     def timed(*arguments: str | Path) -> float:
-        return copy.seconds(_own(cache, str(arguments[0]), cold), *arguments)
+        return copy.seconds(_cache_folder(cache, str(arguments[0]), cold), *arguments)
 
     yield "crenel --help", timed("--help")
     asked = ("calibrate", session, "--method", "one-pose", "-o", calibration)
@@ -178,7 +180,7 @@ def _commands(
         yield "crenel reconstruct", timed("reconstruct", recording, *known, "-o", target / "c.ply")
 
 
-def _own(cache: Path, name: str, cold: bool) -> Path:
+def _cache_folder(cache: Path, name: str, cold: bool) -> Path:
     folder = cache / name.strip("-") if cold else cache
     folder.mkdir(exist_ok=True)
     return folder

@@ -17,7 +17,7 @@ from typing import Any
 import httpx
 
 from app.bench.station.subprocess_station import memory_mb
-from app.errors import Refusal
+from app.errors import OperationError
 
 PATIENCE_S = 900.0
 """Some copies compile for minutes before they answer."""
@@ -57,7 +57,7 @@ print(total)
 
 
 @dataclass(frozen=True)
-class Copy:
+class InstalledCopy:
     """An installed copy of the program, by its ``crenel``; its caches are ours alone."""
 
     name: str
@@ -80,7 +80,7 @@ class Copy:
         )
         taken_s = time.monotonic() - began_s
         if done.returncode:
-            raise failed(f"{self.name}: crenel {arguments[0]} failed", done.stderr)
+            raise failure_error(f"{self.name}: crenel {arguments[0]} failed", done.stderr)
         return taken_s
 
     def installed_mb(self) -> float:
@@ -89,16 +89,16 @@ class Copy:
         asked = [str(python), "-c", DISTRIBUTIONS]
         done = subprocess.run(asked, capture_output=True, text=True, check=False)
         if done.returncode:
-            raise failed(f"{python} does not tell its packages", done.stderr)
+            raise failure_error(f"{python} does not tell its packages", done.stderr)
         return float(done.stdout) / 1e6
 
 
-def own_copy() -> Copy:
+def running_copy() -> InstalledCopy:
     """The copy that runs this."""
-    return copy_at("this", Path(sys.executable).with_name("crenel"))
+    return find_copy("this", Path(sys.executable).with_name("crenel"))
 
 
-def copy_at(name: str, place: Path) -> Copy:
+def find_copy(name: str, place: Path) -> InstalledCopy:
     """A copy by its executable, or by a checkout with a ``.venv``.
 
     Raises:
@@ -106,24 +106,24 @@ def copy_at(name: str, place: Path) -> Copy:
     """
     executable = place / ".venv" / "bin" / "crenel" if place.is_dir() else place
     if not executable.is_file():
-        raise Refusal(
+        raise OperationError(
             "bench-copy",
             f"{executable}: there is no such program",
             remedy="Name the crenel of an installed copy, or a checkout with its .venv",
         )
-    return Copy(name, executable.absolute())
+    return InstalledCopy(name, executable.absolute())
 
 
-def failed(what: str, output: str) -> Refusal:
+def failure_error(what: str, output: str) -> OperationError:
     """That a copy under test did not do what was asked."""
     last = (output.strip().splitlines() or ["it said nothing"])[-1]
-    return Refusal("bench-failed", what, last)
+    return OperationError("bench-failed", what, last)
 
 
-class Station:
+class DemoProcess:
     """A demonstration of a copy in a process of its own, from the moment of its start."""
 
-    def __init__(self, copy: Copy, cache: Path, data: Path) -> None:
+    def __init__(self, copy: InstalledCopy, cache: Path, data: Path) -> None:
         self._copy = copy
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
@@ -141,7 +141,7 @@ class Station:
                 stderr=subprocess.STDOUT,
             )
 
-    def __enter__(self) -> "Station":
+    def __enter__(self) -> "DemoProcess":
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -195,9 +195,11 @@ class Station:
             time.sleep(LOOK_S)
 
     def _check(self) -> None:
-        """Raises ``Refusal`` where it has ended, or takes longer than anybody waits."""
+        """Raises ``OperationError`` where it has ended, or takes longer than anybody waits."""
         if self._process.poll() is not None or time.monotonic() - self._began_s > PATIENCE_S:
-            raise failed(f"{self._copy.name}: the demo does not go on", self._output.read_text())
+            raise failure_error(
+                f"{self._copy.name}: the demo does not go on", self._output.read_text()
+            )
 
 
 def _enter(http: httpx.Client, output: str) -> None:

@@ -12,11 +12,11 @@ import httpx
 from websockets.exceptions import ConnectionClosed
 
 from app.api.authorization import cookie_for
-from app.errors import Refusal
+from app.errors import OperationError
 from app.monitoring.system_info import resident
 from app.operations.context import Context
 from app.server.application import build_app
-from app.server.composition import Parts
+from app.server.composition import StationParts
 from app.server.listener import make_server
 
 PATIENCE_S = 120.0
@@ -24,9 +24,9 @@ MB = 1 << 20
 GUEST = "Bench"
 
 
-def stuck(what: str, patience_s: float = PATIENCE_S) -> Refusal:
+def stuck_error(what: str, patience_s: float = PATIENCE_S) -> OperationError:
     """That the station under test, or a viewer of it, does not go on."""
-    return Refusal(
+    return OperationError(
         "bench-stuck",
         f"Nothing was measured: {what}",
         f"nothing came of it in {patience_s:.0f} s",
@@ -35,12 +35,12 @@ def stuck(what: str, patience_s: float = PATIENCE_S) -> Refusal:
 
 
 @contextlib.contextmanager
-def breaks_told() -> Iterator[None]:
+def convert_connection_errors() -> Iterator[None]:
     """Says so where the station under test does not answer, or has gone."""
     try:
         yield
     except (httpx.TransportError, ConnectionClosed, EOFError, BrokenPipeError) as error:
-        raise Refusal(
+        raise OperationError(
             "bench-broken",
             "Nothing was measured: the station under test does not answer",
             str(error) or type(error).__name__,
@@ -54,7 +54,9 @@ def memory_mb(process: int) -> float:
 
 
 @contextlib.contextmanager
-def apart(serve: Callable[..., None], *arguments: object) -> Iterator[tuple[Connection, int]]:
+def run_in_process(
+    serve: Callable[..., None], *arguments: object
+) -> Iterator[tuple[Connection, int]]:
     """Calls ``serve`` with a pipe and the arguments in a new process; ends it at the end.
 
     Yields our end of the pipe, once something has come through it, and the process's id.
@@ -69,8 +71,8 @@ def apart(serve: Callable[..., None], *arguments: object) -> Iterator[tuple[Conn
     theirs.close()  # else the end of the process would not end the pipe
     try:
         if not ours.poll(PATIENCE_S):
-            raise stuck("the station does not start")
-        with breaks_told():
+            raise stuck_error("the station does not start")
+        with convert_connection_errors():
             yield ours, process.pid or 0
             ours.send("stop")
         process.join(20.0)
@@ -79,7 +81,7 @@ def apart(serve: Callable[..., None], *arguments: object) -> Iterator[tuple[Conn
 
 
 @contextlib.contextmanager
-def served(parts: Parts) -> Iterator[tuple[Context, int]]:
+def serve_in_thread(parts: StationParts) -> Iterator[tuple[Context, int]]:
     """A station that serves from a thread, and its port."""
     app = build_app(parts)
     server = make_server(app)

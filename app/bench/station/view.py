@@ -16,19 +16,19 @@ import httpx
 import numpy as np
 
 from app.bench.station.live import serving
-from app.bench.station.subprocess_station import MB, apart, memory_mb, sign_in
-from app.bench.station.viewer_client import watching
-from app.formats.clouds.points import Points, packed
+from app.bench.station.subprocess_station import MB, memory_mb, run_in_process, sign_in
+from app.bench.station.viewer_client import watch_view
+from app.formats.clouds.points import Points, pack_points
 from app.progress import Progress, no_progress
 from app.station.view3d.scene import Scene
-from hardware.simulator.devices.fast_simulator import Pace
+from hardware.simulator.devices.fast_simulator import FastStationConfig
 
 LINE, LINES_A_PIECE = 2000, 16
 PIECE = LINE * LINES_A_PIECE
 WIDE_MM, LONG_MM, STEP_MM = 400.0, 600.0, 0.1
 """The part, swept again and again, each time in between the lines of before."""
 NOISE_MM = 0.02
-MOST_WAITING = 200_000
+MAX_WAITING = 200_000
 COLUMNS = ("measure", "value")
 
 
@@ -67,7 +67,7 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
     """Shows so many points, then lets a second viewer join."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        _station(Path(folder), points) as (pipe, port, pid, signed_in),
+        _run_station(Path(folder), points) as (pipe, port, pid, signed_in),
         httpx.Client(base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0) as http,
     ):
         began_s = time.monotonic()
@@ -75,10 +75,10 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
             progress(given / points, f"{given / 1e6:.0f} million points")
         seconds = time.monotonic() - began_s
         address = f"ws://127.0.0.1:{port}/viewer/"
-        with watching(address, signed_in, 0, 1.0, until_whole=True) as watched:
+        with watch_view(address, signed_in, 0, 1.0, until_whole=True) as watched:
             joined = watched()
         shown = sum(scan["points_shown"] for scan in http.get("/api/view").json()["scans"])
-        with watching(address, signed_in, 0, 1.0, coloured=shown) as watched:
+        with watch_view(address, signed_in, 0, 1.0, coloured=shown) as watched:
             time.sleep(1.0)
             asked_s = time.monotonic()
             http.post("/api/view/colours", json={"measure": "intensity"}).raise_for_status()
@@ -95,19 +95,19 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
 
 
 @contextlib.contextmanager
-def _station(data: Path, points: int) -> Iterator[tuple[Connection, int, int, dict[str, str]]]:
+def _run_station(data: Path, points: int) -> Iterator[tuple[Connection, int, int, dict[str, str]]]:
     """A station in a process of its own that shows so many points.
 
     Yields its pipe, port and id, and the header of a browser that is signed in there.
     """
-    with apart(_serve, data, points) as (pipe, pid):
+    with run_in_process(_serve, data, points) as (pipe, pid):
         port, signed_in = pipe.recv()
         yield pipe, port, pid, signed_in
 
 
 def _serve(pipe: Connection, data: Path, points: int) -> None:
     """In the station's process: until something comes through the pipe."""
-    with serving(data, Pace(profiles_hz=2.0, width_px=100)) as (station, port, _):
+    with serving(data, FastStationConfig(profiles_hz=2.0, width_px=100)) as (station, port, _):
         pipe.send((port, sign_in(station, port)))
         _show(station.scene, points, pipe)
         pipe.recv()
@@ -119,7 +119,7 @@ def _show(scene: Scene, points: int, pipe: Connection) -> None:
     random = np.random.default_rng(1)
     given = 0
     while given < points:
-        while scene.waiting > MOST_WAITING:
+        while scene.waiting > MAX_WAITING:
             time.sleep(0.005)
         scene.add_points(_piece(given, random))
         given += PIECE
@@ -139,4 +139,4 @@ def _piece(given: int, random: np.random.Generator) -> Points:
     x = 300.0 + WIDE_MM / LINE * np.tile(np.arange(LINE), LINES_A_PIECE)
     z = 20.0 * np.sin(x / 60.0) * np.cos(y / 80.0) + random.normal(0.0, NOISE_MM, len(x))
     places = np.column_stack([x, y, z])
-    return packed(places, 60.0 + 30.0 * np.sin(x / 9.0), np.full(len(x), 8.0), line)
+    return pack_points(places, 60.0 + 30.0 * np.sin(x / 9.0), np.full(len(x), 8.0), line)

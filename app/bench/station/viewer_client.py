@@ -15,7 +15,7 @@ import zstandard
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
-from app.bench.station.subprocess_station import stuck
+from app.bench.station.subprocess_station import stuck_error
 from app.metrology.transforms import Floats
 
 PROTOCOL = Subprotocol(f"viser-v{viser.__version__}")
@@ -25,7 +25,7 @@ CLOUD = "/cloud"
 
 
 @dataclass(frozen=True)
-class Watched:
+class ViewerReport:
     """What came: the age (s) of the oldest new point of each update, and when all was there."""
 
     ages_s: Floats
@@ -36,14 +36,14 @@ class Watched:
 
 
 @contextlib.contextmanager
-def watching(
+def watch_view(
     address: str,
     signed_in: Mapping[str, str],
     start_ns: int,
     turn_rad_s: float,
     until_whole: bool = False,
     coloured: int = 0,
-) -> Iterator[Callable[[], Watched]]:
+) -> Iterator[Callable[[], ViewerReport]]:
     """A viewer from now on. What it yields ends it, and tells what it saw.
 
     Args:
@@ -59,15 +59,15 @@ def watching(
     process.start()
     theirs.close()
     if not ours.poll(PATIENCE_S):
-        raise stuck("the viewer does not connect")
+        raise stuck_error("the viewer does not connect")
     ours.recv()
 
-    def watched() -> Watched:
+    def watched() -> ViewerReport:
         if not (until_whole or coloured):
             ours.send("enough")
         if not ours.poll(PATIENCE_S):
-            raise stuck("the viewer did not get the whole picture")
-        found: Watched = ours.recv()
+            raise stuck_error("the viewer did not get the whole picture")
+        found: ViewerReport = ours.recv()
         return found
 
     try:
@@ -88,7 +88,7 @@ def _watch(
 ) -> None:
     pipe.send("ready")
     began_s = time.monotonic()
-    seen = _Seen(start_ns, turn_rad_s, coloured)
+    seen = _PointAges(start_ns, turn_rad_s, coloured)
     with connect(
         address,
         additional_headers=signed_in,
@@ -103,11 +103,11 @@ def _watch(
         # closing waits for the station, up to ten seconds where much is on its way
         whole_s = time.monotonic() - began_s
     pipe.send(
-        Watched(np.array(seen.ages_s), whole_s, seen.bytes, seen.coloured_at_s or float("nan"))
+        ViewerReport(np.array(seen.ages_s), whole_s, seen.bytes, seen.coloured_at_s or float("nan"))
     )
 
 
-class _Seen:
+class _PointAges:
     """How old new points were when they came, and whether all the old ones have come."""
 
     def __init__(self, start_ns: int, turn_rad_s: float, coloured: int) -> None:

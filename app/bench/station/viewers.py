@@ -19,12 +19,12 @@ import httpx
 import numpy as np
 from websockets.asyncio.client import connect
 
-from app.bench.station.live import scanning, stopped
-from app.bench.station.subprocess_station import apart, sign_in
+from app.bench.station.live import scanning, wait_for_stop
+from app.bench.station.subprocess_station import run_in_process, sign_in
 from app.bench.station.viewer_client import PROTOCOL
 from app.progress import Progress, no_progress
 from app.station.bus import Bus
-from hardware.simulator.devices.fast_simulator import Pace
+from hardware.simulator.devices.fast_simulator import FastStationConfig
 
 TOPIC = "pulse"
 PULSE_S = 0.1
@@ -68,11 +68,13 @@ def table(found: ViewersBench) -> list[tuple[str, str]]:
     ]
 
 
-def run(pace: Pace, viewers: int, seconds: float, progress: Progress = no_progress) -> ViewersBench:
+def run(
+    pace: FastStationConfig, viewers: int, seconds: float, progress: Progress = no_progress
+) -> ViewersBench:
     """Scans, a quarter of the time unwatched; an HTTP error where the station does not."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        _station(Path(folder), pace) as (port, signed_in),
+        _run_station(Path(folder), pace) as (port, signed_in),
         httpx.Client(base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0) as http,
     ):
         http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
@@ -82,7 +84,7 @@ def run(pace: Pace, viewers: int, seconds: float, progress: Progress = no_progre
         progress(0.25, f"{viewers} viewers")
         seen = asyncio.run(_crowd(port, signed_in, viewers, seconds))
         http.post("/api/stop").raise_for_status()
-        lost = int(stopped(http)["lost_frames"])
+        lost = int(wait_for_stop(http)["lost_frames"])
     ages_s = np.array(seen.ages_s)
     return ViewersBench(
         viewers=viewers,
@@ -97,7 +99,7 @@ def run(pace: Pace, viewers: int, seconds: float, progress: Progress = no_progre
     )
 
 
-class _Seen:
+class _ViewerStatistics:
     """What came to all viewers together."""
 
     def __init__(self) -> None:
@@ -113,9 +115,11 @@ class _Seen:
             self.ages_s.append(now_s - float(message["value"]))
 
 
-async def _crowd(port: int, signed_in: Mapping[str, str], viewers: int, seconds: float) -> _Seen:
+async def _crowd(
+    port: int, signed_in: Mapping[str, str], viewers: int, seconds: float
+) -> _ViewerStatistics:
     """All viewers at once, for so long."""
-    seen = _Seen()
+    seen = _ViewerStatistics()
     tasks = [asyncio.create_task(_idle(port, signed_in))]
     for _ in range(viewers - 1):
         tasks.append(asyncio.create_task(_follow(port, signed_in, seen)))
@@ -129,7 +133,7 @@ async def _crowd(port: int, signed_in: Mapping[str, str], viewers: int, seconds:
     return seen
 
 
-async def _follow(port: int, signed_in: Mapping[str, str], seen: _Seen) -> None:
+async def _follow(port: int, signed_in: Mapping[str, str], seen: _ViewerStatistics) -> None:
     """The live state, with the camera's pictures acknowledged as they come."""
     async with connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live:
         await live.send(json.dumps({"type": "preview", "on": True}))
@@ -142,7 +146,7 @@ async def _follow(port: int, signed_in: Mapping[str, str], seen: _Seen) -> None:
                 seen.take(message)
 
 
-async def _look(port: int, signed_in: Mapping[str, str], seen: _Seen) -> None:
+async def _look(port: int, signed_in: Mapping[str, str], seen: _ViewerStatistics) -> None:
     """The 3D view."""
     async with connect(
         f"ws://127.0.0.1:{port}/viewer/",
@@ -178,13 +182,13 @@ async def _idle(port: int, signed_in: Mapping[str, str]) -> None:
 
 
 @contextlib.contextmanager
-def _station(data: Path, pace: Pace) -> Iterator[tuple[int, dict[str, str]]]:
+def _run_station(data: Path, pace: FastStationConfig) -> Iterator[tuple[int, dict[str, str]]]:
     """A station in a process of its own; its port, and the header of a browser signed in."""
-    with apart(_serve, data, pace) as (pipe, _):
+    with run_in_process(_serve, data, pace) as (pipe, _):
         yield pipe.recv()
 
 
-def _serve(pipe: Connection, data: Path, pace: Pace) -> None:
+def _serve(pipe: Connection, data: Path, pace: FastStationConfig) -> None:
     """In the station's process: until something comes through the pipe."""
     ended = threading.Event()
     with scanning(data, pace) as (station, port, _):

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.bench.stripe.frames import BASE, GAIN, HEIGHT, READ, WIDTH, beam
-from app.bench.stripe.methods import Method, blurred_parabola, crenel_line
-from app.bench.stripe.speed import timed
+from app.bench.stripe.methods import Method, crenel_line, fit_blurred_parabola
+from app.bench.stripe.speed import median_seconds
 from app.metrology.image import Image
 from app.metrology.stripe import StripeTracker, extract_stripe
 from app.metrology.transforms import Floats
@@ -33,7 +33,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Kind:
+class ClippingKind:
     """What is clipped: columns of the line from the first to before the last, or a spot."""
 
     name: str
@@ -43,16 +43,16 @@ class Kind:
 
 
 KINDS = (
-    Kind("nothing"),
-    Kind("a spot of 12 × 12 pixels", spot=True),
-    Kind("80 columns of the line", 600, 680),
-    Kind("half of the line", WIDTH // 2, WIDTH),
-    Kind("all of the line", 0, WIDTH),
+    ClippingKind("nothing"),
+    ClippingKind("a spot of 12 × 12 pixels", spot=True),
+    ClippingKind("80 columns of the line", 600, 680),
+    ClippingKind("half of the line", WIDTH // 2, WIDTH),
+    ClippingKind("all of the line", 0, WIDTH),
 )
 
 
 @dataclass(frozen=True)
-class Measured:
+class ClippingResult:
     """Frames of one kind and depth: frames a second, shares of plain frames', errors in px."""
 
     kind: str
@@ -67,21 +67,21 @@ class Measured:
     opencv_error_px: float | None
 
 
-def run(progress: Progress) -> list[Measured]:
+def run(progress: Progress) -> list[ClippingResult]:
     """Measures all kinds in turn, depth by depth."""
     threads = cv2.getNumThreads()
     cv2.setNumThreads(1)
     try:
-        found: list[Measured] = []
+        found: list[ClippingResult] = []
         for number, bits in enumerate(DEPTH_BITS):
             progress(number / len(DEPTH_BITS), f"{bits} bits")
-            found += _of_depth(bits)
+            found += _measure_depth(bits)
         return found
     finally:
         cv2.setNumThreads(threads)
 
 
-def table(rows: Sequence[Measured]) -> list[list[str]]:
+def table(rows: Sequence[ClippingResult]) -> list[list[str]]:
     """Rows for ``COLUMNS``."""
     return [
         [
@@ -98,7 +98,7 @@ def table(rows: Sequence[Measured]) -> list[list[str]]:
     ]
 
 
-def frame(kind: Kind, seed: int, bits: int) -> tuple[Image, Floats]:
+def simulate_clipped_frame(kind: ClippingKind, seed: int, bits: int) -> tuple[Image, Floats]:
     """A frame, and the line's row in every column (W,)."""
     rng = np.random.default_rng(seed)
     u = np.arange(WIDTH)
@@ -115,17 +115,17 @@ def frame(kind: Kind, seed: int, bits: int) -> tuple[Image, Floats]:
     return np.clip(np.rint(LEVELS_OF_12_BITS * grey), 0, 4095).astype(np.uint16), centre
 
 
-def _of_depth(bits: int) -> list[Measured]:
-    base = [[frame(kind, seed, bits) for seed in range(SEEDS)] for kind in KINDS]
+def _measure_depth(bits: int) -> list[ClippingResult]:
+    base = [[simulate_clipped_frame(kind, seed, bits) for seed in range(SEEDS)] for kind in KINDS]
     methods = [method for frames in base for method in _methods([image for image, _ in frames])]
-    rates = 1 / np.array(timed(methods)).reshape(len(KINDS), 3)
+    rates = 1 / np.array(median_seconds(methods)).reshape(len(KINDS), 3)
     return [
-        Measured(
+        ClippingResult(
             kind.name,
             bits,
             *(float(whole), float(whole / rates[0, 0])),
             *(float(followed), float(followed / rates[0, 1]), float(opencv)),
-            *(_error_px(kind, frames, method) for method in (crenel_line, blurred_parabola)),
+            *(_error_px(kind, frames, method) for method in (crenel_line, fit_blurred_parabola)),
         )
         for kind, frames, (whole, followed, opencv) in zip(KINDS, base, rates, strict=True)
     ]
@@ -139,10 +139,12 @@ def _methods(
     rows = [round(SWAY_PX * np.sin(2 * np.pi * i / POOL)) for i in range(POOL)]
     moved = [np.roll(images[0], row, axis=0) for row in rows]
     tracker = StripeTracker()
-    return [(extract_stripe, pool), (tracker.extract, moved), (blurred_parabola, pool)]
+    return [(extract_stripe, pool), (tracker.extract, moved), (fit_blurred_parabola, pool)]
 
 
-def _error_px(kind: Kind, frames: list[tuple[Image, Floats]], method: Method) -> float | None:
+def _error_px(
+    kind: ClippingKind, frames: list[tuple[Image, Floats]], method: Method
+) -> float | None:
     """Rms error on the clipped columns."""
     if kind.first == kind.behind:
         return None

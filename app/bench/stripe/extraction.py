@@ -6,9 +6,15 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from app.bench.stripe.frames import GRAINS, Taken, overexposed, spoiled, taken
+from app.bench.stripe.frames import (
+    GRAINS,
+    SimulatedFrame,
+    simulate_frame,
+    simulate_overexposure,
+    simulate_reflections,
+)
 from app.bench.stripe.methods import METHODS, Method, crenel_line
-from app.bench.stripe.speed import Measured, speeds
+from app.bench.stripe.speed import ComparisonRow, speeds
 from app.metrology.stripe import extract_stripe
 from app.metrology.transforms import Floats
 from app.progress import Progress
@@ -18,7 +24,7 @@ NEAR_PX = 1.5
 
 
 @dataclass(frozen=True)
-class Errors:
+class ExtractionErrors:
     """What a method makes of frames of one kind."""
 
     over_bound: float
@@ -31,7 +37,7 @@ class Errors:
     """Share of the columns with a stripe but no point of it."""
 
 
-def run(frames: int, progress: Progress) -> list[Measured]:
+def run(frames: int, progress: Progress) -> list[ComparisonRow]:
     """Measures everything, with so many frames of each kind for the errors."""
     threads = cv2.getNumThreads()
     cv2.setNumThreads(1)
@@ -43,12 +49,12 @@ def run(frames: int, progress: Progress) -> list[Measured]:
         progress(0.8, "reflections")
         rows += nuisances_table(frames)
         progress(0.9, "overexposed")
-        return [*rows, Measured("saturated patch, rms", f"{saturated(frames):.3f} px")]
+        return [*rows, ComparisonRow("saturated patch, rms", f"{saturated_rms_px(frames):.3f} px")]
     finally:
         cv2.setNumThreads(threads)
 
 
-def judged(frames: Sequence[Taken], method: Method) -> Errors:
+def measure_errors(frames: Sequence[SimulatedFrame], method: Method) -> ExtractionErrors:
     """A method's points against the truth."""
     error, bound, pull = [], [], []
     false = found = lit = 0
@@ -69,7 +75,7 @@ def judged(frames: Sequence[Taken], method: Method) -> Errors:
         false += int((~near).sum())
         found += int(near.sum())
         lit += int(np.isfinite(frame.centre).sum())
-    return Errors(
+    return ExtractionErrors(
         rms(np.concatenate(error)) / rms(np.concatenate(bound)),
         rms(np.concatenate(pull)) if pull else float("nan"),
         false / len(frames),
@@ -77,32 +83,32 @@ def judged(frames: Sequence[Taken], method: Method) -> Errors:
     )
 
 
-def errors_table(kind: str, count: int) -> list[Measured]:
+def errors_table(kind: str, count: int) -> list[ComparisonRow]:
     """Rms of the error over the bound, and over what is stated, on frames of one kind."""
-    frames = [taken(seed, GRAINS[kind]) for seed in range(count)]
-    found = [judged(frames, method) for method in METHODS]
+    frames = [simulate_frame(seed, GRAINS[kind]) for seed in range(count)]
+    found = [measure_errors(frames, method) for method in METHODS]
     return [
-        Measured(f"rms error / bound, {kind}", *(f"{one.over_bound:.3f}" for one in found)),
-        Measured(f"rms of error / stated deviation, {kind}", f"{found[0].pull:.3f}"),
+        ComparisonRow(f"rms error / bound, {kind}", *(f"{one.over_bound:.3f}" for one in found)),
+        ComparisonRow(f"rms of error / stated deviation, {kind}", f"{found[0].pull:.3f}"),
     ]
 
 
-def nuisances_table(count: int) -> list[Measured]:
+def nuisances_table(count: int) -> list[ComparisonRow]:
     """Points on no stripe, and columns missed, where other things shine."""
-    frames = [spoiled(seed) for seed in range(count)]
-    found = [judged(frames, method) for method in METHODS]
+    frames = [simulate_reflections(seed) for seed in range(count)]
+    found = [measure_errors(frames, method) for method in METHODS]
     what = "a reflection, a lamp's spot, 60 hot pixels"
     return [
-        Measured(f"false points a frame, {what}", *(f"{one.false:.2f}" for one in found)),
-        Measured("missed columns, the same", *(f"{100 * one.missed:.2f} %" for one in found)),
+        ComparisonRow(f"false points a frame, {what}", *(f"{one.false:.2f}" for one in found)),
+        ComparisonRow("missed columns, the same", *(f"{100 * one.missed:.2f} %" for one in found)),
     ]
 
 
-def saturated(count: int) -> float:
+def saturated_rms_px(count: int) -> float:
     """Rms error in px where a patch of the line is overexposed."""
     errors = []
     for seed in range(count):
-        image, centre, height = overexposed(seed)
+        image, centre, height = simulate_overexposure(seed)
         stripe = extract_stripe(image)
         column = stripe.u.astype(int)
         clipped = height[column] > 500

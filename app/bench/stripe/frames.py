@@ -29,7 +29,7 @@ SATURATED_PX, SATURATED_HEIGHT, PATCH = 2.5, 1500.0, 300
 
 
 @dataclass(frozen=True)
-class Taken:
+class SimulatedFrame:
     """A frame and its truth: the stripe's row in every column, NaN where there is none."""
 
     image: Grey
@@ -37,7 +37,7 @@ class Taken:
     bound: Floats  # (W,) px
 
 
-def taken(seed: int, grains: tuple[float, float] | None = None) -> Taken:
+def simulate_frame(seed: int, grains: tuple[float, float] | None = None) -> SimulatedFrame:
     """A frame of its own width, shape and noise."""
     rng = np.random.default_rng(seed)
     width_px = WIDTHS_PX[seed % len(WIDTHS_PX)]
@@ -56,7 +56,7 @@ def taken(seed: int, grains: tuple[float, float] | None = None) -> Taken:
     grey = BASE + light * (1 + grain) + noise
     image = np.clip(np.rint(grey), 0, 255).astype(np.uint8)
     lit = height > 0
-    return Taken(
+    return SimulatedFrame(
         image,
         np.where(lit, centre, np.nan),
         bounds(centre, np.where(lit, height, np.nan), width_px, grains),
@@ -91,10 +91,10 @@ def bounds(
     return bound
 
 
-def spoiled(seed: int) -> Taken:
+def simulate_reflections(seed: int) -> SimulatedFrame:
     """A frame with a reflection stripe, in places brighter, a lamp's spot and hot pixels."""
     rng = np.random.default_rng(seed)
-    frame = taken(seed)
+    frame = simulate_frame(seed)
     u = np.arange(WIDTH)
     begin = int(rng.integers(100, WIDTH - 500))
     lit = np.isfinite(frame.centre) & (u >= begin) & (u < begin + 350)
@@ -106,10 +106,10 @@ def spoiled(seed: int) -> Taken:
     light = light + 230 * np.exp(-0.5 * (away / SPOT_PX) ** 2)
     grey = np.clip(np.rint(frame.image + light), 0, 255).astype(np.uint8)
     grey[rng.integers(0, HEIGHT, HOT_PIXELS), rng.integers(0, WIDTH, HOT_PIXELS)] = 255
-    return Taken(grey, frame.centre, frame.bound)
+    return SimulatedFrame(grey, frame.centre, frame.bound)
 
 
-def overexposed(seed: int) -> tuple[Grey, Floats, Floats]:
+def simulate_overexposure(seed: int) -> tuple[Grey, Floats, Floats]:
     """A frame a patch of whose line is too bright; the line's rows and its height, (W,) each."""
     u = np.arange(WIDTH)
     rng = np.random.default_rng(seed)

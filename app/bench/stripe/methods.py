@@ -14,7 +14,7 @@ Line = tuple[Floats, Floats]
 Method = Callable[[Image], Line]
 
 
-def blurred_parabola(image: Image) -> Line:
+def fit_blurred_parabola(image: Image) -> Line:
     """Vertex of the parabola through every column's highest pixel after Gaussian blur."""
     smooth = cv2.GaussianBlur(image, (1, 9), sigmaX=0.1, sigmaY=2.0).astype(np.float32)
     along = np.arange(image.shape[1])
@@ -43,4 +43,4 @@ def crenel_line(image: Image) -> Line:
     return stripe.u, stripe.v
 
 
-METHODS: tuple[Method, ...] = (crenel_line, blurred_parabola, centroid)
+METHODS: tuple[Method, ...] = (crenel_line, fit_blurred_parabola, centroid)

@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from app.bench.stripe.frames import taken
-from app.errors import Refusal
+from app.bench.stripe.frames import simulate_frame
+from app.errors import OperationError
 from app.metrology.transforms import Floats
 from app.native.library import VARIANT_SETTING
 from app.native.product import CRENEL
@@ -61,7 +61,7 @@ def run(other: Path | None, progress: Progress) -> list[Rates]:
         }
         if other is not None:
             workers["the other"] = processes.enter_context(_worker(other, frames))
-        spent_s = _timed(workers, progress)
+        spent_s = _time_workers(workers, progress)
     spent_s[READING] = np.array([[_reading_s(pools[b], k) for b in DEPTH_BITS for k in KINDS]])
     reference = spent_s.get("the other")
     return [
@@ -89,7 +89,7 @@ def table(rates: list[Rates]) -> list[list[str]]:
 
 def _pools() -> dict[int, np.ndarray]:
     """(POOL, H, W) frames of each depth; those of 16 bits hold 12 significant ones."""
-    base = [taken(seed).image for seed in range(8)]
+    base = [simulate_frame(seed).image for seed in range(8)]
     eight = np.array([np.roll(base[i % len(base)], 17 * i, axis=1) for i in range(POOL)])
     chance = np.random.default_rng(0).integers(0, 16, eight.shape, np.uint16)
     return {8: eight, 16: eight.astype(np.uint16) * 16 + chance}
@@ -113,7 +113,7 @@ def _worker(
     assert process.stdout is not None
     try:
         if process.stdout.readline() != "ready\n":
-            raise Refusal(
+            raise OperationError(
                 "other-checkout",
                 f"{interpreter} extracts no stripes",
                 "the package crenel cannot be imported there, or is too old",
@@ -125,7 +125,9 @@ def _worker(
         process.communicate()
 
 
-def _timed(workers: dict[str, "subprocess.Popen[str]"], progress: Progress) -> dict[str, Floats]:
+def _time_workers(
+    workers: dict[str, "subprocess.Popen[str]"], progress: Progress
+) -> dict[str, Floats]:
     """Seconds a frame (ROUNDS, depths and kinds) of each worker, in turn."""
     spent = {by: np.empty((ROUNDS, len(DEPTH_BITS) * len(KINDS))) for by in workers}
     for turn in range(ROUNDS):

@@ -13,9 +13,9 @@ import numpy as np
 
 from app.bench.stripe.frames import Grey
 from app.bench.stripe.methods import METHODS, Line, Method
-from app.bench.stripe.speed import Measured
-from app.errors import Refusal
-from app.formats.io_errors import files_refused
+from app.bench.stripe.speed import ComparisonRow
+from app.errors import OperationError
+from app.formats.io_errors import convert_io_errors
 from app.metrology.stripe import extract_stripe
 from app.metrology.transforms import Floats
 
@@ -23,11 +23,13 @@ WINDOW = 41
 SUFFIXES = (".png", ".tif", ".tiff", ".bmp", ".pgm")
 
 
-def run(folder: Path) -> list[Measured]:
-    """The row of a folder of pictures; raises ``Refusal`` where it holds none with a line."""
-    pictures = [_turned(picture) for picture in _pictures(folder)]
+def run(folder: Path) -> list[ComparisonRow]:
+    """The row of a folder of images; raises ``OperationError`` where none has a line."""
+    pictures = [_orient(picture) for picture in _pictures(folder)]
     cells = [_cell(pictures, method) for method in METHODS]
-    return [Measured(f"local noise of the line, {folder.name} ({len(pictures)} pictures)", *cells)]
+    return [
+        ComparisonRow(f"local noise of the line, {folder.name} ({len(pictures)} pictures)", *cells)
+    ]
 
 
 def local_noise_px(line: Line, columns: int) -> float:
@@ -49,7 +51,7 @@ def _cell(pictures: Sequence[Grey], method: Method) -> str:
     return f"{np.median(told):.3f} px" if told else "no line"
 
 
-def _turned(picture: Grey) -> Grey:
+def _orient(picture: Grey) -> Grey:
     """With the line across its columns: the way round in which it has more points."""
     turned = np.ascontiguousarray(picture.T)
     across, down = (len(extract_stripe(one).u) for one in (picture, turned))
@@ -57,18 +59,18 @@ def _turned(picture: Grey) -> Grey:
 
 
 def _pictures(folder: Path) -> list[Grey]:
-    with files_refused(folder):
+    with convert_io_errors(folder):
         files = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES)
     pictures = []
     for path in files:
         image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
         if image is None or image.dtype != np.uint8:
-            raise Refusal("image-unreadable", str(path), "it is no picture of 8 bits")
+            raise OperationError("image-unreadable", str(path), "it is no picture of 8 bits")
         if image.ndim == 3:
             if np.ptp(image[..., :3].astype(np.int16), axis=2).any():
-                raise Refusal("image-not-grey", str(path), "it is in colour")
+                raise OperationError("image-not-grey", str(path), "it is in colour")
             image = image[..., 0]
         pictures.append(np.ascontiguousarray(image, dtype=np.uint8))
     if not pictures:
-        raise Refusal("folder-without-pictures", str(folder), "it holds no pictures")
+        raise OperationError("folder-without-pictures", str(folder), "it holds no pictures")
     return pictures

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.bench.stripe.frames import HEIGHT, WIDTH, taken
-from app.bench.stripe.methods import blurred_parabola, centroid
+from app.bench.stripe.frames import HEIGHT, WIDTH, simulate_frame
+from app.bench.stripe.methods import centroid, fit_blurred_parabola
 from app.metrology.image import Image
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -19,7 +19,7 @@ COLUMNS = ("measure", "Crenel", "OpenCV Gauss + parabola", "numpy argmax + centr
 
 
 @dataclass(frozen=True)
-class Measured:
+class ComparisonRow:
     """One line of the table; the peers' cells may be empty."""
 
     measure: str
@@ -28,7 +28,7 @@ class Measured:
     centroid: str = ""
 
 
-def table(rows: Sequence[Measured]) -> list[list[str]]:
+def table(rows: Sequence[ComparisonRow]) -> list[list[str]]:
     return [[row.measure, row.crenel, row.opencv, row.centroid] for row in rows]
 
 
@@ -36,23 +36,23 @@ POOL, ROUNDS, BURST = 64, 15, 16
 REBUILT_FRAMES, REBUILT_TIMES = 100, 60
 
 
-def speeds(frames: int, progress: Progress) -> list[Measured]:
+def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
     """Frames a second of every method on cold frames, and what follows from it."""
     progress(0.0, "rendering")
-    base = [taken(seed).image for seed in range(min(frames, 8))]
+    base = [simulate_frame(seed).image for seed in range(min(frames, 8))]
     pool = [np.roll(base[i % len(base)], 17 * i, axis=1) for i in range(POOL)]
     # the stripe goes up and down by a few rows a frame, as over a part that is scanned
     moved = [
         np.roll(base[1], round(60 * np.sin(2 * np.pi * i / POOL)), axis=0) for i in range(POOL)
     ]
     band = StripeTracker()
-    camera, plane = sensor()
+    camera, plane = make_sensor()
     progress(0.2, "timing")
-    once, crenel, opencv, gravity, tracked, placed = timed(
+    once, crenel, opencv, gravity, tracked, placed = median_seconds(
         [
             (lambda image: np.max(image), pool),
             (extract_stripe, pool),
-            (blurred_parabola, pool),
+            (fit_blurred_parabola, pool),
             (centroid, pool),
             (band.extract, moved),
             (lambda image: to_points(image, camera, plane), pool),
@@ -60,19 +60,23 @@ def speeds(frames: int, progress: Progress) -> list[Measured]:
     )
     points = float(np.mean([len(extract_stripe(image).u) for image in pool[:8]]))
     return [
-        Measured("one reading of the frame (np.max)", f"{1 / once:.0f} /s"),
-        Measured("whole-frame extraction", *(f"{1 / s:.0f} /s" for s in (crenel, opencv, gravity))),
-        Measured(
+        ComparisonRow("one reading of the frame (np.max)", f"{1 / once:.0f} /s"),
+        ComparisonRow(
+            "whole-frame extraction", *(f"{1 / s:.0f} /s" for s in (crenel, opencv, gravity))
+        ),
+        ComparisonRow(
             "share of one reading's rate",
             *(f"{100 * once / s:.1f} %" for s in (crenel, opencv, gravity)),
         ),
-        Measured("with the stripe followed", f"{1 / tracked:.0f} /s"),
-        Measured("image to points in the arm frame", f"{points / placed / 1e6:.2f} million/s"),
-        Measured("recorded profiles to the arm frame", f"{rebuilt() / 1e6:.0f} million/s"),
+        ComparisonRow("with the stripe followed", f"{1 / tracked:.0f} /s"),
+        ComparisonRow("image to points in the arm frame", f"{points / placed / 1e6:.2f} million/s"),
+        ComparisonRow(
+            "recorded profiles to the arm frame", f"{rebuild_rate() / 1e6:.0f} million/s"
+        ),
     ]
 
 
-def timed(
+def median_seconds(
     methods: Sequence[tuple[Callable[[Image], object], Sequence[Image]]],
 ) -> list[float]:
     """Median seconds of each method on its frames, the methods in turn, some frames each."""
@@ -89,7 +93,7 @@ def timed(
     return [float(median) for median in np.median(spent, axis=1)]
 
 
-def sensor() -> tuple[Camera, LaserPlane]:
+def make_sensor() -> tuple[Camera, LaserPlane]:
     """A camera with some distortion, and a laser plane before it."""
     matrix = np.array([[2400.0, 0, 640], [0, 2400, 512], [0, 0, 1]])
     distortion = np.array([-0.1, 0.05, 1e-3, -5e-4, 0.0])
@@ -104,9 +108,9 @@ def to_points(image: Image, camera: Camera, plane: LaserPlane) -> object:
     return frame_points(camera, plane, stripe.u, stripe.v, count, np.eye(4)[None])
 
 
-def rebuilt() -> float:
+def rebuild_rate() -> float:
     """Points a second from recorded profiles to the arm frame."""
-    camera, plane = sensor()
+    camera, plane = make_sensor()
     rng = np.random.default_rng(0)
     total = REBUILT_FRAMES * WIDTH
     u = np.tile(np.arange(WIDTH, dtype=np.float64), REBUILT_FRAMES)

@@ -11,23 +11,23 @@ from typing import Any
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.clouds.optional_library import first_line, library, written
-from app.formats.clouds.points import Cloud, Points, cloud_of
-from app.formats.clouds.rows import malformed
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.clouds.optional_library import call_library, first_line, load_library
+from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.rows import format_error
+from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
 
 MM_PER_M = 1000.0
-AT_ONCE = 1 << 17
+CHUNK_POINTS = 1 << 17
 EXTENSION, URI = "crenel", "urn:crenel:e57:1"
 AXES = {"cartesianX": "x", "cartesianY": "y", "cartesianZ": "z"}
-OTHERS = {
+OPTIONAL_FIELDS = {
     "intensity": "intensity",
     f"{EXTENSION}:frame": "frame",
     f"{EXTENSION}:uncertainty_um": "uncertainty_um",
 }
-FIELDS = AXES | OTHERS
+FIELDS = AXES | OPTIONAL_FIELDS
 KINDS = {"frame": np.longlong, "x": np.float64, "y": np.float64, "z": np.float64}
 """Of the library's buffers, which takes a C long for 32 bits; the others are single."""
 INVALID = "cartesianInvalidState"
@@ -41,22 +41,23 @@ class E57Sink:
     """Appends points to a new file, which the library opens itself."""
 
     def __init__(self, path: Path, part: Path) -> None:
-        pye57 = library(path, "pye57")
+        pye57 = load_library(path, "pye57")
         self._path = path
         self._e57 = pye57.libe57
-        self._file = _done(path, lambda: pye57.E57(str(part), mode="w"))
+        self._file = _call_e57(path, lambda: pye57.E57(str(part), mode="w"))
         self._image = self._file.image_file
         self._image.extensionsAdd(EXTENSION, URI)
         self._arrays = {
-            name: np.zeros(AT_ONCE, KINDS.get(field, np.float32)) for name, field in FIELDS.items()
+            name: np.zeros(CHUNK_POINTS, KINDS.get(field, np.float32))
+            for name, field in FIELDS.items()
         }
         self._limits = dict.fromkeys(LIMITS, (np.inf, -np.inf))
         self._scan = self._e57.StructureNode(self._image)
         self._writer = self._begun()
 
     def write(self, points: Points) -> None:
-        for first in range(0, len(points), AT_ONCE):
-            piece = points[first : first + AT_ONCE]
+        for first in range(0, len(points), CHUNK_POINTS):
+            piece = points[first : first + CHUNK_POINTS]
             for name, field in FIELDS.items():
                 values = self._arrays[name][: len(piece)]
                 values[:] = piece[field] / MM_PER_M if name in AXES else piece[field]
@@ -67,7 +68,7 @@ class E57Sink:
 
     def finish(self) -> None:
         """Completes the points, adds their bounds, and closes."""
-        _done(self._path, self._writer.close)
+        _call_e57(self._path, self._writer.close)
         boxes = {box: self._e57.StructureNode(self._image) for box, _, _ in LIMITS.values()}
         if np.isfinite(self._limits["x"][0]):
             for field, (box, low, high) in LIMITS.items():
@@ -75,7 +76,7 @@ class E57Sink:
                     boxes[box].set(name, self._e57.FloatNode(self._image, float(value)))
             for name, node in boxes.items():
                 self._scan.set(name, node)
-        _done(self._path, self._file.close)
+        _call_e57(self._path, self._file.close)
 
     def abandon(self) -> None:
         """Lets go of the file, which is not to be."""
@@ -95,7 +96,7 @@ class E57Sink:
                 node = e57.FloatNode(image, 0.0, e57.E57_SINGLE, -3e38, 3e38)
             prototype.set(name, node)
             buffers.append(
-                e57.SourceDestBuffer(image, name, self._arrays[name], AT_ONCE, True, True)
+                e57.SourceDestBuffer(image, name, self._arrays[name], CHUNK_POINTS, True, True)
             )
         points = e57.CompressedVectorNode(image, prototype, e57.VectorNode(image, True))
         self._scan.set("points", points)
@@ -103,7 +104,7 @@ class E57Sink:
         return points.writer(buffers)
 
     def _write(self, count: int) -> None:
-        _done(self._path, lambda: self._writer.write(count))
+        _call_e57(self._path, lambda: self._writer.write(count))
 
 
 def read_e57(path: Path) -> Cloud:
@@ -112,35 +113,37 @@ def read_e57(path: Path) -> Cloud:
     Raises:
         Refusal: malformed or cut off, or without Cartesian points.
     """
-    pye57 = library(path, "pye57")
+    pye57 = load_library(path, "pye57")
     try:
         with pye57.E57(str(path)) as file:
-            scans = [_scan(path, pye57.libe57, file, i) for i in range(file.scan_count)]
+            scans = [_read_scan(path, pye57.libe57, file, i) for i in range(file.scan_count)]
     except pye57.libe57.E57Exception as error:
-        raise malformed(path, f"it is no whole E57 ({first_line(error)})") from error
+        raise format_error(path, f"it is no whole E57 ({first_line(error)})") from error
     if not scans:
-        return cloud_of({axis: np.zeros(0) for axis in "xyz"})
+        return cloud_from_columns({axis: np.zeros(0) for axis in "xyz"})
     kept = set.intersection(*(set(scan) for scan in scans))
-    return cloud_of({name: np.concatenate([scan[name] for scan in scans]) for name in kept})
+    return cloud_from_columns(
+        {name: np.concatenate([scan[name] for scan in scans]) for name in kept}
+    )
 
 
-def _scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
+def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
     """One scan's columns (N,), mm, invalid points left out."""
     header = file.get_header(index)
     present = [name for name in (*FIELDS, INVALID) if name in header.point_fields]
     if not set(AXES) <= set(present):
-        raise Refusal(
+        raise OperationError(
             "cloud-not-cartesian",
-            f"{shown_path(path)}: scan {index + 1}",
+            f"{display_path(path)}: scan {index + 1}",
             "its points are not Cartesian",
             "Export Cartesian coordinates",
         )
     whole = {name: np.empty(header.point_count) for name in present}
     buffers, arrays = e57.VectorSourceDestBuffer(), {}
     for name in present:
-        arrays[name] = np.zeros(AT_ONCE)
+        arrays[name] = np.zeros(CHUNK_POINTS)
         buffers.append(
-            e57.SourceDestBuffer(file.image_file, name, arrays[name], AT_ONCE, True, True)
+            e57.SourceDestBuffer(file.image_file, name, arrays[name], CHUNK_POINTS, True, True)
         )
     reader, done = header.points.reader(buffers), 0
     while count := reader.read():
@@ -156,6 +159,6 @@ def _scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
     return columns | {axis: xyz[:, i] * MM_PER_M for i, axis in enumerate("xyz")}
 
 
-def _done(path: Path, work: Callable[[], Any]) -> Any:
+def _call_e57(path: Path, work: Callable[[], Any]) -> Any:
     """What the library does to the file, its failure as a refusal."""
-    return written(path, "E57Exception", work)
+    return call_library(path, "E57Exception", work)

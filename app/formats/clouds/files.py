@@ -7,26 +7,26 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import atomic_file, atomic_path
 from app.formats.clouds.e57 import E57Sink, read_e57
 from app.formats.clouds.las import LasSink, read_las
 from app.formats.clouds.pcd import PcdSink, read_pcd
 from app.formats.clouds.ply import PlySink, read_ply
-from app.formats.clouds.points import POINT, Cloud, Points, PointSink, packed
+from app.formats.clouds.points import POINT, Cloud, Points, PointSink, pack_points
 from app.formats.clouds.xyz import XyzSink, read_xyz
-from app.formats.file_names import shown_path
-from app.formats.io_errors import files_refused
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 from app.metrology.transforms import Floats
 
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
-AT_ONCE = 1 << 16
+CHUNK_POINTS = 1 << 16
 """Points are handed to a format in pieces of at least so many."""
 FARTHEST_MM = 1e7
 """Nothing that an arm measures lies further away."""
 
-__all__ = ["POINT", "SUFFIXES", "Cloud", "CloudWriter", "cloud_writer", "packed", "read_cloud"]
+__all__ = ["POINT", "SUFFIXES", "Cloud", "CloudWriter", "cloud_writer", "pack_points", "read_cloud"]
 
 
 class CloudWriter:
@@ -52,7 +52,7 @@ class CloudWriter:
             uncertainty_um: (N,) k = 1, see ``metrology.reconstruct``.
             frame: which frame they came from, one for all or (N,).
         """
-        self.append(packed(points_mm, intensity, uncertainty_um, frame))
+        self.append(pack_points(points_mm, intensity, uncertainty_um, frame))
 
     def append(self, points: Points) -> None:
         """Appends finite points (N,) of ``POINT``."""
@@ -61,7 +61,7 @@ class CloudWriter:
         self.points += len(points)
         self._waiting.append(points)
         self._waiting_count += len(points)
-        if self._waiting_count >= AT_ONCE:
+        if self._waiting_count >= CHUNK_POINTS:
             self._hand_over()
 
     def finish(self) -> None:
@@ -86,7 +86,7 @@ def cloud_writer(path: Path) -> Iterator[CloudWriter]:
         Refusal: its suffix is none of ``SUFFIXES``, the format's library is not
             installed, the format cannot hold a point, or the file cannot be written.
     """
-    suffix = checked_suffix(path)
+    suffix = check_suffix(path)
     if suffix == ".e57":
         with atomic_path(path) as part:
             sink = E57Sink(path, part)
@@ -111,13 +111,13 @@ def cloud_writer(path: Path) -> Iterator[CloudWriter]:
         writer.finish()
 
 
-def checked_suffix(path: Path) -> str:
-    """The format a cloud's name asks for; raises ``Refusal`` where it is none that is known."""
+def check_suffix(path: Path) -> str:
+    """The format that a cloud's name asks for; raises ``OperationError`` for an unknown one."""
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
-        raise Refusal(
+        raise OperationError(
             "cloud-format",
-            shown_path(path),
+            display_path(path),
             f"clouds are written as {', '.join(SUFFIXES)}",
             f"Name it {path.with_suffix('.ply').name}",
         )
@@ -131,7 +131,7 @@ def read_cloud(path: Path) -> Cloud:
         Refusal: missing, cut off, malformed, or without points; or the format's
             library is not installed.
     """
-    with files_refused(path), open_file(path) as file:
+    with convert_io_errors(path), open_file(path) as file:
         head = file.read(16)
         if head[:4].rstrip() == b"ply":
             cloud = read_ply(path, file)
@@ -144,14 +144,16 @@ def read_cloud(path: Path) -> Cloud:
         else:
             cloud = read_xyz(path, file)
     if not len(cloud.points_mm):
-        raise Refusal("cloud-empty", shown_path(path), "it holds no points", "Scan the gauge again")
+        raise OperationError(
+            "cloud-empty", display_path(path), "it holds no points", "Scan the gauge again"
+        )
     largest = float(
         np.max(np.abs(cloud.points_mm), initial=0.0, where=np.isfinite(cloud.points_mm))
     )
     if largest > FARTHEST_MM:
-        raise Refusal(
+        raise OperationError(
             "cloud-too-far",
-            f"{shown_path(path)} has a coordinate of {largest:.3g} mm",
+            f"{display_path(path)} has a coordinate of {largest:.3g} mm",
             f"an arm measures within {FARTHEST_MM:.0e} mm",
             "Give a cloud in millimetres",
         )

@@ -10,15 +10,15 @@ from typing import BinaryIO
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.clouds.optional_library import library, written
-from app.formats.clouds.points import Cloud, Points, cloud_of
-from app.formats.clouds.rows import cut_off, malformed
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.clouds.optional_library import call_library, load_library
+from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.rows import format_error, truncation_error
+from app.formats.file_names import display_path
 
 STEP_MM = 1e-4
 FARTHEST_MM = STEP_MM * (2**31 - 1)
-AT_ONCE = 1 << 20
+CHUNK_POINTS = 1 << 20
 LARGEST_HEADER, RECORD_HEADER, EXTENDED_HEADER = 375, 54, 60
 """Bytes, by the standard: of the file, of a variable length record, of an extended one."""
 
@@ -27,7 +27,7 @@ class LasSink:
     """Appends points to an open file, compressed (LAZ) or not."""
 
     def __init__(self, path: Path, file: BinaryIO) -> None:
-        laspy = _laspy(path)
+        laspy = _load_laspy(path)
         self._path = path
         self._laspy = laspy
         header = laspy.LasHeader(point_format=6, version="1.4")
@@ -55,9 +55,9 @@ class LasSink:
         for axis, name in zip("xyz", "XYZ", strict=True):
             farthest = float(np.abs(points[axis]).max(initial=0.0))
             if not farthest <= FARTHEST_MM:
-                raise Refusal(
+                raise OperationError(
                     "cloud-out-of-range",
-                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"{display_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
                     f"LAS counts in steps of 0.1 µm, up to {FARTHEST_MM:.0f} mm",
                     "Write PLY or E57",
                 )
@@ -65,36 +65,36 @@ class LasSink:
         record["intensity"] = np.rint(points["intensity"]).clip(0, 65535).astype(np.uint16)
         record["frame"] = points["frame"].astype(np.uint32)
         record["uncertainty_um"] = points["uncertainty_um"]
-        written(self._path, "LazrsError", lambda: self._writer.write_points(record))
+        call_library(self._path, "LazrsError", lambda: self._writer.write_points(record))
 
     def finish(self) -> None:
         """Completes the compressed data and the header."""
-        written(self._path, "LazrsError", self._writer.close)
+        call_library(self._path, "LazrsError", self._writer.close)
 
 
 def read_las(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a LAS or LAZ; raises ``Refusal`` if malformed or cut off."""
-    laspy = _laspy(path)
+    """Reads a LAS or LAZ; raises ``OperationError`` if malformed or cut off."""
+    laspy = _load_laspy(path)
     _check_counts(path, file)
     try:
         with laspy.open(file, closefd=False) as reader:
             pieces = [
                 {name: np.array(piece[name], dtype=np.float64) for name in _names(piece)}
-                for piece in reader.chunk_iterator(AT_ONCE)
+                for piece in reader.chunk_iterator(CHUNK_POINTS)
             ]
             announced = reader.header.point_count
     except OSError:
         raise
     except Exception as error:  # both libraries and the Rust behind them raise their own
         why = f"it is no whole LAS or LAZ ({str(error) or type(error).__name__})"
-        raise malformed(path, why) from error
+        raise format_error(path, why) from error
     columns = {
         name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
     }
     found = len(columns.get("x", ()))
     if found < announced:
-        raise cut_off(path, found, announced)
-    return cloud_of(columns or {axis: np.zeros(0) for axis in "xyz"})
+        raise truncation_error(path, found, announced)
+    return cloud_from_columns(columns or {axis: np.zeros(0) for axis in "xyz"})
 
 
 def _check_counts(path: Path, file: BinaryIO) -> None:
@@ -107,7 +107,7 @@ def _check_counts(path: Path, file: BinaryIO) -> None:
         int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
     )
     if max(records, extended) > size:
-        raise malformed(path, "its header announces more than the file holds")
+        raise format_error(path, "its header announces more than the file holds")
     file.seek(0)
 
 
@@ -116,6 +116,6 @@ def _names(piece: object) -> list[str]:
     return ["x", "y", "z", "intensity", *(extra & {"frame", "uncertainty_um"})]
 
 
-def _laspy(path: Path) -> ModuleType:
-    library(path, "lazrs")
-    return library(path, "laspy")
+def _load_laspy(path: Path) -> ModuleType:
+    load_library(path, "lazrs")
+    return load_library(path, "laspy")

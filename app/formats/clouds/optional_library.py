@@ -6,36 +6,36 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 
 T = TypeVar("T")
 
 
-def library(path: Path, name: str) -> ModuleType:
-    """The library that a format needs; raises ``Refusal`` where it is not installed."""
+def load_library(path: Path, name: str) -> ModuleType:
+    """The library that a format needs; raises ``OperationError`` where it is not installed."""
     try:
         return importlib.import_module(name)
     except ImportError as error:
-        raise Refusal(
+        raise OperationError(
             "extra-missing",
-            shown_path(path),
+            display_path(path),
             f"{path.suffix.upper().lstrip('.')} files need the package {name}, "
             "which is not installed",
             "Install it with: pip install 'crenel[clouds]'; or take PLY, PCD or XYZ",
         ) from error
 
 
-def written(path: Path, failure: str, work: Callable[[], T]) -> T:
+def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:
     """What a library does to the file; its own kind of failure, by name, as a refusal."""
     try:
         return work()
     except Exception as error:
         if type(error).__name__ != failure:
             raise
-        raise Refusal(
+        raise OperationError(
             "cloud-not-written",
-            shown_path(path),
+            display_path(path),
             f"the disk took no more of it ({first_line(error)})",
             "Free some space, or choose another place",
         ) from error

@@ -8,10 +8,16 @@ from typing import BinaryIO
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.clouds.points import Cloud, Points, cloud_of
-from app.formats.clouds.rows import COUNT_WIDTH, as_doubles, binary_rows, malformed, text_rows
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.clouds.rows import (
+    COUNT_WIDTH,
+    as_doubles,
+    format_error,
+    read_binary_rows,
+    read_text_rows,
+)
+from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
 
 RECORD = np.dtype(
@@ -43,9 +49,9 @@ class PcdSink:
         for axis in "xyz":
             farthest = float(np.abs(points[axis]).max(initial=0.0))
             if farthest > FARTHEST_MM:
-                raise Refusal(
+                raise OperationError(
                     "cloud-out-of-range",
-                    f"{shown_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
+                    f"{display_path(self._path)}: a point lies at {axis} = ±{farthest:.0f} mm",
                     f"PCD's floats round to more than 1 µm beyond {FARTHEST_MM:.0f} mm",
                     "Write PLY or E57",
                 )
@@ -59,7 +65,7 @@ class PcdSink:
 
 
 def read_pcd(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a PCD from its start; raises ``Refusal`` if malformed or cut off."""
+    """Reads a PCD from its start; raises ``OperationError`` if malformed or cut off."""
     fields = _header_fields(path, file)
     names = fields.get("FIELDS", [])
     counts = fields.get("COUNT", ["1"] * len(names))
@@ -77,30 +83,34 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         count = int(fields["POINTS"][0])
         data = fields["DATA"][0]
     except (KeyError, ValueError, TypeError, IndexError) as error:
-        raise malformed(path, f"its header cannot be understood ({error})") from error
+        raise format_error(path, f"its header cannot be understood ({error})") from error
     if missing := [axis for axis in "xyz" if axis not in names]:
-        raise malformed(path, f"its points have no {', '.join(missing)}")
+        raise format_error(path, f"its points have no {', '.join(missing)}")
     if data == "binary":
-        return cloud_of(_binary(path, file, layout, count))
+        return cloud_from_columns(_read_binary(path, file, layout, count))
     if data == "ascii":
-        return cloud_of(_ascii(path, file, layout, count))
-    raise Refusal(
+        return cloud_from_columns(_read_ascii(path, file, layout, count))
+    raise OperationError(
         "cloud-compressed",
-        shown_path(path),
+        display_path(path),
         f"its data is {data}, which is not read here",
         "Export it as binary PCD or as PLY",
     )
 
 
-def _binary(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
-    table = binary_rows(path, file, file.tell(), layout, count)
+def _read_binary(
+    path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int
+) -> dict[str, Floats]:
+    table = read_binary_rows(path, file, file.tell(), layout, count)
     return {name: as_doubles(table[name][:, 0]) for name in layout.names or ()}
 
 
-def _ascii(path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int) -> dict[str, Floats]:
+def _read_ascii(
+    path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int
+) -> dict[str, Floats]:
     names = layout.names or ()
     widths = [layout[name].shape[0] for name in names]
-    table = text_rows(path, file, sum(widths), count)
+    table = read_text_rows(path, file, sum(widths), count)
     firsts = np.cumsum([0, *widths])
     return {name: table[:, firsts[i]] for i, name in enumerate(names)}
 
@@ -117,7 +127,7 @@ def _header_fields(path: Path, file: BinaryIO) -> dict[str, list[str]]:
         if not line or "DATA" in fields:
             break
     if not fields.get("DATA"):
-        raise malformed(path, "its header does not end")
+        raise format_error(path, "its header does not end")
     return fields
 
 

@@ -5,37 +5,38 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.clouds.ply import find_vertices
 from app.formats.clouds.points import POINT, Points
-from app.formats.file_names import shown_path
-from app.formats.io_errors import files_refused
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 
 PIECE = 250_000
 
 
-def cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
+def read_cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
     """Points of ``cloud.ply`` in the order of their frames, and how much is read, 0 to 1.
 
     Raises:
         Refusal: missing, cut off, or not as the scanner writes it.
     """
-    with files_refused(path), open_file(path) as file:
+    with convert_io_errors(path), open_file(path) as file:
         vertices = find_vertices(path, file)
         if vertices.ascii or vertices.layout != POINT or vertices.bytes_before:
-            raise Refusal(
+            raise OperationError(
                 "cloud-foreign",
-                f"{shown_path(path)} is not as a scan leaves it",
+                f"{display_path(path)} is not as a scan leaves it",
                 "it was written anew by another program",
             )
         left = vertices.count
         while left > 0:
             points = np.fromfile(file, POINT, min(PIECE, left))
             if not len(points):
-                raise Refusal(
+                raise OperationError(
                     "cloud-cut-off",
-                    f"{shown_path(path)} holds {vertices.count - left} of {vertices.count} points",
+                    f"{display_path(path)} holds "
+                    f"{vertices.count - left} of {vertices.count} points",
                     "the file was cut off",
                 )
             left -= len(points)

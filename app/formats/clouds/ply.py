@@ -6,14 +6,14 @@ from typing import BinaryIO
 
 import numpy as np
 
-from app.formats.clouds.points import POINT, Cloud, Points, cloud_of
+from app.formats.clouds.points import POINT, Cloud, Points, cloud_from_columns
 from app.formats.clouds.rows import (
     COUNT_WIDTH,
     as_doubles,
-    binary_rows,
-    cut_off,
-    malformed,
-    text_rows,
+    format_error,
+    read_binary_rows,
+    read_text_rows,
+    truncation_error,
 )
 from app.metrology.transforms import Floats
 
@@ -29,7 +29,7 @@ TYPES = {
 }
 ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
 LONGEST_HEADER = 1000
-WRITTEN = {"f8": "double", "f4": "float", "i4": "int"}
+WRITE_TYPES = {"f8": "double", "f4": "float", "i4": "int"}
 
 
 class PlySink:
@@ -52,7 +52,7 @@ class PlySink:
 
 def read_ply(path: Path, file: BinaryIO) -> Cloud:
     """Reads a PLY's vertices; raises ``Refusal`` if malformed or cut off."""
-    return cloud_of(read_vertices(path, file, find_vertices(path, file)))
+    return cloud_from_columns(read_vertices(path, file, find_vertices(path, file)))
 
 
 @dataclass(frozen=True)
@@ -74,23 +74,23 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     words = [line.split() for line in _header_lines(path, file)]
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
     if not formats or formats[0] not in ORDERS:
-        raise malformed(path, "its header names no format that PLY knows")
+        raise format_error(path, "its header names no format that PLY knows")
     order = ORDERS[formats[0]]
     bytes_before = lines_before = 0
     for name, count, properties in _elements(path, words):
         if any(kind == "list" for kind, _ in properties):
-            raise malformed(path, f"element {name} before the vertices holds lists")
+            raise format_error(path, f"element {name} before the vertices holds lists")
         if len({field for _, field in properties}) < len(properties):
-            raise malformed(path, f"element {name} has two properties of one name")
+            raise format_error(path, f"element {name} has two properties of one name")
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
             missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
             if missing:
-                raise malformed(path, f"its vertices have no {', '.join(missing)}")
+                raise format_error(path, f"its vertices have no {', '.join(missing)}")
             return Vertices(formats[0] == "ascii", count, layout, bytes_before, lines_before)
         bytes_before += count * layout.itemsize
         lines_before += count
-    raise malformed(path, "its header names no element vertex")
+    raise format_error(path, "its header names no element vertex")
 
 
 def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Floats]:
@@ -98,7 +98,7 @@ def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, F
     if vertices.ascii:
         return _read_ascii(path, file, vertices)
     start = file.tell() + vertices.bytes_before
-    table = binary_rows(path, file, start, vertices.layout, vertices.count)
+    table = read_binary_rows(path, file, start, vertices.layout, vertices.count)
     return {name: as_doubles(table[name]) for name in vertices.layout.names or ()}
 
 
@@ -110,7 +110,7 @@ def _header(count: int) -> bytes:
         "format binary_little_endian 1.0",
         "comment crenel cloud: mm, arm frame " + "." * (COUNT_WIDTH - len(digits)),
         f"element vertex {digits}",
-        *(f"property {WRITTEN[POINT[name].str[1:]]} {name}" for name in POINT.names or ()),
+        *(f"property {WRITE_TYPES[POINT[name].str[1:]]} {name}" for name in POINT.names or ()),
         "end_header",
     ]
     return ("\n".join(lines) + "\n").encode()
@@ -125,7 +125,7 @@ def _header_lines(path: Path, file: BinaryIO) -> list[str]:
         lines.append(line.decode("latin-1").strip())
         if lines[-1] == "end_header":
             return lines
-    raise malformed(path, "its header does not end")
+    raise format_error(path, "its header does not end")
 
 
 def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[tuple[str, str]]]]:
@@ -134,12 +134,12 @@ def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[t
     for line in words:
         if line[:1] == ["element"]:
             if len(line) != 3 or not line[2].isdecimal():
-                raise malformed(path, f"its header holds {' '.join(line)!r}")
+                raise format_error(path, f"its header holds {' '.join(line)!r}")
             elements.append((line[1], int(line[2]), []))
         elif line[:1] == ["property"]:
             known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
             if not elements or not known:
-                raise malformed(path, f"its header holds {' '.join(line)!r}")
+                raise format_error(path, f"its header holds {' '.join(line)!r}")
             elements[-1][2].append((line[1], line[-1]))
     return elements
 
@@ -148,6 +148,6 @@ def _read_ascii(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, Flo
     names = vertices.layout.names or ()
     for _ in range(vertices.lines_before):
         if not file.readline():
-            raise cut_off(path, 0, vertices.count)
-    table = text_rows(path, file, len(names), vertices.count)
+            raise truncation_error(path, 0, vertices.count)
+    table = read_text_rows(path, file, len(names), vertices.count)
     return {name: table[:, i] for i, name in enumerate(names)}

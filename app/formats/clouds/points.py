@@ -62,7 +62,7 @@ class PointSink(Protocol):
         """Completes the file."""
 
 
-def packed(
+def pack_points(
     points_mm: Floats,
     intensity: Floats,
     uncertainty_um: Floats,
@@ -86,7 +86,7 @@ def packed(
     return records[:kept]
 
 
-def cloud_of(columns: dict[str, Floats]) -> Cloud:
+def cloud_from_columns(columns: dict[str, Floats]) -> Cloud:
     """The cloud of a table's columns (N,) by name."""
     return Cloud(
         np.column_stack([columns[axis] for axis in "xyz"]).astype(np.float64, copy=False),

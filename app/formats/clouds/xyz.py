@@ -7,9 +7,9 @@ from typing import BinaryIO, TextIO
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.clouds.points import Cloud, Points, cloud_of
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.clouds.points import Cloud, Points, cloud_from_columns
+from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
 from app.native.arguments import I64, U8, Array, Function
 from app.native.product import CRENEL
@@ -43,9 +43,9 @@ class XyzSink:
         table = np.column_stack([points[name].astype(np.float64) for name in COLUMNS])
         farthest = float(np.abs(table[:, :3]).max(initial=0.0))
         if farthest > FARTHEST_MM:
-            raise Refusal(
+            raise OperationError(
                 "cloud-out-of-range",
-                f"{shown_path(self._path)}: a point lies at {farthest:.3g} mm",
+                f"{display_path(self._path)}: a point lies at {farthest:.3g} mm",
                 f"XYZ is written up to {FARTHEST_MM:.0e} mm",
                 "Write PLY",
             )
@@ -72,9 +72,9 @@ def _read(path: Path, text: TextIO) -> Cloud:
     lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
     if not lines or "\0" in start:
         why = "it is no cloud that is known here" if lines else "it is empty"
-        raise Refusal(
+        raise OperationError(
             "cloud-unreadable",
-            shown_path(path),
+            display_path(path),
             why,
             "Give a .ply, .pcd, .e57, .xyz, .las or .laz cloud",
         )
@@ -92,13 +92,13 @@ def _read(path: Path, text: TextIO) -> Cloud:
                 skiprows=skip,
             ).reshape(-1, len(names))
     except (ValueError, IndexError) as error:
-        raise Refusal(
+        raise OperationError(
             "cloud-unreadable",
-            shown_path(path),
+            display_path(path),
             f"a line of x y z numbers is expected, but {str(error).split(';')[0]}",
             "Give a .ply or .xyz cloud",
         ) from error
-    return cloud_of({name: table[:, i] for i, name in enumerate(names)})
+    return cloud_from_columns({name: table[:, i] for i, name in enumerate(names)})
 
 
 def _is_point(line: str, delimiter: str | None) -> bool:

@@ -6,14 +6,14 @@ from typing import ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm_identification import IdentificationPart
-from app.formats.file_names import shown_path
-from app.formats.json_document import Document, NotNegative, Number, Part, Positive
+from app.formats.file_names import display_path
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, RobotArm, Tip
 
 
-class ErrorPart(Part):
+class ErrorPart(DocumentPart):
     x_mm: Number = 0.0
     y_mm: Number = 0.0
     z_mm: Number = 0.0
@@ -22,7 +22,7 @@ class ErrorPart(Part):
     rz_deg: Number = 0.0
 
 
-class JointPart(Part):
+class JointPart(DocumentPart):
     name: str
     a_mm: Number
     alpha_deg: Number
@@ -40,7 +40,7 @@ class JointPart(Part):
         return self
 
 
-class TipPart(Part):
+class TipPart(DocumentPart):
     x_mm: Number
     y_mm: Number
     z_mm: Number
@@ -74,7 +74,7 @@ class ArmFile(Document):
 
 
 def read_any_arm(path: Path) -> Arm | RobotArm:
-    """Reads ``arm.json`` of either convention; ``Refusal`` names the file and the field."""
+    """Reads ``arm.json`` of either convention; ``OperationError`` names the file and the field."""
     sheet = ArmFile.read(path)
     tip = None if sheet.tip is None else Tip(**sheet.tip.model_dump())
     if sheet.convention == "pose":
@@ -85,13 +85,13 @@ def read_any_arm(path: Path) -> Arm | RobotArm:
 
 
 def read_arm(path: Path) -> Arm:
-    """Reads the ``arm.json`` of an arm with joints; raises ``Refusal`` for a robot's."""
+    """Reads the ``arm.json`` of an arm with joints; raises ``OperationError`` for a robot's."""
     arm = read_any_arm(path)
     if isinstance(arm, Arm):
         return arm
-    raise Refusal(
+    raise OperationError(
         "arm-without-joints",
-        f"{shown_path(path)}: convention is 'pose'",
+        f"{display_path(path)}: convention is 'pose'",
         "here an arm is needed that reports its joint angles",
         "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
     )
@@ -100,14 +100,14 @@ def read_arm(path: Path) -> Arm:
 def write_arm(path: Path, arm: Arm | RobotArm) -> None:
     """Writes ``arm.json`` atomically."""
     if isinstance(arm, Arm):
-        arm_sheet(arm).write(path)
+        arm_document(arm).write(path)
         return
     tip = None if arm.tip is None else TipPart.model_validate(arm.tip, from_attributes=True)
     name, number = arm.name, arm.serial_number
     ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
 
 
-def arm_sheet(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
+def arm_document(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
     """The file of an arm; of an identified one, with what its parameters rest on."""
     tip = arm.tip
     return ArmFile(

@@ -4,16 +4,16 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import NotNegative, Number, Part
+from app.formats.json_document import DocumentPart, NotNegative, Number
 from app.formats.software import Software
 
 
-class IdentificationInput(Part):
+class IdentificationInput(DocumentPart):
     file: str
     sha256: str
 
 
-class ParameterPart(Part):
+class ParameterPart(DocumentPart):
     """One parameter that was moved, named and measured as in the file: ``J2.alpha_deg``."""
 
     name: str
@@ -22,14 +22,14 @@ class ParameterPart(Part):
     standard_uncertainty: NotNegative
 
 
-class HeldPart(Part):
+class FixedParameterPart(DocumentPart):
     """One parameter that kept its value."""
 
     name: str
     reason: str
 
 
-class CorrelationPart(Part):
+class CorrelationPart(DocumentPart):
     """Two moved parameters that the places hardly tell apart."""
 
     first: str
@@ -37,7 +37,7 @@ class CorrelationPart(Part):
     coefficient: Number
 
 
-class DeviationsPart(Part):
+class DeviationsPart(DocumentPart):
     """How far places that the fit did not see disagree; None where none was touched so."""
 
     seats_um: NotNegative | None = None
@@ -47,14 +47,14 @@ class DeviationsPart(Part):
     """Rms in standard deviations of the points: 1 where noise explains everything."""
 
 
-class ValidationPart(Part):
+class ValidationPart(DocumentPart):
     method: Literal["separate", "cross-validation"]
     places: int
     before: DeviationsPart
     after: DeviationsPart
 
 
-class IdentificationPart(Part):
+class IdentificationPart(DocumentPart):
     """Readers of an arm may ignore it."""
 
     created_at: str
@@ -65,7 +65,7 @@ class IdentificationPart(Part):
     parameters: tuple[ParameterPart, ...]
     covariance: tuple[tuple[Number, ...], ...]
     """Of ``parameters``, in their units, k = 1."""
-    held: tuple[HeldPart, ...]
+    held: tuple[FixedParameterPart, ...]
     correlated: Annotated[tuple[CorrelationPart, ...], Field(default=())]
     """Pairs of ``parameters`` whose correlation is beyond ±0.95, the strongest first."""
     volume_before_um: NotNegative

@@ -15,13 +15,13 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.formats.json_document import Document, NotNegative, Part, Positive
+from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
 
 Shape = Literal["plane", "sphere"]
 LARGEST_RADIUS_MM = 300.0
 
 
-class VerificationLimits(Part):
+class VerificationLimits(DocumentPart):
     """Largest values that are accepted; in µm, and arcsec for angles. None: not judged by it."""
 
     rms: Positive | None = None

@@ -7,8 +7,8 @@ from typing import ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.json_document import Document, Positive, Vector3
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 
@@ -45,7 +45,7 @@ class _AnyNominal(Document):
 
 
 def read_nominal(path: Path) -> NominalPlane | NominalSphere:
-    """Reads a gauge's nominal; raises ``Refusal`` naming the file and the field."""
+    """Reads a gauge's nominal; raises ``OperationError`` naming the file and the field."""
     shape = _AnyNominal.read(path).shape
     if shape == "plane":
         plane = PlaneFile.read(path)
@@ -53,6 +53,8 @@ def read_nominal(path: Path) -> NominalPlane | NominalSphere:
     if shape == "sphere":
         sphere = SphereFile.read(path)
         return NominalSphere(np.array(sphere.centre_mm), sphere.radius_mm)
-    raise Refusal(
-        "shape-unknown", f"{shown_path(path)}: shape is {shape!r}", "gauges are a plane or a sphere"
+    raise OperationError(
+        "shape-unknown",
+        f"{display_path(path)}: shape is {shape!r}",
+        "gauges are a plane or a sphere",
     )

@@ -8,7 +8,7 @@ from pydantic import Field
 from app.formats.json_document import Document, Positive
 
 
-class SensorSheet(Document):
+class SensorDatasheet(Document):
     """The sensor's data sheet; ``focal_px`` and ``standoff_mm`` are hints only."""
 
     FORMAT: ClassVar[str] = "crenel/sensor"
@@ -23,11 +23,11 @@ class SensorSheet(Document):
     standoff_mm: Positive | None = None
 
 
-def read_sensor(path: Path) -> SensorSheet:
+def read_sensor(path: Path) -> SensorDatasheet:
     """Reads ``sensor.json``; raises ``Refusal`` naming the file and the field."""
-    return SensorSheet.read(path)
+    return SensorDatasheet.read(path)
 
 
-def write_sensor(path: Path, sensor: SensorSheet) -> None:
+def write_sensor(path: Path, sensor: SensorDatasheet) -> None:
     """Writes ``sensor.json`` atomically."""
     sensor.write(path)

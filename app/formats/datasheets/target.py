@@ -7,8 +7,8 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.json_document import Document, NotNegative, Number, Positive
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
@@ -107,7 +107,7 @@ class _AnyObject(Document):
 
 
 def read_object(path: Path) -> Crenellated | Chessboard:
-    """Reads ``object.json``; raises ``Refusal`` naming the file and the field."""
+    """Reads ``object.json``; raises ``OperationError`` naming the file and the field."""
     kind = _AnyObject.read(path).kind
     if kind == "crenellated":
         return Crenellated(**ObjectFile.read(path).model_dump(exclude={"certificate"}))
@@ -116,16 +116,16 @@ def read_object(path: Path) -> Crenellated | Chessboard:
             exclude={"kind", "certificate"}, exclude_none=True
         )
         return Chessboard(**fields)
-    raise Refusal(
+    raise OperationError(
         "object-kind-unsupported",
-        f"{shown_path(path)}: kind {kind!r} is unknown",
+        f"{display_path(path)}: kind {kind!r} is unknown",
         "it is 'crenellated' or 'chessboard'",
         "Correct it",
     )
 
 
 def read_certificate(path: Path) -> str:
-    """Which certificate ``object.json`` names, empty where none; raises ``Refusal``."""
+    """Which certificate ``object.json`` names, empty where none; raises ``OperationError``."""
     return _AnyObject.read(path).certificate
 
 
@@ -134,9 +134,9 @@ def read_block(path: Path) -> Crenellated:
     found = read_object(path)
     if isinstance(found, Crenellated):
         return found
-    raise Refusal(
+    raise OperationError(
         "object-kind-unsupported",
-        f"{shown_path(path)}: kind 'chessboard' is not supported here",
+        f"{display_path(path)}: kind 'chessboard' is not supported here",
         "contacts and stripe on several levels need a crenellated object",
         "Give the certificate of a crenellated object, or calibrate on the command line",
     )

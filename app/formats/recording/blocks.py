@@ -18,7 +18,7 @@ ROWS_AT_ONCE = 4096
 
 
 @dataclass(frozen=True)
-class Opened:
+class ChunkRecords:
     """The bytes of a chunk, and where its records stand."""
 
     data: bytes
@@ -49,7 +49,7 @@ class Opened:
                     yield next(described)
 
 
-def open_chunk(chunk: Chunk) -> Opened:
+def open_chunk(chunk: Chunk) -> ChunkRecords:
     """Opens and checks a chunk.
 
     Raises:
@@ -57,7 +57,7 @@ def open_chunk(chunk: Chunk) -> Opened:
     """
     data = opened_bytes(chunk)
     table = wire.find_records(np.frombuffer(data, np.uint8))
-    return Opened(data, table, tuple(_described(data, table)))
+    return ChunkRecords(data, table, tuple(_described(data, table)))
 
 
 def _described(data: bytes, table: wire.Table) -> Iterator[Schema | Channel]:
@@ -71,7 +71,7 @@ def _described(data: bytes, table: wire.Table) -> Iterator[Schema | Channel]:
         yield record
 
 
-def of_messages(messages: Sequence[Message]) -> Opened:
+def chunk_from_messages(messages: Sequence[Message]) -> ChunkRecords:
     """Messages that stood in no chunk."""
     data = b"".join(message.data for message in messages)
     table = np.zeros((len(messages), 5), dtype=np.int64)
@@ -80,7 +80,7 @@ def of_messages(messages: Sequence[Message]) -> Opened:
     table[:, 2] = [message.log_time for message in messages]
     table[:, 4] = [len(message.data) for message in messages]
     table[1:, 3] = np.cumsum(table[:-1, 4])
-    return Opened(data, table)
+    return ChunkRecords(data, table)
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class Profiles:
     axis: str
 
 
-def profiles(opened: Opened, rows: wire.Table) -> Profiles:
+def read_profiles(opened: ChunkRecords, rows: wire.Table) -> Profiles:
     """The stripes that ``rows`` (F, 9) of ``recording_wire.find_stripes`` tell of.
 
     They must be of one axis.

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.recording.stream import JointSamples
 from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.arm.joint_plausibility import Implausible, JointJudge
+from app.metrology.arm.joint_plausibility import ImplausibleReading, PlausibilityFilter
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -20,7 +20,7 @@ FEW_OUTSIDE = 1000
 most of so many, the arm is another."""
 
 
-class _Reading(NamedTuple):
+class _JointReading(NamedTuple):
     stamp_ns: int
     joints_rad: list[float]
 
@@ -33,7 +33,9 @@ class JointReader:
         self._arm = arm
         self._names: tuple[str, ...] | None = None
         self._order = list(range(arm.joint_count))
-        self._judge: JointJudge[_Reading] = JointJudge(arm.joint_count, RATE_HZ, arm)
+        self._judge: PlausibilityFilter[_JointReading] = PlausibilityFilter(
+            arm.joint_count, RATE_HZ, arm
+        )
         self._read = 0
         self.unusable = 0
         """Readings that held something else than numbers, and were left out."""
@@ -44,7 +46,7 @@ class JointReader:
         return self._judge.kept_back
 
     @property
-    def first_implausible(self) -> Implausible | None:
+    def first_implausible(self) -> ImplausibleReading | None:
         return self._judge.first
 
     def readings(self, samples: JointSamples) -> tuple[Stamps, Floats]:
@@ -68,7 +70,7 @@ class JointReader:
             q_rad, stamps_ns = q_rad[whole], stamps_ns[whole]
         self._read += len(stamps_ns)
         pairs = zip(stamps_ns.tolist(), q_rad.tolist(), strict=True)
-        good = self._judge.passed([_Reading(*pair) for pair in pairs])
+        good = self._judge.passed([_JointReading(*pair) for pair in pairs])
         if self._judge.outside > FEW_OUTSIDE:
             self.refuse_another_arm()
         return self._arrays(good)
@@ -78,22 +80,22 @@ class JointReader:
         return self._arrays(self._judge.rest())
 
     def refuse_another_arm(self) -> None:
-        """Raises ``Refusal`` where most readings lie outside the arm's limits."""
+        """Raises ``OperationError`` where most readings lie outside the arm's limits."""
         first = self._judge.first
         if first is None or 2 * self._judge.outside <= self._read:
             return
         low, high = first.limits_rad
         degrees = abs(first.reading_rad) > 4 * np.pi
         hint = "; these are degrees where radians are expected" if degrees else ""
-        raise Refusal(
+        raise OperationError(
             "joint-outside-limits",
-            f"{shown_path(self._path)} at {first.stamp_ns} ns: joint {first.joint} is at "
+            f"{display_path(self._path)} at {first.stamp_ns} ns: joint {first.joint} is at "
             f"{first.reading_rad:.4f} rad",
             f"it turns from {low:.4f} to {high:.4f} rad{hint}",
             "Record radians" if degrees else "Give the arm.json of the arm that took this",
         )
 
-    def _arrays(self, good: list[_Reading]) -> tuple[Stamps, Floats]:
+    def _arrays(self, good: list[_JointReading]) -> tuple[Stamps, Floats]:
         stamps_ns = np.array([one.stamp_ns for one in good], dtype=np.int64)
         q_rad = np.array([one.joints_rad for one in good], dtype=np.float64)
         return stamps_ns, q_rad.reshape(len(good), self._arm.joint_count)
@@ -101,18 +103,18 @@ class JointReader:
     def _order_of(self, names: tuple[str, ...]) -> list[int]:
         own = [joint.name for joint in self._arm.joints]
         if len(names) != len(own):
-            raise Refusal(
+            raise OperationError(
                 "joint-count",
-                f"{shown_path(self._path)} holds {len(names)} joints",
+                f"{display_path(self._path)} holds {len(names)} joints",
                 f"the arm {self._arm.serial_number or self._arm.name} has {len(own)}",
                 "Give the arm.json of the arm that took this recording",
             )
         if sorted(names) == sorted(own) and len(set(own)) == len(own):
             return [names.index(name) for name in own]
         if set(names) & set(own):
-            raise Refusal(
+            raise OperationError(
                 "joint-names",
-                f"{shown_path(self._path)} names its joints {', '.join(names)}",
+                f"{display_path(self._path)} names its joints {', '.join(names)}",
                 f"arm.json names them {', '.join(own)}",
                 "Give the arm.json of the arm that took this recording",
             )

@@ -5,7 +5,7 @@ from bisect import bisect_left
 
 import numpy as np
 
-from app.metrology.arm.joint_interpolation import Stamps, angles_at
+from app.metrology.arm.joint_interpolation import Stamps, interpolate_angles
 from app.metrology.transforms import Floats
 
 SHORTEST_GAP_LIMIT_NS = 25_000_000
@@ -75,7 +75,9 @@ class JointTrack:
         last = bisect_left(self._stamps_ns, int(stamps_ns.max())) + 1
         stamps = np.array(self._stamps_ns[first:last])
         angles = np.array(self._angles_rad[first * self._count : last * self._count])
-        return angles_at(stamps, angles.reshape(-1, self._count), stamps_ns, self.gap_limit_ns)
+        return interpolate_angles(
+            stamps, angles.reshape(-1, self._count), stamps_ns, self.gap_limit_ns
+        )
 
     def at(self, stamp_ns: int) -> Floats | None:
         """The angles (n,) at a stamp, each on the straight line between its neighbours.

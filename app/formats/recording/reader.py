@@ -13,14 +13,14 @@ from mcap.exceptions import McapError
 from mcap.records import Channel, Chunk, DataEnd, McapRecord, Message, Metadata, Schema
 from mcap_protobuf.decoder import DecoderFactory
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.images import GreyImage, decode_grey
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 from app.formats.recording.blocks import MOST_DESCRIBED, open_chunk
 from app.formats.recording.raw import DAMAGE, MAGIC, raw_records, summary_statistics
-from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, stripe_of
+from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, decode_stripe
 from app.metrology.stripe import Stripe
 
 JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
@@ -58,7 +58,7 @@ class ImageRecord:
 
     stamp_ns: int
     picture: Callable[[], GreyImage]
-    """Raises ``Refusal`` where the picture cannot be read."""
+    """Raises ``OperationError`` where the picture cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +106,7 @@ class Recording:
         Raises:
             Refusal: missing, no MCAP, or a topic of another message type.
         """
-        with files_refused(self.path), open_file(self.path) as file:
+        with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
             yield from self._decoded(file)
 
@@ -118,7 +118,7 @@ class Recording:
         Raises:
             Refusal: missing, or no MCAP.
         """
-        with files_refused(self.path), open_file(self.path) as file:
+        with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
             with suppress(*DAMAGE):
                 for record in raw_records(file, LARGEST_TOLD):
@@ -178,7 +178,7 @@ class Recording:
         """Takes note that nothing can be read behind what was read."""
         share = 100 * self.bytes_read / max(self.size, 1)
         text = (
-            f"{shown_path(self.path)} is cut off or damaged after "
+            f"{display_path(self.path)} is cut off or damaged after "
             f"{self.bytes_read} of {self.size} bytes "
             f"({share:.0f} %)"
         )
@@ -189,17 +189,17 @@ class Recording:
 
 
 def open_recording(path: Path) -> Recording:
-    """A recording to read once; raises ``Refusal`` where there is no such file."""
-    with files_refused(path):
+    """A recording to read once; raises ``OperationError`` where there is no such file."""
+    with convert_io_errors(path):
         size = path.stat().st_size
         if not path.is_file():
-            raise Refusal(
-                "recording-not-a-file", shown_path(path), "it is no file", "Name a recording"
+            raise OperationError(
+                "recording-not-a-file", display_path(path), "it is no file", "Name a recording"
             )
     return Recording(path, size)
 
 
-def damage_of(path: Path, bytes_written: int | None = None) -> str:
+def find_damage(path: Path, bytes_written: int | None = None) -> str:
     """Why a recording that was completed is not what it was; empty where it seems whole.
 
     It looks at the size and at both ends alone, so that a thousand are looked at in a moment.
@@ -231,7 +231,7 @@ def damage_of(path: Path, bytes_written: int | None = None) -> str:
 
 def last_stamp_ns(path: Path) -> int | None:
     """The log time of a recording's last message, by its summary; None where it has none."""
-    with files_refused(path), open_file(path) as file:
+    with convert_io_errors(path), open_file(path) as file:
         try:
             told = summary_statistics(file)
         except DAMAGE:
@@ -240,11 +240,11 @@ def last_stamp_ns(path: Path) -> int | None:
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:
-    """Reads a recording's first bytes; raises ``Refusal`` where they are another's."""
+    """Reads a recording's first bytes; raises ``OperationError`` where they are another's."""
     head = file.read(len(MAGIC))
     if head != MAGIC:
         why = "it is no MCAP recording" if head else "it is empty"
-        raise Refusal("recording-not-mcap", shown_path(path), why, "Name a scan.mcap")
+        raise OperationError("recording-not-mcap", display_path(path), why, "Name a scan.mcap")
 
 
 class _JointState(Protocol):
@@ -252,17 +252,17 @@ class _JointState(Protocol):
     position: float
 
 
-class _Stamped(Protocol):
+class _StampedMessage(Protocol):
     timestamp: Stamp
 
     def HasField(self, name: str) -> bool: ...
 
 
-class _JointStates(_Stamped, Protocol):
+class _JointStates(_StampedMessage, Protocol):
     joints: list[_JointState]
 
 
-class _RawImage(_Stamped, Protocol):
+class _RawImage(_StampedMessage, Protocol):
     width: int
     height: int
     encoding: str
@@ -270,7 +270,7 @@ class _RawImage(_Stamped, Protocol):
     data: bytes
 
 
-class _CompressedImage(_Stamped, Protocol):
+class _CompressedImage(_StampedMessage, Protocol):
     format: str
     data: bytes
 
@@ -309,16 +309,16 @@ class Decoders:
         decoder = self._by_channel.get(channel.id)
         if decoder is None:
             decoder = self._by_channel[channel.id] = self._decoder(channel)
-        named = f"{shown_path(self._path)} {channel.topic} at {message.log_time} ns"
+        named = f"{display_path(self._path)} {channel.topic} at {message.log_time} ns"
         size = len(message.data)
         if size > LARGEST_MESSAGE.get(channel.topic, size):
-            raise Refusal(
+            raise OperationError(
                 "recording-message-malformed", named, f"{size} bytes are more than it can have"
             )
         try:
             return self._record(channel, decoder(message.data), message.log_time, named)
         except (DecodeError, ValueError) as error:
-            raise Refusal("recording-message-malformed", named, str(error)) from error
+            raise OperationError("recording-message-malformed", named, str(error)) from error
 
     def _decoder(self, channel: Channel) -> Callable[[bytes], object]:
         schema = self.schemas.get(channel.schema_id)
@@ -328,9 +328,9 @@ class Decoders:
             with suppress(McapError, DecodeError, TypeError):  # a schema that describes nothing
                 decoder = self._factory.decoder_for(channel.message_encoding, schema)
         if decoder is None:
-            raise Refusal(
+            raise OperationError(
                 "recording-of-another-type",
-                f"{shown_path(self._path)}: {channel.topic} holds {name} "
+                f"{display_path(self._path)}: {channel.topic} holds {name} "
                 f"({channel.message_encoding})",
                 f"{' or '.join(SCHEMAS[channel.topic])} in protobuf is expected",
                 "Give a recording as docs/formats.md describes it",
@@ -338,7 +338,7 @@ class Decoders:
         return decoder
 
     def _record(self, channel: Channel, decoded: object, log_ns: int, named: str) -> Record:
-        stamp_ns = _stamp_ns(cast(_Stamped, decoded), log_ns)
+        stamp_ns = _stamp_ns(cast(_StampedMessage, decoded), log_ns)
         if channel.topic == JOINTS_TOPIC:
             joints = cast(_JointStates, decoded).joints
             return JointRecord(
@@ -348,7 +348,9 @@ class Decoders:
             )
         if channel.topic == STRIPE_TOPIC:
             profile = cast(StripeMessage, decoded)
-            return StripeRecord(stamp_ns, profile.width_px, profile.height_px, stripe_of(profile))
+            return StripeRecord(
+                stamp_ns, profile.width_px, profile.height_px, decode_stripe(profile)
+            )
         if self.schemas[channel.schema_id].name == "foxglove.CompressedImage":
             packed = cast(_CompressedImage, decoded)
             return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named))
@@ -356,7 +358,7 @@ class Decoders:
         return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
 
 
-def _stamp_ns(message: _Stamped, log_ns: int) -> int:
+def _stamp_ns(message: _StampedMessage, log_ns: int) -> int:
     """The message's own stamp where it has one, else the time it was logged at."""
     if not message.HasField("timestamp"):
         return log_ns
@@ -366,7 +368,7 @@ def _stamp_ns(message: _Stamped, log_ns: int) -> int:
 def _raw_picture(raw: _RawImage, named: str) -> GreyImage:
     kind = GREY_ENCODINGS.get(raw.encoding)
     if kind is None:
-        raise Refusal(
+        raise OperationError(
             "image-not-grey",
             f"{named}: encoding {raw.encoding!r}",
             f"grey is expected: {', '.join(GREY_ENCODINGS)}",
@@ -375,7 +377,7 @@ def _raw_picture(raw: _RawImage, named: str) -> GreyImage:
     row = raw.step or raw.width * pixel
     data = raw.data
     if raw.width < 1 or raw.height < 1 or row < raw.width * pixel or len(data) < row * raw.height:
-        raise Refusal(
+        raise OperationError(
             "image-cut-off",
             f"{named}: {len(data)} bytes for {raw.width} × {raw.height} pixels, {row} a row",
             "the picture is not whole",

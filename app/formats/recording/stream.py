@@ -9,10 +9,15 @@ from typing import BinaryIO
 import numpy as np
 from mcap.records import Channel, Chunk, DataEnd, Message, Metadata, Schema
 
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 from app.formats.recording import wire_format as wire
-from app.formats.recording.blocks import Opened, of_messages, open_chunk, profiles
+from app.formats.recording.blocks import (
+    ChunkRecords,
+    chunk_from_messages,
+    open_chunk,
+    read_profiles,
+)
 from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
 from app.formats.recording.reader import (
     JOINTS_TOPIC,
@@ -46,7 +51,7 @@ class JointSamples:
 
 
 @dataclass(frozen=True)
-class Frame:
+class RecordedFrame:
     """One frame: a row of its block's table of stripes, or a record of its own."""
 
     stamp_ns: int
@@ -58,14 +63,14 @@ class Frame:
 class Block:
     """What a stretch of the recording holds, in its order."""
 
-    opened: Opened
+    opened: ChunkRecords
     joints: list[JointSamples]
-    frames: list[Frame]
+    frames: list[RecordedFrame]
     stripes: wire.Table
     """(S, 9) of ``recording_wire.find_stripes``."""
 
 
-def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
+def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
     """The recording's blocks in the order of the file, ``ahead`` of them being opened.
 
     A file that was cut off, or is damaged from some place on, ends there with
@@ -74,17 +79,17 @@ def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
     Raises:
         Refusal: as ``Recording.records``.
     """
-    with files_refused(recording.path), open_file(recording.path) as file:
+    with convert_io_errors(recording.path), open_file(recording.path) as file:
         check_magic(recording.path, file)
         reader = _Reader(recording)
         waiting: deque[_Opening] = deque()
-        for opening in _openings(recording, reader, file, pool):
+        for opening in _open_chunks(recording, reader, file, pool):
             waiting.append(opening)
             while _is_enough(waiting, ahead):
-                if (yield from _next(recording, reader, waiting)):
+                if (yield from _take_block(recording, reader, waiting)):
                     return
         while waiting:
-            if (yield from _next(recording, reader, waiting)):
+            if (yield from _take_block(recording, reader, waiting)):
                 return
         if reader.damaged:
             recording.cut_here()
@@ -96,7 +101,7 @@ def blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
 class _Opening:
     """A block on its way."""
 
-    opened: Future[Opened]
+    opened: Future[ChunkRecords]
     end: int
     """Where it ends in the file."""
     size: int
@@ -108,7 +113,7 @@ def _is_enough(waiting: deque[_Opening], ahead: int) -> bool:
     return len(waiting) > ahead or (len(waiting) > 1 and size > MOST_WAITING_BYTES)
 
 
-def _next(
+def _take_block(
     recording: Recording, reader: "_Reader", waiting: deque[_Opening]
 ) -> Generator[Block, None, bool]:
     """Hands on the oldest block; returns True where it was damaged."""
@@ -124,7 +129,7 @@ def _next(
     return False
 
 
-def _openings(
+def _open_chunks(
     recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor
 ) -> Iterator[_Opening]:
     """Chunks, and messages outside of them, in the order of the file."""
@@ -141,7 +146,7 @@ def _openings(
                 recording.station = dict(record.metadata)
             ends = isinstance(record, DataEnd | Chunk)
             if loose and (ends or loose_bytes > LOOSE_BYTES or len(loose) > MOST_LOOSE):
-                yield _Opening(pool.submit(of_messages, loose), file.tell(), loose_bytes)
+                yield _Opening(pool.submit(chunk_from_messages, loose), file.tell(), loose_bytes)
                 loose, loose_bytes = [], 0
             if isinstance(record, Chunk):
                 opening = pool.submit(open_chunk, record)
@@ -151,7 +156,7 @@ def _openings(
     except DAMAGE:
         reader.damaged = True
     if loose:
-        yield _Opening(pool.submit(of_messages, loose), file.tell(), loose_bytes)
+        yield _Opening(pool.submit(chunk_from_messages, loose), file.tell(), loose_bytes)
 
 
 class _Reader:
@@ -167,16 +172,16 @@ class _Reader:
     def learn(self, described: Schema | Channel) -> None:
         self._recording.learn(described, self._decoders)
 
-    def learn_from(self, opened: Opened) -> None:
+    def learn_from(self, opened: ChunkRecords) -> None:
         for described in opened.described:
             self.learn(described)
 
-    def block(self, opened: Opened) -> Block:
+    def block(self, opened: ChunkRecords) -> Block:
         messages = opened.messages
         if len(messages):
             self._recording.note_times(int(messages[:, 2].min()), int(messages[:, 2].max()))
         joints: list[JointSamples] = []
-        frames: list[tuple[int, Frame]] = []
+        frames: list[tuple[int, RecordedFrame]] = []
         stripes: list[wire.Table] = []
         for channel_id in dict.fromkeys(messages[:, 1].tolist()):
             channel = self._decoders.channels.get(channel_id)
@@ -196,11 +201,11 @@ class _Reader:
         table = np.concatenate(stripes) if stripes else np.zeros((0, wire.STRIPE_COLUMNS), np.int64)
         return Block(opened, joints, [frame for _, frame in frames], table)
 
-    def _stripe_rows(self, opened: Opened, messages: wire.Table) -> wire.Table:
+    def _stripe_rows(self, opened: ChunkRecords, messages: wire.Table) -> wire.Table:
         rows = wire.find_stripes(opened.bytes, messages)
         channel = int(messages[0, 1])
         if channel not in self._as_usual and rows[0, wire.POINTS] >= 0:
-            told, read = self._decoded(opened, messages[0]), profiles(opened, rows[:1])
+            told, read = self._decoded(opened, messages[0]), read_profiles(opened, rows[:1])
             self._as_usual[channel] = isinstance(told, StripeRecord) and (
                 (told.stamp_ns, told.width_px, told.height_px, told.stripe.axis)
                 == (*rows[0, : wire.U].tolist(), read.axis)
@@ -215,21 +220,21 @@ class _Reader:
 
     def _stripes(
         self,
-        opened: Opened,
+        opened: ChunkRecords,
         messages: wire.Table,
         at: wire.Table,
         rows: wire.Table,
         first: int,
-    ) -> list[tuple[int, Frame]]:
+    ) -> list[tuple[int, RecordedFrame]]:
         found = []
         for k, (i, row) in enumerate(zip(at.tolist(), rows.tolist(), strict=True)):
             if row[wire.POINTS] < 0:
                 found.append((i, self._frame(opened, messages[i])))
             else:
-                found.append((i, Frame(row[wire.STAMP], int(messages[i, 2]), first + k)))
+                found.append((i, RecordedFrame(row[wire.STAMP], int(messages[i, 2]), first + k)))
         return found
 
-    def _joints(self, opened: Opened, messages: wire.Table) -> list[JointSamples]:
+    def _joints(self, opened: ChunkRecords, messages: wire.Table) -> list[JointSamples]:
         rows, counts, names = wire.find_joints(opened.bytes, messages)
         channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
         if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
@@ -249,12 +254,12 @@ class _Reader:
             if isinstance(one, JointRecord)
         ]
 
-    def _frame(self, opened: Opened, row: wire.Table) -> Frame:
+    def _frame(self, opened: ChunkRecords, row: wire.Table) -> RecordedFrame:
         record = self._decoded(opened, row)
         assert isinstance(record, ImageRecord | StripeRecord)
-        return Frame(record.stamp_ns, int(row[2]), record)
+        return RecordedFrame(record.stamp_ns, int(row[2]), record)
 
-    def _decoded(self, opened: Opened, row: wire.Table) -> object:
+    def _decoded(self, opened: ChunkRecords, row: wire.Table) -> object:
         _, channel, log_ns, first, length = row.tolist()
         data = opened.data[first : first + length]
         return self._decoders.decode(Message(channel, log_ns, data, log_ns, 0))

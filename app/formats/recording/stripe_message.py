@@ -78,15 +78,15 @@ def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) 
     return b"".join(
         (
             message.SerializeToString(),
-            *_packed("u", stripe.u, "<f8"),
-            *_packed("v", stripe.v, "<f8"),
-            *_packed("intensity", stripe.intensity, "<f4"),
-            *_packed("sigma_px", stripe.sigma_px, "<f4"),
+            *_pack_numbers("u", stripe.u, "<f8"),
+            *_pack_numbers("v", stripe.v, "<f8"),
+            *_pack_numbers("intensity", stripe.intensity, "<f4"),
+            *_pack_numbers("sigma_px", stripe.sigma_px, "<f4"),
         )
     )
 
 
-def _packed(field: str, values: Floats, kind: str) -> tuple[bytes, ...]:
+def _pack_numbers(field: str, values: Floats, kind: str) -> tuple[bytes, ...]:
     """A list of numbers: its field's number and length, and the numbers; nothing of none."""
     if not len(values):
         return ()
@@ -104,7 +104,7 @@ def _varint(value: int) -> bytes:
     return bytes(coded)
 
 
-def stripe_of(message: StripeMessage) -> Stripe:
+def decode_stripe(message: StripeMessage) -> Stripe:
     """The points of a message; raises ``ValueError`` where its lists differ in length."""
     stripe = Stripe(
         np.array(message.u, dtype=np.float64),

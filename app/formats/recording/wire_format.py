@@ -10,7 +10,7 @@ from mcap.exceptions import McapError
 from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
-from app.native.arguments import F64, I64, U8, Array, Function, Whole
+from app.native.arguments import F64, I64, U8, Array, Function, Integer
 from app.native.product import CRENEL
 
 Bytes = NDArray[np.uint8]
@@ -56,7 +56,7 @@ _gather_list = Function(
     "gather_list",
     _DATA,
     Array(I64, "m", STRIPE_COLUMNS),
-    Whole(),
+    Integer(),
     Array(U8, "size", written=True),
     returns=int,
 )

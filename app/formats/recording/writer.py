@@ -14,7 +14,7 @@ from foxglove.messages import JointState, JointStates, RawImage, Timestamp
 
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
-from app.formats.io_errors import files_refused, refusal_of
+from app.formats.io_errors import convert_io_errors, error_from_os
 from app.formats.recording.reader import IMAGE_TOPIC, JOINTS_TOPIC, STATION_METADATA, STRIPE_TOPIC
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
 from app.metrology.stripe import Stripe
@@ -157,7 +157,7 @@ class _Sink:
         self._at = self._end = 0
         self.written = 0
         self._closing = threading.Lock()
-        with files_refused(path):
+        with convert_io_errors(path):
             self._file = open(path, "xb", buffering=0)  # noqa: SIM115  closed by close()
             sync_folder(path.parent)
 
@@ -203,7 +203,7 @@ class _Sink:
 
     def check(self) -> None:
         if self._failure is not None:
-            raise refusal_of(self._failure, self._path) from self._failure
+            raise error_from_os(self._failure, self._path) from self._failure
 
 
 def _timestamp(stamp_ns: int) -> Timestamp:

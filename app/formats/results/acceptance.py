@@ -7,12 +7,12 @@ so that its report can be made from the folder alone.
 from pathlib import Path
 from typing import ClassVar
 
-from app.formats.json_document import Document, NotNegative, Number, Part
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number
 
 ACCEPTANCE = "acceptance.json"
 
 
-class ComparisonPart(Part):
+class ComparisonPart(DocumentPart):
     """How far points of the measuring volume moved since the calibration that was in use."""
 
     name: str

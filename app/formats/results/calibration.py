@@ -10,12 +10,12 @@ from pydantic import Field, model_validator
 
 from app.formats.json_document import (
     Document,
+    DocumentPart,
     Matrix3,
     Matrix4,
     Matrix34,
     NotNegative,
     Number,
-    Part,
     Vector3,
 )
 from app.formats.software import Software
@@ -30,7 +30,7 @@ AGREEMENT = 1e-6
 """Relative: how well ``projection_matrix`` equals ``matrix [rotation | translation_mm]``."""
 
 
-class CameraPart(Part):
+class CameraPart(DocumentPart):
     projection_matrix: Matrix34
     matrix: Matrix3
     rotation: Matrix3
@@ -50,7 +50,7 @@ class CameraPart(Part):
             given / length, product, rtol=AGREEMENT, atol=AGREEMENT * float(np.abs(product).max())
         ):
             raise ValueError("projection_matrix is not matrix · [rotation | translation_mm]")
-        if not _lens_can_be_undone(self.model()):
+        if not _is_lens_invertible(self.model()):
             raise ValueError("distortion cannot be undone all over the picture")
         return self
 
@@ -65,7 +65,7 @@ class CameraPart(Part):
         )
 
 
-class LaserPlanePart(Part):
+class LaserPlanePart(DocumentPart):
     normal: Vector3
     offset_mm: Number
 
@@ -76,7 +76,7 @@ class LaserPlanePart(Part):
         return self
 
 
-class SerialNumbers(Part):
+class SerialNumbers(DocumentPart):
     """Empty where unknown."""
 
     arm: str = ""
@@ -84,21 +84,21 @@ class SerialNumbers(Part):
     sensor: str = ""
 
 
-class FacePart(Part):
+class FacePart(DocumentPart):
     face: str
     points: int
     rms_um: NotNegative
     form_um: NotNegative
 
 
-class WorstPart(Part):
+class WorstPart(DocumentPart):
     kind: Literal["contact", "corner", "stripe"]
     name: str
     value: NotNegative
     unit: str
 
 
-class Residuals(Part):
+class ResidualsPart(DocumentPart):
     """What the measurements left over."""
 
     reprojection_rms_px: NotNegative
@@ -116,12 +116,12 @@ class Residuals(Part):
     """The few that fit worst of each kind."""
 
 
-class BudgetPart(Part):
+class BudgetPart(DocumentPart):
     source: str
     value_um: NotNegative
 
 
-class MapPart(Part):
+class MapPart(DocumentPart):
     """Over the picture, wherever its rays meet the laser plane at a usable depth."""
 
     uv_px: tuple[tuple[Number, Number], ...]
@@ -132,7 +132,7 @@ class MapPart(Part):
     """Within the depths that the stripe covered; elsewhere it is extrapolated."""
 
 
-class PlanePart(Part):
+class PlanePart(DocumentPart):
     """Of a plane that faces the sensor in the middle of its volume, swept straight across."""
 
     angle_arcsec: NotNegative
@@ -140,7 +140,7 @@ class PlanePart(Part):
     offset_um: NotNegative
 
 
-class Uncertainty(Part):
+class Uncertainty(DocumentPart):
     """Standard uncertainties in the flange frame."""
 
     k: Literal[1] = 1
@@ -154,7 +154,7 @@ class Uncertainty(Part):
     map: MapPart | None = None
 
 
-class PosePart(Part):
+class PosePart(DocumentPart):
     """What became of one pose; without residuals where it was left out."""
 
     number: int
@@ -174,7 +174,7 @@ class PosePart(Part):
     """u, v of some of the stripe's points, and how far each lies off the adjusted line."""
 
 
-class ScalesPart(Part):
+class ScalesPart(DocumentPart):
     """Standard deviations that the data themselves told."""
 
     links_rad: NotNegative
@@ -184,14 +184,14 @@ class ScalesPart(Part):
     touch_mm: NotNegative
 
 
-class FindingPart(Part):
+class FindingPart(DocumentPart):
     quality: Quality
     code: str
     text: str
     remedy: str = ""
 
 
-class Verdict(Part):
+class VerdictPart(DocumentPart):
     """What is to be said of the calibration: as bad as the gravest of its findings, and in the
     words of the first, which is the gravest; of a good one, how well a point is known."""
 
@@ -200,7 +200,7 @@ class Verdict(Part):
     findings: tuple[FindingPart, ...] = ()
 
 
-class Covariance(Part):
+class Covariance(DocumentPart):
     """Of camera, laser plane and probe matrix together."""
 
     parameters: tuple[str, ...]
@@ -209,7 +209,7 @@ class Covariance(Part):
     """In the flange frame; the probe matrix' six are a left perturbation (rad, mm) about it."""
 
 
-class Input(Part):
+class Input(DocumentPart):
     file: str
     sha256: str
 
@@ -230,9 +230,9 @@ class CalibrationFile(Document):
     T_arm_obj: Matrix4 | None = None
     corners_mm: tuple[Vector3, ...] = ()
     """Where a chessboard's inner corners truly lie, row after row, in its own frame."""
-    verdict: Verdict | None = None
+    verdict: VerdictPart | None = None
     uncertainty: Uncertainty | None = None
-    residuals: Residuals | None = None
+    residuals: ResidualsPart | None = None
     poses: tuple[PosePart, ...] = ()
     scales: ScalesPart | None = None
     condition_number: NotNegative | None = None
@@ -268,10 +268,10 @@ class Calibration:
 
 def read_calibration(path: Path) -> Calibration:
     """Reads what reconstruction needs; raises ``Refusal`` naming the file and the field."""
-    return calibration_in(CalibrationFile.read(path))
+    return calibration_from_document(CalibrationFile.read(path))
 
 
-def calibration_in(sheet: CalibrationFile) -> Calibration:
+def calibration_from_document(sheet: CalibrationFile) -> Calibration:
     """What reconstruction needs of a calibration."""
     return Calibration(
         camera=sheet.camera.model(),
@@ -288,7 +288,7 @@ def _require_rotation(R: Floats, name: str) -> None:
         raise ValueError(f"{name} holds no rotation: R·Rᵀ differs from 1 by {unlike:.2g}")
 
 
-def _lens_can_be_undone(camera: Camera) -> bool:
+def _is_lens_invertible(camera: Camera) -> bool:
     """False for a distortion that folds the picture over, as no lens does."""
     u, v = (np.linspace(0, size - 1, 9) for size in (camera.width_px, camera.height_px))
     uv_px = np.column_stack([axis.ravel() for axis in np.meshgrid(u, v)])

@@ -19,17 +19,17 @@ from app.formats.results.calibration import (
     MapPart,
     PlanePart,
     PosePart,
-    Residuals,
+    ResidualsPart,
     ScalesPart,
     SerialNumbers,
     Uncertainty,
-    Verdict,
+    VerdictPart,
 )
 from app.formats.software import SOFTWARE
-from app.metrology.adjustment.block.calibrate import JointCalibration
+from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
-from app.metrology.adjustment.core.uncertainty import NAMES, Known
-from app.metrology.calibration.findings import Finding
+from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty
+from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.calibration.one_pose import OnePoseCalibration
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import Camera
@@ -46,7 +46,7 @@ class Origin:
     operator: str
 
 
-def one_pose_sheet(result: OnePoseCalibration, origin: Origin) -> CalibrationFile:
+def one_pose_document(result: OnePoseCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration, made now."""
     budget = result.full_budget
     return CalibrationFile.model_validate(
@@ -98,10 +98,10 @@ def _camera_part(camera: Camera) -> CameraPart:
     )
 
 
-def _residuals(result: OnePoseCalibration) -> Residuals:
+def _residuals(result: OnePoseCalibration) -> ResidualsPart:
     alignment = result.alignment
     corners = zip(result.detection.corners, result.corner_residuals_px.tolist(), strict=True)
-    return Residuals.model_validate(
+    return ResidualsPart.model_validate(
         {
             "reprojection_rms_px": result.reprojection_rms_px,
             "corners_px": {corner.name: residual for corner, residual in corners},
@@ -111,12 +111,12 @@ def _residuals(result: OnePoseCalibration) -> Residuals:
             "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
             "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
             "worst": [asdict(point) for point in result.worst],
-            "faces": _faces(alignment),
+            "faces": _face_parts(alignment),
         }
     )
 
 
-def verdict_part(found: Sequence[Finding]) -> Verdict:
+def verdict_part(found: Sequence[CalibrationFinding]) -> VerdictPart:
     """As bad as the gravest of the findings, which is the first, and in its words."""
     findings = tuple(
         FindingPart(
@@ -124,14 +124,14 @@ def verdict_part(found: Sequence[Finding]) -> Verdict:
         )
         for finding in found
     )
-    return Verdict(
+    return VerdictPart(
         quality=findings[0].quality,
         text=findings[0].text.rstrip("."),
         findings=findings,
     )
 
 
-def _faces(alignment: Alignment) -> list[FacePart]:
+def _face_parts(alignment: Alignment) -> list[FacePart]:
     return [
         FacePart(
             face=face.face,
@@ -143,25 +143,25 @@ def _faces(alignment: Alignment) -> list[FacePart]:
     ]
 
 
-def joint_sheet(result: JointCalibration, origin: Origin) -> CalibrationFile:
+def joint_document(result: BlockCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration over many poses, made now."""
     alignment = result.alignment
-    return _sheet_of_all(
+    return _multi_pose_document(
         result,
         origin,
         {
             "contacts_rms_um": alignment.rms_mm * 1e3,
             "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
             "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
-            "faces": _faces(alignment),
+            "faces": _face_parts(alignment),
         },
     )
 
 
-def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
+def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration on a chessboard, made now."""
     contacts = result.contacts
-    sheet = _sheet_of_all(
+    sheet = _multi_pose_document(
         result,
         origin,
         {}
@@ -176,8 +176,8 @@ def board_sheet(result: BoardCalibration, origin: Origin) -> CalibrationFile:
     return sheet.model_copy(update={"corners_mm": corners})
 
 
-def _sheet_of_all(
-    result: JointCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
+def _multi_pose_document(
+    result: BlockCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
 ) -> CalibrationFile:
     """``contacts`` are those fields of the residuals."""
     scales = result.adjusted.scales
@@ -194,7 +194,7 @@ def _sheet_of_all(
             "T_arm_obj": result.T_arm_obj.tolist(),
             "verdict": verdict_part(result.findings),
             "uncertainty": _uncertainty(result.known, result.depth_range_mm),
-            "residuals": _all_residuals(result, contacts),
+            "residuals": _multi_pose_residuals(result, contacts),
             "poses": tuple(
                 PosePart.model_validate(
                     asdict(pose)
@@ -224,7 +224,7 @@ def _sheet_of_all(
     )
 
 
-def _uncertainty(known: Known, depth_range_mm: tuple[float, float]) -> Uncertainty:
+def _uncertainty(known: CalibrationUncertainty, depth_range_mm: tuple[float, float]) -> Uncertainty:
     over = known.map
     return Uncertainty(
         total_um=known.total_um,
@@ -242,12 +242,12 @@ def _uncertainty(known: Known, depth_range_mm: tuple[float, float]) -> Uncertain
     )
 
 
-def _all_residuals(
-    result: JointCalibration | BoardCalibration, contacts: Mapping[str, object]
-) -> Residuals:
+def _multi_pose_residuals(
+    result: BlockCalibration | BoardCalibration, contacts: Mapping[str, object]
+) -> ResidualsPart:
     used = [pose for pose in result.poses if pose.used]
     edges = np.array([[pose.edges_rms_px, pose.edge_points] for pose in used])
-    return Residuals.model_validate(
+    return ResidualsPart.model_validate(
         {
             "reprojection_rms_px": float(
                 np.sqrt((edges[:, 0] ** 2 @ edges[:, 1]) / max(edges[:, 1].sum(), 1))

@@ -4,10 +4,10 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 
 
-class CloudReport(Part):
+class CloudReport(DocumentPart):
     """One cloud of a gauge; errors are there where a nominal was given (Eq. 10-12)."""
 
     file: str
@@ -27,7 +27,7 @@ class CloudReport(Part):
     centre_error_um: NotNegative | None = None
 
 
-class SpreadReport(Part):
+class SpreadReport(DocumentPart):
     """How far a figure scatters over the clouds."""
 
     mean: Number

@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.datasheets.gauge import Shape
-from app.formats.json_document import Document, NotNegative, Number, Part, Positive, Vector3
+from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Input, SerialNumbers
 from app.formats.software import Software
 
@@ -31,7 +31,7 @@ FigureName = Literal[
     "centre_range",
 ]
 
-VERIFICATION, GAUGE, TOUCHES, STUDY = (
+VERIFICATION, GAUGE, CONTACTS, STUDY = (
     "verification.json",
     "gauge.json",
     "touches.csv",
@@ -39,7 +39,7 @@ VERIFICATION, GAUGE, TOUCHES, STUDY = (
 )
 
 
-class GaugePart(Part):
+class GaugePart(DocumentPart):
     """The gauge by its paper."""
 
     shape: Shape
@@ -51,7 +51,7 @@ class GaugePart(Part):
     form_um: NotNegative = 0.0
 
 
-class UsedCalibration(Part):
+class UsedCalibration(DocumentPart):
     """The calibration that was verified."""
 
     id: str
@@ -61,7 +61,7 @@ class UsedCalibration(Part):
     """Standard uncertainty of a scanned point by the calibration itself, k = 1."""
 
 
-class PlacingPart(Part):
+class PlacingPart(DocumentPart):
     """Where the gauge stands in the arm frame, by the probe (``touches.csv``)."""
 
     touches: int
@@ -79,7 +79,7 @@ class PlacingPart(Part):
     """Of a plane's normal in its worst direction, k = 1."""
 
 
-class CloudPart(Part):
+class CloudPart(DocumentPart):
     """One cloud, rebuilt with the verified calibration, and the shape fitted to it."""
 
     name: str
@@ -112,7 +112,7 @@ class CloudPart(Part):
     """From the touched sphere's centre."""
 
 
-class FigurePart(Part):
+class FigurePart(DocumentPart):
     """One figure against its limit."""
 
     name: FigureName
@@ -134,7 +134,7 @@ class FigurePart(Part):
     """Over two or more clouds, n - 1."""
 
 
-class VerificationVerdict(Part):
+class VerificationVerdict(DocumentPart):
     """``fail`` where one figure fails, else ``uncertain`` where one is, else ``pass``."""
 
     result: Result
@@ -144,7 +144,7 @@ class VerificationVerdict(Part):
     """The figures' own sentences, the worst first."""
 
 
-class TemperaturePart(Part):
+class TemperaturePart(DocumentPart):
     """Where it is known."""
 
     start_c: Number | None = None

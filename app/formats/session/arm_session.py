@@ -15,13 +15,13 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
-from app.formats.csv_table import Row, Table, read_table, table_text
+from app.formats.csv_table import CsvTable, TableRow, read_table, table_text
 from app.formats.datasheets.arm import read_arm
-from app.formats.file_names import shown_path
+from app.formats.file_names import display_path
 from app.formats.session.pose_columns import JointAngles, joint_columns
-from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere
+from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -35,47 +35,47 @@ LARGEST_UNCERTAINTY_MM = 1.0
 
 
 @dataclass(frozen=True)
-class ArmSession:
+class IdentificationSession:
     """What was read, and from which files."""
 
     arm: Arm
-    observations: Observations
+    observations: ArmObservations
     files: tuple[Path, ...]
 
 
-def read_arm_session(folder: Path) -> ArmSession:
-    """Reads and checks a folder; raises ``Refusal`` naming file, line, value and remedy."""
-    _refuse_no_folder(folder)
+def read_identification_session(folder: Path) -> IdentificationSession:
+    """Reads and checks a folder; raises ``OperationError`` naming file, line, value and remedy."""
+    _check_folder(folder)
     arm = read_arm(folder / ARM)
     observations = read_observations(folder, arm)
     tables = tuple(folder / name for name in TABLES if (folder / name).exists())
-    return ArmSession(arm, observations, (folder / ARM, *tables))
+    return IdentificationSession(arm, observations, (folder / ARM, *tables))
 
 
-def read_observations(folder: Path, arm: Arm) -> Observations:
-    """The folder's tables, for an arm; raises ``Refusal``."""
-    _refuse_no_folder(folder)
+def read_observations(folder: Path, arm: Arm) -> ArmObservations:
+    """The folder's tables, for an arm; raises ``OperationError``."""
+    _check_folder(folder)
     if not any((folder / name).exists() for name in TABLES):
-        raise Refusal(
+        raise OperationError(
             "no-observations",
-            shown_path(folder),
+            display_path(folder),
             f"it holds none of {', '.join(TABLES)}",
             "Name a folder of seats, spheres or ball bars touched with the arm",
         )
     seats = read_seats(folder / ARTICULATION, arm) if (folder / ARTICULATION).exists() else ()
     spheres = read_spheres(folder / SPHERES, arm) if (folder / SPHERES).exists() else ()
     bars = read_bars(folder / BALLBARS, arm) if (folder / BALLBARS).exists() else ()
-    return Observations(seats, spheres, bars)
+    return ArmObservations(seats, spheres, bars)
 
 
 def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
-    """Reads ``articulation.csv``: one seat a set; raises ``Refusal``."""
+    """Reads ``articulation.csv``: one seat a set; raises ``OperationError``."""
     table = read_table(path, ("set",))
-    rows = _by_label(table, arm, "set")
+    rows = _rows_by_label(table, arm, "set")
     return tuple(Seat(name, q_rad) for name, (_, q_rad) in rows.items())
 
 
-def write_observations(folder: Path, found: Observations) -> None:
+def write_observations(folder: Path, found: ArmObservations) -> None:
     """Brings a folder's tables up to date, each atomically; one without points is removed."""
     _write(folder / ARTICULATION, ("set",), [((s.name,), s.q_rad) for s in found.seats])
     _write(
@@ -106,36 +106,36 @@ def _write(
 
 
 def read_spheres(path: Path, arm: Arm) -> tuple[Sphere, ...]:
-    """Reads ``spheres.csv``; raises ``Refusal``."""
+    """Reads ``spheres.csv``; raises ``OperationError``."""
     table = read_table(path, ("sphere", "diameter_mm"))
     found: list[Sphere] = []
-    for name, (rows, q_rad) in _by_label(table, arm, "sphere").items():
-        found.append(Sphere(name, _same(rows, "diameter_mm", f"sphere {name}"), q_rad))
+    for name, (rows, q_rad) in _rows_by_label(table, arm, "sphere").items():
+        found.append(Sphere(name, _common_length(rows, "diameter_mm", f"sphere {name}"), q_rad))
     return tuple(found)
 
 
 def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
-    """Reads ``ballbars.csv``; raises ``Refusal``."""
+    """Reads ``ballbars.csv``; raises ``OperationError``."""
     required = ("bar", "position", "length_mm", "standard_uncertainty_mm", "end")
     table = read_table(path, required)
-    by_bar: dict[str, list[Row]] = {}
+    by_bar: dict[str, list[TableRow]] = {}
     for row in table.rows:
         by_bar.setdefault(row.text("bar"), []).append(row)
     lengths: dict[str, tuple[float, float]] = {}
     for name, rows in by_bar.items():
-        length = _same(rows, "length_mm", f"bar {name}")
-        lengths[name] = length, _uncertainty(rows, f"bar {name}")
+        length = _common_length(rows, "length_mm", f"bar {name}")
+        lengths[name] = length, _length_uncertainty(rows, f"bar {name}")
     ends: dict[tuple[str, str], dict[str, Floats]] = {}
-    for (bar, position, end), (_, q_rad) in _by_labels(
+    for (bar, position, end), (_, q_rad) in _rows_by_labels(
         table, arm, ("bar", "position", "end")
     ).items():
         ends.setdefault((bar, position), {})[end] = q_rad
     found: list[Bar] = []
     for (bar, position), both in ends.items():
         if len(both) != 2:
-            raise Refusal(
+            raise OperationError(
                 "bar-ends",
-                f"{shown_path(path)}: bar {bar}, position {position} has ends {', '.join(both)}",
+                f"{display_path(path)}: bar {bar}, position {position} has ends {', '.join(both)}",
                 "a bar has two ends",
                 "Complete or delete the rows of this position",
             )
@@ -144,25 +144,27 @@ def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
     return tuple(found)
 
 
-def _by_label(table: Table, arm: Arm, column: str) -> dict[str, tuple[list[Row], Floats]]:
+def _rows_by_label(
+    table: CsvTable, arm: Arm, column: str
+) -> dict[str, tuple[list[TableRow], Floats]]:
     """The rows of each label and their angles (m, n), in the order of the file."""
-    return {label: found for (label,), found in _by_labels(table, arm, (column,)).items()}
+    return {label: found for (label,), found in _rows_by_labels(table, arm, (column,)).items()}
 
 
-def _by_labels(
-    table: Table, arm: Arm, columns: Sequence[str]
-) -> dict[tuple[str, ...], tuple[list[Row], Floats]]:
+def _rows_by_labels(
+    table: CsvTable, arm: Arm, columns: Sequence[str]
+) -> dict[tuple[str, ...], tuple[list[TableRow], Floats]]:
     angles = JointAngles(table, arm)
-    rows: dict[tuple[str, ...], list[Row]] = {}
+    rows: dict[tuple[str, ...], list[TableRow]] = {}
     q_rad: dict[tuple[str, ...], list[Floats]] = {}
     for row in table.rows:
         label = tuple(row.text(column) for column in columns)
         rows.setdefault(label, []).append(row)
         q_rad.setdefault(label, []).append(angles.of(row))
     if not rows:
-        raise Refusal(
+        raise OperationError(
             "no-points",
-            f"{shown_path(table.path)} holds no points",
+            f"{display_path(table.path)} holds no points",
             "",
             "Take some, or delete the file",
         )
@@ -170,14 +172,14 @@ def _by_labels(
     return {label: (rows[label], np.array(q_rad[label])) for label in rows}
 
 
-def _same(rows: Sequence[Row], column: str, label: str) -> float:
+def _common_length(rows: Sequence[TableRow], column: str, label: str) -> float:
     """A length that is the same in all rows of an artefact."""
     value = rows[0].number(column)
     if value <= 0:
-        raise Refusal("length-not-positive", f"{rows[0].place}: {column} is {value:g}")
+        raise OperationError("length-not-positive", f"{rows[0].place}: {column} is {value:g}")
     for row in rows[1:]:
         if row.number(column) != value:
-            raise Refusal(
+            raise OperationError(
                 "length-differs",
                 f"{row.place}: {column} is {row.number(column):g}",
                 f"line {rows[0].line} gives {value:g} for the same {label}",
@@ -186,12 +188,12 @@ def _same(rows: Sequence[Row], column: str, label: str) -> float:
     return value
 
 
-def _uncertainty(rows: Sequence[Row], label: str) -> float:
+def _length_uncertainty(rows: Sequence[TableRow], label: str) -> float:
     value = rows[0].number("standard_uncertainty_mm")
     for row in rows:
         own = row.number("standard_uncertainty_mm")
         if own < 0 or own > LARGEST_UNCERTAINTY_MM or own != value:
-            raise Refusal(
+            raise OperationError(
                 "uncertainty-senseless",
                 f"{row.place}: standard_uncertainty_mm is {own:g}",
                 f"one value from 0 to {LARGEST_UNCERTAINTY_MM:g} is expected for {label}",
@@ -200,7 +202,7 @@ def _uncertainty(rows: Sequence[Row], label: str) -> float:
     return value
 
 
-def _refuse_no_folder(folder: Path) -> None:
+def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
         there = "it is a file" if folder.exists() else "there is no such folder"
-        raise Refusal("folder-missing", shown_path(folder), there, "Name a folder")
+        raise OperationError("folder-missing", display_path(folder), there, "Name a folder")

@@ -6,13 +6,13 @@ from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
-from app.formats.csv_table import Row, read_table, table_text
+from app.formats.csv_table import TableRow, read_table, table_text
 from app.formats.datasheets.arm import read_any_arm, read_arm
-from app.formats.datasheets.sensor import SensorSheet, read_sensor
+from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_block, read_object
-from app.formats.file_names import shown_path
+from app.formats.file_names import display_path
 from app.formats.images import grey_png_size
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
 from app.metrology.arm.kinematics import Arm, RobotArm
@@ -32,7 +32,7 @@ STILL_MM = 0.05
 
 
 @dataclass(frozen=True)
-class Contacts:
+class ContactReadings:
     """The contact points, in the order of the file."""
 
     features: tuple[str, ...]
@@ -69,14 +69,14 @@ class Pose:
 
 
 @dataclass(frozen=True)
-class Session:
+class BlockSession:
     """A session as read; the pictures stay on disk, for ``images.read_grey``."""
 
     folder: Path
     arm: Arm
     block: Crenellated
-    sensor: SensorSheet
-    contacts: Contacts
+    sensor: SensorDatasheet
+    contacts: ContactReadings
     poses: tuple[Pose, ...]
     """By ascending number."""
 
@@ -98,8 +98,8 @@ class BoardSession:
     folder: Path
     arm: Arm | RobotArm
     board: Chessboard
-    sensor: SensorSheet
-    contacts: Contacts | None
+    sensor: SensorDatasheet
+    contacts: ContactReadings | None
     poses: tuple[Pose, ...]
     """By ascending number."""
 
@@ -128,16 +128,16 @@ class ImageRow:
     """(4, 4) of a robot, whose ``q_rad`` is (0,)."""
 
 
-def read_session(folder: Path) -> Session:
+def read_session(folder: Path) -> BlockSession:
     """Reads and checks a session on a block, touched by an arm with joints.
 
     Raises:
         Refusal: names file, line, value and remedy.
     """
-    _refuse_no_folder(folder)
+    _check_folder(folder)
     arm = read_arm(folder / ARM)
     sensor = read_sensor(folder / SENSOR)
-    return Session(
+    return BlockSession(
         folder=folder,
         arm=arm,
         block=read_block(folder / OBJECT),
@@ -147,12 +147,12 @@ def read_session(folder: Path) -> Session:
     )
 
 
-def read_any_session(folder: Path) -> Session | BoardSession:
-    """Reads and checks a session on a block or on a chessboard; ``Refusal`` as above.
+def read_any_session(folder: Path) -> BlockSession | BoardSession:
+    """Reads and checks a session on a block or on a chessboard; ``OperationError`` as above.
 
     Touching a chessboard is optional.
     """
-    _refuse_no_folder(folder)
+    _check_folder(folder)
     item = read_object(folder / OBJECT)
     if not isinstance(item, Chessboard):
         return read_session(folder)
@@ -169,21 +169,23 @@ def read_any_session(folder: Path) -> Session | BoardSession:
     )
 
 
-def _refuse_no_folder(folder: Path) -> None:
+def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
         there = "it is a file" if folder.exists() else "there is no such folder"
-        raise Refusal("session-missing", shown_path(folder), there, "Name a session's folder")
+        raise OperationError(
+            "session-missing", display_path(folder), there, "Name a session's folder"
+        )
 
 
-def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES) -> Contacts:
-    """Reads ``probing.csv``; raises ``Refusal`` naming line and value."""
+def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES) -> ContactReadings:
+    """Reads ``probing.csv``; raises ``OperationError`` naming line and value."""
     table = read_table(path, ("feature",))
     readings = ArmReadings(table, arm)
     features: list[str] = []
     for row in table.rows:
         feature = row.text("feature")
         if feature not in faces:
-            raise Refusal(
+            raise OperationError(
                 "feature-unknown",
                 f"{row.place}: feature {feature!r}",
                 f"the faces are {', '.join(faces)}",
@@ -191,31 +193,34 @@ def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES)
             )
         features.append(feature)
     if not features:
-        raise Refusal(
-            "no-contacts", f"{shown_path(path)} holds no contact points", "", "Probe the object"
+        raise OperationError(
+            "no-contacts", f"{display_path(path)} holds no contact points", "", "Probe the object"
         )
-    return Contacts(tuple(features), *readings.of_all(table.rows))
+    return ContactReadings(tuple(features), *readings.of_all(table.rows))
 
 
-def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorSheet) -> tuple[Pose, ...]:
-    """Reads ``images.csv`` and the headers of its pictures; raises ``Refusal``."""
+def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tuple[Pose, ...]:
+    """Reads ``images.csv`` and the headers of its pictures; raises ``OperationError``."""
     table = read_table(path, ("pose", "file", "lighting"))
     readings = ArmReadings(table, arm)
-    by_pose: dict[int, list[tuple[Row, ImageRow]]] = {}
+    by_pose: dict[int, list[tuple[TableRow, ImageRow]]] = {}
     for row in table.rows:
         at = readings.of(row)
-        image = ImageRow(row.count("pose"), row.text("file"), _lighting_of(row), *at)
+        image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
         _check_picture(row, path.parent / image.file, sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
     if not by_pose:
-        raise Refusal(
-            "no-images", f"{shown_path(path)} holds no pictures", "", "Take a picture of the object"
+        raise OperationError(
+            "no-images",
+            f"{display_path(path)} holds no pictures",
+            "",
+            "Take a picture of the object",
         )
     readings.of_all(table.rows)
-    return tuple(_pose_of(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
+    return tuple(_build_pose(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
 
 
-def write_contacts(path: Path, contacts: Contacts) -> None:
+def write_contacts(path: Path, contacts: ContactReadings) -> None:
     """Writes ``probing.csv`` atomically; reads back to the same angles within 1e-15."""
     count = contacts.q_rad.shape[1]
     rows = (
@@ -249,10 +254,10 @@ def _cells(row: ImageRow) -> Sequence[float]:
     return [float(angle) for angle in np.rad2deg(row.q_rad)]
 
 
-def _lighting_of(row: Row) -> str:
+def _read_lighting(row: TableRow) -> str:
     lighting = row.text("lighting")
     if lighting not in LIGHTINGS:
-        raise Refusal(
+        raise OperationError(
             "lighting-unknown",
             f"{row.place}: lighting {lighting!r}",
             f"it is one of {', '.join(LIGHTINGS)}",
@@ -261,45 +266,45 @@ def _lighting_of(row: Row) -> str:
     return lighting
 
 
-def _check_picture(row: Row, path: Path, sensor: SensorSheet) -> None:
+def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
     relative = PurePosixPath(row.text("file"))
     if relative.is_absolute() or ".." in relative.parts:
-        raise Refusal(
+        raise OperationError(
             "image-outside-session",
             f"{row.place}: file {str(relative)!r}",
             "a session's pictures lie inside its folder",
         )
     if not path.is_file():
-        raise Refusal(
+        raise OperationError(
             "image-missing",
-            f"{row.place}: {shown_path(path)}",
+            f"{row.place}: {display_path(path)}",
             "there is no such file",
             "Restore the picture or delete the row",
         )
     width, height = grey_png_size(path)
     if (width, height) != (sensor.width_px, sensor.height_px):
-        raise Refusal(
+        raise OperationError(
             "image-size",
-            f"{shown_path(path)} has {width} × {height} pixels",
+            f"{display_path(path)} has {width} × {height} pixels",
             f"the sensor has {sensor.width_px} × {sensor.height_px}",
             "Give the picture as the camera took it, and the right sensor.json",
         )
 
 
-def _pose_of(folder: Path, arm: Arm | RobotArm, rows: list[tuple[Row, ImageRow]]) -> Pose:
+def _build_pose(folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, ImageRow]]) -> Pose:
     first_row, first = rows[0]
     files: dict[str, Path] = {}
     for row, image in rows:
-        moved = _moved(arm, image, first)
+        moved = _pose_difference(arm, image, first)
         if moved:
-            raise Refusal(
+            raise OperationError(
                 "pose-moved",
                 f"{row.place}: {moved} from line {first_row.line} of the same pose {image.pose}",
                 "the pictures of one pose are taken with the arm held still",
                 "Give the rows different pose numbers, or take the pictures again",
             )
         if image.lighting in files:
-            raise Refusal(
+            raise OperationError(
                 "image-twice",
                 f"{row.place}: a second {image.lighting!r} picture of pose {image.pose}",
                 "one is used of each lighting",
@@ -312,7 +317,7 @@ def _pose_of(folder: Path, arm: Arm | RobotArm, rows: list[tuple[Row, ImageRow]]
     if "both" in files:
         return Pose(first.pose, q_rad, files["both"], None, first.T_arm_flange)
     missing = "laser" if "ambient" in files else "ambient"
-    raise Refusal(
+    raise OperationError(
         "pose-incomplete",
         f"{first_row.place}: pose {first.pose} has no {missing!r} picture",
         "a pose needs one 'ambient' and one 'laser' picture, or one with 'both' lights",
@@ -320,7 +325,7 @@ def _pose_of(folder: Path, arm: Arm | RobotArm, rows: list[tuple[Row, ImageRow]]
     )
 
 
-def _moved(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> str:
+def _pose_difference(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> str:
     """How an arm stood differently in two pictures of one pose; empty where it did not."""
     if isinstance(arm, Arm):
         moved = np.abs(np.rad2deg(image.q_rad - first.q_rad))

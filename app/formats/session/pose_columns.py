@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.csv_table import Row, Table
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.csv_table import CsvTable, TableRow
+from app.formats.file_names import display_path
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.transforms import Floats, rigid
 
@@ -15,19 +15,19 @@ from app.metrology.transforms import Floats, rigid
 class ArmReadings:
     """The columns of one table, for one arm."""
 
-    def __init__(self, table: Table, arm: Arm | RobotArm) -> None:
+    def __init__(self, table: CsvTable, arm: Arm | RobotArm) -> None:
         self._angles = JointAngles(table, arm) if isinstance(arm, Arm) else None
         self._poses = None if isinstance(arm, Arm) else FlangePoses(table)
 
-    def of(self, row: Row) -> tuple[Floats, Floats | None]:
+    def of(self, row: TableRow) -> tuple[Floats, Floats | None]:
         """Angles (n,) and no pose, or no angles (0,) and ``T_arm_flange`` (4, 4)."""
         if self._angles is not None:
             return self._angles.of(row), None
         assert self._poses is not None
         return np.zeros(0), self._poses.of(row)
 
-    def of_all(self, rows: Sequence[Row]) -> tuple[Floats, Floats | None]:
-        """The same of all rows; ``Refusal`` where they are evidently in other units."""
+    def of_all(self, rows: Sequence[TableRow]) -> tuple[Floats, Floats | None]:
+        """The same of all rows; ``OperationError`` where they are evidently in other units."""
         each = [self.of(row) for row in rows]
         angles = np.array([q for q, _ in each])
         if self._angles is not None:
@@ -49,8 +49,8 @@ REACH_MM = 5.0
 class FlangePoses:
     """The pose columns of a table; ``T_arm_flange`` of its rows."""
 
-    def __init__(self, table: Table) -> None:
-        """Raises ``Refusal`` unless the table has the columns, in these units."""
+    def __init__(self, table: CsvTable) -> None:
+        """Raises ``OperationError`` unless the table has the columns, in these units."""
         self._path = table.path
         missing = [name for name in COLUMNS if name not in table.columns]
         if not missing:
@@ -62,21 +62,21 @@ class FlangePoses:
             remedy = f"Give the arm's own model, or columns {', '.join(COLUMNS)}"
         elif {"x", "y", "z"} <= set(table.columns) or "x_m" in table.columns:
             remedy = f"Convert lengths to mm, and name the columns {', '.join(COLUMNS)}"
-        raise Refusal(
+        raise OperationError(
             "columns-missing",
-            f"{shown_path(table.path)}: no column {', '.join(missing)}",
+            f"{display_path(table.path)}: no column {', '.join(missing)}",
             why,
             remedy,
         )
 
-    def of(self, row: Row) -> Floats:
-        """``T_arm_flange`` (4, 4) of a row; ``Refusal`` where the quaternion is none."""
+    def of(self, row: TableRow) -> Floats:
+        """``T_arm_flange`` (4, 4) of a row; ``OperationError`` where the quaternion is none."""
         from scipy.spatial.transform import Rotation  # slow to load; most arms give angles
 
         values = np.array([row.number(column) for column in COLUMNS])
         length = float(np.linalg.norm(values[3:]))
         if abs(length - 1) > UNIT_TOLERANCE:
-            raise Refusal(
+            raise OperationError(
                 "quaternion-not-unit",
                 f"{row.place}: (qx, qy, qz, qw) is {length:.4f} long",
                 "a rotation's quaternion has length 1",
@@ -88,9 +88,9 @@ class FlangePoses:
         """Refuses a table whose lengths are evidently metres."""
         furthest = max(float(np.linalg.norm(T[:3, 3])) for T in poses)
         if 0 < furthest < REACH_MM:
-            raise Refusal(
+            raise OperationError(
                 "poses-in-metres",
-                f"{shown_path(self._path)}: "
+                f"{display_path(self._path)}: "
                 f"no flange is further than {furthest:.4g} mm from the arm's base",
                 "these are metres where millimetres are expected",
                 "Convert the columns x_mm, y_mm and z_mm to millimetres",
@@ -117,35 +117,35 @@ def joint_columns(count: int) -> tuple[str, ...]:
 class JointAngles:
     """The ``q…_deg`` columns of a table, for one arm."""
 
-    def __init__(self, table: Table, arm: Arm) -> None:
-        """Raises ``Refusal`` unless the table has one column a joint of the arm."""
+    def __init__(self, table: CsvTable, arm: Arm) -> None:
+        """Raises ``OperationError`` unless the table has one column a joint of the arm."""
         self._path = table.path
         self._arm = arm
         self._columns = joint_columns(arm.joint_count)
         found = [name for name in table.columns if re.fullmatch(r"q\d+_deg", name)]
         if any(re.fullmatch(r"q\d+(_rad)?", name) for name in table.columns):
-            raise Refusal(
+            raise OperationError(
                 "columns-without-degrees",
-                f"{shown_path(table.path)}: its first line names {', '.join(table.columns)}",
+                f"{display_path(table.path)}: its first line names {', '.join(table.columns)}",
                 "joint angles are given in degrees",
                 f"Convert them and name the columns {self._columns[0]} to {self._columns[-1]}",
             )
         if sorted(found) != sorted(self._columns):
-            raise Refusal(
+            raise OperationError(
                 "joint-count",
-                f"{shown_path(table.path)} has "
+                f"{display_path(table.path)} has "
                 f"{len(found)} joint columns ({', '.join(found) or 'none'})",
                 f"the arm {arm.serial_number or arm.name} has {arm.joint_count} joints",
                 f"Give the right arm.json, or columns {self._columns[0]} to {self._columns[-1]}",
             )
 
-    def of(self, row: Row) -> Floats:
-        """The angles (n,) of a row in radians; ``Refusal`` outside the arm's limits."""
+    def of(self, row: TableRow) -> Floats:
+        """The angles (n,) of a row in radians; ``OperationError`` outside the arm's limits."""
         q_deg = np.array([row.number(column) for column in self._columns])
         for joint, column, angle in zip(self._arm.joints, self._columns, q_deg, strict=True):
             low, high = np.rad2deg(joint.limits_rad)
             if not low - STOP_TOLERANCE_DEG <= angle <= high + STOP_TOLERANCE_DEG:
-                raise Refusal(
+                raise OperationError(
                     "joint-outside-limits",
                     f"{row.place}: {column} is {angle:g}°",
                     f"joint {joint.name} turns from {low:g}° to {high:g}°",
@@ -161,9 +161,9 @@ class JointAngles:
         """
         largest_deg = float(np.max(np.abs(np.rad2deg(q_rad))))
         if 0 < largest_deg <= 2 * np.pi:
-            raise Refusal(
+            raise OperationError(
                 "joints-in-radians",
-                f"{shown_path(self._path)}: no joint angle exceeds {largest_deg:.4g}",
+                f"{display_path(self._path)}: no joint angle exceeds {largest_deg:.4g}",
                 "these are radians where degrees are expected",
                 "Convert the columns to degrees",
             )

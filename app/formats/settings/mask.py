@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from app.errors import Refusal
-from app.formats.file_names import shown_path
+from app.errors import OperationError
+from app.formats.file_names import display_path
 from app.formats.json_document import Document, Number
 
 MOST_ZONES = 32
@@ -51,11 +51,11 @@ class Mask(Document):
         return np.asarray(hidden == 0)
 
     def check_size(self, path: Path, width_px: int, height_px: int) -> None:
-        """Raises ``Refusal`` for a picture that the zones were not drawn on."""
+        """Raises ``OperationError`` for a picture that the zones were not drawn on."""
         if (width_px, height_px) != (self.width_px, self.height_px):
-            raise Refusal(
+            raise OperationError(
                 "mask-size",
-                f"{shown_path(path)} has {width_px} × {height_px} pixels",
+                f"{display_path(path)} has {width_px} × {height_px} pixels",
                 f"the mask is for {self.width_px} × {self.height_px}",
                 "Give the mask of the sensor that took this picture",
             )

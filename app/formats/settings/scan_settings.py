@@ -8,7 +8,7 @@ from pydantic import Field
 from app.formats.json_document import Document, Number
 from app.formats.results.delay import Sync
 from app.formats.settings.mask import Mask
-from app.metrology.stripe import Choice, StripeSettings
+from app.metrology.stripe import PeakChoice, StripeSettings
 
 Threshold = Annotated[Number, Field(gt=0, le=60_000)]
 """Grey levels over the surroundings."""
@@ -27,7 +27,7 @@ class ScanSettings(Document):
 
     threshold: Threshold | None = None
     min_width_px: Width | None = None
-    choice: Choice = "continuity"
+    choice: PeakChoice = "continuity"
     exposure_us: Exposure | None = None
     mask: Mask | None = None
     blur_limit_mm: Blur | None = None

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.guide.arm.state import Angles
-from app.metrology.arm.joint_interpolation import turn
+from app.metrology.arm.joint_interpolation import shortest_turn
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.station.devices.joint_buffer import JointWindow
 
@@ -19,7 +19,7 @@ HOLD_NS = 400_000_000
 
 
 @dataclass(frozen=True)
-class Picked:
+class SampledPoints:
     """What a stretch of joint samples gives."""
 
     q_rad: tuple[Angles, ...]
@@ -27,9 +27,9 @@ class Picked:
     """How far the tip is from the seat now, where it has left it."""
 
 
-def pick(
+def sample_points(
     arm: Arm, taken: Sequence[Angles], samples: JointWindow, first_ns: int, last_ns: int
-) -> Picked:
+) -> SampledPoints:
     """The samples that become points.
 
     Args:
@@ -39,7 +39,7 @@ def pick(
         first_ns, last_ns: between these stamps samples may become points.
     """
     if not len(samples):
-        return Picked((), None)
+        return SampledPoints((), None)
     tips = tip_centres(arm, samples.q_rad)
     begun = min(int(np.searchsorted(samples.stamps_ns, first_ns)), len(tips) - 1)
     centre = np.median(tip_centres(arm, np.array(taken)), axis=0) if taken else tips[begun]
@@ -52,7 +52,7 @@ def pick(
             continue
         if len(away_ns) and np.min(np.abs(away_ns - stamp)) < HOLD_NS:
             continue
-        if last is None or float(np.max(np.abs(turn(q - last)))) >= TURN_RAD:
+        if last is None or float(np.max(np.abs(shortest_turn(q - last)))) >= TURN_RAD:
             last = q
             picked.append(tuple(float(angle) for angle in q))
-    return Picked(tuple(picked), float(off_mm[-1]) if off_mm[-1] > LEFT_MM else None)
+    return SampledPoints(tuple(picked), float(off_mm[-1]) if off_mm[-1] > LEFT_MM else None)

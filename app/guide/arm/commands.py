@@ -2,15 +2,15 @@
 
 from collections.abc import Callable
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.arm import tasks as works
 from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
-from app.guide.arm.simulated_operator import hand_work
+from app.guide.arm.simulated_operator import simulation_job
 from app.guide.arm.view import ArmView
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import Press
-from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
+from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
 
 
 def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmView:
@@ -47,7 +47,7 @@ def press(guide: ArmGuide, event: Press) -> bool:
             else:
                 guide.refuse_unless_possible(name, {}, None)
                 ACTS[name](guide, {}, None)
-        except Refusal as refusal:
+        except OperationError as refusal:
             guide.decline(refusal)
         guide.refresh()
         return True
@@ -57,11 +57,11 @@ def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
     start_job(guide, "Identifying the arm", lambda progress: works.fit(guide, progress))
 
 
-def _let_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
+def _start_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
     hand = guide.station.hand
     assert hand is not None
     guide.append("hand_started", {}, key)
-    start_hand(guide, hand_work(guide, hand))
+    start_simulation(guide, simulation_job(guide, hand))
 
 
 def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
@@ -69,8 +69,8 @@ def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
     guide.keep_seats()
 
 
-def _stop_hand(guide: ArmGuide, args: Args, key: str | None) -> None:
-    stop_hand(guide)
+def _stop_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
+    stop_simulation(guide)
     guide.append("hand_stopped", {}, key)
 
 
@@ -90,8 +90,8 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "restore": lambda guide, args, key: works.restore(guide, key),
     "reopen": lambda guide, args, key: guide.append("reopened", {}, key),
     "again": lambda guide, args, key: _again(guide, key),
-    "let_hand": _let_hand,
-    "stop_hand": _stop_hand,
+    "let_hand": _start_simulation,
+    "stop_hand": _stop_simulation,
     "end": lambda guide, args, key: guide.append("ended", {}, key),
 }
 

@@ -6,18 +6,18 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Quality
-from app.formats.json_document import sha256_of
+from app.formats.json_document import file_sha256
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import Input
 from app.formats.session.arm_session import ARM, ARTICULATION, SPHERES
 from app.formats.software import SOFTWARE
-from app.guide.arm.flow import quality_of
+from app.guide.arm.flow import limit_quality
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.history import CHECKED, TIP_CHECKED
 from app.guide.arm.state import Artefact
-from app.guide.arm.tip import finding_of, to_payload
+from app.guide.arm.tip import tip_check_finding, to_payload
 from app.metrology.arm.identification.articulation import Articulation, check_articulation
 from app.metrology.arm.kinematics import Arm
 from app.metrology.gauges.tip_check import check_tip
@@ -37,7 +37,7 @@ def check_the_arm(guide: ArmGuide) -> None:
     arm, seat = guide.arm(), guide.state.seats[-1]
     assert arm is not None
     found = check_articulation(arm, np.array(seat.q_rad), label=seat.name)
-    quality = quality_of(found.half_range_um, guide.state.limit_um)
+    quality = limit_quality(found.half_range_um, guide.state.limit_um)
     _keep_check(guide, arm, found, quality)
     guide.append(
         CHECKED,
@@ -71,12 +71,12 @@ def check_the_tip(guide: ArmGuide) -> None:
             sphere.standard_uncertainty_mm,
             limit_um,
         )
-    except Refusal as refusal:
+    except OperationError as refusal:
         guide.append("seat_dropped", {"name": seat.name})
         guide.decline(refusal)
         return
     payload = to_payload(found, arm.tip.diameter_mm, limit_um)
-    told = finding_of(payload)
+    told = tip_check_finding(payload)
     _keep_tip_check(guide, arm, sphere, {**payload, "words": told.text})
     guide.append(
         TIP_CHECKED,
@@ -92,7 +92,7 @@ def check_the_tip(guide: ArmGuide) -> None:
     guide.station.bus.event("step_done", told.text, told.quality)
 
 
-def _signed(guide: ArmGuide, tables: Sequence[str]) -> dict[str, object]:
+def _provenance(guide: ArmGuide, tables: Sequence[str]) -> dict[str, object]:
     """Of a record made now: when, where and by whom, and the files it was made from."""
     signing = guide.signing
     return {
@@ -102,7 +102,7 @@ def _signed(guide: ArmGuide, tables: Sequence[str]) -> dict[str, object]:
         "simulated": signing.simulated,
         "temperature_c": signing.temperature_c(),
         "inputs": tuple(
-            Input(file=name, sha256=sha256_of(guide.folder / name)) for name in (ARM, *tables)
+            Input(file=name, sha256=file_sha256(guide.folder / name)) for name in (ARM, *tables)
         ),
         "software": SOFTWARE,
     }
@@ -113,7 +113,7 @@ def _keep_tip_check(
 ) -> None:
     TipCheckFile.model_validate(
         {
-            **_signed(guide, [SPHERES]),
+            **_provenance(guide, [SPHERES]),
             **found,
             "arm_name": arm.name,
             "arm_serial": arm.serial_number,
@@ -127,7 +127,7 @@ def _keep_check(guide: ArmGuide, arm: Arm, found: Articulation, verdict: Quality
     """What the check found, and what from, so that its report can be made of the folder."""
     ArmCheckFile.model_validate(
         {
-            **_signed(guide, [ARTICULATION]),
+            **_provenance(guide, [ARTICULATION]),
             "arm_name": arm.name,
             "arm_serial": arm.serial_number,
             "points": found.points,

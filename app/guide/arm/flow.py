@@ -4,18 +4,18 @@ from collections.abc import Mapping
 
 from app.findings import Finding, Quality
 from app.guide.arm.live import ArmLive
-from app.guide.arm.picture import picture_of
+from app.guide.arm.picture import build_picture
 from app.guide.arm.rules import (
     SEATS_WANTED,
     WANTED,
     places_taken,
+    rejection_reason,
     swing_deg,
     touches_wanted,
-    why_not,
 )
-from app.guide.arm.state import ArmState, Kind, SeatTaken
+from app.guide.arm.state import ArmState, Kind, SeatSamples
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
-from app.guide.arm.tip import finding_of as tip_finding
+from app.guide.arm.tip import tip_check_finding as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView
 from app.guide.common.view import (
     Action,
@@ -41,12 +41,12 @@ ON_SPHERE = {"seat": "Clamp the sphere", "swing": "Touch it"}
 WITH_SPHERE = ("identify", "tip")
 
 
-def view_of(state: ArmState, live: ArmLive) -> ArmView:
+def build_view(state: ArmState, live: ArmLive) -> ArmView:
     """The view."""
     running = bool(state.session_id) and not state.ended
     step = state.step
     seat = state.seats[-1] if state.seats else None
-    picture = picture_of(state, live, seat)
+    picture = build_picture(state, live, seat)
     title, instruction = _words(state, seat)
     return ArmView(
         session_id=state.session_id,
@@ -86,7 +86,7 @@ TIP_WORDS = {
 }
 
 
-def _words(state: ArmState, seat: SeatTaken | None) -> tuple[str, str]:
+def _words(state: ArmState, seat: SeatSamples | None) -> tuple[str, str]:
     if state.purpose == "tip":
         return TIP_WORDS[state.step]
     if state.step == "swing":
@@ -153,7 +153,7 @@ def _steps(state: ArmState) -> list[Step]:
     ]
 
 
-def quality_of(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quality:
+def limit_quality(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quality:
     """good within the limit, bad beyond, neutral without one."""
     if limit_um is None:
         return "neutral"
@@ -175,7 +175,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
         return LiveNumber("The tip's diameter", tip.diameter_mm, "mm", 3, quality, f"{note}, k = 2")
     found = picture.half_range_um
     note = "no limit is set" if state.limit_um is None else f"limit {state.limit_um:g} µm"
-    quality = quality_of(found, state.limit_um) if found else "neutral"
+    quality = limit_quality(found, state.limit_um) if found else "neutral"
     value = None if found is None else max(found)
     if state.touching:
         note = "of the tip from a sphere of that diameter, by the arm as it is"
@@ -183,7 +183,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     return LiveNumber("Largest (max − min)/2", value, "µm", 0, quality, note)
 
 
-def _progress(state: ArmState, seat: SeatTaken | None) -> StepProgress | None:
+def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
     if state.step == "swing" and seat is not None:
         taken = len(seat.q_rad)
         if state.touching:
@@ -256,7 +256,7 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
                 "Set the arm's specification as the limit where the next check begins.",
             ),
         )
-    elif quality_of(half_range, state.limit_um) == "bad":
+    elif limit_quality(half_range, state.limit_um) == "bad":
         text = f"{max(half_range):.0f} µm exceed the limit of {state.limit_um:g} µm."
         remedy = "Clean tip and seat, check the clamps, and repeat. If it stays, identify the arm."
         found.insert(0, Finding("bad", text, remedy))
@@ -274,7 +274,7 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         confirm: str = "",
         args: Mapping[str, object] | None = None,
     ) -> Action:
-        reason = why_not(state, live, name, args or {})
+        reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
     hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []

@@ -5,65 +5,65 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_arm
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import ARM, write_observations
 from app.guide.arm.arguments import ARGUMENTS
-from app.guide.arm.auto_sampling import HOLD_NS, pick
-from app.guide.arm.flow import view_of
-from app.guide.arm.history import KIND, ArmJournal, ArmPast
+from app.guide.arm.auto_sampling import HOLD_NS, sample_points
+from app.guide.arm.flow import build_view
+from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.live import ArmLive
-from app.guide.arm.observations import observations_of
-from app.guide.arm.rules import why_not
-from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, after
+from app.guide.arm.observations import collect_observations
+from app.guide.arm.rules import rejection_reason
+from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, apply_row
 from app.guide.arm.view import ArmView
-from app.guide.common.datasheet_library import Library, read_library
+from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
-from app.guide.common.provenance import UNSIGNED, Signing
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.provenance import NO_PROVENANCE, Provenance
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify.gauges import read_gauges
 from app.metrology.arm.kinematics import Arm
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 
-FLOW = Flow(KIND, "arm", ArmState(), after, view_of, why_not, ARGUMENTS)
+FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, rejection_reason, ARGUMENTS)
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
 
 
 @dataclass(frozen=True)
-class ArmStation:
+class ArmServices:
     """The parts of the machine room that the arm's flows work with."""
 
     bus: Bus
     rig: Rig
     jobs: Jobs
-    hand: Hand | None
+    hand: SimulatedOperator | None
 
 
 class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     """The latest check, tip check or identification."""
 
-    station: ArmStation
+    station: ArmServices
 
     def __init__(
         self,
-        station: ArmStation,
+        station: ArmServices,
         journal: ArmJournal,
         data_folder: Path,
-        signing: Signing = UNSIGNED,
+        signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
         self.signing = signing
         self.data_folder = data_folder
-        self.past = ArmPast(journal)
+        self.past = ArmHistory(journal)
         self._left_mm: float | None = None
         self._seen_ns = 0
-        self._library: tuple[float, Library] | None = None
+        self._library: tuple[float, DatasheetLibrary] | None = None
         self._own: tuple[str, Arm | None] = ("", None)
         self.resume()
 
@@ -97,7 +97,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             trouble=self._trouble,
         )
 
-    def library(self) -> Library:
+    def library(self) -> DatasheetLibrary:
         """What the station knows; read again only while an arm can be chosen."""
         old = self._library is None or time.monotonic() - self._library[0] > FRESH_S
         choosing = not self.running or not self.state.seats
@@ -113,7 +113,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         if self._own[0] != self.state.session_id:
             try:
                 self._own = (self.state.session_id, read_arm(self.folder / ARM))
-            except Refusal:
+            except OperationError:
                 self._own = (self.state.session_id, None)
         return self._own[1]
 
@@ -259,7 +259,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         self._seen_ns = last_ns + 1
         if window is None or window.q_rad.shape[1] != arm.joint_count:
             return
-        picked = pick(arm, self.state.seats[-1].q_rad, window, first_ns, last_ns)
+        picked = sample_points(arm, self.state.seats[-1].q_rad, window, first_ns, last_ns)
         self._left_mm = picked.left_mm
         if picked.q_rad:
             self.append(POINTS, {"q_rad": picked.q_rad})
@@ -268,10 +268,10 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def _keep_arm(self) -> None:
         entry = self.library().arms[self.state.arm]
-        with files_refused(self.folder):
+        with convert_io_errors(self.folder):
             ensure_folder(self.folder)
             write_atomically(self.folder / ARM, read_bounded(entry.path))
 
     def keep_seats(self) -> None:
         """Brings the session's tables up to date."""
-        write_observations(self.folder, observations_of(self.state))
+        write_observations(self.folder, collect_observations(self.state))

@@ -10,8 +10,8 @@ from pydantic import TypeAdapter, ValidationError
 from app.guide.arm.state import Artefact, Purpose
 from app.guide.arm.tip import LIMIT_UM
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
-from app.guide.common.journal import Journal, Row
-from app.timestamps import moment_of
+from app.guide.common.journal import Journal, JournalEntry
+from app.timestamps import parse_moment
 
 KIND = "arm"
 CHECKED, TIP_CHECKED, SOLVED = "checked", "tip_checked", "solved"
@@ -20,8 +20,8 @@ CHECKED, TIP_CHECKED, SOLVED = "checked", "tip_checked", "solved"
 class ArmJournal(Journal, Protocol):
     """A journal whose rows can be read over all sessions of a kind."""
 
-    def history(self, session_kind: str, kind: str) -> Sequence[Row]: ...
-    def latest(self, session_kind: str, kind: str) -> Row | None: ...
+    def history(self, session_kind: str, kind: str) -> Sequence[JournalEntry]: ...
+    def latest(self, session_kind: str, kind: str) -> JournalEntry | None: ...
 
 
 Summary = TypeVar("Summary")
@@ -32,7 +32,7 @@ SPHERE = TypeAdapter(Artefact)
 
 
 @dataclass(frozen=True)
-class ArmPast:
+class ArmHistory:
     """All checks that were finished, and that can be read."""
 
     journal: ArmJournal
@@ -84,12 +84,12 @@ class ArmPast:
         return found[0] if found else None
 
 
-def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[Row]) -> list[Summary]:
+def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[JournalEntry]) -> list[Summary]:
     """What rows tell; of those that cannot be read nothing."""
     found = []
     for row in rows:
         with suppress(ValueError):  # of which pydantic's is one
-            moment_of(row.at)
+            parse_moment(row.at)
             told = {
                 "arm_name": "",
                 "arm_serial": "",
@@ -101,5 +101,5 @@ def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[Row]) -> list[Summar
     return found
 
 
-def _when(row: Row) -> str:
+def _when(row: JournalEntry) -> str:
     return row.at

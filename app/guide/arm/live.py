@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from app.findings import Finding
 from app.guide.arm.state import Angles
-from app.guide.common.datasheet_library import Library
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.view import Busy
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
@@ -14,7 +14,7 @@ from app.station.devices.link_state import DeviceState
 class ArmLive:
     """The station as the arm session sees it."""
 
-    library: Library
+    library: DatasheetLibrary
     arm: Arm | None
     """The chosen one's model."""
     link: DeviceState

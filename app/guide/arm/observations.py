@@ -3,10 +3,10 @@
 import numpy as np
 
 from app.guide.arm.state import ArmState
-from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere
+from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
 
 
-def observations_of(state: ArmState) -> Observations:
+def collect_observations(state: ArmState) -> ArmObservations:
     """What was taken so far, as the identification has it; half a bar is left out."""
     taken = [seat for seat in state.seats if seat.q_rad]
     of = {
@@ -14,7 +14,7 @@ def observations_of(state: ArmState) -> Observations:
         for kind in ("seat", "bar", "sphere")
     }
     ends = of["bar"]
-    return Observations(
+    return ArmObservations(
         tuple(Seat(seat.name, np.array(seat.q_rad)) for seat in of["seat"]),
         tuple(
             Sphere(seat.name, seat.artefact.size_mm or 0.0, np.array(seat.q_rad))

@@ -6,32 +6,32 @@ from dataclasses import replace
 import numpy as np
 
 from app.guide.arm.live import ArmLive
-from app.guide.arm.state import Angles, ArmState, SeatTaken
-from app.guide.arm.tip import result_of
+from app.guide.arm.state import Angles, ArmState, SeatSamples
+from app.guide.arm.tip import tip_result
 from app.guide.arm.view import (
     ArmPicture,
     ArmResult,
-    Before,
+    BeforeAfter,
     CorrelatedLine,
+    FixedParameterLine,
     JointSwing,
-    KeptLine,
     ParameterLine,
     SeatLine,
 )
-from app.guide.common.view import Vec3, signed_um
+from app.guide.common.view import Vec3, format_signed_um
 from app.guide.verify.view import TouchLine
-from app.metrology.arm.identification.articulation import spread_um
+from app.metrology.arm.identification.articulation import tip_spread_um
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.fitting.deviation_map import flat_places
 from app.metrology.transforms import Floats
 
-SHOWN = 240
+DRAWN_POINTS = 240
 """Points of a seat that are drawn."""
 FEWEST_ON_BALL, STEPS = 5, 8
 
 
-def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPicture:
+def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> ArmPicture:
     arm = live.arm
     shown = seat if state.step != "seat" else None
     result = _result(state)
@@ -46,10 +46,10 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
         return ArmPicture((), None, None, None, state.limit_um, joints, seats, result)
     tips, J = tip_jacobian(arm, np.array(shown.q_rad))
     off_mm = _off_mm(arm, shown, tips)
-    half_range, two_sigma = spread_um(off_mm)
+    half_range, two_sigma = tip_spread_um(off_mm)
     encoders = np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0)
     return ArmPicture(
-        [_vec(np.round(off, 2)) for off in off_mm[-SHOWN:] * 1e3],
+        [_vec(np.round(off, 2)) for off in off_mm[-DRAWN_POINTS:] * 1e3],
         _vec(half_range),
         _vec(two_sigma),
         _vec(2e3 * np.sqrt(encoders)),
@@ -60,7 +60,7 @@ def picture_of(state: ArmState, live: ArmLive, seat: SeatTaken | None) -> ArmPic
     )
 
 
-def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatTaken | None) -> ArmPicture:
+def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatSamples | None) -> ArmPicture:
     """The touches of the sphere from above, and what they tell of the tip."""
     checked = state.checked
     nothing = ArmPicture((), None, None, None, state.limit_um, (), (), None)
@@ -87,30 +87,30 @@ def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatTaken | None) -> Ar
         half_range_um=half_range,
         touches=touches,
         sphere_mm=seat.artefact.size_mm / 2,
-        tip=result_of(checked) if checked is not None else None,
+        tip=tip_result(checked) if checked is not None else None,
     )
 
 
-def _seat_lines(arm: Arm, seats: Sequence[SeatTaken]) -> list[SeatLine]:
+def _seat_lines(arm: Arm, seats: Sequence[SeatSamples]) -> list[SeatLine]:
     lines: list[SeatLine] = []
     other: Floats | None = None
     for seat in seats:
         if len(seat.q_rad) < (FEWEST_ON_BALL if seat.artefact.kind == "sphere" else 1):
             continue
         tips = tip_centres(arm, np.array(seat.q_rad))
-        half_range, _ = spread_um(_off_mm(arm, seat, tips))
+        half_range, _ = tip_spread_um(_off_mm(arm, seat, tips))
         note = ""
         if seat.artefact.kind == "bar":
             here = (tips.max(axis=0) + tips.min(axis=0)) / 2
             if other is not None:
                 longer_mm = np.linalg.norm(here - other) - (seat.artefact.size_mm or 0.0)
-                note = f"length {signed_um(1e3 * float(longer_mm))}"
+                note = f"length {format_signed_um(1e3 * float(longer_mm))}"
             other = here if other is None else None
         lines.append(SeatLine(seat.name, len(seat.q_rad), float(half_range.max()), note))
     return lines
 
 
-def _off_mm(arm: Arm, seat: SeatTaken, tips: Floats) -> Floats:
+def _off_mm(arm: Arm, seat: SeatSamples, tips: Floats) -> Floats:
     """(N, 3) of the tips from the middle of a seat, or outward from a sphere."""
     if seat.artefact.kind != "sphere":
         return np.asarray(tips - (tips.max(axis=0) + tips.min(axis=0)) / 2)
@@ -132,7 +132,7 @@ def _ball_centre(tips: Floats, radius_mm: float) -> Floats:
     return centre
 
 
-def _joints(arm: Arm, seat: SeatTaken | None, now: Angles | None) -> list[JointSwing]:
+def _joints(arm: Arm, seat: SeatSamples | None, now: Angles | None) -> list[JointSwing]:
     q_deg = np.rad2deg(np.array(seat.q_rad)) if seat and seat.q_rad else None
     lines = []
     for i, joint in enumerate(arm.joints):
@@ -159,9 +159,9 @@ def _result(state: ArmState) -> ArmResult | None:
         solved["volume_after_um"],
         solved["size_known"],
         solved["places"],
-        [Before(**line) for line in solved["lines"]],
+        [BeforeAfter(**line) for line in solved["lines"]],
         [ParameterLine(**line) for line in solved["parameters"]],
-        [KeptLine(**line) for line in solved.get("kept", ())],
+        [FixedParameterLine(**line) for line in solved.get("kept", ())],
         [CorrelatedLine(**line) for line in solved.get("correlated", ())],
     )
 

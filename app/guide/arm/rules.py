@@ -39,7 +39,7 @@ ONLY_IN = {
 }
 
 
-def why_not(state: ArmState, live: ArmLive, name: str, args: Mapping[str, object]) -> str:
+def rejection_reason(state: ArmState, live: ArmLive, name: str, args: Mapping[str, object]) -> str:
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN:
         return f"There is no command '{name}'."
@@ -174,7 +174,7 @@ def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     return "" if state.saved else "The arm is as it was."
 
 
-def _hand(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _simulation(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
     return "" if live.has_hand else "There is no simulated hand on real devices."
 
 
@@ -190,5 +190,5 @@ RULES: dict[str, Rule] = {
     "drop_seat": _drop_seat,
     "save": _save,
     "restore": _restore,
-    "let_hand": _hand,
+    "let_hand": _simulation,
 }

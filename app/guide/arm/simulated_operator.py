@@ -7,7 +7,7 @@ from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.station.jobs import Progress
 
 SETTLE_S = 0.5
@@ -16,7 +16,7 @@ POSTURES: dict[Purpose, int] = {"check": 1, "tip": 1, "identify": 2}
 """How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
 
 
-def hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
+def simulation_job(guide: ArmGuide, hand: SimulatedOperator) -> Callable[[Progress], None]:
     """Takes the one seat of a check; of an identification all that are still wanted of the
     chosen artefact, of a sphere one."""
 
@@ -42,16 +42,16 @@ def hand_work(guide: ArmGuide, hand: Hand) -> Callable[[Progress], None]:
     return work
 
 
-def _taken(guide: ArmGuide, kind: Kind) -> int:
+def _count_artefacts(guide: ArmGuide, kind: Kind) -> int:
     return sum(seat.artefact.kind == kind for seat in guide.state.seats)
 
 
-def _take_seat(guide: ArmGuide, hand: Hand, share: float, progress: Progress) -> bool:
+def _take_seat(guide: ArmGuide, hand: SimulatedOperator, share: float, progress: Progress) -> bool:
     """One seat, or one end of the bar, from the approach to the end of the swing; False when
     the hand was stopped."""
     on_bar = guide.state.purpose == "identify" and guide.state.artefact.kind == "bar"
-    position, end = divmod(_taken(guide, "bar"), 2)
-    seat = _taken(guide, "seat")
+    position, end = divmod(_count_artefacts(guide, "bar"), 2)
+    seat = _count_artefacts(guide, "seat")
 
     def go(posture: int) -> bool:
         if on_bar:
@@ -77,9 +77,9 @@ def _take_seat(guide: ArmGuide, hand: Hand, share: float, progress: Progress) ->
     return True
 
 
-def _take_sphere(guide: ArmGuide, hand: Hand, progress: Progress) -> None:
+def _take_sphere(guide: ArmGuide, hand: SimulatedOperator, progress: Progress) -> None:
     """One sphere, touched all over its top."""
-    ball = _taken(guide, "sphere")
+    ball = _count_artefacts(guide, "sphere")
     if not _begin(guide):
         return
     of = touches_wanted(guide.state)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from app.guide.common.journal import Row
+from app.guide.common.journal import JournalEntry
 
 Purpose = Literal["check", "tip", "identify"]
 Kind = Literal["seat", "bar", "sphere"]
@@ -28,7 +28,7 @@ class Artefact:
 
 
 @dataclass(frozen=True)
-class SeatTaken:
+class SeatSamples:
     """One seat, end of a bar, or sphere, and the points taken there."""
 
     name: str
@@ -50,7 +50,7 @@ class ArmState:
     """Largest (max - min)/2 along any axis that the operator accepts."""
     artefact: Artefact = Artefact()
     """What comes next."""
-    seats: tuple[SeatTaken, ...] = ()
+    seats: tuple[SeatSamples, ...] = ()
     swinging: bool = False
     """Whether points are being taken in the last seat."""
     checked: Payload | None = None
@@ -86,7 +86,7 @@ class ArmState:
         return "result" if done else "seat"
 
 
-def after(state: ArmState, row: Row) -> ArmState:
+def apply_row(state: ArmState, row: JournalEntry) -> ArmState:
     """The state after one more row of the journal.
 
     Raises:
@@ -99,20 +99,20 @@ def after(state: ArmState, row: Row) -> ArmState:
     return replace(changed, session_id=row.session_id, rev=rev)
 
 
-def _started(state: ArmState, payload: Payload) -> ArmState:
-    return _artefact_of(
+def _start(state: ArmState, payload: Payload) -> ArmState:
+    return _with_sphere(
         replace(state, purpose=payload["purpose"], arm=payload["arm"], limit_um=payload["limit_um"])
     )
 
 
-def _artefact_of(state: ArmState) -> ArmState:
+def _with_sphere(state: ArmState) -> ArmState:
     """The tip is checked on a sphere."""
     sphere = state.purpose == "tip" and state.artefact.kind != "sphere"
     return replace(state, artefact=Artefact("sphere")) if sphere else state
 
 
 def _seat_begun(state: ArmState, payload: Payload) -> ArmState:
-    taken = SeatTaken(payload["name"], artefact=Artefact(**payload.get("artefact", {})))
+    taken = SeatSamples(payload["name"], artefact=Artefact(**payload.get("artefact", {})))
     return replace(state, seats=(*state.seats, taken), swinging=True)
 
 
@@ -128,7 +128,7 @@ def _seat_dropped(state: ArmState, payload: Payload) -> ArmState:
 
 
 CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
-    "started": _started,
+    "started": _start,
     "arm_chosen": lambda state, payload: replace(state, arm=payload["id"]),
     "artefact_chosen": lambda state, payload: replace(state, artefact=Artefact(**payload)),
     "limit_set": lambda state, payload: replace(state, limit_um=payload["limit_um"]),

@@ -3,9 +3,9 @@
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import IDENTIFIED
 from app.guide.arm.guide import ArmGuide
@@ -13,11 +13,11 @@ from app.guide.arm.history import SOLVED
 from app.metrology.arm.identification.identify import Identification
 from app.station.jobs import Progress
 from app.workflows.identify_arm import (
-    Signature,
-    correlations_of,
-    held_figures,
+    IdentificationProvenance,
     identify_folder,
+    list_fixed_parameters,
     parameter_lines,
+    strong_correlations,
 )
 
 REPLACED = "replaced"
@@ -27,7 +27,7 @@ REPLACED = "replaced"
 def fit(guide: ArmGuide, progress: Progress) -> None:
     """Identifies the arm from the session's folder, exactly as the command line does."""
     folder, signing = guide.folder, guide.signing
-    signature = Signature(
+    signature = IdentificationProvenance(
         signing.operator(), signing.station, signing.simulated, signing.temperature_c()
     )
     with guide.lock:
@@ -39,7 +39,7 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
             progress=lambda share, text: progress(text, share),
             signature=signature,
         )
-    except Refusal as refusal:
+    except OperationError as refusal:
         told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
         guide.append("fit_refused", {"code": refusal.code, **told})
         guide.station.bus.event("refused", refusal.line, "bad")
@@ -54,7 +54,7 @@ def save(guide: ArmGuide, key: str | None) -> None:
     target, aside = _places(guide)
     stamp = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
     kept = aside / f"{guide.state.arm}-{stamp}.json"
-    with files_refused(target):
+    with convert_io_errors(target):
         ensure_folder(kept.parent)
         write_atomically(kept, read_bounded(target))
         write_atomically(target, read_bounded(guide.folder / IDENTIFIED))
@@ -70,15 +70,15 @@ def restore(guide: ArmGuide, key: str | None) -> None:
     """
     target, aside = _places(guide)
     kept = aside / guide.state.replaced
-    with files_refused(target):
+    with convert_io_errors(target):
         now, identified = read_bounded(target), read_bounded(guide.folder / IDENTIFIED)
     if now != identified:
-        raise Refusal(
+        raise OperationError(
             "arm-changed",
             f"{target.name} was changed after this session had written it",
             remedy=f"the arm of before is in arms/{REPLACED}/{kept.name}; put it back by hand",
         )
-    with files_refused(kept):
+    with convert_io_errors(kept):
         write_atomically(target, read_bounded(kept))
     guide.append("restored", {"name": target.name}, key)
     guide.station.bus.event("accepted", "The arm is as it was before.", "good")
@@ -108,10 +108,10 @@ def _payload(result: Identification) -> dict[str, object]:
         "places": result.validation.places,
         "lines": lines,
         "parameters": parameter_lines(result),
-        "kept": [{"names": names, "why": why} for names, why in held_figures(result)],
+        "kept": [{"names": names, "why": why} for names, why in list_fixed_parameters(result)],
         "correlated": [
             {"first": first, "second": second, "coefficient": rho}
-            for first, second, rho in correlations_of(result)
+            for first, second, rho in strong_correlations(result)
         ],
         "warnings": list(result.warnings),
     }

@@ -46,12 +46,12 @@ RESULT = (
 )
 
 
-def result_of(payload: Mapping[str, Any]) -> TipResult:
+def tip_result(payload: Mapping[str, Any]) -> TipResult:
     """What was found, as it is shown."""
     return TipResult(**{name: payload[name] for name in RESULT})
 
 
-def finding_of(payload: Mapping[str, Any]) -> Finding:
+def tip_check_finding(payload: Mapping[str, Any]) -> Finding:
     """What was found in one sentence, and what to do."""
     diameter, expected = payload["diameter_mm"], payload["expected_mm"]
     scatter, limit = payload["scatter_um"], payload["limit_um"]

@@ -35,7 +35,7 @@ class SeatLine:
 
 
 @dataclass(frozen=True)
-class Before:
+class BeforeAfter:
     """One line of before and after."""
 
     title: str
@@ -55,7 +55,7 @@ class ParameterLine:
 
 
 @dataclass(frozen=True)
-class KeptLine:
+class FixedParameterLine:
     """Parameters that kept their values, and why."""
 
     names: str
@@ -80,9 +80,9 @@ class ArmResult:
     size_known: bool
     """Whether a calibrated length told the arm's size."""
     places: int
-    lines: Sequence[Before]
+    lines: Sequence[BeforeAfter]
     parameters: Sequence[ParameterLine]
-    kept: Sequence[KeptLine]
+    kept: Sequence[FixedParameterLine]
     correlated: Sequence[CorrelatedLine]
 
 

@@ -1,19 +1,19 @@
 """An accepted calibration, shown again as it was."""
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
-from app.guide.calibration.outcome import Outcome, from_payload
+from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import CalibrationState, after
+from app.guide.calibration.state import CalibrationState, apply_row
 from app.guide.calibration.steps.body import geometry
-from app.guide.calibration.steps.poses import recorded_poses
+from app.guide.calibration.steps.poses import past_pose_pictures
 from app.guide.calibration.touch.report import touch_report
 from app.guide.common.journal import Journal, fold
 from app.guide.common.view import ResultPicture
 from app.metrology.limits import LIMITS
 
 
-def recorded(
+def restore_result(
     journal: Journal, folder: SessionFolder, session_id: str, image_url: str
 ) -> tuple[ResultPicture, list[Finding]]:
     """The result's picture and its findings.
@@ -27,7 +27,7 @@ def recorded(
     state, solved = _solved(journal, session_id)
     chosen = folder.sheets()
     if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
-        raise Refusal(
+        raise OperationError(
             "record-incomplete",
             f"the calibration {session_id} cannot be shown",
             "its files are not in the data folder any more",
@@ -39,19 +39,21 @@ def recorded(
         stale=False,
         object=geometry(chosen.object),
         points=solved.points or touch.points,
-        poses=recorded_poses(state, _looked_at(state), solved, image_url),
+        poses=past_pose_pictures(state, _capture_outcomes(state), solved, image_url),
     )
     return picture, list(solved.findings)
 
 
-def _solved(journal: Journal, session_id: str) -> tuple[CalibrationState, Outcome | None]:
+def _solved(
+    journal: Journal, session_id: str
+) -> tuple[CalibrationState, CalibrationOutcome | None]:
     """How the session ended; without an outcome where its rows cannot be read."""
     try:
-        state = fold(journal.rows(session_id), CalibrationState(), after)
+        state = fold(journal.rows(session_id), CalibrationState(), apply_row)
         return state, from_payload(state.solved.outcome) if state.solved else None
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
         return CalibrationState(), None
 
 
-def _looked_at(state: CalibrationState) -> dict[int, Outcome]:
+def _capture_outcomes(state: CalibrationState) -> dict[int, CalibrationOutcome]:
     return {capture.number: from_payload(capture.outcome) for capture in state.captures}

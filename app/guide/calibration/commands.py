@@ -2,20 +2,20 @@
 
 from collections.abc import Callable
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.calibration import tasks as works
 from app.guide.calibration.confirm import CONFIRMATIONS, confirm
-from app.guide.calibration.guide import Guide
-from app.guide.calibration.simulated_operator import hand_work
+from app.guide.calibration.guide import CalibrationGuide
+from app.guide.calibration.simulated_operator import simulation_job
 from app.guide.calibration.state import STEPS
 from app.guide.calibration.touch import points as taking
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName, Press
-from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
+from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
 from app.guide.common.view import FlowView
 
 
-def command(guide: Guide, name: str, args: Args, rev: int, key: str) -> FlowView:
+def command(guide: CalibrationGuide, name: str, args: Args, rev: int, key: str) -> FlowView:
     """Does a command of the browser, once for each ``key``.
 
     Raises:
@@ -35,7 +35,7 @@ BY_MAIN_BUTTON = ("place", "capture", "solve")
 looked at, and confirmed on the screen."""
 
 
-def action_of(guide: Guide, button: ButtonName) -> tuple[str, Args]:
+def button_command(guide: CalibrationGuide, button: ButtonName) -> tuple[str, Args]:
     """The command that a button of the arm gives now; its name is empty for none."""
     step = guide.state.step
     if not guide.running:
@@ -51,11 +51,11 @@ def action_of(guide: Guide, button: ButtonName) -> tuple[str, Args]:
     return "", {}
 
 
-def press(guide: Guide, event: Press) -> bool:
+def press(guide: CalibrationGuide, event: Press) -> bool:
     """The arm's buttons: primary takes a point or does the step's main action, undo takes a
     point back, and back goes a step back. False where the button means nothing now."""
     with guide.lock:
-        name, args = action_of(guide, event.button)
+        name, args = button_command(guide, event.button)
         if not name:
             return False
         by_hand = guide.hand_running and guide.state.step == "touch"
@@ -67,69 +67,69 @@ def press(guide: Guide, event: Press) -> bool:
             else:
                 undoing = by_hand and name == "undo"
                 _act(guide, name, guide.refuse_unless_possible(name, args, None, undoing), None)
-        except Refusal as refusal:
+        except OperationError as refusal:
             guide.decline(refusal)
         guide.refresh()
         return True
 
 
-def _act(guide: Guide, name: str, args: Args, key: str | None) -> None:
+def _act(guide: CalibrationGuide, name: str, args: Args, key: str | None) -> None:
     if name in CONFIRMATIONS:
         confirm(guide, name, key)
     else:
         ACTS[name](guide, args, key)
 
 
-def _choose(guide: Guide, args: Args, key: str | None) -> None:
+def _choose(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("chosen", {"field": args["field"], "id": args["id"]}, key)
 
 
-def _select_face(guide: Guide, args: Args, key: str | None) -> None:
+def _select_face(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("face_selected", {"face": args["face"]}, key)
 
 
-def _take_point(guide: Guide, args: Args, key: str | None) -> None:
+def _take_point(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     taking.take_point(guide, "click", None, key)
 
 
-def _undo(guide: Guide, args: Args, key: str | None) -> None:
+def _undo(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     taking.undo(guide, key)
 
 
-def _redo(guide: Guide, args: Args, key: str | None) -> None:
+def _redo(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     taking.redo(guide, key)
 
 
-def _void_point(guide: Guide, args: Args, key: str | None) -> None:
+def _void_point(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     index = args["index"]
     assert isinstance(index, int)
     taking.void_point(guide, index, key)
 
 
-def _back(guide: Guide, args: Args, key: str | None) -> None:
+def _back(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     before = STEPS[STEPS.index(guide.state.step) - 1]
     guide.append("went_back", {"to": args.get("to", before)}, key)
 
 
-def _retake(guide: Guide, args: Args, key: str | None) -> None:
+def _retake(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("retaken", {}, key)
 
 
-def _another_pose(guide: Guide, args: Args, key: str | None) -> None:
+def _another_pose(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("another_pose", {}, key)
 
 
-def _void_pose(guide: Guide, args: Args, key: str | None) -> None:
+def _void_pose(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("pose_voided", {"number": args["number"]}, key)
     _poses_changed(guide)
 
 
-def _restore_pose(guide: Guide, args: Args, key: str | None) -> None:
+def _restore_pose(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("pose_restored", {"number": args["number"]}, key)
     _poses_changed(guide)
 
 
-def _poses_changed(guide: Guide) -> None:
+def _poses_changed(guide: CalibrationGuide) -> None:
     """The folder follows; while poses are still taken, the next one is advised anew."""
     guide.folder.keep_images(guide.state.pictures)
     if guide.state.step == "solve" and guide.state.advice is None:
@@ -137,45 +137,45 @@ def _poses_changed(guide: Guide) -> None:
         start_job(guide, title, lambda _progress: works.keep_advice(guide))
 
 
-def _capture(guide: Guide, args: Args, key: str | None) -> None:
+def _capture(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("capture_started", {}, key)
     start_job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
 
 
-def _solve(guide: Guide, args: Args, key: str | None) -> None:
+def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
     start_job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
 
 
-def _let_hand(guide: Guide, args: Args, key: str | None) -> None:
+def _start_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     hand = guide.station.hand
     assert hand is not None
     whole = args.get("all") is True
     guide.append("hand_started", {"all": whole}, key)
-    start_hand(guide, hand_work(guide, hand, whole))
+    start_simulation(guide, simulation_job(guide, hand, whole))
 
 
-def _stop_hand(guide: Guide, args: Args, key: str | None) -> None:
-    stop_hand(guide)
+def _stop_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+    stop_simulation(guide)
     guide.append("hand_stopped", {}, key)
 
 
-def _accept(guide: Guide, args: Args, key: str | None) -> None:
+def _accept(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     seen = guide.live().seen
     assert seen is not None
     assert seen.result is not None
     guide.accept(seen.result, key)
 
 
-def _repeat(guide: Guide, args: Args, key: str | None) -> None:
+def _repeat(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.repeat(key)
 
 
-def _abandon(guide: Guide, args: Args, key: str | None) -> None:
+def _abandon(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("abandoned", {}, key)
 
 
-ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
+ACTS: dict[str, Callable[[CalibrationGuide, Args, str | None], None]] = {
     "choose": _choose,
     "select_face": _select_face,
     "take_point": _take_point,
@@ -189,8 +189,8 @@ ACTS: dict[str, Callable[[Guide, Args, str | None], None]] = {
     "restore_pose": _restore_pose,
     "capture": _capture,
     "solve": _solve,
-    "let_hand": _let_hand,
-    "stop_hand": _stop_hand,
+    "let_hand": _start_simulation,
+    "stop_hand": _stop_simulation,
     "accept": _accept,
     "repeat": _repeat,
     "abandon": _abandon,

@@ -2,20 +2,20 @@
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.results.calibration import CalibrationFile, calibration_in
-from app.guide.common.journal import Calibration
+from app.errors import OperationError
+from app.formats.results.calibration import CalibrationFile, calibration_from_document
+from app.guide.common.journal import StoredCalibration
 from app.guide.common.result_view import Comparison, MovedPoint
-from app.metrology.adjustment.block.calibrate import JointCalibration
+from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply
 
 
 def compare(
-    result: JointCalibration | BoardCalibration,
+    result: BlockCalibration | BoardCalibration,
     sheet: CalibrationFile,
-    in_use: Calibration | None,
+    in_use: StoredCalibration | None,
 ) -> Comparison | None:
     """How far points of the measuring volume move against the calibration in use.
 
@@ -26,12 +26,12 @@ def compare(
         return None
     try:
         before = CalibrationFile.read(in_use.file)
-    except Refusal:
+    except OperationError:
         return None
     was, now = before.serial_numbers, sheet.serial_numbers
     if (was.arm, was.sensor) != (now.arm, now.sensor):
         return None
-    old = calibration_in(before)
+    old = calibration_from_document(before)
 
     def moved_um(uv_px: Floats) -> Floats:
         points = apply(result.T_flange_sensor, sensor_points(result.camera, result.plane, uv_px))

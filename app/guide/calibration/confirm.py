@@ -1,7 +1,7 @@
 """Confirming a step of the guided calibration."""
 
 from app.guide.calibration.flow import HEADINGS
-from app.guide.calibration.guide import Guide
+from app.guide.calibration.guide import CalibrationGuide
 
 CONFIRMATIONS = {
     "confirm_devices": "devices_confirmed",
@@ -12,7 +12,7 @@ CONFIRMATIONS = {
 }
 
 
-def confirm(guide: Guide, name: str, key: str | None) -> None:
+def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
     """Confirms a step; from the set-up on, the session uses its own copies of the sheets."""
     with guide.lock:
         if name == "confirm_setup":

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from app.guide.calibration.live import Live
+from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.state import STEPS, CalibrationState
-from app.guide.calibration.steps.body import Body, offer
+from app.guide.calibration.steps.body import StepView, offer
 from app.guide.calibration.steps.capture import capture_step, place_step, solve_step
 from app.guide.calibration.steps.review import review_step
 from app.guide.calibration.steps.setup import devices_step, setup_step
@@ -29,7 +29,7 @@ HEADINGS = {
     "solve": "Calibrate",
     "review": "Review the calibration",
 }
-BODIES: dict[str, Callable[[CalibrationState, Live], Body]] = {
+BODIES: dict[str, Callable[[CalibrationState, CalibrationLive], StepView]] = {
     "devices": devices_step,
     "setup": setup_step,
     "touch": touch_step,
@@ -40,7 +40,7 @@ BODIES: dict[str, Callable[[CalibrationState, Live], Body]] = {
 }
 
 
-def view_of(state: CalibrationState, live: Live) -> FlowView:
+def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
     """Everything that the browser shows of the calibration, for any state."""
     if state.ended in ("abandoned", "repeated"):
         state = CalibrationState(choices=state.choices)
@@ -58,7 +58,9 @@ def view_of(state: CalibrationState, live: Live) -> FlowView:
         number=body.number,
         progress=body.progress,
         findings=[*([live.trouble] if live.trouble else []), *body.findings],
-        actions=[*body.actions, *_common(state, live)] if running else _closed(state, live, body),
+        actions=[*body.actions, *_common(state, live)]
+        if running
+        else _final_actions(state, live, body),
         busy=live.busy,
     )
 
@@ -72,7 +74,7 @@ def _step_state(state: CalibrationState, step: str) -> StepState:
     return "stale" if place <= STEPS.index(state.reached) else "todo"
 
 
-def _common(state: CalibrationState, live: Live) -> list[Action]:
+def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the hand, the way back, the way out."""
     actions = []
     if live.hand_running:
@@ -97,6 +99,6 @@ def _common(state: CalibrationState, live: Live) -> list[Action]:
     return actions
 
 
-def _closed(state: CalibrationState, live: Live, body: Body) -> list[Action]:
+def _final_actions(state: CalibrationState, live: CalibrationLive, body: StepView) -> list[Action]:
     """Of a session that is over only its result is shown."""
     return list(body.actions) if state.ended == "accepted" else []

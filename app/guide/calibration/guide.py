@@ -7,26 +7,26 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.arguments import ARGUMENTS
-from app.guide.calibration.flow import view_of
-from app.guide.calibration.live import ConnectedArm, ConnectedSensor, Live
-from app.guide.calibration.outcome import Outcome, from_payload
+from app.guide.calibration.flow import build_view
+from app.guide.calibration.live import CalibrationLive, ConnectedArm, ConnectedSensor
+from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.poses.advice import Advice, remaining
 from app.guide.calibration.poses.advice import from_payload as advice_from
-from app.guide.calibration.poses.detection import SeenPoses
-from app.guide.calibration.rules import why_not
-from app.guide.calibration.session_datasheets import CHOOSING, Sheets, best_guess
+from app.guide.calibration.poses.detection import DetectionCache
+from app.guide.calibration.rules import rejection_reason
+from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
 from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import ENDS, FIELDS, KINDS, CalibrationState, after
+from app.guide.calibration.state import ENDS, FIELDS, KINDS, CalibrationState, apply_row
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.journal import Calibrations, Journal
-from app.guide.common.provenance import UNSIGNED, Signing
+from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.result_view import CalibrationResult
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import FlowView
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.transforms import Floats
@@ -36,13 +36,13 @@ from app.station.jobs import Jobs
 from app.station.preview.preview import Preview
 from app.station.scan.state import ScanState
 from app.station.view3d.scene import Scene
-from app.workflows.calibrate import AnySeen
+from app.workflows.calibrate import AnyDetection
 
 KIND = "calibration"
-FLOW = Flow(KIND, "flow", CalibrationState(), after, view_of, why_not, ARGUMENTS)
+FLOW = Flow(KIND, "flow", CalibrationState(), apply_row, build_view, rejection_reason, ARGUMENTS)
 
 
-class StaleCommand(Exception):
+class StaleCommandError(Exception):
     """A command was given on a view that is no longer the present one."""
 
     def __init__(self, view: FlowView) -> None:
@@ -51,7 +51,7 @@ class StaleCommand(Exception):
 
 
 @dataclass(frozen=True)
-class Station:
+class CalibrationServices:
     """The parts of the machine room that the guide works with."""
 
     bus: Bus
@@ -59,49 +59,49 @@ class Station:
     preview: Preview
     scene: Scene
     jobs: Jobs
-    hand: Hand | None
+    hand: SimulatedOperator | None
 
 
-class Guide(GuidedSession[CalibrationState, Live, FlowView]):
+class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView]):
     """The one calibration session of a station: its journal, and what is shown of it.
 
     ``on_closed`` is called after a session was accepted or abandoned.
     """
 
-    station: Station
+    station: CalibrationServices
 
     def __init__(
         self,
-        station: Station,
+        station: CalibrationServices,
         journal: Journal,
         calibrations: Calibrations,
         data_folder: Path,
         on_closed: Callable[[], None],
         limits: Limits = LIMITS,
-        signing: Signing = UNSIGNED,
+        signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
         self.signing = signing
         self.limits = limits
         """What a calibration's verdict goes by."""
-        self.seen_poses = SeenPoses()
+        self.seen_poses = DetectionCache()
         self.calibrations = calibrations
         self.tip: Callable[[], Finding | None] = lambda: None
         """What the last check of the tip says."""
         self._data_folder = data_folder
         self._on_closed = on_closed
-        self._sheets: Sheets | None = None
-        self._outcome: tuple[Mapping[str, object] | None, Outcome | None] = (None, None)
-        self._captured: dict[int, tuple[Mapping[str, object], Outcome]] = {}
+        self._sheets: SessionDatasheets | None = None
+        self._outcome: tuple[Mapping[str, object] | None, CalibrationOutcome | None] = (None, None)
+        self._captured: dict[int, tuple[Mapping[str, object], CalibrationOutcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self.resume()
 
     @property
-    def sheets(self) -> Sheets:
+    def sheets(self) -> SessionDatasheets:
         """What the present session chooses from, and chose."""
         path = self._data_folder / "sessions" / (self.state.session_id or "none")
         if self._sheets is None or self._sheets.folder.path != path:
-            self._sheets = Sheets(SessionFolder(path), self.limits)
+            self._sheets = SessionDatasheets(SessionFolder(path), self.limits)
         return self._sheets
 
     @property
@@ -109,17 +109,17 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         """The present session's folder."""
         return self.sheets.folder
 
-    def known_poses(self) -> Mapping[int, AnySeen | Refusal]:
+    def known_poses(self) -> Mapping[int, AnyDetection | OperationError]:
         """What the pictures of this session's poses show, by number, as far as remembered."""
         return self.seen_poses.of(self.state.session_id)
 
     # -- what is shown -------------------------------------------------------
 
-    def live(self) -> Live:
+    def live(self) -> CalibrationLive:
         """The station as the flow sees it."""
         rig, state = self.station.rig, self.state
         preview = self.station.preview.latest()
-        return Live(
+        return CalibrationLive(
             rev=self.rev,
             arm_link=rig.arm.link(),
             sensor_link=rig.sensor.link(),
@@ -144,7 +144,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
             trouble=self._trouble,
         )
 
-    def _seen(self) -> Outcome | None:
+    def _seen(self) -> CalibrationOutcome | None:
         """The outcome of the solve, or before one of the capture; parsed once."""
         picture = self.state.picture
         payload = self.state.outcome or (picture.outcome if picture else None)
@@ -154,7 +154,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
             self._outcome = (payload, from_payload(payload) if payload else None)
         return self._outcome[1]
 
-    def _looked_at(self) -> Mapping[int, Outcome]:
+    def _looked_at(self) -> Mapping[int, CalibrationOutcome]:
         """What the captures showed, each parsed once."""
         for capture in self.state.captures:
             known = self._captured.get(capture.number)
@@ -171,7 +171,7 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
             self._advised = (payload, advice_from(payload) if payload else None)
         return self._advised[1]
 
-    def _to_move(self) -> Hold | None:
+    def _to_move(self) -> PoseDelta | None:
         """What is still to be moved to the advised hold, while the sensor is aimed."""
         advice, chosen = self._advice(), self.sheets.chosen(self.state)
         newest = self.station.rig.arm.latest()
@@ -303,4 +303,4 @@ class Guide(GuidedSession[CalibrationState, Live, FlowView]):
         return self._journal.last_number()
 
     def stale(self) -> Exception:
-        return StaleCommand(self.view())
+        return StaleCommandError(self.view())

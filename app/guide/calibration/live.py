@@ -4,16 +4,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from app.findings import Finding
-from app.formats.datasheets.sensor import SensorSheet
-from app.guide.calibration.outcome import Outcome
+from app.formats.datasheets.sensor import SensorDatasheet
+from app.guide.calibration.outcome import CalibrationOutcome
 from app.guide.calibration.poses.advice import Advice
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.datasheet_library import Library
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.view import Busy
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
 from app.station.devices.stillness import Stillness
 
@@ -36,12 +36,12 @@ class ConnectedSensor:
 
 
 @dataclass(frozen=True)
-class Chosen:
+class SelectedDatasheets:
     """The sheets that the session's choices name; None where there is none (any more)."""
 
     arm: Arm | None
-    object: CalibrationObject | None
-    sensor: SensorSheet | None
+    object: CalibrationTarget | None
+    sensor: SensorDatasheet | None
 
     @property
     def board(self) -> Chessboard | None:
@@ -50,7 +50,7 @@ class Chosen:
 
 
 @dataclass(frozen=True)
-class Live:
+class CalibrationLive:
     """The station as it is now."""
 
     rev: int
@@ -60,8 +60,8 @@ class Live:
     arm: ConnectedArm | None
     sensor: ConnectedSensor | None
     stillness: Stillness
-    library: Library
-    chosen: Chosen
+    library: DatasheetLibrary
+    chosen: SelectedDatasheets
     touch: TouchReport | None
     """None until an arm and an object are chosen."""
     laser_on: bool
@@ -69,14 +69,14 @@ class Live:
     """Corners of the object found in the live picture."""
     picture_findings: tuple[Finding, ...]
     """Exposure, saturation and sharpness of the live picture."""
-    seen: Outcome | None
+    seen: CalibrationOutcome | None
     """What the solve, or before it the capture, found in the pictures; in the review the
     last solve's, even where a pose was set aside or taken back since."""
-    looked_at: Mapping[int, Outcome]
+    looked_at: Mapping[int, CalibrationOutcome]
     """What each capture showed as it was taken, by the pose's number."""
     advice: Advice | None
     """Which pose to take next, for the points and pictures as they are."""
-    to_move: Hold | None
+    to_move: PoseDelta | None
     """What is still to be moved to the advised hold."""
     scanning: bool
     tip: Finding | None

@@ -8,7 +8,7 @@ from pydantic import TypeAdapter
 from app.findings import Finding
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.view import ImageCorner, Segment, TouchedPoint, Vec3
-from app.metrology.detection.failure_evidence import Mark
+from app.metrology.detection.failure_evidence import ImageAnnotation
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class PoseDrawing:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class CalibrationOutcome:
     """The object and the stripe in a fresh picture; or a solve's result, and each pose's.
 
     Of a picture that was declined, ``fault`` names what of it is at fault (exposure, focus,
@@ -36,20 +36,20 @@ class Outcome:
     stripe: Sequence[tuple[float, float]]
     findings: Sequence[Finding]
     result: CalibrationResult | None
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[ImageAnnotation, ...] = ()
     poses: tuple[PoseDrawing, ...] = ()
     fault: str = ""
     points: tuple[TouchedPoint, ...] = ()
 
 
-_ADAPTER = TypeAdapter(Outcome)
+_ADAPTER = TypeAdapter(CalibrationOutcome)
 
 
-def to_payload(outcome: Outcome) -> dict[str, object]:
+def to_payload(outcome: CalibrationOutcome) -> dict[str, object]:
     """The outcome as a journal row carries it."""
     return asdict(outcome)
 
 
-def from_payload(payload: Mapping[str, object]) -> Outcome:
+def from_payload(payload: Mapping[str, object]) -> CalibrationOutcome:
     """The outcome back from a journal row."""
     return _ADAPTER.validate_python(payload)

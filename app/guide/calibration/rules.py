@@ -3,14 +3,14 @@
 from collections.abc import Callable, Mapping
 
 from app.findings import Finding
-from app.guide.calibration.live import Live
+from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.board_views import still_missing
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
-from app.guide.calibration.touch.report import faces_of
+from app.guide.calibration.touch.report import face_names
 
 Args = Mapping[str, object]
-Rule = Callable[[CalibrationState, Live, Args], str]
+Rule = Callable[[CalibrationState, CalibrationLive, Args], str]
 
 ONLY_IN = {
     "confirm_devices": ("devices",),
@@ -37,7 +37,7 @@ ONLY_IN = {
 ALWAYS = ("stop_hand", "repeat", "abandon")
 
 
-def why_not(state: CalibrationState, live: Live, name: str, args: Args) -> str:
+def rejection_reason(state: CalibrationState, live: CalibrationLive, name: str, args: Args) -> str:
     """Why the command ``name`` cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
         return f"There is no command '{name}'."
@@ -53,26 +53,26 @@ def why_not(state: CalibrationState, live: Live, name: str, args: Args) -> str:
     return rule(state, live, args) if rule else ""
 
 
-def _devices(state: CalibrationState, live: Live, args: Args) -> str:
+def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return _arm_there(live) or _sensor_there(live)
 
 
-def _arm_there(live: Live) -> str:
+def _arm_there(live: CalibrationLive) -> str:
     return "" if live.arm_link.state == "connected" else f"The arm: {live.arm_link.text}"
 
 
-def _sensor_there(live: Live) -> str:
+def _sensor_there(live: CalibrationLive) -> str:
     return "" if live.sensor_link.state == "connected" else f"The sensor: {live.sensor_link.text}"
 
 
-def _choose(state: CalibrationState, live: Live, args: Args) -> str:
+def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     field, chosen = args.get("field"), args.get("id")
     if not isinstance(field, str) or not isinstance(chosen, str):
         return "A choice needs a field and an id."
     return "" if live.library.has(field, chosen) else f"There is no {field} '{chosen}' here."
 
 
-def _setup(state: CalibrationState, live: Live, args: Args) -> str:
+def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     chosen = live.chosen
     if chosen.arm is None or chosen.object is None or chosen.sensor is None:
         names = (("arm", chosen.arm), ("object", chosen.object), ("sensor", chosen.sensor))
@@ -93,11 +93,11 @@ def _setup(state: CalibrationState, live: Live, args: Args) -> str:
     return _others(live)
 
 
-def _others(live: Live) -> str:
+def _others(live: CalibrationLive) -> str:
     return " ".join(f"{found.text} {found.remedy}" for found in other_devices(live)[:1])
 
 
-def other_devices(live: Live) -> list[Finding]:
+def other_devices(live: CalibrationLive) -> list[Finding]:
     """Connected devices that are not those of the chosen datasheets: nothing could be scanned
     with what is calibrated so. One that says no serial number cannot contradict."""
     chosen = live.chosen
@@ -118,32 +118,32 @@ def other_devices(live: Live) -> list[Finding]:
     ]
 
 
-def _face(state: CalibrationState, live: Live, args: Args) -> str:
+def _face(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     item = live.chosen.object
-    known = item is not None and args.get("face") in faces_of(item)
+    known = item is not None and args.get("face") in face_names(item)
     return "" if known else f"There is no face '{args.get('face')}'."
 
 
-def _take(state: CalibrationState, live: Live, args: Args) -> str:
+def _take(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     if missing := _arm_there(live):
         return missing
     return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
 
 
-def _undo(state: CalibrationState, live: Live, args: Args) -> str:
+def _undo(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return "" if state.counted else "No point was taken yet."
 
 
-def _redo(state: CalibrationState, live: Live, args: Args) -> str:
+def _redo(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return "" if state.undone else "No point was taken back since the last one was taken."
 
 
-def _void(state: CalibrationState, live: Live, args: Args) -> str:
+def _void(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     known = any(contact.index == args.get("index") for contact in state.counted)
     return "" if known else "That point is not there any more."
 
 
-def _touch(state: CalibrationState, live: Live, args: Args) -> str:
+def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     touch = live.touch
     if touch is None:
         return "The arm or the object that was chosen cannot be read any more."
@@ -155,11 +155,11 @@ def _touch(state: CalibrationState, live: Live, args: Args) -> str:
     return ""
 
 
-def _place(state: CalibrationState, live: Live, args: Args) -> str:
+def _place(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return _arm_there(live) or _sensor_there(live)
 
 
-def _capture(state: CalibrationState, live: Live, args: Args) -> str:
+def _capture(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     if live.scanning:
         return "A scan is running and has the laser. Stop it first."
     if missing := _place(state, live, args):
@@ -167,23 +167,23 @@ def _capture(state: CalibrationState, live: Live, args: Args) -> str:
     return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
 
 
-def _keep(state: CalibrationState, live: Live, args: Args) -> str:
+def _keep(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return "" if state.picture else "There is no picture yet. Take one."
 
 
-def _void_pose(state: CalibrationState, live: Live, args: Args) -> str:
+def _void_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     known = any(picture.number == args.get("number") for picture in state.pictures)
     if not known:
         return "That pose is not there any more."
     return "" if len(state.pictures) > 1 else "It is the only pose. Take another first."
 
 
-def _restore_pose(state: CalibrationState, live: Live, args: Args) -> str:
+def _restore_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     aside = [picture.number for picture in state.listed if picture.gone]
     return "" if args.get("number") in aside else "That pose is not set aside."
 
 
-def _solve(state: CalibrationState, live: Live, args: Args) -> str:
+def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     if state.step == "review" and state.outcome is not None:
         return "Nothing changed since this was solved."
     if not state.picture:
@@ -198,7 +198,7 @@ def _solve(state: CalibrationState, live: Live, args: Args) -> str:
     return _touch(state, live, args)
 
 
-def _accept(state: CalibrationState, live: Live, args: Args) -> str:
+def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     seen = live.seen
     if seen is None or seen.result is None or state.outcome is None:
         return "Something changed since this was solved. Solve again."
@@ -212,13 +212,13 @@ def _accept(state: CalibrationState, live: Live, args: Args) -> str:
     return "It should not be used: the findings say why."
 
 
-def _back(state: CalibrationState, live: Live, args: Args) -> str:
+def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     to = args.get("to", STEPS[max(STEPS.index(state.step) - 1, 0)])
     earlier = STEPS[: STEPS.index(state.step)]
     return "" if to in earlier else f"There is no earlier step '{to}'."
 
 
-def _hand(state: CalibrationState, live: Live, args: Args) -> str:
+def _simulation(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return "" if live.has_hand else "There is no simulated hand on real devices."
 
 
@@ -240,5 +240,5 @@ RULES: dict[str, Rule] = {
     "solve": _solve,
     "accept": _accept,
     "back": _back,
-    "let_hand": _hand,
+    "let_hand": _simulation,
 }

@@ -2,12 +2,12 @@
 
 import time
 
-from app.guide.calibration.live import Chosen, ConnectedArm, ConnectedSensor
+from app.guide.calibration.live import ConnectedArm, ConnectedSensor, SelectedDatasheets
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import FIELDS, CalibrationState
 from app.guide.calibration.touch.report import touch_report
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.datasheet_library import Library, read_library
+from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.limits import Limits
 from app.metrology.targets.crenellated_block import Crenellated
 
@@ -18,19 +18,19 @@ TARGET_SHARE = 0.3
 """The contacts may take so much of what a good calibration may be uncertain by."""
 
 
-class Sheets:
+class SessionDatasheets:
     """Reads the sheets once and again only when they may have changed; not thread-safe."""
 
     def __init__(self, folder: SessionFolder, limits: Limits) -> None:
         self._target_um = TARGET_SHARE * limits.good_um
         self._data_folder = folder.path.parent.parent
         self.folder = folder
-        self._library: Library | None = None
+        self._library: DatasheetLibrary | None = None
         self._read_at = 0.0
-        self._own: Chosen | None = None
+        self._own: SelectedDatasheets | None = None
         self._report: tuple[object, TouchReport | None] = (None, None)
 
-    def library(self, choosing: bool) -> Library:
+    def library(self, choosing: bool) -> DatasheetLibrary:
         """What the station knows."""
         old = time.monotonic() - self._read_at > FRESH_S
         if self._library is None or (choosing and old):
@@ -38,13 +38,13 @@ class Sheets:
             self._read_at = time.monotonic()
         return self._library
 
-    def chosen(self, state: CalibrationState) -> Chosen:
+    def chosen(self, state: CalibrationState) -> SelectedDatasheets:
         """The library's sheets while choosing; later the session's own copies."""
         if state.step in CHOOSING or not state.session_id:
             self._own = None
             library = self.library(True)
             arm, item, sensor = (state.choices.get(name, "") for name in FIELDS)
-            return Chosen(
+            return SelectedDatasheets(
                 library.arms[arm].sheet if arm in library.arms else None,
                 library.objects[item].sheet if item in library.objects else None,
                 library.sensors[sensor].sheet if sensor in library.sensors else None,
@@ -66,7 +66,7 @@ class Sheets:
 
 
 def best_guess(
-    library: Library,
+    library: DatasheetLibrary,
     before: CalibrationState,
     arm: ConnectedArm | None,
     sensor: ConnectedSensor | None,

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.images import write_png
-from app.formats.io_errors import files_refused
-from app.formats.json_document import sha256_of
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import file_sha256
 from app.formats.open_file import read_bounded
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.session.calibration_session import (
@@ -23,16 +23,16 @@ from app.formats.session.calibration_session import (
     PICTURES,
     PROBING,
     SENSOR,
-    Contacts,
+    ContactReadings,
     ImageRow,
     write_contacts,
     write_images,
 )
-from app.guide.calibration.live import Chosen
+from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.state import CalibrationState, Contact
-from app.guide.calibration.state import Capture as Captured
-from app.guide.common.datasheet_library import Library
-from app.guide.common.provenance import Signing
+from app.guide.calibration.state import PoseCapture as Captured
+from app.guide.common.datasheet_library import DatasheetLibrary
+from app.guide.common.provenance import Provenance
 from app.guide.common.result_view import CalibrationResult
 from app.station.devices.capture import Capture
 
@@ -46,9 +46,9 @@ class SessionFolder:
         self.path = path
         self.calibration = path / CALIBRATION
 
-    def keep_sheets(self, library: Library, state: CalibrationState) -> None:
+    def keep_sheets(self, library: DatasheetLibrary, state: CalibrationState) -> None:
         """Copies the chosen arm, object and sensor, which the session uses from now on."""
-        with files_refused(self.path):
+        with convert_io_errors(self.path):
             ensure_folder(self.path / PICTURES)
             sources = (
                 (library.arms[state.choices["arm"]].path, ARM),
@@ -58,16 +58,16 @@ class SessionFolder:
             for source, name in sources:
                 write_atomically(self.path / name, read_bounded(source))
 
-    def sheets(self) -> Chosen:
+    def sheets(self) -> SelectedDatasheets:
         """The session's own copies; None for what cannot be read any more."""
         try:
-            return Chosen(
+            return SelectedDatasheets(
                 read_arm(self.path / ARM),
                 read_object(self.path / OBJECT),
                 read_sensor(self.path / SENSOR),
             )
-        except Refusal:
-            return Chosen(None, None, None)
+        except OperationError:
+            return SelectedDatasheets(None, None, None)
 
     def keep_contacts(self, contacts: Sequence[Contact]) -> None:
         """Brings ``probing.csv`` up to date; without points there is none."""
@@ -76,7 +76,9 @@ class SessionFolder:
             path.unlink(missing_ok=True)
             return
         faces = tuple(contact.face for contact in contacts)
-        write_contacts(path, Contacts(faces, np.array([contact.q_rad for contact in contacts])))
+        write_contacts(
+            path, ContactReadings(faces, np.array([contact.q_rad for contact in contacts]))
+        )
 
     def keep_capture(self, number: int, capture: Capture) -> dict[str, str | None]:
         """Writes the pictures of a capture; their names relative to the folder."""
@@ -107,7 +109,7 @@ class SessionFolder:
         else:
             (self.path / IMAGES).unlink(missing_ok=True)
 
-    def keep_acceptance(self, name: str, result: CalibrationResult, signing: Signing) -> None:
+    def keep_acceptance(self, name: str, result: CalibrationResult, signing: Provenance) -> None:
         """Writes who puts the session's calibration to use, and by which limits."""
         moved = result.comparison
         compared = (
@@ -121,7 +123,7 @@ class SessionFolder:
             operator=signing.operator(),
             station=signing.station,
             simulated=signing.simulated,
-            calibration_sha256=sha256_of(self.calibration),
+            calibration_sha256=file_sha256(self.calibration),
             good_um=result.good_um,
             usable_um=result.usable_um,
             temperature_c=signing.temperature_c(),

@@ -3,13 +3,13 @@
 import time
 from collections.abc import Callable
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.calibration import tasks as works
 from app.guide.calibration.confirm import confirm
-from app.guide.calibration.guide import Guide
+from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.touch.report import face_in_use, face_progress
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.station.jobs import Progress
 
 TIMEOUT_S = 4.0
@@ -18,7 +18,9 @@ ATTEMPTS = 3
 POSES, BOARD_POSES = 5, 9
 
 
-def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
+def simulation_job(
+    guide: CalibrationGuide, hand: SimulatedOperator, whole: bool
+) -> Callable[[Progress], None]:
     """The job by which the hand does the present step, or goes on up to the review."""
 
     def work(progress: Progress) -> None:
@@ -28,7 +30,7 @@ def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], Non
                 return
             while guide.hand_running:
                 step = guide.state.step
-                STEP_WORKS[step](guide, hand, progress)
+                STEP_JOBS[step](guide, hand, progress)
                 if not whole or guide.state.step in (step, "review"):
                     break
         finally:
@@ -37,7 +39,7 @@ def hand_work(guide: Guide, hand: Hand, whole: bool) -> Callable[[Progress], Non
     return work
 
 
-def _confirm(guide: Guide, name: str) -> None:
+def _confirm(guide: CalibrationGuide, name: str) -> None:
     """Goes on as the operator would, by the same rules; not once the hand was stopped."""
     _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
     with guide.lock:
@@ -46,23 +48,23 @@ def _confirm(guide: Guide, name: str) -> None:
             confirm(guide, name, None)
 
 
-def _possible(guide: Guide, name: str) -> bool:
+def _possible(guide: CalibrationGuide, name: str) -> bool:
     try:
         guide.refuse_unless_possible(name, {}, None, by_hand=True)
-    except Refusal:
+    except OperationError:
         return False
     return True
 
 
-def _devices(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _devices(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     _confirm(guide, "confirm_devices")
 
 
-def _setup(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _setup(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     _confirm(guide, "confirm_setup")
 
 
-def _touch(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _touch(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     """Takes the points that are still wanted, by the arm's own button."""
     item, report = guide.sheets.chosen(guide.state).object, guide.sheets.touch(guide.state)
     assert item is not None
@@ -76,7 +78,7 @@ def _touch(guide: Guide, hand: Hand, progress: Progress) -> None:
     _confirm(guide, "confirm_touch")
 
 
-def _touch_one(guide: Guide, hand: Hand, face: str, index: int) -> bool:
+def _touch_one(guide: CalibrationGuide, hand: SimulatedOperator, face: str, index: int) -> bool:
     """One place, again where a point was declined; False when the hand was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
@@ -89,14 +91,14 @@ def _touch_one(guide: Guide, hand: Hand, face: str, index: int) -> bool:
             return False
         if _await_point(guide, before, declined):
             return True
-    raise Refusal(
+    raise OperationError(
         "hand-declined",
         f"The hand's point {index + 1} on the {face} face was declined {ATTEMPTS} times",
         remedy="Look at the last message, and let the hand try again",
     )
 
 
-def _await_point(guide: Guide, before: int, declined: int) -> bool:
+def _await_point(guide: CalibrationGuide, before: int, declined: int) -> bool:
     """Whether the press became a point; the arm's bytes and the journal take their time."""
     with guide.changed:
         guide.changed.wait_for(
@@ -105,7 +107,7 @@ def _await_point(guide: Guide, before: int, declined: int) -> bool:
         return len(guide.state.contacts) > before
 
 
-def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
+def _hold(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> bool:
     """Brings the sensor to where the next picture is wanted; False when the hand was stopped."""
     advice = guide.live().advice
     if advice is None:
@@ -118,32 +120,32 @@ def _hold(guide: Guide, hand: Hand, progress: Progress) -> bool:
     return hand.hold_at(advice.q_rad)
 
 
-def _place(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _place(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     if _hold(guide, hand, progress):
         progress("The hand holds still", 0.8)
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
 
-def _capture(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _capture(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     """Takes the picture, again where the arm or the camera was not ready for it."""
     for attempt in range(ATTEMPTS):
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         try:
             works.capture(guide, progress)
-        except Refusal:
+        except OperationError:
             if attempt == ATTEMPTS - 1 or not guide.hand_running:
                 raise
         else:
             break
 
 
-def _ready_to_capture(guide: Guide) -> bool:
+def _ready_to_capture(guide: CalibrationGuide) -> bool:
     rig = guide.station.rig
     return rig.arm.stillness().still and rig.sensor.fresh
 
 
-def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
+def _solve(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     """Takes the poses that are asked for, as the operator is told to, then calibrates."""
     if _another_helps(guide):
         guide.append("another_pose", {})
@@ -151,7 +153,7 @@ def _solve(guide: Guide, hand: Hand, progress: Progress) -> None:
         works.calibrate(guide, progress)
 
 
-def _another_helps(guide: Guide) -> bool:
+def _another_helps(guide: CalibrationGuide) -> bool:
     advice, taken = guide.live().advice, len(guide.state.pictures)
     most = POSES
     if guide.sheets.chosen(guide.state).board is not None:
@@ -161,7 +163,7 @@ def _another_helps(guide: Guide) -> bool:
     return advice is not None and advice.worth_it and taken < most
 
 
-def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:
+def _await(guide: CalibrationGuide, ready: Callable[[], bool], timeout_s: float) -> None:
     """Waits a little for the station to be ready; what follows judges it anew."""
     deadline_s = time.monotonic() + timeout_s
     with guide.changed:
@@ -169,7 +171,7 @@ def _await(guide: Guide, ready: Callable[[], bool], timeout_s: float) -> None:
             guide.changed.wait(0.1)
 
 
-STEP_WORKS: dict[str, Callable[[Guide, Hand, Progress], None]] = {
+STEP_JOBS: dict[str, Callable[[CalibrationGuide, SimulatedOperator, Progress], None]] = {
     "devices": _devices,
     "setup": _setup,
     "touch": _touch,

@@ -5,49 +5,49 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.results.calibration import CalibrationFile
-from app.formats.results.calibration_builder import board_sheet, joint_sheet
-from app.formats.session.calibration_session import BoardSession, Session, read_any_session
+from app.formats.results.calibration_builder import board_document, joint_document
+from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.guide.calibration.comparison import compare
-from app.guide.calibration.outcome import Outcome, PoseDrawing
-from app.guide.calibration.poses.detection import drawn, shown
+from app.guide.calibration.outcome import CalibrationOutcome, PoseDrawing
+from app.guide.calibration.poses.detection import draw_detection, thin_stripe
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.touch.board import FACE
-from app.guide.common.journal import Calibration
+from app.guide.common.journal import StoredCalibration
 from app.guide.common.result_view import (
-    BudgetRow,
+    BudgetLine,
     CalibrationResult,
     Comparison,
     FaceResult,
     MapPoint,
     PlaneKnown,
     PoseRow,
-    WorstPoint,
+    WorstPointLine,
 )
 from app.guide.common.view import ImageCorner, TouchedPoint, sentence
-from app.metrology.adjustment.block.calibrate import JointCalibration, Progress, calibrate_joint
+from app.metrology.adjustment.block.calibrate import BlockCalibration, Progress, calibrate_block
 from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
 from app.metrology.adjustment.core.uncertainty import UncertaintyMap
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration import findings as metrology
 from app.metrology.limits import Limits
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import apply, inverse
-from app.workflows.calibrate import AnySeen, board_inputs, joint_inputs, origin_of
+from app.workflows.calibrate import AnyDetection, board_inputs, calibration_origin, joint_inputs
 
-Calibrated = JointCalibration | BoardCalibration
+AnyCalibration = BlockCalibration | BoardCalibration
 
 
 def solve(
     folder: SessionFolder,
-    in_use: Calibration | None,
+    in_use: StoredCalibration | None,
     progress: Progress,
-    known: Mapping[int, AnySeen | Refusal],
+    known: Mapping[int, AnyDetection | OperationError],
     limits: Limits,
     points: Sequence[int],
-) -> Outcome:
+) -> CalibrationOutcome:
     """Calibrates the session as the command line does, and writes ``calibration.json``.
 
     Args:
@@ -59,9 +59,9 @@ def solve(
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_any_session(folder.path)
-    result, sheet, drawings, touched = _calibrated(session, progress, known, limits, points)
+    result, sheet, drawings, touched = _calibrate(session, progress, known, limits, points)
     sheet.write(folder.calibration)
-    return Outcome(
+    return CalibrationOutcome(
         corners=(),
         outline=(),
         stripe=(),
@@ -78,32 +78,32 @@ def solve(
     )
 
 
-def _calibrated(
-    session: Session | BoardSession,
+def _calibrate(
+    session: BlockSession | BoardSession,
     progress: Progress,
-    known: Mapping[int, AnySeen | Refusal],
+    known: Mapping[int, AnyDetection | OperationError],
     limits: Limits,
     points: Sequence[int],
-) -> tuple[Calibrated, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
+) -> tuple[AnyCalibration, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
     """The calibration, its file, what its poses are drawn with, and a board's touched points."""
 
     def looked(share: float, text: str) -> None:
         progress(text, share)
 
-    origin = origin_of(session, session.poses, operator="")
+    origin = calibration_origin(session, session.poses, operator="")
     if isinstance(session, BoardSession):
         of_board = board_inputs(session, limits, looked, known)
         on_board = calibrate_board(of_board, progress)
         drawings = _drawings(on_board, of_board.seen, session.board)
-        return on_board, board_sheet(on_board, origin), drawings, _on_board(on_board, points)
+        return on_board, board_document(on_board, origin), drawings, _on_board(on_board, points)
     of_block = joint_inputs(session, limits, looked, known)
-    on_block = calibrate_joint(of_block, progress)
+    on_block = calibrate_block(of_block, progress)
     drawings = _drawings(on_block, of_block.seen, session.block)
-    return on_block, joint_sheet(on_block, origin), drawings, ()
+    return on_block, joint_document(on_block, origin), drawings, ()
 
 
 def _drawings(
-    result: Calibrated, seen: Sequence[AnySeen], item: CalibrationObject
+    result: AnyCalibration, seen: Sequence[AnyDetection], item: CalibrationTarget
 ) -> dict[int, PoseDrawing]:
     """Of the poses that were used, by number: corners with what the adjustment left of them."""
     left = {pose.number: pose for pose in result.poses if pose.used}
@@ -111,8 +111,8 @@ def _drawings(
         one.number: PoseDrawing(
             one.number,
             _corners(left[one.number]),
-            drawn(one, item).outline,
-            shown(one.stripe),
+            draw_detection(one, item).outline,
+            thin_stripe(one.stripe),
             left[one.number].stripe_off_px,
         )
         for one in seen
@@ -142,27 +142,29 @@ def _on_board(result: BoardCalibration, points: Sequence[int]) -> tuple[TouchedP
 
 
 def _worst(
-    point: metrology.WorstPoint, drawings: Mapping[int, PoseDrawing], points: Sequence[int]
-) -> WorstPoint:
+    point: metrology.WorstResidual, drawings: Mapping[int, PoseDrawing], points: Sequence[int]
+) -> WorstPointLine:
     """One of the worst points with the place where it is shown."""
     if point.contact is not None:
         index = points[point.contact]
         face = point.name.split()[0]
-        return WorstPoint(point.kind, f"{face}, point {index + 1}", point.value, point.unit, index)
+        return WorstPointLine(
+            point.kind, f"{face}, point {index + 1}", point.value, point.unit, index
+        )
     at_px = point.at_px
     if at_px is None and point.pose is not None:
         corners = drawings[point.pose].corners
         at_px = next((c.u, c.v) for c in corners if point.name.endswith(f" {c.name}"))
-    return WorstPoint(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
+    return WorstPointLine(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
 
 
-def _worst_fitting(result: Calibrated) -> PoseResult:
+def _worst_fitting(result: AnyCalibration) -> PoseResult:
     """The pose whose picture is worth looking at: its edges fit worst."""
     used = [pose for pose in result.poses if pose.used]
     return max(used, key=lambda pose: pose.edges_rms_px)
 
 
-def _verdict(found: Sequence[metrology.Finding]) -> str:
+def _verdict(found: Sequence[metrology.CalibrationFinding]) -> str:
     """How well a point is known, and what helps; or that something else is graver."""
     known = next(one for one in found if one.code == "uncertainty")
     if found[0].quality != known.quality:
@@ -171,7 +173,7 @@ def _verdict(found: Sequence[metrology.Finding]) -> str:
 
 
 def _result(
-    result: Calibrated,
+    result: AnyCalibration,
     sheet: CalibrationFile,
     comparison: Comparison | None,
 ) -> CalibrationResult:
@@ -186,7 +188,7 @@ def _result(
         depth_range_mm=result.depth_range_mm,
         probe_matrix=result.T_flange_sensor.tolist(),
         faces=_faces(result),
-        budget=[BudgetRow(row.source, row.value_um) for row in known.rows],
+        budget=[BudgetLine(row.source, row.value_um) for row in known.rows],
         total_um=known.total_um,
         plane=PlaneKnown(known.plane.angle_arcsec, known.plane.offset_um),
         map=_map(known.map),
@@ -207,13 +209,13 @@ def _result(
     )
 
 
-def _contacts_rms_um(result: Calibrated) -> float | None:
+def _contacts_rms_um(result: AnyCalibration) -> float | None:
     if isinstance(result, BoardCalibration):
         return result.contacts.rms_um if result.contacts is not None else None
     return 1e3 * result.alignment.rms_mm
 
 
-def _faces(result: Calibrated) -> list[FaceResult]:
+def _faces(result: AnyCalibration) -> list[FaceResult]:
     """How the contacts fit each face of a block; a board has only its one."""
     if isinstance(result, BoardCalibration):
         return []

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from app.guide.common.journal import Row
-from app.guide.common.undo import put_back, taken_back
+from app.guide.common.journal import JournalEntry
+from app.guide.common.undo import put_back, take_back
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")
@@ -28,7 +28,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class Capture:
+class PoseCapture:
     """The pictures of one pose, with the arm's angles."""
 
     number: int
@@ -49,7 +49,7 @@ class Capture:
 
 
 @dataclass(frozen=True)
-class Solved:
+class SolveResult:
     """A finished solve: which inputs it had, and what came out."""
 
     inputs: str
@@ -57,7 +57,7 @@ class Solved:
 
 
 @dataclass(frozen=True)
-class Advised:
+class AdviceRecord:
     """Which pose was advised next, for which inputs."""
 
     inputs: str
@@ -65,7 +65,7 @@ class Advised:
 
 
 @dataclass(frozen=True)
-class Refused:
+class SolveFailure:
     """A solve that was declined."""
 
     inputs: str
@@ -89,10 +89,10 @@ class CalibrationState:
     contacts: tuple[Contact, ...] = ()
     undone: tuple[int, ...] = ()
     """Points that were taken back since the last one was taken; they can be put back."""
-    captures: tuple[Capture, ...] = ()
-    advised: Advised | None = None
-    solved: Solved | None = None
-    refused: Refused | None = None
+    captures: tuple[PoseCapture, ...] = ()
+    advised: AdviceRecord | None = None
+    solved: SolveResult | None = None
+    refused: SolveFailure | None = None
     ended: str = ""
     """accepted, abandoned or repeated; empty while the session is open."""
 
@@ -108,13 +108,13 @@ class CalibrationState:
         )
 
     @property
-    def pictures(self) -> tuple[Capture, ...]:
+    def pictures(self) -> tuple[PoseCapture, ...]:
         """The pictures that count, one pose each: not set aside, and of the chosen arm,
         object and sensor."""
         return tuple(capture for capture in self.listed if not capture.gone)
 
     @property
-    def listed(self) -> tuple[Capture, ...]:
+    def listed(self) -> tuple[PoseCapture, ...]:
         """The pictures that count, and those set aside that could."""
         chosen = tuple(self.choices.get(name) for name in FIELDS)
         return tuple(
@@ -124,7 +124,7 @@ class CalibrationState:
         )
 
     @property
-    def picture(self) -> Capture | None:
+    def picture(self) -> PoseCapture | None:
         """The newest of the pictures that count."""
         return self.pictures[-1] if self.pictures else None
 
@@ -147,13 +147,13 @@ class CalibrationState:
         return self.advised.advice if self.advised and self.advised.inputs == self.inputs else None
 
 
-def after(state: CalibrationState, row: Row) -> CalibrationState:
+def apply_row(state: CalibrationState, row: JournalEntry) -> CalibrationState:
     """The state after one more row of the journal.
 
     Raises:
         ValueError: a row of a kind that this version does not know.
     """
-    changed = _after(state, row.kind, row.payload)
+    changed = _apply(state, row.kind, row.payload)
     reached = max(changed.reached, changed.step, key=STEPS.index)
     return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
 
@@ -170,7 +170,7 @@ NOTES = ("capture_started", "solve_started", "hand_started", "hand_stopped")
 """Rows that record what was done, and change nothing that the flow hangs on."""
 
 
-def _after(state: CalibrationState, kind: str, payload: Payload) -> CalibrationState:
+def _apply(state: CalibrationState, kind: str, payload: Payload) -> CalibrationState:
     if kind in FORWARD:
         return replace(state, step=FORWARD[kind])
     if kind in ENDS:
@@ -182,11 +182,11 @@ def _after(state: CalibrationState, kind: str, payload: Payload) -> CalibrationS
     raise ValueError(f"row of an unknown kind: {kind}")
 
 
-def _started(state: CalibrationState, payload: Payload) -> CalibrationState:
+def _start(state: CalibrationState, payload: Payload) -> CalibrationState:
     return replace(state, choices=dict(payload["choices"]), step=payload["step"])
 
 
-def _chosen(state: CalibrationState, payload: Payload) -> CalibrationState:
+def _choose(state: CalibrationState, payload: Payload) -> CalibrationState:
     choices = {**state.choices, payload["field"]: payload["id"]}
     return replace(state, choices=choices, undone=())
 
@@ -199,7 +199,7 @@ def _point_voided(state: CalibrationState, payload: Payload) -> CalibrationState
     index = payload["index"]
     if all(c.index != index for c in state.counted):
         return state
-    contacts, undone = taken_back(state.contacts, state.undone, index)
+    contacts, undone = take_back(state.contacts, state.undone, index)
     return replace(state, contacts=contacts, undone=undone)
 
 
@@ -212,7 +212,7 @@ def _image_captured(state: CalibrationState, payload: Payload) -> CalibrationSta
     return replace(state, captures=(*state.captures, _capture(state, payload)), step="solve")
 
 
-def _retaken(state: CalibrationState, payload: Payload) -> CalibrationState:
+def _retake(state: CalibrationState, payload: Payload) -> CalibrationState:
     newest = state.picture.number if state.picture else None
     return replace(_with_pose(state, newest, "retaken"), step="capture")
 
@@ -237,29 +237,29 @@ def _with_pose(state: CalibrationState, number: int | None, gone: str) -> Calibr
 def _solve_refused(state: CalibrationState, payload: Payload) -> CalibrationState:
     """The calibration of before is gone with its file."""
     step = "solve" if state.step == "review" else state.step
-    return replace(state, refused=Refused(**payload), solved=None, step=step)
+    return replace(state, refused=SolveFailure(**payload), solved=None, step=step)
 
 
-def _solved(state: CalibrationState, payload: Payload) -> CalibrationState:
-    solved = Solved(payload["inputs"], payload["outcome"])
+def _finish_solve(state: CalibrationState, payload: Payload) -> CalibrationState:
+    solved = SolveResult(payload["inputs"], payload["outcome"])
     step = "review" if solved.inputs == state.inputs else state.step
     return replace(state, solved=solved, refused=None, step=step)
 
 
 CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
-    "started": _started,
-    "chosen": _chosen,
+    "started": _start,
+    "chosen": _choose,
     "face_selected": lambda state, payload: replace(state, face=payload["face"]),
     "point_taken": _point_taken,
     "point_voided": _point_voided,
     "point_restored": _point_restored,
     "image_captured": _image_captured,
-    "retaken": _retaken,
+    "retaken": _retake,
     "pose_voided": _pose_voided,
     "pose_restored": _pose_restored,
     "another_pose": lambda state, payload: replace(state, step="place"),
-    "advised": lambda state, payload: replace(state, advised=Advised(**payload)),
-    "solved": _solved,
+    "advised": lambda state, payload: replace(state, advised=AdviceRecord(**payload)),
+    "solved": _finish_solve,
     "solve_refused": _solve_refused,
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
 }
@@ -277,8 +277,8 @@ def _contact(state: CalibrationState, payload: Payload) -> Contact:
     )
 
 
-def _capture(state: CalibrationState, payload: Payload) -> Capture:
-    return Capture(
+def _capture(state: CalibrationState, payload: Payload) -> PoseCapture:
+    return PoseCapture(
         number=len(state.captures) + 1,
         ambient=payload["ambient"],
         laser=payload["laser"],

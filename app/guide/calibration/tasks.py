@@ -1,17 +1,17 @@
 """The flow's longer works, each run as one job: taking the picture, and solving."""
 
-from app.errors import Refusal
-from app.guide.calibration.guide import Guide
+from app.errors import OperationError
+from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.outcome import from_payload, to_payload
 from app.guide.calibration.poses.advice import to_payload as to_advice
 from app.guide.calibration.poses.board_views import next_view
-from app.guide.calibration.poses.detection import look_at
+from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.poses.next_pose import advise
 from app.guide.calibration.solve import solve
 from app.station.jobs import Progress
 
 
-def capture(guide: Guide, progress: Progress) -> None:
+def capture(guide: CalibrationGuide, progress: Progress) -> None:
     """Takes the pictures while the arm is still, and looks at once whether they will do.
 
     Raises:
@@ -23,7 +23,7 @@ def capture(guide: Guide, progress: Progress) -> None:
     progress("Looking for the object in the picture", 0.4)
     number = len(guide.state.captures) + 1
     with guide.station.preview.resting():  # this picture is what counts now
-        outcome, seen = look_at(taken, chosen, number)
+        outcome, seen = detect_in_capture(taken, chosen, number)
     height, width = taken.ambient.image.shape
     with guide.lock:
         names = guide.folder.keep_capture(number, taken)
@@ -48,27 +48,27 @@ def capture(guide: Guide, progress: Progress) -> None:
     keep_advice(guide)
 
 
-def keep_advice(guide: Guide) -> None:
+def keep_advice(guide: CalibrationGuide) -> None:
     """Keeps which pose to take next; where the poses cannot be solved, why."""
     inputs, board = guide.state.inputs, guide.sheets.chosen(guide.state).board
     if board is not None and next_view(guide.state.listed) is not None:
         return  # the next view is planned, whatever was found
     try:
         advice = advise(guide.folder, guide.known_poses(), guide.limits)
-    except Refusal as refusal:
+    except OperationError as refusal:
         pictures = guide.state.pictures
         known = guide.known_poses()
-        unusable = any(isinstance(known.get(one.number), Refusal) for one in pictures)
+        unusable = any(isinstance(known.get(one.number), OperationError) for one in pictures)
         newest = from_payload(pictures[-1].outcome).findings if pictures else ()
         told = any(found.quality == "bad" for found in newest)
         if not (unusable or told):  # of a picture that is, it was told already
-            _refused(guide, inputs, refusal)
+            _record_failure(guide, inputs, refusal)
         return
     if advice is not None:
         guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
 
 
-def calibrate(guide: Guide, progress: Progress) -> None:
+def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
     """Solves from the session's folder, exactly as the command line does."""
     with guide.lock:
         state = guide.state
@@ -78,14 +78,14 @@ def calibrate(guide: Guide, progress: Progress) -> None:
     known, points = guide.known_poses(), [contact.index for contact in state.counted]
     try:
         outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
-    except Refusal as refusal:
-        _refused(guide, state.inputs, refusal)
+    except OperationError as refusal:
+        _record_failure(guide, state.inputs, refusal)
         return
     guide.append("solved", {"inputs": state.inputs, "outcome": to_payload(outcome)})
     guide.station.bus.event("step_done", "The calibration is computed.", "good")
 
 
-def _refused(guide: Guide, inputs: str, refusal: Refusal) -> None:
+def _record_failure(guide: CalibrationGuide, inputs: str, refusal: OperationError) -> None:
     guide.append(
         "solve_refused",
         {

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from app.errors import Refusal
+from app.errors import OperationError
 
 Args = Mapping[str, object]
 Text = Annotated[str, Field(max_length=200)]
@@ -45,7 +45,7 @@ ArgumentTable = Mapping[str, type[Arguments]]
 """By the command's name; one that is not named takes nothing."""
 
 
-def checked(table: ArgumentTable, name: str, args: Args) -> Args:
+def check_arguments(table: ArgumentTable, name: str, args: Args) -> Args:
     """A command's arguments, each of its type; null is as if it were not given.
 
     Raises:
@@ -57,6 +57,6 @@ def checked(table: ArgumentTable, name: str, args: Args) -> Args:
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         place = ".".join(str(part) for part in ("args", *first["loc"]))
-        raise Refusal(
+        raise OperationError(
             "bad-request", "The request is not understood", f"{place}: {first['msg']}"
         ) from error

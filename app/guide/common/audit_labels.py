@@ -1,6 +1,6 @@
 """What the commands of the guided flows are called where it is told who did what."""
 
-DEEDS = {
+AUDIT_LABELS = {
     "choose": "chose what is in use",
     "choose_arm": "chose the arm",
     "choose_artefact": "chose the artefact",
@@ -52,6 +52,6 @@ DEEDS = {
 }
 
 
-def deed_of(command: str) -> str:
+def audit_label(command: str) -> str:
     """The command in words; one that no flow has as it was sent."""
-    return DEEDS.get(command, command)
+    return AUDIT_LABELS.get(command, command)

@@ -16,7 +16,7 @@ LONG_PRESS_S = 0.8
 ButtonName = Literal["primary", "undo", "back"]
 
 
-class Edge(Protocol):
+class ButtonEdge(Protocol):
     """A button of the arm going down or up."""
 
     @property
@@ -52,7 +52,7 @@ class Buttons:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
         self._held: tuple[Press, threading.Timer] | None = None
 
-    def edge(self, event: Edge) -> None:
+    def edge(self, event: ButtonEdge) -> None:
         """From the thread that reads the arm; returns at once."""
         self._worker.submit(self._logged, self._edge, event)
 
@@ -64,7 +64,7 @@ class Buttons:
         except Exception:
             log.exception("a press of the arm's button failed")
 
-    def _edge(self, event: Edge) -> None:
+    def _edge(self, event: ButtonEdge) -> None:
         name = str(event.button)
         if name == "undo":
             if event.pressed:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.common.guided_session import GuidedSession
 from app.station.jobs import Job, Progress
 
@@ -24,17 +24,17 @@ def start_job(
     guide.station.jobs.start(title, work, done)
 
 
-def start_hand(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
-    """Sets the hand to work; raises ``Refusal`` while another job runs."""
+def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
+    """Sets the hand to work; raises ``OperationError`` while another job runs."""
     guide.hand_running = True
     try:
         start_job(guide, "The hand at work", work)
-    except Refusal:
+    except OperationError:
         guide.hand_running = False
         raise
 
 
-def stop_hand(guide: GuidedSession[Any, Any, Any]) -> None:
+def stop_simulation(guide: GuidedSession[Any, Any, Any]) -> None:
     """Ends the hand's work of this session early; idempotent."""
     if guide.hand_running and guide.station.hand is not None:
         guide.hand_running = False

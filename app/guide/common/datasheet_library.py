@@ -5,20 +5,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.arm import read_arm
-from app.formats.datasheets.sensor import SensorSheet, read_sensor
+from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.file_names import check_name
 from app.metrology.arm.kinematics import Arm
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 
 Sheet = TypeVar("Sheet")
 
 
 @dataclass(frozen=True)
-class Entry(Generic[Sheet]):
+class DatasheetEntry(Generic[Sheet]):
     """One readable file; its id is the file's name without ``.json``."""
 
     id: str
@@ -27,12 +27,12 @@ class Entry(Generic[Sheet]):
 
 
 @dataclass(frozen=True)
-class Library:
+class DatasheetLibrary:
     """What can be chosen; files that cannot be read are told, not hidden."""
 
-    arms: Mapping[str, Entry[Arm]]
-    objects: Mapping[str, Entry[CalibrationObject]]
-    sensors: Mapping[str, Entry[SensorSheet]]
+    arms: Mapping[str, DatasheetEntry[Arm]]
+    objects: Mapping[str, DatasheetEntry[CalibrationTarget]]
+    sensors: Mapping[str, DatasheetEntry[SensorDatasheet]]
     findings: tuple[Finding, ...]
 
     def has(self, field: str, entry_id: str) -> bool:
@@ -45,10 +45,10 @@ class Library:
         return entry_id in known.get(field, {})
 
 
-def read_library(data_folder: Path) -> Library:
+def read_library(data_folder: Path) -> DatasheetLibrary:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []
-    return Library(
+    return DatasheetLibrary(
         arms=_entries(data_folder / "arms", read_arm, findings),
         objects=_entries(data_folder / "objects", read_object, findings),
         sensors=_entries(data_folder / "sensors", read_sensor, findings),
@@ -58,12 +58,12 @@ def read_library(data_folder: Path) -> Library:
 
 def _entries(
     folder: Path, read: Callable[[Path], Sheet], findings: list[Finding]
-) -> dict[str, Entry[Sheet]]:
-    entries: dict[str, Entry[Sheet]] = {}
+) -> dict[str, DatasheetEntry[Sheet]]:
+    entries: dict[str, DatasheetEntry[Sheet]] = {}
     for path in sorted(folder.glob("*.json")):
         try:
             check_name(path)
-            entries[path.stem] = Entry(path.stem, path, read(path))
-        except Refusal as refusal:
+            entries[path.stem] = DatasheetEntry(path.stem, path, read(path))
+        except OperationError as refusal:
             findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
     return entries

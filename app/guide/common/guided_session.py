@@ -10,17 +10,17 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
-from app.guide.common.arguments import Args, ArgumentTable, checked
-from app.guide.common.journal import Check, Journal, Row, fold
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.arguments import Args, ArgumentTable, check_arguments
+from app.guide.common.journal import Check, Journal, JournalEntry, fold
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import Busy, sentence
 from app.station.bus import Bus
 from app.station.jobs import Jobs
 
 
-class Machinery(Protocol):
+class StationServices(Protocol):
     """What every session needs of the machine room."""
 
     @property
@@ -28,7 +28,7 @@ class Machinery(Protocol):
     @property
     def jobs(self) -> Jobs: ...
     @property
-    def hand(self) -> Hand | None: ...
+    def hand(self) -> SimulatedOperator | None: ...
 
 
 class SessionState(Protocol):
@@ -67,7 +67,7 @@ class Flow(Generic[State, Live, View]):
     """Under which the view is published."""
     empty: State
     """Before the first row."""
-    after: Callable[[State, Row], State]
+    after: Callable[[State, JournalEntry], State]
     """What a row makes of a state."""
     view_of: Callable[[State, Live], View]
     why_not: Callable[[State, Live, str, Mapping[str, object]], str]
@@ -84,9 +84,11 @@ def new_session_id() -> str:
 class GuidedSession(ABC, Generic[State, Live, View]):
     """The latest session of a kind. All methods may be called from any thread."""
 
-    station: Machinery
+    station: StationServices
 
-    def __init__(self, station: Machinery, journal: Journal, flow: Flow[State, Live, View]) -> None:
+    def __init__(
+        self, station: StationServices, journal: Journal, flow: Flow[State, Live, View]
+    ) -> None:
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
         self.hand_running = False
@@ -111,7 +113,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             return self._flow.empty
         try:
             return fold(self._journal.rows(session.id), self._flow.empty, self._flow.after)
-        except Refusal:
+        except OperationError:
             raise
         except Exception as error:  # whatever stands there, the rest is served
             self._set_aside(session.id, error)
@@ -142,12 +144,12 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """
         states: list[State] = []
 
-        def check(row: Row) -> None:
+        def check(row: JournalEntry) -> None:
             try:
                 states.append(self._flow.after(self.state, row))
             except Exception as error:
                 log.exception("a row %s cannot be folded", row.kind)
-                raise Refusal(
+                raise OperationError(
                     "not-readable",
                     "This was not kept",
                     "the session could not be read with it",
@@ -202,14 +204,14 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """
         if rev is not None and rev != self.rev:
             raise self.stale()
-        typed = checked(self._flow.arguments, name, args)
+        typed = check_arguments(self._flow.arguments, name, args)
         if reason := self.why_not(name, typed, by_hand):
-            raise Refusal("not-now", reason)
+            raise OperationError("not-now", reason)
         return typed
 
     def stale(self) -> Exception:
         """What is raised where a command was given on an old view."""
-        return Refusal(
+        return OperationError(
             STALE,
             "The session went on meanwhile; nothing was done",
             remedy="Look at the present step, and act on that",
@@ -238,7 +240,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """Whether a command with this idempotency key has acted already."""
         return self._journal.knows_key(key)
 
-    def decline(self, refusal: Refusal) -> None:
+    def decline(self, refusal: OperationError) -> None:
         """Shows why something was not done, until something is."""
         with self.lock:
             why = f": {refusal.why}" if refusal.why else ""

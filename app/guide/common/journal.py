@@ -8,7 +8,7 @@ from typing import Protocol, TypeVar
 State = TypeVar("State")
 
 
-class Row(Protocol):
+class JournalEntry(Protocol):
     """One thing that happened; rows are only ever appended."""
 
     @property
@@ -23,11 +23,11 @@ class Row(Protocol):
     def payload(self) -> Mapping[str, object]: ...
 
 
-Check = Callable[[Row], None]
+Check = Callable[[JournalEntry], None]
 """Is given a row before it is committed; what it raises undoes the row."""
 
 
-class Session(Protocol):
+class JournalSession(Protocol):
     """One guided session, open until ``ended_at`` is set."""
 
     @property
@@ -41,9 +41,9 @@ class Session(Protocol):
 class Journal(Protocol):
     """Where the rows are kept; every call returns once the disk has it."""
 
-    def begin_session(self, session_id: str, kind: str) -> Session: ...
+    def begin_session(self, session_id: str, kind: str) -> JournalSession: ...
     def end_session(self, session_id: str) -> None: ...
-    def latest_session(self, kind: str) -> Session | None: ...
+    def latest_session(self, kind: str) -> JournalSession | None: ...
     def append(
         self,
         session_id: str,
@@ -51,18 +51,20 @@ class Journal(Protocol):
         payload: Mapping[str, object],
         key: str | None,
         check: Check,
-    ) -> Row: ...
+    ) -> JournalEntry: ...
     def knows_key(self, key: str) -> bool: ...
-    def rows(self, session_id: str) -> Sequence[Row]: ...
+    def rows(self, session_id: str) -> Sequence[JournalEntry]: ...
     def last_number(self) -> int: ...
 
 
-def fold(rows: Sequence[Row], begin: State, step: Callable[[State, Row], State]) -> State:
+def fold(
+    rows: Sequence[JournalEntry], begin: State, step: Callable[[State, JournalEntry], State]
+) -> State:
     """The state that a session's rows lead to."""
     return reduce(step, rows, begin)
 
 
-class Calibration(Protocol):
+class StoredCalibration(Protocol):
     """An accepted calibration and its file."""
 
     @property
@@ -74,7 +76,7 @@ class Calibration(Protocol):
 class Calibrations(Protocol):
     """Where accepted calibrations are kept; exactly one of them is in use."""
 
-    def active(self) -> Calibration | None: ...
+    def active(self) -> StoredCalibration | None: ...
     def accept(
         self,
         session_id: str,
@@ -83,4 +85,4 @@ class Calibrations(Protocol):
         figures: Mapping[str, object],
         key: str | None,
         check: Check,
-    ) -> Row: ...
+    ) -> JournalEntry: ...

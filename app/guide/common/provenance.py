@@ -9,7 +9,7 @@ def _not_measured() -> float | None:
 
 
 @dataclass(frozen=True)
-class Signing:
+class Provenance:
     """``operator`` tells who has control or had it last, empty where nobody did;
     ``temperature_c`` the room's, None where it is not measured."""
 
@@ -19,4 +19,4 @@ class Signing:
     temperature_c: Callable[[], float | None] = _not_measured
 
 
-UNSIGNED = Signing()
+NO_PROVENANCE = Provenance()

@@ -8,7 +8,7 @@ from app.findings import Quality
 
 
 @dataclass(frozen=True)
-class BudgetRow:
+class BudgetLine:
     source: str
     value_um: float
 
@@ -22,7 +22,7 @@ class FaceResult:
 
 
 @dataclass(frozen=True)
-class WorstPoint:
+class WorstPointLine:
     """One of those that fit worst: ``point`` is the touched point's index, ``at_px`` the place
     in the picture of ``pose``."""
 
@@ -97,9 +97,9 @@ class CalibrationResult:
     depth_range_mm: tuple[float, float]
     probe_matrix: Sequence[Sequence[float]]
     faces: Sequence[FaceResult]
-    budget: Sequence[BudgetRow]
+    budget: Sequence[BudgetLine]
     total_um: float
-    worst: Sequence[WorstPoint]
+    worst: Sequence[WorstPointLine]
     comparison: Comparison | None
     distortion: Sequence[float]
     plane: PlaneKnown | None = None

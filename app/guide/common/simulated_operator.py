@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 
-class Hand(Protocol):
+class SimulatedOperator(Protocol):
     """Moves the arm and presses its buttons.
 
     Every move blocks until it is done, and returns False when it was cancelled.

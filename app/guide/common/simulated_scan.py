@@ -2,17 +2,17 @@
 
 from collections.abc import Callable
 
-from app.errors import Refusal
-from app.guide.common.simulated_operator import Hand
+from app.errors import OperationError
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
 
 
-class ScanHand:
+class SimulatedScan:
     """Lets the hand scan every part once; ``changed`` is called when it begins and ends."""
 
     def __init__(
-        self, hand: Hand | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
+        self, hand: SimulatedOperator | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
     ) -> None:
         self._hand, self._jobs, self._bus, self._changed = hand, jobs, bus, changed
         self._running = False
@@ -31,7 +31,7 @@ class ScanHand:
             return
         hand = self._hand
         if hand is None:
-            raise _no_hand()
+            raise _no_simulation_error()
 
         def work(progress: Progress) -> None:
             for done, part in enumerate(hand.parts):
@@ -42,7 +42,7 @@ class ScanHand:
         self._running = True
         try:
             self._jobs.start("The hand at work", work, self._done)
-        except Refusal:
+        except OperationError:
             self._running = False
             raise
         self._changed()
@@ -50,14 +50,14 @@ class ScanHand:
     def pass_over_plate(self) -> bool:
         """Goes over the plate, nearer and away again, within a job of the caller's.
 
-        Returns False when it was stopped. Raises ``Refusal``: ``no-hand``, or ``busy`` while
+        Returns False when it was stopped. Raises ``OperationError``: ``no-hand``, or ``busy`` while
         it scans.
         """
         hand = self._hand
         if hand is None:
-            raise _no_hand()
+            raise _no_simulation_error()
         if self._running:
-            raise Refusal("busy", "The hand is scanning", remedy="Stop it first")
+            raise OperationError("busy", "The hand is scanning", remedy="Stop it first")
         self._running = True
         self._changed()
         try:
@@ -79,8 +79,8 @@ class ScanHand:
         self._changed()
 
 
-def _no_hand() -> Refusal:
-    return Refusal(
+def _no_simulation_error() -> OperationError:
+    return OperationError(
         "no-hand",
         "There is no simulated hand on real devices",
         remedy="Move the sensor over the part yourself",

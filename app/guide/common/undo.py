@@ -9,15 +9,15 @@ Undone = tuple[int, ...]
 """Indices of what was taken back since the last one was taken, the last of them last."""
 
 
-def taken_back(taken: Iterable[T], undone: Undone, index: int) -> tuple[tuple[T, ...], Undone]:
+def take_back(taken: Iterable[T], undone: Undone, index: int) -> tuple[tuple[T, ...], Undone]:
     """What was taken, without the one of an index; and what can be put back now."""
-    return _marked(taken, index, voided=True), (*undone, index)
+    return _mark(taken, index, voided=True), (*undone, index)
 
 
 def put_back(taken: Iterable[T], undone: Undone, index: int) -> tuple[tuple[T, ...], Undone]:
     """The inverse."""
-    return _marked(taken, index, voided=False), tuple(i for i in undone if i != index)
+    return _mark(taken, index, voided=False), tuple(i for i in undone if i != index)
 
 
-def _marked(taken: Iterable[T], index: int, voided: bool) -> tuple[T, ...]:
+def _mark(taken: Iterable[T], index: int, voided: bool) -> tuple[T, ...]:
     return tuple(replace(one, voided=voided) if one.index == index else one for one in taken)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from app.findings import Finding, Quality, signed
-from app.timestamps import moment_of
+from app.findings import Finding, Quality, format_signed
+from app.timestamps import parse_moment
 
 CheckName = Literal["calibration", "verification", "tip", "arm"]
 Page = Literal["home", "calibrate", "verify", "scan", "arm", "records"]
@@ -31,7 +31,7 @@ DUE = DueLimits()
 
 
 @dataclass(frozen=True)
-class Checked:
+class CheckResult:
     """Something that was done, and how it ended."""
 
     at: str
@@ -41,16 +41,16 @@ class Checked:
 
 
 @dataclass(frozen=True)
-class Known:
+class ValidityInputs:
     """What the station remembers; None where a thing was never done."""
 
-    calibration: Checked | None
-    verification: Checked | None
+    calibration: CheckResult | None
+    verification: CheckResult | None
     """Of that calibration, the newest."""
     verified_before: bool
     """Whether an earlier calibration was."""
-    tip: Checked | None
-    arm: Checked | None
+    tip: CheckResult | None
+    arm: CheckResult | None
     warmer_c: float | None
     """Now against the calibration's time; None where one of the two is not known."""
 
@@ -72,7 +72,7 @@ class Validity:
 
 
 @dataclass(frozen=True)
-class Next:
+class NextAction:
     """What to do next."""
 
     label: str
@@ -89,17 +89,19 @@ QUALITY: dict[State, Quality] = {
 }
 
 
-def validity_of(known: Known, now: datetime, limits: DueLimits = DUE) -> tuple[Validity, ...]:
+def check_validity(
+    known: ValidityInputs, now: datetime, limits: DueLimits = DUE
+) -> tuple[Validity, ...]:
     """Every line, the calibration first."""
     return (
         _calibration(known, now, limits),
         _verification(known, now, limits),
-        _checked("tip", "Tip", known.tip, now, limits.tip_hours / 24, "Check the tip"),
-        _checked("arm", "Arm", known.arm, now, limits.arm_days, "Check the arm"),
+        _check_age("tip", "Tip", known.tip, now, limits.tip_hours / 24, "Check the tip"),
+        _check_age("arm", "Arm", known.arm, now, limits.arm_days, "Check the arm"),
     )
 
 
-def _calibration(known: Known, now: datetime, limits: DueLimits) -> Validity:
+def _calibration(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
     def line(state: State, text: str, at: str | None, action: str) -> Validity:
         quality = "attention" if state == "missing" else QUALITY[state]
         return Validity("calibration", "Calibration", state, quality, text, at, "calibrate", action)
@@ -124,11 +126,14 @@ def _calibration(known: Known, now: datetime, limits: DueLimits) -> Validity:
         return line("due", text, found.at, "Calibrate again")
     text = f"{found.text}, {ago(old)} old; due after {limits.calibration_days:g} days."
     if warmer is not None:
-        text = f"{text[:-1]}, or beyond {limits.temperature_c:g} °C (now {signed(warmer, 1)} °C)."
+        text = (
+            f"{text[:-1]}, or beyond {limits.temperature_c:g} °C "
+            f"(now {format_signed(warmer, 1)} °C)."
+        )
     return line("valid", text, found.at, "Calibrate again")
 
 
-def _verification(known: Known, now: datetime, limits: DueLimits) -> Validity:
+def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
     def line(state: State, text: str, at: str | None, action: str) -> Validity:
         quality: Quality = QUALITY[state]
         if state == "missing" and known.calibration is not None:
@@ -155,10 +160,10 @@ def _verification(known: Known, now: datetime, limits: DueLimits) -> Validity:
     return line("valid", text, found.at, "Verify again")
 
 
-def _checked(
+def _check_age(
     name: Literal["tip", "arm"],
     title: str,
-    found: Checked | None,
+    found: CheckResult | None,
     now: datetime,
     limit_days: float,
     action: str,
@@ -187,7 +192,9 @@ def tip_finding(line: Validity) -> Finding:
     return Finding(line.quality, text, remedy)
 
 
-def next_of(lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: str) -> Next:
+def choose_next_action(
+    lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: str
+) -> NextAction:
     """One sentence and one button.
 
     Args:
@@ -197,33 +204,35 @@ def next_of(lines: Sequence[Validity], calibrating: bool, verifying: bool, block
     calibration, verification = line["calibration"], line["verification"]
     if calibrating:
         text = "A calibration is under way. Go on where it stands."
-        return Next("Go on calibrating", "calibrate", text)
+        return NextAction("Go on calibrating", "calibrate", text)
     if verifying:
         text = "A verification is under way. Go on where it stands."
-        return Next("Go on verifying", "verify", text)
+        return NextAction("Go on verifying", "verify", text)
     for name in ("tip", "arm"):
         if line[name].state == "failed":
-            return Next(f"{line[name].action} again", "arm", line[name].text)
+            return NextAction(f"{line[name].action} again", "arm", line[name].text)
     if calibration.state == "missing":
         text = "Calibrate the sensor on the arm: touch the object, then take a few pictures."
-        return Next("Calibrate", "calibrate", text)
+        return NextAction("Calibrate", "calibrate", text)
     if calibration.state == "failed":
-        return Next("Calibrate again", "calibrate", calibration.text)
+        return NextAction("Calibrate again", "calibrate", calibration.text)
     if calibration.state == "due":
-        return Next("Calibrate again", "calibrate", f"The calibration is due. {calibration.text}")
+        return NextAction(
+            "Calibrate again", "calibrate", f"The calibration is due. {calibration.text}"
+        )
     if blocked:
-        return Next("Calibrate", "calibrate", blocked)
+        return NextAction("Calibrate", "calibrate", blocked)
     if verification.state != "valid":
         text = verification.text
         if verification.state == "missing":
             text = f"{text} Touch and scan a gauge: it takes two minutes."
-        return Next(verification.action, "verify", text)
-    return Next("Scan", "scan", "The calibration is valid and verified. Scan the part.")
+        return NextAction(verification.action, "verify", text)
+    return NextAction("Scan", "scan", "The calibration is valid and verified. Scan the part.")
 
 
 def age_days(at: str, now: datetime) -> float:
     """How long ago; never negative."""
-    return max((now - moment_of(at)).total_seconds() / SECONDS_A_DAY, 0.0)
+    return max((now - parse_moment(at)).total_seconds() / SECONDS_A_DAY, 0.0)
 
 
 def ago(days: float) -> str:

@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from app.findings import Finding, Quality, signed
+from app.findings import Finding, Quality, format_signed
 from app.guide.common.result_view import CalibrationResult
-from app.metrology.detection.failure_evidence import Mark
+from app.metrology.detection.failure_evidence import ImageAnnotation
 
 Vec3 = tuple[float, float, float]
 Segment = tuple[float, float, float, float]
@@ -170,7 +170,7 @@ class PosePicture:
     corners: Sequence[ImageCorner]
     outline: Sequence[Segment]
     stripe: Sequence[tuple[float, float]]
-    marks: Sequence[Mark]
+    marks: Sequence[ImageAnnotation]
     edges_rms_px: float | None
     stripe_rms_px: float | None
     off_um: float | None
@@ -239,9 +239,9 @@ class FlowView:
     busy: Busy | None
 
 
-def signed_um(value: float) -> str:
+def format_signed_um(value: float) -> str:
     """With its sign."""
-    return f"{signed(value)} µm"
+    return f"{format_signed(value)} µm"
 
 
 def sentence(text: str) -> str:

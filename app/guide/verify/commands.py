@@ -3,21 +3,21 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import Press
-from app.guide.common.commands import AT_ANY_REV, start_hand, start_job, stop_hand
+from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
 from app.guide.verify import tasks as works
 from app.guide.verify.guide import VerifyGuide
-from app.guide.verify.simulated_operator import hand_work
-from app.guide.verify.state import STEPS, Cloud
+from app.guide.verify.simulated_operator import simulation_job
+from app.guide.verify.state import STEPS, VerificationCloud
 from app.guide.verify.tasks import Temperatures
 from app.guide.verify.view import VerifyView
 from app.station.jobs import Progress
 
 
 @dataclass(frozen=True)
-class Told:
+class CommandContext:
     """A command, and who gives it."""
 
     args: Args
@@ -44,11 +44,11 @@ def command(
         if not guide.knows_key(key):
             rev_seen = None if name in AT_ANY_REV else rev
             typed = guide.refuse_unless_possible(name, args, rev_seen)
-            ACTS[name](guide, Told(typed, key, operator, temperatures))
+            ACTS[name](guide, CommandContext(typed, key, operator, temperatures))
         return guide.refresh()
 
 
-def button_of(guide: VerifyGuide, button: str) -> str:
+def button_command(guide: VerifyGuide, button: str) -> str:
     """The command that a button of the arm gives now; empty for none."""
     if not guide.running:
         return ""
@@ -65,7 +65,7 @@ def press(guide: VerifyGuide, event: Press) -> bool:
     """The arm's buttons: primary takes a touch, begins and ends a cloud; undo takes back, and
     back goes a step back. False where the button means nothing now."""
     with guide.lock:
-        name = button_of(guide, event.button)
+        name = button_command(guide, event.button)
         if not name:
             return False
         try:
@@ -75,8 +75,8 @@ def press(guide: VerifyGuide, event: Press) -> bool:
                     guide.touch(event.stamp_ns, None)
             else:
                 guide.refuse_unless_possible(name, {}, None)
-                ACTS[name](guide, Told({}))
-        except Refusal as refusal:
+                ACTS[name](guide, CommandContext({}))
+        except OperationError as refusal:
             guide.decline(refusal)
         guide.refresh()
         return True
@@ -91,7 +91,7 @@ def measure_waiting(guide: VerifyGuide) -> None:
         _measure(guide, cloud)
 
 
-def _undo(guide: VerifyGuide, told: Told) -> None:
+def _undo(guide: VerifyGuide, told: CommandContext) -> None:
     if guide.state.step == "touch":
         index = guide.state.counted[-1].index
         guide.append("touch_voided", {"index": index}, told.key)
@@ -101,22 +101,22 @@ def _undo(guide: VerifyGuide, told: Told) -> None:
         guide.append("cloud_voided", {"number": last.number, "voided": True}, told.key)
 
 
-def _redo(guide: VerifyGuide, told: Told) -> None:
+def _redo(guide: VerifyGuide, told: CommandContext) -> None:
     guide.append("touch_restored", {"index": guide.state.undone[-1]}, told.key)
     guide.keep_touches()
 
 
-def _void_touch(guide: VerifyGuide, told: Told) -> None:
+def _void_touch(guide: VerifyGuide, told: CommandContext) -> None:
     guide.append("touch_voided", {"index": told.args["index"]}, told.key)
     guide.keep_touches()
 
 
-def _finish_cloud(guide: VerifyGuide, told: Told) -> None:
+def _finish_cloud(guide: VerifyGuide, told: CommandContext) -> None:
     cloud = works.end_cloud(guide, "cloud_ended", told.key)
     _measure(guide, cloud)
 
 
-def _measure(guide: VerifyGuide, cloud: Cloud) -> None:
+def _measure(guide: VerifyGuide, cloud: VerificationCloud) -> None:
     def work(progress: Progress) -> None:
         progress("Writing the cloud", 0.1)
         works.measure(guide, cloud, works.end_scan(guide), progress)
@@ -124,13 +124,13 @@ def _measure(guide: VerifyGuide, cloud: Cloud) -> None:
     start_job(guide, "Measuring the cloud", work)
 
 
-def _drop_cloud(guide: VerifyGuide, told: Told) -> None:
+def _drop_cloud(guide: VerifyGuide, told: CommandContext) -> None:
     works.end_cloud(guide, "cloud_voided", told.key)
     start_job(guide, "Dropping the cloud", lambda _progress: works.drop_scan(guide))
 
 
 def _with_number(kind: str, voided: bool) -> "Act":
-    def act(guide: VerifyGuide, told: Told) -> None:
+    def act(guide: VerifyGuide, told: CommandContext) -> None:
         payload = {"number": told.args["number"], "voided": voided}
         guide.append(kind, payload, told.key)
 
@@ -141,35 +141,35 @@ def _just(kind: str) -> "Act":
     return lambda guide, told: guide.append(kind, {}, told.key)
 
 
-def _back(guide: VerifyGuide, told: Told) -> None:
+def _back(guide: VerifyGuide, told: CommandContext) -> None:
     before = STEPS[STEPS.index(guide.state.step) - 1]
     guide.append("went_back", {"to": told.args.get("to", before)}, told.key)
 
 
-def _accept(guide: VerifyGuide, told: Told) -> None:
+def _accept(guide: VerifyGuide, told: CommandContext) -> None:
     assert told.temperatures is not None
     works.accept(guide, told.operator, told.temperatures, told.key)
 
 
-def _again(guide: VerifyGuide, told: Told) -> None:
+def _again(guide: VerifyGuide, told: CommandContext) -> None:
     guide.append("abandoned", {})
     guide.begin(told.key)
 
 
-def _let_hand(guide: VerifyGuide, told: Told) -> None:
+def _start_simulation(guide: VerifyGuide, told: CommandContext) -> None:
     hand = guide.station.hand
     assert hand is not None
     whole = told.args.get("all") is True
     guide.append("hand_started", {"all": whole}, told.key)
-    start_hand(guide, hand_work(guide, hand, whole))
+    start_simulation(guide, simulation_job(guide, hand, whole))
 
 
-def _stop_hand(guide: VerifyGuide, told: Told) -> None:
-    stop_hand(guide)
+def _stop_simulation(guide: VerifyGuide, told: CommandContext) -> None:
+    stop_simulation(guide)
     guide.append("hand_stopped", {}, told.key)
 
 
-Act = Callable[[VerifyGuide, Told], None]
+Act = Callable[[VerifyGuide, CommandContext], None]
 ACTS: dict[str, Act] = {
     "choose_gauge": lambda guide, told: guide.append(
         "gauge_chosen", {"id": told.args["id"]}, told.key
@@ -190,8 +190,8 @@ ACTS: dict[str, Act] = {
     "more_clouds": lambda guide, told: guide.append("went_back", {"to": "scan"}, told.key),
     "accept": _accept,
     "back": _back,
-    "let_hand": _let_hand,
-    "stop_hand": _stop_hand,
+    "let_hand": _start_simulation,
+    "stop_hand": _stop_simulation,
     "abandon": _just("abandoned"),
     "again": _again,
 }

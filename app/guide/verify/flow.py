@@ -4,26 +4,26 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding, Quality
 from app.formats.datasheets.gauge import GaugeFile
 from app.guide.common.view import Action, LiveNumber, Step, StepProgress, sentence
 from app.guide.verify.live import VerifyLive
-from app.guide.verify.picture import picture_of, touch_rms_um
+from app.guide.verify.picture import build_picture, touch_rms_um
 from app.guide.verify.rules import (
     CLOUDS_WANTED,
     OTHER_SIZE_MM,
     OTHER_SIZE_SDS,
-    changed,
-    wanted,
-    why_not,
+    change_reason,
+    rejection_reason,
+    touches_wanted,
 )
 from app.guide.verify.state import STEPS, VerifyState
 from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
 )
-from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
 TITLES = {
     "gauge": "Choose the gauge",
@@ -40,7 +40,7 @@ QUALITY: dict[str, Quality] = {
 }
 
 
-def view_of(state: VerifyState, live: VerifyLive) -> VerifyView:
+def build_view(state: VerifyState, live: VerifyLive) -> VerifyView:
     """The view."""
     running = bool(state.session_id) and not state.ended
     title, instruction = _words(state, live)
@@ -59,7 +59,7 @@ def view_of(state: VerifyState, live: VerifyLive) -> VerifyView:
         step=state.step,
         title=title,
         instruction=instruction,
-        picture=picture_of(state, live),
+        picture=build_picture(state, live),
         number=_number(state, live) if running else None,
         progress=_progress(state, live) if running else None,
         findings=_findings(state, live) if running else [],
@@ -115,7 +115,7 @@ def _steps(state: VerifyState) -> list[Step]:
 def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     touched = live.touched
     if state.step == "touch":
-        note = _known(touched)
+        note = _uncertainty_note(touched)
         return LiveNumber("Touches agree to", touch_rms_um(live), "µm", 0, "neutral", note)
     if state.step == "scan" and state.open_cloud is not None:
         return LiveNumber("Points", float(live.scan_points), "", 0)
@@ -133,19 +133,19 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     return LiveNumber(main.title, abs(main.value), "µm", 0, QUALITY[main.decision], note)
 
 
-def _known(touched: object) -> str:
-    if isinstance(touched, TouchedPlane):
+def _uncertainty_note(touched: object) -> str:
+    if isinstance(touched, ProbedPlane):
         arcsec = touched.angle_sd_rad * 180 / np.pi * 3600
         at = touched.height_sd_mm(touched.nominal.point_mm)
         return f"so the plane is known to {1e3 * at:.0f} µm and {arcsec:.0f}″, k = 1"
-    if isinstance(touched, TouchedSphere):
+    if isinstance(touched, ProbedSphere):
         return f"so its centre is known to {1e3 * touched.centre_sd_mm:.0f} µm, k = 1"
     return "after a few more touches"
 
 
 def _progress(state: VerifyState, live: VerifyLive) -> StepProgress | None:
     if state.step == "touch":
-        done, of = len(state.counted), wanted(live)
+        done, of = len(state.counted), touches_wanted(live)
         return StepProgress(min(done, of), of, f"{done} of {of} touches")
     if state.step == "scan":
         done = len(state.good)
@@ -159,7 +159,7 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
     found: list[Finding] = []
     if live.trouble:
         found.append(live.trouble)
-    if reason := changed(state, live):
+    if reason := change_reason(state, live):
         found.append(Finding("bad", reason, "What was taken is kept in its folder."))
     for link in (live.arm_link, live.sensor_link):
         if link.state != "connected":
@@ -195,11 +195,11 @@ def _remedy(result: str) -> str:
 
 def _about_touches(live: VerifyLive) -> list[Finding]:
     touched = live.touched
-    if isinstance(touched, Refusal) and touched.code != "too-few-touches":
+    if isinstance(touched, OperationError) and touched.code != "too-few-touches":
         why = f": {touched.why}" if touched.why else ""
         text = sentence(f"{touched.what}{why}")
         return [Finding("attention", text, sentence(touched.remedy))]
-    if not isinstance(touched, TouchedSphere):
+    if not isinstance(touched, ProbedSphere):
         return []
     off_mm = touched.radius_mm - touched.nominal.radius_mm
     if abs(off_mm) < max(OTHER_SIZE_MM, OTHER_SIZE_SDS * touched.radius_sd_mm):
@@ -243,13 +243,13 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
         confirm: str = "",
         args: Mapping[str, object] | None = None,
     ) -> Action:
-        reason = why_not(state, live, name, args or {})
+        reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
     leave = offer(
         "abandon", "Leave", confirm="Leave this verification? Its clouds are kept in its folder."
     )
-    if changed(state, live) and state.open_cloud is None:
+    if change_reason(state, live) and state.open_cloud is None:
         return [offer("again", "Begin again", primary=True), leave]
     hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []
     if live.hand_running:
@@ -261,7 +261,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             hand.append(offer("let_hand", "Let the hand do everything", args=whole))
         return [offer("confirm_gauge", "This gauge is clamped", primary=True), *hand, leave]
     if state.step == "touch":
-        enough = len(state.counted) >= wanted(live)
+        enough = len(state.counted) >= touches_wanted(live)
         return [
             offer("touch", "Take the touch", primary=not enough),
             offer("confirm_touch", "Go on to scanning", primary=enough),

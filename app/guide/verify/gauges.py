@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.file_names import check_name
@@ -18,16 +18,16 @@ def read_gauges(folder: Path) -> Gauges:
     for path in sorted(folder.glob("*.json")):
         try:
             check_name(path)
-            known.setdefault(_id_of(path), read_gauge(path))
-        except Refusal as refusal:
+            known.setdefault(_gauge_id(path), read_gauge(path))
+        except OperationError as refusal:
             findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
     return Gauges(known, tuple(findings))
 
 
-def _id_of(path: Path) -> str:
+def _gauge_id(path: Path) -> str:
     return next(path.name.removesuffix(end) for end in SUFFIXES if path.name.endswith(end))
 
 
 def gauge_path(folder: Path, gauge: str) -> Path:
     """The file of a gauge by its id."""
-    return next(path for path in sorted(folder.glob("*.json")) if _id_of(path) == gauge)
+    return next(path for path in sorted(folder.glob("*.json")) if _gauge_id(path) == gauge)

@@ -8,47 +8,52 @@ from typing import Protocol
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
-from app.formats.io_errors import files_refused
+from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.results.calibration import Calibration, read_calibration
-from app.formats.results.verification import GAUGE, TOUCHES
-from app.formats.session.calibration_session import ARM, Contacts, write_contacts
+from app.formats.results.verification import CONTACTS, GAUGE
+from app.formats.session.calibration_session import ARM, ContactReadings, write_contacts
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
-from app.guide.common.journal import Check, Journal, Row
-from app.guide.common.provenance import UNSIGNED, Signing
-from app.guide.common.simulated_operator import Hand
+from app.guide.common.journal import Check, Journal, JournalEntry
+from app.guide.common.provenance import NO_PROVENANCE, Provenance
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import sentence
 from app.guide.verify.arguments import ARGUMENTS
-from app.guide.verify.flow import view_of
+from app.guide.verify.flow import build_view
 from app.guide.verify.gauges import gauge_path, read_gauges
-from app.guide.verify.live import Gauges, Judged, VerifyLive
-from app.guide.verify.rules import why_not
-from app.guide.verify.state import ENDS, Cloud, VerifyState, after
+from app.guide.verify.live import CloudResults, Gauges, VerifyLive
+from app.guide.verify.rules import rejection_reason
+from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.metrology.arm.kinematics import Arm, tip_centres
-from app.metrology.gauges.probed_gauge import touched_plane, touched_sphere
+from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
-from app.workflows.measure_gauge import Fit
-from app.workflows.verification_metrics import Touched, errors_of, figures_of, verdict_of
+from app.workflows.measure_gauge import GaugeFit
+from app.workflows.verification_metrics import (
+    ProbedGauge,
+    cloud_errors,
+    gauge_figures,
+    verification_verdict,
+)
 
 KIND = "verify"
-FLOW = Flow(KIND, "verify", VerifyState(), after, view_of, why_not, ARGUMENTS)
+FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, rejection_reason, ARGUMENTS)
 FRESH_S = 2.0
 """Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3
 
 
 @dataclass(frozen=True)
-class VerifyStation:
+class VerificationServices:
     """The parts of the machine room that a verification works with."""
 
     bus: Bus
@@ -56,10 +61,10 @@ class VerifyStation:
     jobs: Jobs
     scanner: Scanner
     scene: Scene
-    hand: Hand | None
+    hand: SimulatedOperator | None
 
 
-class CalibratedWith(Protocol):
+class ActiveCalibration(Protocol):
     """An accepted calibration."""
 
     @property
@@ -75,7 +80,7 @@ class CalibratedWith(Protocol):
 class CalibrationsInUse(Protocol):
     """Where the calibration in use is kept."""
 
-    def active(self) -> CalibratedWith | None: ...
+    def active(self) -> ActiveCalibration | None: ...
 
 
 class Verifications(Protocol):
@@ -89,23 +94,23 @@ class Verifications(Protocol):
         figures: Mapping[str, object],
         key: str | None,
         check: Check,
-    ) -> Row: ...
+    ) -> JournalEntry: ...
 
 
 class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     """The latest verification."""
 
-    station: VerifyStation
+    station: VerificationServices
 
     def __init__(
         self,
-        station: VerifyStation,
+        station: VerificationServices,
         journal: Journal,
         calibrations: CalibrationsInUse,
         verifications: Verifications,
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
-        signing: Signing = UNSIGNED,
+        signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
         self.signing = signing
@@ -113,10 +118,12 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         self._data_folder, self._limits = data_folder, limits
         self._gauges: tuple[float, Gauges] | None = None
         self._own: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
-        self._judged: tuple[VerifyState | None, Touched | Refusal | None, Judged] = (
+        self._judged: tuple[
+            VerifyState | None, ProbedGauge | OperationError | None, CloudResults
+        ] = (
             None,
             None,
-            Judged({}, {}, (), None),
+            CloudResults({}, {}, (), None),
         )
         self.resume()
 
@@ -176,46 +183,50 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             try:
                 own = read_gauge(self.folder / GAUGE), read_arm(self.folder / ARM)
                 self._own = (named, *own)
-            except Refusal:
+            except OperationError:
                 self._own = (named, None, None)
         return self._own[1:]
 
     def calibration(self) -> Calibration:
-        """The session's own copy; raises ``Refusal``."""
+        """The session's own copy; raises ``OperationError``."""
         return read_calibration(self.folder / CALIBRATION)
 
     def _results(
         self, gauge: GaugeFile | None, arm: Arm | None
-    ) -> tuple[Touched | Refusal | None, Judged]:
+    ) -> tuple[ProbedGauge | OperationError | None, CloudResults]:
         """What touches and clouds show; worked out once for each state."""
         if self._judged[0] is not self.state:
             touched = self._touched(gauge, arm)
             self._judged = (self.state, touched, self._judge(gauge, touched))
         return self._judged[1:]
 
-    def _touched(self, gauge: GaugeFile | None, arm: Arm | None) -> Touched | Refusal | None:
+    def _touched(
+        self, gauge: GaugeFile | None, arm: Arm | None
+    ) -> ProbedGauge | OperationError | None:
         q_rad = np.array([touch.q_rad for touch in self.state.counted])
         if gauge is None or arm is None or not len(q_rad):
             return None
         try:
             if gauge.shape == "plane":
-                return touched_plane(arm, q_rad)
+                return fit_probed_plane(arm, q_rad)
             assert gauge.radius_mm is not None
-            return touched_sphere(arm, q_rad, gauge.radius_mm)
-        except Refusal as refusal:
+            return fit_probed_sphere(arm, q_rad, gauge.radius_mm)
+        except OperationError as refusal:
             return refusal
 
-    def _judge(self, gauge: GaugeFile | None, touched: Touched | Refusal | None) -> Judged:
+    def _judge(
+        self, gauge: GaugeFile | None, touched: ProbedGauge | OperationError | None
+    ) -> CloudResults:
         if gauge is None:
-            return Judged({}, {}, (), None)
+            return CloudResults({}, {}, (), None)
         state = self.state
-        probe = None if isinstance(touched, Refusal) or not state.by_probe else touched
-        fits = {c.number: Fit.model_validate(c.fit) for c in state.listed if c.fit is not None}
-        errors = {number: errors_of(fit, gauge, probe) for number, fit in fits.items()}
+        probe = None if isinstance(touched, OperationError) or not state.by_probe else touched
+        fits = {c.number: GaugeFit.model_validate(c.fit) for c in state.listed if c.fit is not None}
+        errors = {number: cloud_errors(fit, gauge, probe) for number, fit in fits.items()}
         good = [fits[cloud.number] for cloud in state.good]
-        figures = figures_of(good, gauge, probe, self.limits(gauge))
-        verdict = verdict_of(figures, probe is not None) if figures else None
-        return Judged(fits, errors, figures, verdict)
+        figures = gauge_figures(good, gauge, probe, self.limits(gauge))
+        verdict = verification_verdict(figures, probe is not None) if figures else None
+        return CloudResults(fits, errors, figures, verdict)
 
     # -- sessions ------------------------------------------------------------
 
@@ -234,7 +245,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """A new session of the calibration in use, with the gauge of the last."""
         active = self.calibrations.active()
         if active is None:
-            raise Refusal(
+            raise OperationError(
                 "no-calibration",
                 "There is nothing to verify",
                 "no calibration is in use yet",
@@ -252,7 +263,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """Copies gauge, arm and calibration, which the session uses from now on."""
         active = self.calibrations.active()
         assert active is not None
-        with files_refused(self.folder):
+        with convert_io_errors(self.folder):
             ensure_folder(self.folder)
             gauge = gauge_path(self._data_folder / "gauges", self.state.gauge)
             for source, name in (
@@ -291,7 +302,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """
         side, (_, arm) = self.station.rig.arm, self.sheets()
         if arm is None:
-            raise Refusal(
+            raise OperationError(
                 "no-arm-model", "The session's arm cannot be read", remedy="Begin a new one"
             )
         side.set_model(arm)  # by which it is judged whether the arm is still
@@ -302,7 +313,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             apart = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
             if apart.min() < SAME_PLACE_MM:
                 number = int(np.argmin(apart)) + 1
-                raise Refusal(
+                raise OperationError(
                     "same-place",
                     f"That is the place of touch {number}",
                     f"{1e3 * apart.min():.0f} µm away",
@@ -314,14 +325,14 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def keep_touches(self) -> None:
         """Brings the session's table of touches up to date."""
-        path, counted = self.folder / TOUCHES, self.state.counted
+        path, counted = self.folder / CONTACTS, self.state.counted
         if not counted:
             path.unlink(missing_ok=True)
             return
         q_rad = np.array([touch.q_rad for touch in counted])
-        write_contacts(path, Contacts(("gauge",) * len(counted), q_rad))
+        write_contacts(path, ContactReadings(("gauge",) * len(counted), q_rad))
 
-    def to_measure(self) -> Cloud | None:
+    def to_measure(self) -> VerificationCloud | None:
         """A cloud that is scanned and waits to be measured. One whose scan ended without the
         operator's word, as by Stop, a full disk or a killed server, is ended here."""
         with self.lock:

@@ -3,15 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import FigurePart, VerificationVerdict
 from app.guide.common.view import Busy
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
-from app.workflows.measure_gauge import Fit
-from app.workflows.verification_metrics import Errors, Touched
+from app.workflows.measure_gauge import GaugeFit
+from app.workflows.verification_metrics import CloudErrors, ProbedGauge
 
 
 @dataclass(frozen=True)
@@ -23,12 +23,12 @@ class Gauges:
 
 
 @dataclass(frozen=True)
-class Judged:
+class CloudResults:
     """What the clouds that count show."""
 
-    fits: Mapping[int, Fit]
+    fits: Mapping[int, GaugeFit]
     """Of every cloud that was measured, by its number."""
-    errors: Mapping[int, Errors]
+    errors: Mapping[int, CloudErrors]
     figures: tuple[FigurePart, ...]
     verdict: VerificationVerdict | None
 
@@ -45,9 +45,9 @@ class VerifyLive:
     """The chosen one; from the touches on the session's own copy."""
     limits: VerificationLimits
     arm: Arm | None
-    touched: Touched | Refusal | None
+    touched: ProbedGauge | OperationError | None
     """The gauge by the touches, or why they do not fix it; None without touches."""
-    judged: Judged
+    judged: CloudResults
     arm_link: DeviceState
     sensor_link: DeviceState
     still: bool

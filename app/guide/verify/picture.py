@@ -4,10 +4,10 @@ from dataclasses import asdict
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.common.view import sentence
 from app.guide.verify.live import VerifyLive
-from app.guide.verify.state import Cloud, VerifyState
+from app.guide.verify.state import VerificationCloud, VerifyState
 from app.guide.verify.view import (
     CloudLine,
     CloudState,
@@ -18,11 +18,11 @@ from app.guide.verify.view import (
 )
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.fitting.deviation_map import flat_places
-from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.metrology.transforms import Floats
 
 
-def picture_of(state: VerifyState, live: VerifyLive) -> VerifyPicture:
+def build_picture(state: VerifyState, live: VerifyLive) -> VerifyPicture:
     """The picture."""
     verdict = live.judged.verdict if state.step == "review" else None
     return VerifyPicture(
@@ -53,12 +53,12 @@ def picture_of(state: VerifyState, live: VerifyLive) -> VerifyPicture:
 def touch_rms_um(live: VerifyLive) -> float | None:
     """How well the touches agree with the gauge's shape."""
     touched = live.touched
-    return None if touched is None or isinstance(touched, Refusal) else touched.rms_mm * 1e3
+    return None if touched is None or isinstance(touched, OperationError) else touched.rms_mm * 1e3
 
 
 def _touches(state: VerifyState, live: VerifyLive) -> list[TouchLine]:
     touched, counted = live.touched, state.counted
-    if live.arm is None or not isinstance(touched, TouchedPlane | TouchedSphere):
+    if live.arm is None or not isinstance(touched, ProbedPlane | ProbedSphere):
         return [TouchLine(touch.index, None, None, None) for touch in counted]
     tips = tip_centres(live.arm, np.array([touch.q_rad for touch in counted]))
     places = _flat(touched, tips)
@@ -68,16 +68,16 @@ def _touches(state: VerifyState, live: VerifyLive) -> list[TouchLine]:
     ]
 
 
-def _flat(touched: TouchedPlane | TouchedSphere, tips: Floats) -> Floats:
+def _flat(touched: ProbedPlane | ProbedSphere, tips: Floats) -> Floats:
     """(N, 2) as seen from above the gauge, about its middle."""
-    if isinstance(touched, TouchedPlane):
+    if isinstance(touched, ProbedPlane):
         return flat_places(tips - touched.nominal.point_mm, touched.nominal.normal)
     away = tips - touched.nominal.centre_mm
     on_it = away / np.linalg.norm(away, axis=1)[:, None] * touched.nominal.radius_mm
     return flat_places(on_it, np.array([0.0, 0.0, 1.0]))
 
 
-def _cloud(state: VerifyState, live: VerifyLive, cloud: Cloud) -> CloudLine:
+def _cloud(state: VerifyState, live: VerifyLive, cloud: VerificationCloud) -> CloudLine:
     fit = live.judged.fits.get(cloud.number)
     shown: CloudState = "good"
     text = ""

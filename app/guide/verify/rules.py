@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
 from app.metrology.gauges.probed_gauge import PLANE_LEAST, SPHERE_LEAST
@@ -41,7 +41,7 @@ WHATEVER_IS_IN_USE = ("stop_hand", "abandon", "again", "finish_cloud", "drop_clo
 """What can be done although another calibration is in use by now."""
 
 
-def why_not(state: VerifyState, live: VerifyLive, name: str, args: Args) -> str:
+def rejection_reason(state: VerifyState, live: VerifyLive, name: str, args: Args) -> str:
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
         return f"There is no command '{name}'."
@@ -53,13 +53,13 @@ def why_not(state: VerifyState, live: VerifyLive, name: str, args: Args) -> str:
         return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
     if name in ONLY_IN and state.step not in ONLY_IN[name]:
         return f"This belongs to another step; the verification stands at '{state.step}'."
-    if name not in WHATEVER_IS_IN_USE and (reason := changed(state, live)):
+    if name not in WHATEVER_IS_IN_USE and (reason := change_reason(state, live)):
         return reason
     rule = RULES.get(name)
     return rule(state, live, args) if rule else ""
 
 
-def changed(state: VerifyState, live: VerifyLive) -> str:
+def change_reason(state: VerifyState, live: VerifyLive) -> str:
     """Said where another calibration came into use since the session began."""
     if not live.active_id:
         return "There is no calibration in use. Calibrate first."
@@ -68,13 +68,13 @@ def changed(state: VerifyState, live: VerifyLive) -> str:
     return ""
 
 
-def least(live: VerifyLive) -> int:
+def touches_needed(live: VerifyLive) -> int:
     """Touches that fix the chosen gauge."""
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_LEAST if plane else SPHERE_LEAST
 
 
-def wanted(live: VerifyLive) -> int:
+def touches_wanted(live: VerifyLive) -> int:
     """Touches that are asked for."""
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_WANTED if plane else SPHERE_WANTED
@@ -121,9 +121,9 @@ def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
 
 def _confirm_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
     taken = len(state.counted)
-    if taken < least(live):
-        return f"Touch it more: {taken} of at least {least(live)} places."
-    if isinstance(live.touched, Refusal):
+    if taken < touches_needed(live):
+        return f"Touch it more: {taken} of at least {touches_needed(live)} places."
+    if isinstance(live.touched, OperationError):
         return live.touched.line
     return ""
 
@@ -169,7 +169,7 @@ def _back(state: VerifyState, live: VerifyLive, args: Args) -> str:
     return ""
 
 
-def _hand(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _simulation(state: VerifyState, live: VerifyLive, args: Args) -> str:
     if not live.has_hand:
         return "There is no simulated hand on real devices."
     return "Finish this cloud, or drop it." if state.open_cloud is not None else ""
@@ -196,7 +196,7 @@ RULES: dict[str, Rule] = {
     "confirm_clouds": _enough,
     "accept": _enough,
     "back": _back,
-    "let_hand": _hand,
+    "let_hand": _simulation,
     "abandon": _leave,
     "again": _leave,
 }

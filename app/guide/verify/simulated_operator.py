@@ -3,11 +3,11 @@
 import time
 from collections.abc import Callable
 
-from app.errors import Refusal
-from app.guide.common.simulated_operator import Hand
+from app.errors import OperationError
+from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify import tasks as works
 from app.guide.verify.guide import VerifyGuide
-from app.guide.verify.rules import CLOUDS_WANTED, wanted
+from app.guide.verify.rules import CLOUDS_WANTED, touches_wanted
 from app.station.jobs import Progress
 
 GAUGES = {"plane": "plate", "sphere": "sphere"}
@@ -17,14 +17,16 @@ ATTEMPTS = 3
 PAUSE_S = 0.1
 
 
-def hand_work(guide: VerifyGuide, hand: Hand, whole: bool) -> Callable[[Progress], None]:
+def simulation_job(
+    guide: VerifyGuide, hand: SimulatedOperator, whole: bool
+) -> Callable[[Progress], None]:
     """The job by which the hand does the present step, or goes on up to the result."""
 
     def work(progress: Progress) -> None:
         try:
-            while guide.hand_running and guide.state.step in STEP_WORKS:
+            while guide.hand_running and guide.state.step in STEP_JOBS:
                 step = guide.state.step
-                STEP_WORKS[step](guide, hand, progress)
+                STEP_JOBS[step](guide, hand, progress)
                 if not whole or guide.state.step == step:
                     break
         finally:
@@ -41,7 +43,7 @@ def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
             guide.append(kind, {})
 
 
-def _gauge(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
+def _gauge(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
     with guide.lock:
         guide.refuse_unless_possible("confirm_gauge", {}, None, by_hand=True)
         works.confirm_gauge(guide, None)
@@ -53,8 +55,8 @@ def _name(guide: VerifyGuide) -> str:
     return GAUGES[gauge.shape]
 
 
-def _touch(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
-    name, of = _name(guide), wanted(guide.live())
+def _touch(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
+    name, of = _name(guide), touches_wanted(guide.live())
     for index in range(len(guide.state.counted), of):
         progress(f"The hand touches the {name}", index / of)
         if not guide.hand_running or not _touch_one(guide, hand, name, index):
@@ -62,7 +64,7 @@ def _touch(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
     _confirm(guide, "confirm_touch", "touch_confirmed")
 
 
-def _touch_one(guide: VerifyGuide, hand: Hand, name: str, index: int) -> bool:
+def _touch_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, index: int) -> bool:
     """One place, again where it was declined; False when the hand was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
@@ -76,14 +78,14 @@ def _touch_one(guide: VerifyGuide, hand: Hand, name: str, index: int) -> bool:
             )
             if len(guide.state.touches) > before:
                 return True
-    raise Refusal(
+    raise OperationError(
         "hand-declined",
         f"The hand's touch {index + 1} was declined {ATTEMPTS} times",
         remedy="Look at the last message, and let the hand try again",
     )
 
 
-def _scan(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
+def _scan(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
     name = _name(guide)
     at_least_one = max(CLOUDS_WANTED, len(guide.state.good) + 1)
     for done in range(len(guide.state.good), at_least_one):
@@ -93,7 +95,7 @@ def _scan(guide: VerifyGuide, hand: Hand, progress: Progress) -> None:
     _confirm(guide, "confirm_clouds", "clouds_confirmed")
 
 
-def _scan_one(guide: VerifyGuide, hand: Hand, name: str, progress: Progress) -> bool:
+def _scan_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, progress: Progress) -> bool:
     """One cloud from its begin to its measure; False when the hand was stopped, or it is of
     no use."""
     _await_scanner(guide)
@@ -121,7 +123,7 @@ def _await_scanner(guide: VerifyGuide) -> None:
         time.sleep(PAUSE_S)
 
 
-STEP_WORKS: dict[str, Callable[[VerifyGuide, Hand, Progress], None]] = {
+STEP_JOBS: dict[str, Callable[[VerifyGuide, SimulatedOperator, Progress], None]] = {
     "gauge": _gauge,
     "touch": _touch,
     "scan": _scan,

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.guide.common.journal import Row
-from app.guide.common.undo import put_back, taken_back
+from app.guide.common.journal import JournalEntry
+from app.guide.common.undo import put_back, take_back
 
 STEPS = ("gauge", "touch", "scan", "review")
 Payload = Mapping[str, Any]
@@ -13,7 +13,7 @@ Angles = tuple[float, ...]
 
 
 @dataclass(frozen=True)
-class Touch:
+class GaugeContact:
     """One contact on the gauge."""
 
     index: int
@@ -24,7 +24,7 @@ class Touch:
 
 
 @dataclass(frozen=True)
-class Cloud:
+class VerificationCloud:
     """One pass over the gauge, recorded in the folder of its name."""
 
     number: int
@@ -63,36 +63,36 @@ class VerifyState:
     """Of the data folder's gauges, by the name of its file."""
     by_probe: bool = False
     """Whether scans are compared with the touches."""
-    touches: tuple[Touch, ...] = ()
+    touches: tuple[GaugeContact, ...] = ()
     undone: tuple[int, ...] = ()
     """Touches that were taken back since the last one was taken; they can be put back."""
-    clouds: tuple[Cloud, ...] = ()
+    clouds: tuple[VerificationCloud, ...] = ()
     ended: str = ""
     """accepted or abandoned; empty while the session is open."""
 
     @property
-    def counted(self) -> tuple[Touch, ...]:
+    def counted(self) -> tuple[GaugeContact, ...]:
         """Touches that count."""
         return tuple(t for t in self.touches if not t.voided and t.gauge == self.gauge)
 
     @property
-    def listed(self) -> tuple[Cloud, ...]:
+    def listed(self) -> tuple[VerificationCloud, ...]:
         """Clouds of the chosen gauge, those set aside too."""
         return tuple(cloud for cloud in self.clouds if cloud.gauge == self.gauge)
 
     @property
-    def good(self) -> tuple[Cloud, ...]:
+    def good(self) -> tuple[VerificationCloud, ...]:
         """Clouds that are judged."""
         return tuple(c for c in self.listed if c.fit is not None and not c.voided)
 
     @property
-    def open_cloud(self) -> Cloud | None:
+    def open_cloud(self) -> VerificationCloud | None:
         """The one that is being scanned."""
         last = self.clouds[-1] if self.clouds else None
         return last if last is not None and not last.ended and not last.voided else None
 
 
-def after(state: VerifyState, row: Row) -> VerifyState:
+def apply_row(state: VerifyState, row: JournalEntry) -> VerifyState:
     """The state after one more row of the journal.
 
     Raises:
@@ -105,7 +105,7 @@ def after(state: VerifyState, row: Row) -> VerifyState:
     return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
 
 
-def _started(state: VerifyState, payload: Payload) -> VerifyState:
+def _start(state: VerifyState, payload: Payload) -> VerifyState:
     return replace(
         state,
         calibration_id=payload["calibration_id"],
@@ -114,8 +114,8 @@ def _started(state: VerifyState, payload: Payload) -> VerifyState:
     )
 
 
-def _touched(state: VerifyState, payload: Payload) -> VerifyState:
-    touch = Touch(len(state.touches), state.gauge, tuple(payload["q_rad"]))
+def _add_touch(state: VerifyState, payload: Payload) -> VerifyState:
+    touch = GaugeContact(len(state.touches), state.gauge, tuple(payload["q_rad"]))
     return replace(state, touches=(*state.touches, touch), undone=())
 
 
@@ -123,7 +123,7 @@ def _touch_voided(state: VerifyState, payload: Payload) -> VerifyState:
     index = payload["index"]
     if all(t.index != index for t in state.counted):
         return state
-    touches, undone = taken_back(state.touches, state.undone, index)
+    touches, undone = take_back(state.touches, state.undone, index)
     return replace(state, touches=touches, undone=undone)
 
 
@@ -133,7 +133,7 @@ def _touch_restored(state: VerifyState, payload: Payload) -> VerifyState:
 
 
 def _cloud_begun(state: VerifyState, payload: Payload) -> VerifyState:
-    cloud = Cloud(payload["number"], state.gauge, payload["at"])
+    cloud = VerificationCloud(payload["number"], state.gauge, payload["at"])
     return replace(state, clouds=(*state.clouds, cloud))
 
 
@@ -151,10 +151,10 @@ def _with_cloud(**fields: str) -> Callable[[VerifyState, Payload], VerifyState]:
 
 
 CHANGES: dict[str, Callable[[VerifyState, Payload], VerifyState]] = {
-    "started": _started,
+    "started": _start,
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"], undone=()),
     "gauge_confirmed": lambda state, payload: replace(state, step="touch"),
-    "touched": _touched,
+    "touched": _add_touch,
     "touch_voided": _touch_voided,
     "touch_restored": _touch_restored,
     "touch_confirmed": lambda state, payload: replace(state, step="scan", by_probe=True),

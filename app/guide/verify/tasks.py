@@ -5,14 +5,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Protocol
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
-from app.formats.io_errors import files_refused
-from app.formats.json_document import sha256_of
+from app.formats.io_errors import convert_io_errors
+from app.formats.json_document import file_sha256
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import (
+    CONTACTS,
     GAUGE,
-    TOUCHES,
     CloudPart,
     GaugePart,
     PlacingPart,
@@ -26,12 +26,12 @@ from app.formats.software import SOFTWARE
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.live import VerifyLive
-from app.guide.verify.state import Cloud, VerifyState
+from app.guide.verify.state import VerificationCloud, VerifyState
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
-from app.metrology.gauges.probed_gauge import TouchedPlane, TouchedSphere
+from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.station.jobs import Progress
-from app.workflows.measure_gauge import MAP, Fit, measure_recording
-from app.workflows.verification_metrics import Errors
+from app.workflows.measure_gauge import MAP, GaugeFit, measure_recording
+from app.workflows.verification_metrics import CloudErrors
 
 RECORDING = "scan.mcap"
 
@@ -49,16 +49,16 @@ def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
 
 
 def begin_cloud(guide: VerifyGuide, key: str | None) -> None:
-    """Starts the scan of the next cloud; raises ``Refusal`` where it cannot start."""
+    """Starts the scan of the next cloud; raises ``OperationError`` where it cannot start."""
     number = len(guide.state.clouds) + 1
-    folder = guide.folder / Cloud(number, "", "").name
+    folder = guide.folder / VerificationCloud(number, "", "").name
     # of a process that was killed before the row below was kept
     shutil.rmtree(folder, ignore_errors=True)
     guide.station.scanner.start(f"Verification, cloud {number}", folder)
     guide.append("cloud_begun", {"number": number}, key)
 
 
-def end_cloud(guide: VerifyGuide, kind: str, key: str | None) -> Cloud:
+def end_cloud(guide: VerifyGuide, kind: str, key: str | None) -> VerificationCloud:
     """Ends the cloud that is scanned, as ``cloud_ended`` or ``cloud_voided``."""
     cloud = guide.state.open_cloud
     assert cloud is not None
@@ -77,7 +77,9 @@ def drop_scan(guide: VerifyGuide) -> None:
     end_scan(guide)
 
 
-def measure(guide: VerifyGuide, cloud: Cloud, seconds: float, progress: Progress) -> None:
+def measure(
+    guide: VerifyGuide, cloud: VerificationCloud, seconds: float, progress: Progress
+) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
     progress(f"Measuring cloud {cloud.number}", 0.5)
     folder = guide.folder / cloud.name
@@ -85,13 +87,15 @@ def measure(guide: VerifyGuide, cloud: Cloud, seconds: float, progress: Progress
         gauge, arm = guide.sheets()
     try:
         if gauge is None or arm is None:
-            raise Refusal("sheets-gone", "The session's gauge or arm cannot be read any more")
-        with files_refused(folder / RECORDING):  # a killed process left it in memory alone
+            raise OperationError(
+                "sheets-gone", "The session's gauge or arm cannot be read any more"
+            )
+        with convert_io_errors(folder / RECORDING):  # a killed process left it in memory alone
             sync_file(folder / RECORDING)
             sync_folder(folder)
         measured = measure_recording(folder / RECORDING, guide.calibration(), arm, gauge)
         measured.map.write(folder / MAP)
-    except Refusal as refusal:
+    except OperationError as refusal:
         told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
         refused = {"code": refusal.code, **told}
         guide.append("cloud_refused", {"number": cloud.number, "refused": refused})
@@ -113,7 +117,7 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
         Refusal: a file cannot be read or written; nothing is kept then.
     """
     live, state = guide.live(), guide.state
-    sheet = record_of(guide, live, operator, temperatures)
+    sheet = build_record(guide, live, operator, temperatures)
     write_verification(guide.folder, sheet)
     figures = {
         "result": sheet.verdict.result,
@@ -133,7 +137,7 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
     guide.station.bus.event("accepted", f"Verified: {sheet.verdict.text}", quality)  # type: ignore[arg-type]
 
 
-def record_of(
+def build_record(
     guide: VerifyGuide, live: VerifyLive, operator: str, temperatures: Temperatures
 ) -> VerificationFile:
     """The record as of now."""
@@ -144,7 +148,9 @@ def record_of(
     assert active is not None
     calibration = CalibrationFile.read(guide.folder / CALIBRATION)
     accepted_at = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
-    probe = live.touched if state.by_probe and not isinstance(live.touched, Refusal) else None
+    probe = (
+        live.touched if state.by_probe and not isinstance(live.touched, OperationError) else None
+    )
     return VerificationFile(
         id=state.session_id,
         station=guide.signing.station,
@@ -168,7 +174,7 @@ def record_of(
             accepted_at=active.accepted_at,
             total_um=calibration.uncertainty.total_um if calibration.uncertainty else 0.0,
         ),
-        placing=placing_of(probe),
+        placing=build_placing(probe),
         clouds=tuple(
             cloud_part(cloud, live.judged.fits[cloud.number], live.judged.errors[cloud.number])
             for cloud in state.good
@@ -185,7 +191,7 @@ def record_of(
     )
 
 
-def placing_of(touched: TouchedPlane | TouchedSphere | None) -> PlacingPart | None:
+def build_placing(touched: ProbedPlane | ProbedSphere | None) -> PlacingPart | None:
     """Where the touches have the gauge."""
     if touched is None:
         return None
@@ -193,7 +199,7 @@ def placing_of(touched: TouchedPlane | TouchedSphere | None) -> PlacingPart | No
         "touches": len(touched.residuals_mm),
         "rms_um": touched.rms_mm * 1e3,
     }
-    if isinstance(touched, TouchedPlane):
+    if isinstance(touched, ProbedPlane):
         at = touched.nominal.point_mm
         values |= {
             "point_mm": at.tolist(),
@@ -210,7 +216,7 @@ def placing_of(touched: TouchedPlane | TouchedSphere | None) -> PlacingPart | No
     return PlacingPart.model_validate(values)
 
 
-def cloud_part(cloud: Cloud, fit: Fit, errors: Errors) -> CloudPart:
+def cloud_part(cloud: VerificationCloud, fit: GaugeFit, errors: CloudErrors) -> CloudPart:
     """One cloud as the record has it."""
     return CloudPart(
         name=f"Cloud {cloud.number}",
@@ -249,7 +255,7 @@ def _notes(state: VerifyState) -> tuple[str, ...]:
 def _inputs(folder: Path, state: VerifyState) -> tuple[Input, ...]:
     names = [CALIBRATION, ARM, GAUGE]
     if state.by_probe:
-        names.append(TOUCHES)
+        names.append(CONTACTS)
     names += [f"{cloud.name}/{RECORDING}" for cloud in state.good]
-    with files_refused(folder):
-        return tuple(Input(file=name, sha256=sha256_of(folder / name)) for name in names)
+    with convert_io_errors(folder):
+        return tuple(Input(file=name, sha256=file_sha256(folder / name)) for name in names)

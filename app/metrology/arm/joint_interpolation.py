@@ -8,7 +8,9 @@ from app.metrology.transforms import Floats
 Stamps = NDArray[np.int64]
 
 
-def angles_at(stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns: int) -> Floats:
+def interpolate_angles(
+    stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns: int
+) -> Floats:
     """The angles at stamps, each on the straight line between its neighbours.
 
     A joint that passes the half turn is followed the short way round.
@@ -34,10 +36,10 @@ def angles_at(stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns:
     found[exact] = q_rad[after[exact]]
     a, b = before[inside], after[inside]
     share = (wanted_ns[inside] - stamps_ns[a]) / gap_ns[inside]
-    found[inside] = q_rad[a] + share[:, None] * turn(q_rad[b] - q_rad[a])
+    found[inside] = q_rad[a] + share[:, None] * shortest_turn(q_rad[b] - q_rad[a])
     return found
 
 
-def turn(difference_rad: Floats) -> Floats:
+def shortest_turn(difference_rad: Floats) -> Floats:
     """The shortest turn, in [-pi, pi), of a difference of angles: encoders roll over."""
     return np.asarray((difference_rad + np.pi) % (2 * np.pi) - np.pi)

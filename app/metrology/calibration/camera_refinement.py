@@ -12,16 +12,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.calibration.laser_plane_fit import LaserPlaneFit
 from app.metrology.calibration.observation_model import (
     BLOCK,
     Rows,
-    Scene,
+    SceneModel,
     coordinates,
     corner_rows,
     edge_rows,
-    no_rows,
+    empty_rows,
     stripe_rows,
 )
 from app.metrology.detection.detect_block import Corner, EdgePoints
@@ -71,7 +71,7 @@ class CameraFit:
     certificate's coordinates.
     """
 
-    scene: Scene
+    scene: SceneModel
     covariance: Floats
     sources: dict[str, Floats]
     by_certificate: Floats
@@ -88,7 +88,7 @@ class CameraFit:
 
 
 @dataclass(frozen=True)
-class Observations:
+class ImageObservations:
     """What was seen: edge points, or corners where there are none, and the stripe."""
 
     edges: Sequence[EdgePoints]
@@ -96,18 +96,18 @@ class Observations:
     stripe: Stripe
     levels: LaserPlaneFit
 
-    def groups(self, scene: Scene) -> tuple[Rows, Rows]:
+    def groups(self, scene: SceneModel) -> tuple[Rows, Rows]:
         if len(self.edges):
             shape = edge_rows(scene, self.edges)
         elif len(self.corners):
             shape = corner_rows(scene, self.corners)
         else:
-            shape = no_rows(scene)
+            shape = empty_rows(scene)
         level = np.where(self.levels.used, self.levels.level, "")
         return shape, stripe_rows(scene, self.stripe, level)
 
 
-def fit_camera(camera: Camera, block: Crenellated, seen: Observations) -> CameraFit:
+def fit_camera(camera: Camera, block: Crenellated, seen: ImageObservations) -> CameraFit:
     """The most likely camera, laser plane and block.
 
     Args:
@@ -120,7 +120,7 @@ def fit_camera(camera: Camera, block: Crenellated, seen: Observations) -> Camera
         Refusal: fewer observations than parameters, or no minimum found.
     """
     lens: tuple[int, ...] = ()
-    start = Scene(replace(camera, distortion=np.zeros(5)), seen.levels.plane, block)
+    start = SceneModel(replace(camera, distortion=np.zeros(5)), seen.levels.plane, block)
     best = _adjust(start, block, seen, lens)
     for term, significant in LENS_TERMS:
         tried = _adjust(best.scene, block, seen, (*lens, *term))
@@ -133,16 +133,16 @@ def fit_camera(camera: Camera, block: Crenellated, seen: Observations) -> Camera
 
 
 def _adjust(
-    scene: Scene, certificate: Crenellated, seen: Observations, lens: tuple[int, ...]
+    scene: SceneModel, certificate: Crenellated, seen: ImageObservations, lens: tuple[int, ...]
 ) -> CameraFit:
     """Gauss-Newton on all parameters but the lens terms that are held at zero."""
     free = np.ones(len(scene.names), dtype=np.bool_)
     free[LENS] = np.isin(np.arange(4), lens)
-    kept, inflation = _judged(seen.groups(scene))
+    kept, inflation = _assess_rows(seen.groups(scene))
     for turn in range(40):
         groups = seen.groups(scene)
         if turn < ROUNDS_OF_JUDGING:
-            kept, inflation = _judged(groups)
+            kept, inflation = _assess_rows(groups)
         _require_enough(kept, int(free[: BLOCK.start].sum()))
         parts = [_normal(*group) for group in zip(groups, kept, inflation, strict=True)]
         parts.append(_prior(scene, certificate))
@@ -154,7 +154,7 @@ def _adjust(
         if float(np.max(np.abs(step) * np.sqrt(np.diag(N)))) < 1e-3:
             fits = [_group(*group) for group in zip(groups, kept, inflation, strict=True)]
             return _result(scene, fits, [part for part, _ in parts], free)
-    raise Refusal(
+    raise OperationError(
         "camera-fit-failed",
         "the camera's parameters did not settle on the picture's edges",
         "the picture and the object's certificate contradict each other",
@@ -162,7 +162,7 @@ def _adjust(
     )
 
 
-def _judged(groups: tuple[Rows, Rows]) -> tuple[list[NDArray[np.bool_]], list[Floats]]:
+def _assess_rows(groups: tuple[Rows, Rows]) -> tuple[list[NDArray[np.bool_]], list[Floats]]:
     """Which rows of each group agree, and the factors on the deviations."""
     kept = [_agreeing(rows) for rows in groups]
     return kept, [_inflation(rows, mask) for rows, mask in zip(groups, kept, strict=True)]
@@ -171,7 +171,7 @@ def _judged(groups: tuple[Rows, Rows]) -> tuple[list[NDArray[np.bool_]], list[Fl
 def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
     found = sum(int(mask.sum()) for mask in kept)
     if found < parameters + 4:
-        raise Refusal(
+        raise OperationError(
             "too-few-edges",
             f"{found} usable edge and stripe points",
             "they do not determine the camera",
@@ -206,7 +206,7 @@ def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> tuple[Flo
     )
 
 
-def _prior(scene: Scene, certificate: Crenellated) -> tuple[Floats, Floats]:
+def _prior(scene: SceneModel, certificate: Crenellated) -> tuple[Floats, Floats]:
     """Certificate, square pixels, an axis near the middle, a mild lens: matrix and gradient."""
     count = len(scene.names)
     N, g = np.zeros((count, count)), np.zeros(count)
@@ -236,7 +236,7 @@ def _inverse(N: Floats) -> Floats:
 
 
 def _result(
-    scene: Scene,
+    scene: SceneModel,
     fits: list[GroupFit],
     parts: list[Floats],
     free: NDArray[np.bool_],
@@ -244,10 +244,10 @@ def _result(
     """Covariance, and its split by source, from the normal matrices of the parts."""
     shape, stripe, prior = parts
     N = shape + stripe + prior
-    covariance = _embedded(N, free)
+    covariance = _free_covariance(N, free)
     known_lens = free.copy()
     known_lens[LENS] = False
-    C = _embedded(N, known_lens)
+    C = _free_covariance(N, known_lens)
     certificate = np.zeros_like(N)
     at = np.arange(len(N))[BLOCK]
     certificate[at, at] = prior[at, at]
@@ -266,7 +266,7 @@ def _group(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> GroupFit:
     return GroupFit(rms, rows.residuals, kept, inflation)
 
 
-def _embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
+def _free_covariance(N: Floats, free: NDArray[np.bool_]) -> Floats:
     """The covariance of the free parameters, with zeros for those that are held."""
     covariance = np.zeros_like(N)
     covariance[np.ix_(free, free)] = _inverse(N[np.ix_(free, free)])

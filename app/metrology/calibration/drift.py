@@ -18,7 +18,7 @@ LEAST_POINTS = 6
 
 
 @dataclass(frozen=True)
-class Mounted:
+class MountedSensor:
     """A calibrated sensor: its frame in that of the flange is ``T_flange_sensor``."""
 
     camera: Camera
@@ -42,7 +42,7 @@ class Drift:
     """Of the points, rms: the motion, and the change of shape."""
 
 
-def drift(before: Mounted, after: Mounted, uv_px: Floats) -> Drift | None:
+def measure_drift(before: MountedSensor, after: MountedSensor, uv_px: Floats) -> Drift | None:
     """What moved, by the points of the same pixels (N, 2); None where too few are common."""
     old, new = (_points(sensor, uv_px) for sensor in (before, after))
     common = np.isfinite(old).all(axis=1) & np.isfinite(new).all(axis=1)
@@ -63,9 +63,9 @@ def drift(before: Mounted, after: Mounted, uv_px: Floats) -> Drift | None:
     )
 
 
-def _points(sensor: Mounted, uv_px: Floats) -> Floats:
+def _points(sensor: MountedSensor, uv_px: Floats) -> Floats:
     return apply(sensor.T_flange_sensor, sensor_points(sensor.camera, sensor.plane, uv_px))
 
 
-def _normal(sensor: Mounted) -> Floats:
+def _normal(sensor: MountedSensor) -> Floats:
     return np.asarray(sensor.T_flange_sensor[:3, :3] @ sensor.plane.normal)

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.calibration.uncertainty_budget import BudgetRow
+from app.metrology.calibration.uncertainty_budget import BudgetContribution
 from app.metrology.detection.detect_block import ObjectDetection
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.probing.alignment import Alignment
@@ -16,7 +16,7 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
 Quality = Literal["good", "attention", "bad", "neutral"]
-_GRAVE = {"bad": 0, "attention": 1}
+_SEVERITY = {"bad": 0, "attention": 1}
 
 EDGE_RMS_PX = 0.3
 # Even a wide line full of speckle is located better than this.
@@ -34,13 +34,13 @@ AGREEING = 0.85
 WORST_OF_A_KIND = 3
 
 
-def grave(off_mm: float, limits: Limits) -> Quality:
+def offset_quality(off_mm: float, limits: Limits) -> Quality:
     """Of what moves points by so much without being in their uncertainty."""
     return "bad" if 1e3 * abs(off_mm) > limits.usable_um else "attention"
 
 
 @dataclass(frozen=True)
-class Finding:
+class CalibrationFinding:
     """One sentence with the number and the limit, and what to do about it (may be empty).
 
     ``pose`` is the number of the pose that it is about, where it is about one.
@@ -54,7 +54,7 @@ class Finding:
 
 
 @dataclass(frozen=True)
-class WorstPoint:
+class WorstResidual:
     """One of the points that fit worst: ``value`` in ``unit`` (µm or px).
 
     Its place: the row of a ``contact``, or the ``pose`` whose picture shows it and, on the
@@ -81,30 +81,32 @@ REMEDIES = {
 }
 
 
-def gravest_first(found: Sequence[Finding]) -> tuple[Finding, ...]:
+def sort_by_severity(found: Sequence[CalibrationFinding]) -> tuple[CalibrationFinding, ...]:
     """Bad, then those that want attention, then the rest, each as they came: the first is why
     a calibration is judged as it is."""
-    return tuple(sorted(found, key=lambda one: _GRAVE.get(one.quality, len(_GRAVE))))
+    return tuple(sorted(found, key=lambda one: _SEVERITY.get(one.quality, len(_SEVERITY))))
 
 
-def verdict(
+def uncertainty_verdict(
     total_um: float,
-    rows: Sequence[BudgetRow],
+    rows: Sequence[BudgetContribution],
     limits: Limits = LIMITS,
     remedies: Mapping[str, str] = REMEDIES,
-) -> Finding:
+) -> CalibrationFinding:
     """Good, usable or not, by the uncertainty of a point against the user's limits.
 
     ``remedies`` are by the names of the rows.
     """
     known = f"A scanned point is known to {total_um:.0f} µm (k = 1) in the flange frame"
     if total_um <= limits.good_um:
-        return Finding("good", "uncertainty", f"{known}; up to {limits.good_um:.0f} µm is good.")
+        return CalibrationFinding(
+            "good", "uncertainty", f"{known}; up to {limits.good_um:.0f} µm is good."
+        )
     largest = max(rows, key=lambda row: row.value_um)
     because = f"mostly by the {largest.source} ({largest.value_um:.0f} µm)"
     usable = total_um <= limits.usable_um
     limit = limits.good_um if usable else limits.usable_um
-    return Finding(
+    return CalibrationFinding(
         "attention" if usable else "bad",
         "uncertainty",
         f"{known}, {because}; the limit is {limit:.0f} µm.",
@@ -112,9 +114,9 @@ def verdict(
     )
 
 
-def about_contacts(
+def contact_findings(
     alignment: Alignment, features: Sequence[str], limits: Limits = LIMITS
-) -> list[Finding]:
+) -> list[CalibrationFinding]:
     """How well the contacts agree, and which were left out.
 
     However well many of them place the block, contacts that scatter by more than what is good
@@ -122,10 +124,14 @@ def about_contacts(
     """
     count = int((~alignment.outliers).sum())
     rms_um = 1e3 * alignment.rms_mm
-    found = [Finding("good", "contacts", f"{count} contacts fit the block to {rms_um:.0f} µm rms.")]
+    found = [
+        CalibrationFinding(
+            "good", "contacts", f"{count} contacts fit the block to {rms_um:.0f} µm rms."
+        )
+    ]
     if rms_um > limits.good_um:
         found = [
-            Finding(
+            CalibrationFinding(
                 "attention",
                 "contacts",
                 f"{count} contacts fit the block to {rms_um:.0f} µm rms; up to "
@@ -134,19 +140,22 @@ def about_contacts(
                 "and the arm's model.",
             )
         ]
-    return [*found, *contacts_left_out(features, 1e3 * alignment.residuals_mm, alignment.outliers)]
+    return [
+        *found,
+        *contact_outlier_findings(features, 1e3 * alignment.residuals_mm, alignment.outliers),
+    ]
 
 
-def contacts_left_out(
+def contact_outlier_findings(
     features: Sequence[str], residuals_um: Floats, out: NDArray[np.bool_]
-) -> list[Finding]:
+) -> list[CalibrationFinding]:
     """Which of N contacts, if any, disagree with the others, and by how much."""
     left_out = np.flatnonzero(out)
     if not len(left_out):
         return []
     named = ", ".join(f"{i + 1} ({features[i]}, {residuals_um[i]:+.0f} µm)" for i in left_out[:4])
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             "contact-outliers",
             f"{len(left_out)} of {len(out)} contacts disagree with the "
@@ -156,7 +165,9 @@ def contacts_left_out(
     ]
 
 
-def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Finding:
+def size_finding(
+    alignment: Alignment, features: Sequence[str], block: Crenellated
+) -> CalibrationFinding:
     """Whether the block's size and the tip's diameter were seen, and right: contacts on
     opposite faces tell their sum, others move with the block."""
     labels = np.array(features)
@@ -170,18 +181,18 @@ def about_size(alignment: Alignment, features: Sequence[str], block: Crenellated
         sd_mm = float(np.sqrt(spread + 2 * block.standard_uncertainty_mm**2))
         limit_mm = max(OPENING_SIGMAS * sd_mm, OPENING_MM)
         if abs(opening_mm) > limit_mm:
-            return size_off(pair, opening_mm, limit_mm)
+            return size_error_finding(pair, opening_mm, limit_mm)
         openings_mm[pair] = opening_mm
-    return size_agrees(openings_mm) if openings_mm else size_unchecked()
+    return size_agreement_finding(openings_mm) if openings_mm else size_unchecked_finding()
 
 
-def size_off(
+def size_error_finding(
     pair: tuple[str, str], opening_mm: float, limit_mm: float, limits: Limits = LIMITS
-) -> Finding:
+) -> CalibrationFinding:
     """Contacts on two opposite faces lie so much further apart than the papers say."""
     between = f"{pair[0]} and {pair[1]}"
-    return Finding(
-        grave(opening_mm / 2, limits),
+    return CalibrationFinding(
+        offset_quality(opening_mm / 2, limits),
         "size",
         f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
         f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "
@@ -190,22 +201,22 @@ def size_off(
     )
 
 
-def size_agrees(openings_mm: Mapping[tuple[str, str], float]) -> Finding:
+def size_agreement_finding(openings_mm: Mapping[tuple[str, str], float]) -> CalibrationFinding:
     """How much further apart than the papers say contacts on opposite faces lie, all well."""
     checked = []
     for pair, opening_mm in openings_mm.items():
         between = f"{pair[0]} and {pair[1]}"
         checked.append(f"{between} to {1e3 * opening_mm:+.0f} µm")
-    return Finding(
+    return CalibrationFinding(
         "good",
         "size",
         f"The contacts agree with the block's size and the tip's diameter: {', '.join(checked)}.",
     )
 
 
-def size_unchecked() -> Finding:
+def size_unchecked_finding() -> CalibrationFinding:
     """No two opposite faces were touched."""
-    return Finding(
+    return CalibrationFinding(
         "neutral",
         "size-unchecked",
         "No two opposite sides were touched: the tip's diameter and the block's size are as their "
@@ -214,7 +225,7 @@ def size_unchecked() -> Finding:
     )
 
 
-def far_sensor(pivot_mm: Floats, remedy: str) -> list[Finding]:
+def sensor_distance_findings(pivot_mm: Floats, remedy: str) -> list[CalibrationFinding]:
     """What is said where the sensor measures too far from the arm's last joint (3,)."""
     away_mm = float(np.linalg.norm(pivot_mm))
     if away_mm <= FARTHEST_MM:
@@ -223,10 +234,10 @@ def far_sensor(pivot_mm: Floats, remedy: str) -> list[Finding]:
         f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
         f"(limit {FARTHEST_MM:.0f} mm)."
     )
-    return [Finding("attention", "sensor-far", text, remedy)]
+    return [CalibrationFinding("attention", "sensor-far", text, remedy)]
 
 
-def about_unseen(detections: Sequence[ObjectDetection]) -> list[Finding]:
+def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[CalibrationFinding]:
     """Sizes of the block that no picture shows: were they wrong, nothing would tell."""
     hidden = [
         name for name in detections[0].unseen if all(name in one.unseen for one in detections[1:])
@@ -234,7 +245,7 @@ def about_unseen(detections: Sequence[ObjectDetection]) -> list[Finding]:
     if not hidden:
         return []
     return [
-        Finding(
+        CalibrationFinding(
             "neutral",
             "size-unseen",
             f"{'The picture does' if len(detections) == 1 else 'The pictures do'} not show "
@@ -244,7 +255,7 @@ def about_unseen(detections: Sequence[ObjectDetection]) -> list[Finding]:
     ]
 
 
-def about_pixels(camera: Camera, covariance_px2: Floats) -> list[Finding]:
+def pixel_aspect_findings(camera: Camera, covariance_px2: Floats) -> list[CalibrationFinding]:
     """A certificate that is wrong along the camera's view looks like oblong pixels.
 
     ``covariance_px2`` (2, 2) is that of the two focal lengths.
@@ -256,7 +267,7 @@ def about_pixels(camera: Camera, covariance_px2: Floats) -> list[Finding]:
     if abs(fy / fx - 1) <= limit:
         return []
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             "pixels-oblong",
             f"The camera's pixels come out {100 * abs(fy / fx - 1):.2f} % out of square; those of "

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.image import Image
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on, tangents
 from app.metrology.sensor.residual_correlation import neighbours_alike
-from app.metrology.stripe import Stripe, extract_stripe, joined_stripes
+from app.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
@@ -50,7 +50,9 @@ class LaserPlaneFit:
     centroid_mm: Floats
 
 
-def levels_of(camera: Camera, block: Crenellated, uv_px: Floats) -> tuple[NDArray[np.str_], Floats]:
+def classify_levels(
+    camera: Camera, block: Crenellated, uv_px: Floats
+) -> tuple[NDArray[np.str_], Floats]:
     """On which level the camera sees each pixel (N, 2), and where (N, 3) in the object frame.
 
     ``crest`` or ``floor`` where the pixel's ray meets that face first, on the block,
@@ -97,9 +99,9 @@ def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str
     height, width = image.shape
     rows, columns = np.mgrid[0:height:LEVEL_STEP_PX, 0:width:LEVEL_STEP_PX]
     coarse = np.column_stack([columns.ravel(), rows.ravel()]) + (LEVEL_STEP_PX - 1) / 2
-    level = levels_of(camera, block, coarse)[0].reshape(rows.shape)
+    level = classify_levels(camera, block, coarse)[0].reshape(rows.shape)
     level = level.repeat(LEVEL_STEP_PX, axis=0).repeat(LEVEL_STEP_PX, axis=1)[:height, :width]
-    return joined_stripes(
+    return concatenate_stripes(
         [extract_stripe(image, axis, level == name) for name in ("crest", "floor")]
     )
 
@@ -131,13 +133,13 @@ def fit_laser_plane(
         Refusal: too few points, only one level crossed, or a plane through the
             camera's centre.
     """
-    level, points = levels_of(camera, block, stripe.uv_px)
+    level, points = classify_levels(camera, block, stripe.uv_px)
     on = level != ""
     X, own = points[on], level[on]
     _require_both(own, len(on))
-    per_sigma = _moves(camera, stripe, on, X) * stripe.sigma_px[on, None]
+    per_sigma = _shift_per_pixel(camera, stripe, on, X) * stripe.sigma_px[on, None]
     if plane is None:
-        plane = _refined(_least_median_plane(X, own, per_sigma), X, per_sigma)
+        plane = _refine_plane(_least_median_plane(X, own, per_sigma), X, per_sigma)
     kept = _agreeing(plane, X, per_sigma)
     _require_both(own[kept], len(on))
     refuse_edge_on(plane, X[kept] - camera.centre_mm)
@@ -167,10 +169,10 @@ def agreeing_levels(
     camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane
 ) -> NDArray[np.str_]:
     """The level (N,) of each point of the stripe that agrees with a known plane, else empty."""
-    level, points = levels_of(camera, block, stripe.uv_px)
+    level, points = classify_levels(camera, block, stripe.uv_px)
     on = level != ""
     if on.any():
-        per_sigma = _moves(camera, stripe, on, points[on]) * stripe.sigma_px[on, None]
+        per_sigma = _shift_per_pixel(camera, stripe, on, points[on]) * stripe.sigma_px[on, None]
         level[np.flatnonzero(on)[~_agreeing(plane, points[on], per_sigma)]] = ""
     return level
 
@@ -181,7 +183,7 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
     if min(count.values()) >= FEWEST_ON_A_LEVEL:
         return
     if max(count.values()) < FEWEST_ON_A_LEVEL:
-        raise Refusal(
+        raise OperationError(
             "stripe-too-short",
             f"{sum(count.values())} points of the laser stripe lie on the object "
             f"(of {found} on its levels; {FEWEST_ON_A_LEVEL} are needed on crests and on floors)",
@@ -190,7 +192,7 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
             "the object's middle",
         )
     missing = min(count, key=lambda name: count[name])
-    raise Refusal(
+    raise OperationError(
         "laser-one-level",
         f"the laser stripe shows {count[missing]} points on the {missing}s",
         "a stripe on one level alone does not fix the laser plane",
@@ -198,7 +200,9 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
     )
 
 
-def _moves(camera: Camera, stripe: Stripe, on: NDArray[np.bool_], points: Floats) -> Floats:
+def _shift_per_pixel(
+    camera: Camera, stripe: Stripe, on: NDArray[np.bool_], points: Floats
+) -> Floats:
     """How the points (n, 3) move on their level, in mm, for one pixel across the stripe."""
     uv, z = stripe.uv_px[on], points[:, 2]
     ahead = meet_levels(camera, uv + 0.5 * stripe.across, z)
@@ -238,7 +242,7 @@ def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[n
     return np.asarray(np.abs(off) < OUTLIER_SIGMAS * spread)
 
 
-def _refined(plane: LaserPlane, points: Floats, per_sigma: Floats) -> LaserPlane:
+def _refine_plane(plane: LaserPlane, points: Floats, per_sigma: Floats) -> LaserPlane:
     """Weighted least squares on the points that agree."""
     before = np.zeros(len(points), dtype=np.bool_)
     for _ in range(20):

@@ -11,7 +11,7 @@ from app.metrology.detection.detect_block import Corner, EdgePoints
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.sensor.line_projection import across_lines, add_ends
-from app.metrology.sensor.projection import COUNT, PARAMETERS, project_with_jacobian, stepped
+from app.metrology.sensor.projection import COUNT, PARAMETERS, project_with_jacobian, step_camera
 from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated, corners, edges
 from app.metrology.transforms import Floats
@@ -25,7 +25,7 @@ SHARED_EDGE_PX = 0.015
 
 
 @dataclass(frozen=True)
-class Scene:
+class SceneModel:
     """What is adjusted: the sensor frame is the object frame of the certificate."""
 
     camera: Camera
@@ -39,10 +39,12 @@ class Scene:
         block += ["front_y", "back_y", "crest_z", "floor_z", "base_z"]
         return (*PARAMETERS, "plane_a", "plane_b", "plane_offset", *block)
 
-    def moved(self, step: Floats) -> "Scene":
+    def moved(self, step: Floats) -> "SceneModel":
         """The scene after adding ``step`` (P,) to its parameters."""
         block = with_coordinates(self.block, coordinates(self.block) + step[BLOCK])
-        return Scene(stepped(self.camera, step[:COUNT]), self.plane.stepped(step[PLANE]), block)
+        return SceneModel(
+            step_camera(self.camera, step[:COUNT]), self.plane.stepped(step[PLANE]), block
+        )
 
 
 @dataclass(frozen=True)
@@ -94,7 +96,7 @@ def with_coordinates(block: Crenellated, values: Floats) -> Crenellated:
 @cache
 def _corner_numbers(count: int) -> dict[str, tuple[int, int, int]]:
     """Which of ``count`` ``coordinates`` are the x, y, z of each corner."""
-    at = corners(_numbered(count))
+    at = corners(_number_coordinates(count))
     return {name: (int(x), int(y), int(z)) for name, (x, y, z) in at.items()}
 
 
@@ -103,17 +105,17 @@ def _edge_numbers(count: int) -> dict[str, NDArray[np.int64]]:
     """Which of ``count`` ``coordinates`` are the ends (2, 3) of each edge."""
     return {
         edge.name: np.array([edge.start_mm, edge.end_mm]).astype(np.int64)
-        for edge in edges(_numbered(count))
+        for edge in edges(_number_coordinates(count))
     }
 
 
-def _numbered(count: int) -> Crenellated:
+def _number_coordinates(count: int) -> Crenellated:
     """A block each of whose coordinates is its own number."""
     *x, front, back, crest, floor, base = (float(number) for number in range(count))
     return Crenellated("", "", tuple(x), front, back, crest, floor, base, 0.0)
 
 
-def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
+def edge_rows(scene: SceneModel, measured: Sequence[EdgePoints]) -> Rows:
     """Points on the block's edges: their distances in px from the projected edges."""
     values = coordinates(scene.block)
     names = _edge_numbers(len(values))
@@ -130,7 +132,7 @@ def edge_rows(scene: Scene, measured: Sequence[EdgePoints]) -> Rows:
     return Rows(residuals, sigma, J, uv, line, SHARED_EDGE_PX)
 
 
-def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
+def stripe_rows(scene: SceneModel, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
     """Stripe points on the two straight lines in which the laser plane meets the levels.
 
     ``level`` (N,) is ``crest`` or ``floor``, and empty for points that do not count.
@@ -156,7 +158,7 @@ def stripe_rows(scene: Scene, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
     return Rows(residuals, sigma * np.abs(normal @ stripe.across), J, uv, line)
 
 
-def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
+def corner_rows(scene: SceneModel, measured: Sequence[Corner]) -> Rows:
     """Corners of the block: two rows each, along the axes of their covariance."""
     values = coordinates(scene.block)
     names = _corner_numbers(len(values))
@@ -179,7 +181,7 @@ def corner_rows(scene: Scene, measured: Sequence[Corner]) -> Rows:
     )
 
 
-def no_rows(scene: Scene) -> Rows:
+def empty_rows(scene: SceneModel) -> Rows:
     """Where nothing of a kind was observed."""
     none = np.zeros(0)
     return Rows(

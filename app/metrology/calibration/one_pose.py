@@ -9,24 +9,28 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, flange_pose, tip_centres, tip_covariances
-from app.metrology.calibration.camera_refinement import CameraFit, Observations, fit_camera
-from app.metrology.calibration.findings import Finding, WorstPoint
+from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
+from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.calibration.laser_plane_fit import (
     LaserPlaneFit,
     fit_laser_plane,
     stripe_on_levels,
 )
-from app.metrology.calibration.one_pose_findings import Evidence, findings_of, worst_points
+from app.metrology.calibration.one_pose_findings import (
+    Evidence,
+    collect_one_pose_findings,
+    worst_points,
+)
 from app.metrology.calibration.uncertainty_budget import (
     Budget,
-    BudgetRow,
+    BudgetContribution,
     Placement,
-    budget_of,
+    compute_budget,
     volume_pixels,
 )
-from app.metrology.detection.detect_block import ObjectDetection, detect_object, picture_findings
+from app.metrology.detection.detect_block import ObjectDetection, detect_object, image_findings
 from app.metrology.image import Image
 from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
 from app.metrology.sensor.camera import Camera, project
@@ -40,7 +44,7 @@ from app.metrology.transforms import Floats, inverse
 Progress = Callable[[str, float], None]
 
 # How well a hand brings a probe's sphere onto a ground face, time after time.
-TOUCH_SD_MM = 0.005
+PROBING_SD_MM = 0.005
 
 
 @dataclass(frozen=True)
@@ -78,8 +82,8 @@ class OnePoseCalibration:
     full_budget: Budget
     depth_range_mm: tuple[float, float]
     """Nearest and furthest distance from the camera's centre between crests and floors."""
-    findings: tuple[Finding, ...]
-    worst: tuple[WorstPoint, ...]
+    findings: tuple[CalibrationFinding, ...]
+    worst: tuple[WorstResidual, ...]
 
     @property
     def camera(self) -> Camera:
@@ -90,7 +94,7 @@ class OnePoseCalibration:
         return self.fit.plane
 
     @property
-    def budget(self) -> tuple[BudgetRow, ...]:
+    def budget(self) -> tuple[BudgetContribution, ...]:
         return self.full_budget.rows
 
     @property
@@ -123,7 +127,7 @@ def calibrate_one_pose(
     say = progress or (lambda _what, _share: None)
     _check(inputs)
     say("Fitting the contact points", 0.0)
-    alignment = aligned(inputs)
+    alignment = align_contacts(inputs)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
     say("Finding the object's edges", 0.1)
     in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
@@ -131,7 +135,7 @@ def calibrate_one_pose(
     say("Extracting the laser stripe", 0.5)
     stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
     if len(stripe.u) == 0:
-        raise Refusal(
+        raise OperationError(
             "stripe-not-found",
             "no laser stripe was found on the object",
             "the laser is off, covered, beside the object, or too weak for this exposure",
@@ -141,14 +145,14 @@ def calibrate_one_pose(
     say("Solving for the camera", 0.6)
     faugeras = _faugeras(detection, inputs.block)
     say("Refining camera, lens and laser plane", 0.7)
-    fit, laser = refined(detection, inputs.block, stripe)
+    fit, laser = refine_camera(detection, inputs.block, stripe)
     say("Working out the error budget", 0.9)
-    result = _assembled(inputs, alignment, detection, faugeras, fit, stripe, laser)
+    result = _assemble_calibration(inputs, alignment, detection, faugeras, fit, stripe, laser)
     say("Done", 1.0)
     return result
 
 
-def aligned(inputs: OnePoseInputs) -> Alignment:
+def align_contacts(inputs: OnePoseInputs) -> Alignment:
     """``T_arm_obj`` from the contacts; contacts on a wrong face are refused."""
     tips = tip_centres(inputs.arm, inputs.contact_q_rad)
     noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
@@ -158,19 +162,21 @@ def aligned(inputs: OnePoseInputs) -> Alignment:
     return alignment
 
 
-def refined(
+def refine_camera(
     detection: ObjectDetection, block: Crenellated, stripe: Stripe
 ) -> tuple[CameraFit, LaserPlaneFit]:
     """The adjusted camera and plane, the stripe sorted anew with the adjusted camera."""
     laser = fit_laser_plane(detection.camera, block, stripe)
     fit = fit_camera(
-        detection.camera, block, Observations(detection.edges, detection.corners, stripe, laser)
+        detection.camera,
+        block,
+        ImageObservations(detection.edges, detection.corners, stripe, laser),
     )
     sorted_anew = fit_laser_plane(fit.camera, block, stripe)
     if not np.array_equal(sorted_anew.used, laser.used):
         laser = sorted_anew
         fit = fit_camera(
-            fit.camera, block, Observations(detection.edges, detection.corners, stripe, laser)
+            fit.camera, block, ImageObservations(detection.edges, detection.corners, stripe, laser)
         )
     return fit, fit_laser_plane(fit.camera, fit.scene.block, stripe, fit.plane)
 
@@ -180,7 +186,7 @@ def probe_matrix(T_arm_flange: Floats, T_arm_sensor: Floats) -> Floats:
     return np.asarray(inverse(T_arm_flange) @ T_arm_sensor)
 
 
-def _assembled(
+def _assemble_calibration(
     inputs: OnePoseInputs,
     alignment: Alignment,
     detection: ObjectDetection,
@@ -199,7 +205,7 @@ def _assembled(
         inputs.pose_q_rad,
         arm_excess(inputs, alignment),
     )
-    budget = budget_of(fit, placed)
+    budget = compute_budget(fit, placed)
     at = corners(inputs.block)
     predicted = project(fit.camera, np.array([at[corner.name] for corner in detection.corners]))
     measured = np.array([[corner.u, corner.v] for corner in detection.corners])
@@ -208,7 +214,7 @@ def _assembled(
         alignment,
         inputs.features,
         detection,
-        picture_findings(inputs.ambient),
+        image_findings(inputs.ambient),
         faugeras,
         fit,
         stripe,
@@ -229,7 +235,7 @@ def _assembled(
         corner_residuals_px=measured - predicted,
         full_budget=budget,
         depth_range_mm=_depth_range(fit, inputs.block),
-        findings=findings_of(evidence),
+        findings=collect_one_pose_findings(evidence),
         worst=worst_points(evidence, measured - predicted),
     )
 
@@ -246,7 +252,7 @@ def arm_excess(inputs: OnePoseInputs, alignment: Alignment) -> float:
     normals = np.array([probing_face(inputs.block, face)[0] for face in inputs.features])
     normals = normals @ alignment.T_arm_obj[:3, :3].T
     variances = np.einsum("ij,ijk,ik->i", normals, noise, normals)[~alignment.outliers]
-    unexplained = (alignment.sigma_mm**2 - TOUCH_SD_MM**2) / float(np.mean(variances))
+    unexplained = (alignment.sigma_mm**2 - PROBING_SD_MM**2) / float(np.mean(variances))
     return float(np.sqrt(max(unexplained, 1.0)))
 
 
@@ -272,16 +278,16 @@ def _check(inputs: OnePoseInputs) -> None:
     angles["the contacts"] = inputs.contact_q_rad
     for name, q in angles.items():
         if q.ndim != 2 or q.shape[1] != joints:
-            raise Refusal(
+            raise OperationError(
                 "joint-count",
                 f"{name}: {q.shape[-1]} joint angles",
                 f"the arm {inputs.arm.name} has {joints} joints",
                 "check that the session was taken with this arm",
             )
         if not np.isfinite(q).all():
-            raise Refusal("angles-not-finite", f"{name}: a joint angle is not a number")
+            raise OperationError("angles-not-finite", f"{name}: a joint angle is not a number")
     if len(inputs.features) != len(inputs.contact_q_rad):
-        raise Refusal(
+        raise OperationError(
             "contacts-malformed",
             f"{len(inputs.features)} faces for {len(inputs.contact_q_rad)} contacts",
         )
@@ -289,7 +295,7 @@ def _check(inputs: OnePoseInputs) -> None:
     size = inputs.size_px or (inputs.ambient.shape[1], inputs.ambient.shape[0])
     for name, picture in pictures.items():
         if picture is not None and picture.shape[:2] != (size[1], size[0]):
-            raise Refusal(
+            raise OperationError(
                 "image-size",
                 f"{name} is {picture.shape[1]} x {picture.shape[0]} pixels",
                 f"{size[0]} x {size[1]} were expected",

@@ -10,20 +10,20 @@ from app.metrology.calibration.findings import (
     AGREEING,
     EDGE_RMS_PX,
     WORST_OF_A_KIND,
-    Finding,
-    WorstPoint,
-    about_contacts,
-    about_pixels,
-    about_size,
-    about_unseen,
-    far_sensor,
-    gravest_first,
-    verdict,
+    CalibrationFinding,
+    WorstResidual,
+    contact_findings,
+    pixel_aspect_findings,
+    sensor_distance_findings,
+    size_coverage_findings,
+    size_finding,
+    sort_by_severity,
+    uncertainty_verdict,
 )
 from app.metrology.calibration.laser_plane_fit import LaserPlaneFit
 from app.metrology.calibration.uncertainty_budget import Budget
 from app.metrology.detection.detect_block import ObjectDetection
-from app.metrology.detection.image_quality import PictureFinding
+from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.faugeras import LARGEST_CONDITION, FaugerasSolution
 from app.metrology.stripe import Stripe
@@ -45,7 +45,7 @@ class Evidence:
     alignment: Alignment
     features: Sequence[str]
     detection: ObjectDetection
-    picture: Sequence[PictureFinding]
+    picture: Sequence[ImageFinding]
     faugeras: FaugerasSolution
     fit: CameraFit
     stripe: Stripe
@@ -54,25 +54,25 @@ class Evidence:
     arm_excess: float
 
 
-def findings_of(seen: Evidence) -> tuple[Finding, ...]:
+def collect_one_pose_findings(seen: Evidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     found = (
-        verdict(seen.budget.total_um, seen.budget.rows),
-        *about_contacts(seen.alignment, seen.features),
-        *_about_scatter(seen),
-        about_size(seen.alignment, seen.features, seen.block),
-        *_about_arm(seen),
-        *_about_picture(seen),
-        *_about_stripe(seen),
+        uncertainty_verdict(seen.budget.total_um, seen.budget.rows),
+        *contact_findings(seen.alignment, seen.features),
+        *_scatter_findings(seen),
+        size_finding(seen.alignment, seen.features, seen.block),
+        *_arm_findings(seen),
+        *_picture_findings(seen),
+        *_stripe_findings(seen),
     )
-    return gravest_first(found)
+    return sort_by_severity(found)
 
 
-def _about_scatter(seen: Evidence) -> list[Finding]:
+def _scatter_findings(seen: Evidence) -> list[CalibrationFinding]:
     if seen.arm_excess <= EXCESS:
         return []
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             "arm-scatter",
             f"The contacts scatter by {1e3 * seen.alignment.sigma_mm:.0f} µm, "
@@ -83,9 +83,9 @@ def _about_scatter(seen: Evidence) -> list[Finding]:
     ]
 
 
-def _about_arm(seen: Evidence) -> list[Finding]:
+def _arm_findings(seen: Evidence) -> list[CalibrationFinding]:
     found = [
-        Finding(
+        CalibrationFinding(
             "neutral",
             "arm-unseen",
             "Errors of the arm's own model, joint angles that are not the picture's, and an object "
@@ -93,11 +93,13 @@ def _about_arm(seen: Evidence) -> list[Finding]:
             "in this figure.",
         )
     ]
-    found += far_sensor(seen.budget.pivot_mm, "Check that the picture's joint angles are its own.")
+    found += sensor_distance_findings(
+        seen.budget.pivot_mm, "Check that the picture's joint angles are its own."
+    )
     return found
 
 
-def _about_picture(seen: Evidence) -> list[Finding]:
+def _picture_findings(seen: Evidence) -> list[CalibrationFinding]:
     edges = seen.fit.edges
     text = (
         f"{int(edges.kept.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
@@ -105,14 +107,16 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     )
     good = edges.rms_px <= EDGE_RMS_PX
     remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
-    found = [Finding("good" if good else "attention", "edges", text, remedy)]
-    found += [Finding("attention", item.code, item.text, item.remedy) for item in seen.picture]
-    found += about_unseen([seen.detection])
-    found += about_pixels(seen.fit.camera, seen.fit.covariance[:2, :2])
+    found = [CalibrationFinding("good" if good else "attention", "edges", text, remedy)]
+    found += [
+        CalibrationFinding("attention", item.code, item.text, item.remedy) for item in seen.picture
+    ]
+    found += size_coverage_findings([seen.detection])
+    found += pixel_aspect_findings(seen.fit.camera, seen.fit.covariance[:2, :2])
     condition = seen.faugeras.condition_number
     if condition > CONDITION:
         found.append(
-            Finding(
+            CalibrationFinding(
                 "attention",
                 "condition",
                 f"The corners fix the camera weakly: condition number {condition:.0f} "
@@ -123,7 +127,7 @@ def _about_picture(seen: Evidence) -> list[Finding]:
     return found
 
 
-def _about_stripe(seen: Evidence) -> list[Finding]:
+def _stripe_findings(seen: Evidence) -> list[CalibrationFinding]:
     laser = seen.laser
     on = laser.level != ""
     share = float(laser.used.sum() / max(on.sum(), 1))
@@ -134,13 +138,13 @@ def _about_stripe(seen: Evidence) -> list[Finding]:
         f"(limit {100 * AGREEING:.0f} %)."
     )
     remedy = "" if good else "Keep reflections out of the grooves: matt spray, lower exposure."
-    found = [Finding("good" if good else "attention", "laser-plane", text, remedy)]
+    found = [CalibrationFinding("good" if good else "attention", "laser-plane", text, remedy)]
     width = seen.block.edges_x_mm[-1] - seen.block.edges_x_mm[0]
     for level in ("crest", "floor"):
         x = laser.points_mm[laser.used & (laser.level == level), 0]
         if np.ptp(x) < SPANNED * width:
             found.append(
-                Finding(
+                CalibrationFinding(
                     "attention",
                     "stripe-span",
                     f"On the {level}s the stripe spans {np.ptp(x):.0f} mm of the block's "
@@ -151,22 +155,22 @@ def _about_stripe(seen: Evidence) -> list[Finding]:
     return found
 
 
-def worst_points(seen: Evidence, corner_residuals_px: Floats) -> tuple[WorstPoint, ...]:
+def worst_points(seen: Evidence, corner_residuals_px: Floats) -> tuple[WorstResidual, ...]:
     """The few worst contacts, corners and stripe points."""
     contacts = 1e3 * np.abs(seen.alignment.residuals_mm)
     worst = [
-        WorstPoint("contact", f"{seen.features[i]} {i + 1}", float(contacts[i]), "µm")
+        WorstResidual("contact", f"{seen.features[i]} {i + 1}", float(contacts[i]), "µm")
         for i in _largest(contacts)
     ]
     off = np.linalg.norm(corner_residuals_px, axis=1)
     worst += [
-        WorstPoint("corner", seen.detection.corners[i].name, float(off[i]), "px")
+        WorstResidual("corner", seen.detection.corners[i].name, float(off[i]), "px")
         for i in _largest(off)
     ]
     heights = 1e3 * np.abs(np.nan_to_num(seen.laser.residuals_mm))
     along, place = (seen.stripe.u, "column") if seen.stripe.axis == "u" else (seen.stripe.v, "row")
     worst += [
-        WorstPoint("stripe", f"{place} {along[i]:.0f}", float(heights[i]), "µm")
+        WorstResidual("stripe", f"{place} {along[i]:.0f}", float(heights[i]), "µm")
         for i in _largest(heights)
     ]
     return tuple(worst)

@@ -28,7 +28,7 @@ PROBE_NAMES = ("probe_rx", "probe_ry", "probe_rz", "probe_tx", "probe_ty", "prob
 
 
 @dataclass(frozen=True)
-class BudgetRow:
+class BudgetContribution:
     """One source of uncertainty: standard uncertainty of a point, flange frame, k = 1."""
 
     source: str
@@ -45,7 +45,7 @@ class Budget:
     (rad, mm) about ``pivot_mm`` (3,) in the flange frame.
     """
 
-    rows: tuple[BudgetRow, ...]
+    rows: tuple[BudgetContribution, ...]
     total_um: float
     names: tuple[str, ...]
     covariance: Floats
@@ -68,7 +68,7 @@ class Placement:
     """Factor by which the arm's contacts scatter beyond what its encoders explain, at least 1."""
 
 
-def budget_of(fit: CameraFit, placed: Placement) -> Budget:
+def compute_budget(fit: CameraFit, placed: Placement) -> Budget:
     """The error budget of a one-pose calibration (sensor frame = object frame, Eq. 6-8)."""
     T_flange_arm = inverse(flange_pose(placed.arm, placed.pose_q_rad))
     T_flange_obj = T_flange_arm @ placed.alignment.T_arm_obj
@@ -81,17 +81,17 @@ def budget_of(fit: CameraFit, placed: Placement) -> Budget:
     encoders = np.diag((placed.arm.encoder_sd_rad * placed.arm_excess) ** 2)
 
     covariances = {
-        "contact points": _probe(by_alignment @ placed.alignment.covariance @ by_alignment.T),
-        "arm encoders": _probe(by_encoders @ encoders @ by_encoders.T),
-        "object certificate": _certificate(fit, placed, by_alignment),
-        "edges and corners": _sensor(fit.sources["edges"]),
-        "stripe": _sensor(fit.sources["stripe"]),
-        "distortion": _sensor(fit.sources["distortion"]),
+        "contact points": _embed_probe(by_alignment @ placed.alignment.covariance @ by_alignment.T),
+        "arm encoders": _embed_probe(by_encoders @ encoders @ by_encoders.T),
+        "object certificate": _certificate_covariance(fit, placed, by_alignment),
+        "edges and corners": _embed_sensor(fit.sources["edges"]),
+        "stripe": _embed_sensor(fit.sources["stripe"]),
+        "distortion": _embed_sensor(fit.sources["distortion"]),
     }
     J = _point_jacobian(fit, uv, T_flange_obj, grid, pivot)
-    squares = {source: _squares(J, C) for source, C in covariances.items()}
+    squares = {source: _error_squares(J, C) for source, C in covariances.items()}
     rows = tuple(
-        BudgetRow(source, 1e3 * float(np.sqrt(np.mean(square))))
+        BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
         for source, square in squares.items()
     )
     total = np.sqrt(np.sum(list(squares.values()), axis=0))
@@ -121,24 +121,24 @@ def volume_pixels(camera: Camera, plane: LaserPlane, block: Crenellated) -> Floa
     return np.asarray(uv[inside.all(axis=1)])
 
 
-def _squares(J: Floats, covariance: Floats) -> Floats:
+def _error_squares(J: Floats, covariance: Floats) -> Floats:
     """Squared length (G,) of the points' errors, mm^2."""
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
 
-def _probe(covariance: Floats) -> Floats:
+def _embed_probe(covariance: Floats) -> Floats:
     full = np.zeros((SENSOR + 6, SENSOR + 6))
     full[PROBE, PROBE] = covariance
     return full
 
 
-def _sensor(covariance: Floats) -> Floats:
+def _embed_sensor(covariance: Floats) -> Floats:
     full = np.zeros((SENSOR + 6, SENSOR + 6))
     full[:SENSOR, :SENSOR] = covariance[:SENSOR, :SENSOR]
     return full
 
 
-def _certificate(fit: CameraFit, placed: Placement, by_alignment: Floats) -> Floats:
+def _certificate_covariance(fit: CameraFit, placed: Placement, by_alignment: Floats) -> Floats:
     """What errors of the certificate's coordinates do, through picture and contacts together."""
     answer = np.zeros((SENSOR + 6, fit.by_certificate.shape[1]))
     answer[:SENSOR] = fit.by_certificate[:SENSOR]
@@ -192,7 +192,7 @@ def _point_jacobian(
     R = T_flange_obj[:3, :3]
     for k in range(SENSOR):
         h = 1e-3 if k < 4 else 1e-6
-        ahead, behind = (_moved_points(fit, uv, k, sign * h) for sign in (1, -1))
+        ahead, behind = (_points_after_step(fit, uv, k, sign * h) for sign in (1, -1))
         J[:, :, k] = (ahead - behind) / (2 * h) @ R.T
     for g, point in enumerate(grid):
         J[g, :, SENSOR : SENSOR + 3] = -skew(point - pivot)
@@ -200,7 +200,7 @@ def _point_jacobian(
     return J
 
 
-def _moved_points(fit: CameraFit, uv: Floats, parameter: int, step: float) -> Floats:
+def _points_after_step(fit: CameraFit, uv: Floats, parameter: int, step: float) -> Floats:
     """The points (G, 3) of pixels, sensor frame, after a step of one parameter."""
     change = np.zeros(len(fit.scene.names))
     change[parameter] = step

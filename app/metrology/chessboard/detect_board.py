@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.chessboard.corner_fit import fit_corner
 from app.metrology.chessboard.failure_evidence import with_board_evidence
-from app.metrology.chessboard.grid import Lattice, largest_lattice, mapped, perspective
+from app.metrology.chessboard.grid import Lattice, fit_perspective, largest_lattice, map_places
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
 from app.metrology.image import Image, saturation_level
 from app.metrology.stripe import Stripe, empty_stripe
@@ -17,13 +17,13 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
 # Pixels this near to clipped ones or to the stripe's middle show laser light.
-BESIDE_CLIPPED_PX, BESIDE_STRIPE_PX = 8, 12
+CLIPPED_MARGIN_PX, STRIPE_MARGIN_PX = 8, 12
 # Weaker points than this share of the stripe's usual brightness are none of it.
-OF_THE_STRIPE = 0.5
+STRIPE_SHARE = 0.5
 # The laser's line outshines the sheet by this, and the sheet's white this share of a picture.
 OUTSHINES, DARKER_SHARE = 1.15, 0.95
 # Share of the corners that must be seen, and on each side of the pattern.
-LEAST_SEEN, LEAST_ON_A_SIDE = 0.5, 2
+LEAST_VISIBLE, LEAST_ON_A_SIDE = 0.5, 2
 # Corners further than this off a perspective of all, and this often the usual, are left out.
 MISFIT_PX, MISFIT_TIMES = 0.5, 6.0
 
@@ -57,17 +57,17 @@ def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) 
         DetectionRefusal: no board, another board, or too little of it to number its corners
             surely; with what of the picture is at fault, and what of the board was found.
     """
-    blocked = _blocked(image, stripe)
+    blocked = _laser_mask(image, stripe)
     saddles = find_saddles(image, blocked)
     columns, rows = board.inner_corners
     lattice = largest_lattice(saddles, columns * rows)
     try:
-        return _numbered_corners(image, blocked, board, saddles, lattice)
-    except Refusal as refusal:
+        return _number_corners(image, blocked, board, saddles, lattice)
+    except OperationError as refusal:
         raise with_board_evidence(refusal, image, saddles, lattice) from refusal
 
 
-def _numbered_corners(
+def _number_corners(
     image: Image,
     blocked: NDArray[np.bool_],
     board: Chessboard,
@@ -77,9 +77,9 @@ def _numbered_corners(
     columns, rows = board.inner_corners
     _refuse_other_board(lattice, board)
     ways = _numberings(saddles, lattice, board)
-    uv, covariance, taken = _measured(image, blocked, saddles, lattice)
-    if len(taken) < LEAST_SEEN * columns * rows:
-        raise Refusal(
+    uv, covariance, taken = _measure_corners(image, blocked, saddles, lattice)
+    if len(taken) < LEAST_VISIBLE * columns * rows:
+        raise OperationError(
             "board-blurred",
             f"{len(taken)} of {columns * rows} corners of {board.name} can be measured",
             "the picture is blurred or noisy, or the laser's line lies over them",
@@ -92,7 +92,7 @@ def _numbered_corners(
     )
 
 
-def outshining(image: Image, stripe: Stripe) -> Stripe:
+def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
     """The stripe, or none of it where it is not brighter than a sheet's white: bright squares
     between black ones look like a stripe where the laser's line is out of the picture."""
     if not len(stripe.u):
@@ -105,17 +105,17 @@ def outshining(image: Image, stripe: Stripe) -> Stripe:
     return empty_stripe(stripe.axis)
 
 
-def _blocked(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
+def _laser_mask(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
     """(H, W) pixels that the laser's line has spoilt."""
-    size = 2 * BESIDE_CLIPPED_PX + 1
+    size = 2 * CLIPPED_MARGIN_PX + 1
     spoilt = (image >= saturation_level(image)).astype(np.uint8)
     spoilt = np.asarray(cv2.dilate(spoilt, np.ones((size, size), np.uint8)), np.uint8)
     if stripe is not None and len(stripe.u):
-        own = stripe.intensity > OF_THE_STRIPE * float(np.median(stripe.intensity))
+        own = stripe.intensity > STRIPE_SHARE * float(np.median(stripe.intensity))
         middle = np.zeros(image.shape, np.uint8)
         u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
         middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1
-        size = 2 * BESIDE_STRIPE_PX + 1
+        size = 2 * STRIPE_MARGIN_PX + 1
         spoilt |= np.asarray(cv2.dilate(middle, np.ones((size, size), np.uint8)), np.uint8)
     return spoilt.astype(np.bool_)
 
@@ -124,7 +124,7 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
     """Refuses what cannot be numbered for certain."""
     columns, rows = board.inner_corners
     if len(lattice) < 4:
-        raise Refusal(
+        raise OperationError(
             "board-not-found",
             f"no chessboard of {columns} x {rows} inner corners was found",
             "it is out of the picture, covered or blurred, or another object lies there",
@@ -135,7 +135,7 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
     found = sorted((int(n) for n in np.ptp(places, axis=0) + 1), reverse=columns >= rows)
     if sorted(found) != sorted((columns, rows)):
         more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
-        raise Refusal(
+        raise OperationError(
             "another-board" if more else "board-partly-seen",
             f"a chessboard of {found[0]} x {found[1]} inner corners was found",
             f"{board.name} has {columns} x {rows}"
@@ -147,8 +147,8 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
         )
     low, high = places.min(axis=0), places.max(axis=0)
     on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]
-    if len(lattice) < LEAST_SEEN * columns * rows or min(on_sides) < LEAST_ON_A_SIDE:
-        raise Refusal(
+    if len(lattice) < LEAST_VISIBLE * columns * rows or min(on_sides) < LEAST_ON_A_SIDE:
+        raise OperationError(
             "board-partly-seen",
             f"{len(lattice)} of {columns * rows} corners of {board.name} were found",
             "the others are covered, or lost in the laser's light",
@@ -169,14 +169,14 @@ def _numberings(saddles: Saddles, lattice: Lattice, board: Chessboard) -> list[N
     phase = saddles.phase[list(lattice.values())]
     black: list[NDArray[np.int64]] = []
     white: list[NDArray[np.int64]] = []
-    for turned in _turned(places):
+    for turned in _grid_orientations(places):
         if tuple(turned.max(axis=0) + 1) != (columns, rows):
             continue
-        H = perspective(turned, uv)
-        right, up = (mapped(H, turned + np.array(way)) - uv for way in ((1, 0), (0, 1)))
+        H = fit_perspective(turned, uv)
+        right, up = (map_places(H, turned + np.array(way)) - uv for way in ((1, 0), (0, 1)))
         if float(np.median(right[:, 0] * up[:, 1] - right[:, 1] * up[:, 0])) > 0:
             continue  # seen from behind
-        across = mapped(H, turned + 1) - uv
+        across = map_places(H, turned + 1) - uv
         angle = np.arctan2(across[:, 1], across[:, 0])
         sign = 1 - 2 * (turned.sum(axis=1) % 2)
         bright = float(np.mean(sign * np.cos(2 * angle + phase))) > 0
@@ -184,7 +184,7 @@ def _numberings(saddles: Saddles, lattice: Lattice, board: Chessboard) -> list[N
     return black or white
 
 
-def _turned(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+def _grid_orientations(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
     """The eight ways to count columns and rows (N, 2) from a corner of the grid."""
     high = places.max(axis=0)
     ways = []
@@ -194,7 +194,7 @@ def _turned(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
     return ways
 
 
-def _measured(
+def _measure_corners(
     image: Image, blocked: NDArray[np.bool_], saddles: Saddles, lattice: Lattice
 ) -> tuple[Floats, Floats, NDArray[np.int64]]:
     """Pixels, covariances, and which of the lattice's corners these are."""
@@ -227,6 +227,6 @@ def _agreeing(board: Chessboard, uv: Floats, number: NDArray[np.int64]) -> NDArr
     """Which corners lie where a perspective of all puts them, to a lens's distortion."""
     columns = board.inner_corners[0]
     places = np.column_stack([number % columns, number // columns])
-    H = perspective(places, uv, cv2.LMEDS)
-    off = np.linalg.norm(mapped(H, places) - uv, axis=1)
+    H = fit_perspective(places, uv, cv2.LMEDS)
+    off = np.linalg.norm(map_places(H, places) - uv, axis=1)
     return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * float(np.median(off))))

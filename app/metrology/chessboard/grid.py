@@ -43,7 +43,7 @@ def largest_lattice(saddles: Saddles, wanted: int) -> Lattice:
         square = _first_square(saddles, tree, seed)
         if square is None:
             continue
-        found = _completed(saddles, tree, _grown(saddles, tree, square))
+        found = _complete_lattice(saddles, tree, _grow_lattice(saddles, tree, square))
         used.update(found.values())
         if len(found) > len(best):
             best = found
@@ -77,13 +77,13 @@ def _first_square(saddles: Saddles, tree: "cKDTree", seed: int) -> Lattice | Non
     lengths = sorted((float(np.linalg.norm(a)), float(np.linalg.norm(b))))
     if lengths[0] < 0.3 * lengths[1]:
         return None
-    across = _at(saddles, tree, uv[seed] + a + b, NEAR * lengths[0], beside[0])
+    across = _saddle_at(saddles, tree, uv[seed] + a + b, NEAR * lengths[0], beside[0])
     if across is None:
         return None
     return {(0, 0): seed, (1, 0): beside[0], (0, 1): beside[1], (1, 1): across}
 
 
-def _at(
+def _saddle_at(
     saddles: Saddles, tree: "cKDTree", uv: Floats, reach: float, opposite_to: int
 ) -> int | None:
     """The saddle next to a place, where it is of opposite phase to another one."""
@@ -93,7 +93,7 @@ def _at(
     return int(found)
 
 
-def _grown(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
+def _grow_lattice(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
     """With all that continue two neighbours in a row or column."""
     lattice = dict(lattice)
     open_ends = list(lattice)
@@ -107,7 +107,7 @@ def _grown(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
             if place in lattice or step is None:
                 continue
             reach = NEAR * float(np.linalg.norm(step))
-            found = _at(saddles, tree, saddles.uv_px[here] + step, reach, here)
+            found = _saddle_at(saddles, tree, saddles.uv_px[here] + step, reach, here)
             if found is not None and found not in taken:
                 lattice[place] = found
                 taken.add(found)
@@ -131,7 +131,7 @@ def _step(
     return None
 
 
-def _completed(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
+def _complete_lattice(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
     """With those beyond gaps, where a perspective through all puts them; without misfits."""
     for _ in range(6):
         if len(lattice) < 6:
@@ -158,10 +158,10 @@ def _by_perspective(
     """The saddles at the wanted places, of the phase that the lattice so far wants there."""
     even = _even_phase(saddles, lattice)
     here: Lattice = {}
-    at = mapped(H, np.array(wanted))
+    at = map_places(H, np.array(wanted))
     steps = np.minimum(
-        np.linalg.norm(mapped(H, np.array(wanted) + [1, 0]) - at, axis=1),
-        np.linalg.norm(mapped(H, np.array(wanted) + [0, 1]) - at, axis=1),
+        np.linalg.norm(map_places(H, np.array(wanted) + [1, 0]) - at, axis=1),
+        np.linalg.norm(map_places(H, np.array(wanted) + [0, 1]) - at, axis=1),
     )
     for place, uv, step in zip(wanted, at, steps, strict=True):
         distance, found = tree.query(uv, distance_upper_bound=NEARER * float(step))
@@ -180,13 +180,13 @@ def _even_phase(saddles: Saddles, lattice: Lattice) -> float:
     return float(np.angle(np.mean(np.exp(1j * phase))))
 
 
-def perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Floats:
+def fit_perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Floats:
     """The (3, 3) perspective that brings places (N, 2) of a board to pixels (N, 2)."""
     H, _ = cv2.findHomography(places.astype(np.float64), uv_px, method)
     return np.asarray(H, dtype=np.float64)
 
 
-def mapped(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
+def map_places(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
     """Pixels (N, 2) of places (N, 2) by a perspective (3, 3)."""
     at = np.column_stack([places, np.ones(len(places))]) @ H.T
     return np.asarray(at[:, :2] / at[:, 2:])

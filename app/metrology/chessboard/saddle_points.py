@@ -47,7 +47,7 @@ def find_saddles(image: Image, blocked: NDArray[np.bool_]) -> Saddles:
             good &= (share > LEAST_ALTERNATING) & (amplitude > LEAST_STEP_SIGMAS * noise)
         places.append(uv[good])
         phases.append(phase[good])
-    return _each_once(np.concatenate(places), np.concatenate(phases))
+    return _drop_duplicates(np.concatenate(places), np.concatenate(phases))
 
 
 def _noise(grey: NDArray[np.float32]) -> float:
@@ -94,7 +94,7 @@ def _alternating(
     return share, amplitude, np.angle(spectrum[:, 2])
 
 
-def _each_once(uv: Floats, phase: Floats) -> Saddles:
+def _drop_duplicates(uv: Floats, phase: Floats) -> Saddles:
     """Candidates of several blurs that lie on one another count once."""
     kept: list[int] = []
     for i, place in enumerate(uv):

@@ -4,21 +4,21 @@ from functools import partial
 
 import numpy as np
 
-from app.metrology.detection.edges.dimension_test import shifts
-from app.metrology.detection.edges.edge_ends import ends_elsewhere, ends_of, in_place_by
-from app.metrology.detection.edges.edge_overrun import overrun
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.edges.other_edges import missized
+from app.metrology.detection.edges.dimension_test import estimate_shifts
+from app.metrology.detection.edges.edge_ends import ends_in_place, find_misplaced_ends, measure_ends
+from app.metrology.detection.edges.edge_overrun import find_overrun
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.edges.other_edges import find_wrong_dimension
 from app.metrology.detection.edges.outlier_edges import (
-    astray,
-    parts_of,
-    without_lone_one,
-    without_odd_ones,
+    drop_outlier_edges,
+    drop_single_outlier,
+    find_outlier_edges,
+    measure_parts,
 )
-from app.metrology.detection.errors import WHOLE
-from app.metrology.detection.rejection import Objection, elsewhere
-from app.metrology.detection.search.coarse_pose import Search
-from app.metrology.detection.visibility import seen
+from app.metrology.detection.errors import COMPLETE_SHARE
+from app.metrology.detection.rejection import RejectionReason, size_mismatch
+from app.metrology.detection.search.coarse_pose import SearchResult
+from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -31,7 +31,7 @@ _SQUARE = 0.005
 # More than any lens of a sensor is bent.
 _K1, _K2 = 1.2, 3.0
 # Of the drawn edges' length, how much must show: faces of equal brightness hide some.
-LEAST_SHOWN = 0.35
+LEAST_VISIBLE = 0.35
 # Of the points that show, how many must agree with the edge they were looked for on.
 _LEAST_AGREEING = 0.8
 # and of the edges below the crests.
@@ -45,7 +45,9 @@ LEAST_SUPPORT = 0.5
 _BLOCK_LIKE = 0.7
 
 
-def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, Objection | None]:
+def check_measurements(
+    grey: Floats, found: EdgeMeasurements, certificate_mm: float
+) -> tuple[EdgeMeasurements, RejectionReason | None]:
     """The survey without single edges that a shadow or damage moved, and what speaks against it.
 
     Args:
@@ -53,80 +55,80 @@ def judged(grey: Floats, found: Survey, certificate_mm: float) -> tuple[Survey, 
         found: the edges measured in it.
         certificate_mm: standard uncertainty of the block's coordinates.
     """
-    against = _unclear(found) or _implausible(found)
+    against = _check_visibility(found) or _check_camera(found)
     if against is not None:
         return found, against
-    found = without_lone_one(without_odd_ones(found, certificate_mm), certificate_mm)
-    parts = parts_of(found, certificate_mm)
+    found = drop_single_outlier(drop_outlier_edges(found, certificate_mm), certificate_mm)
+    parts = measure_parts(found, certificate_mm)
     if not parts:
-        return found, Objection("too few of its edges could be measured")
+        return found, RejectionReason("too few of its edges could be measured")
     against = (
-        _shifted(found, certificate_mm)
-        or _seen_elsewhere(grey, found)
-        or astray(found, parts, certificate_mm)
+        _find_shifted_plane(found, certificate_mm)
+        or _find_misplaced_edges(grey, found)
+        or find_outlier_edges(found, parts, certificate_mm)
     )
     return found, against
 
 
-def _seen_elsewhere(grey: Floats, found: Survey) -> Objection | None:
+def _find_misplaced_edges(grey: Floats, found: EdgeMeasurements) -> RejectionReason | None:
     """Edges that the picture shows elsewhere, or to end elsewhere, than the certificate says."""
-    ends = ends_of(grey, found)
+    ends = measure_ends(grey, found)
     return (
-        missized(grey, found, partial(in_place_by, ends))
-        or overrun(grey, found)
-        or ends_elsewhere(grey, found, ends)
+        find_wrong_dimension(grey, found, partial(ends_in_place, ends))
+        or find_overrun(grey, found)
+        or find_misplaced_ends(grey, found, ends)
     )
 
 
-def _shifted(found: Survey, certificate_mm: float) -> Objection | None:
+def _find_shifted_plane(found: EdgeMeasurements, certificate_mm: float) -> RejectionReason | None:
     """A plane of the block that lies elsewhere, as all edges together say."""
     depth = found.at.points_mm[found.used] @ found.camera.rotation[2]
     px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth) + found.camera.translation_mm[2])
     least_mm = _SHIFTED_BLURS * max(1.0, found.blur_px) / px_per_mm
-    told = [one for one in shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
+    told = [one for one in estimate_shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
     shift = max(told, key=lambda one: one.ratio, default=None)
     if shift is None or shift.ratio < _SHIFTED:
         return None
     off_mm = abs(shift.by_mm)
-    return elsewhere(found.frame.names[shift.edges[0]], off_mm, off_mm * px_per_mm, shift.edges)
+    return size_mismatch(found.frame.names[shift.edges[0]], off_mm, off_mm * px_per_mm, shift.edges)
 
 
-def _unclear(found: Survey) -> Objection | None:
+def _check_visibility(found: EdgeMeasurements) -> RejectionReason | None:
     """Too little of the block shows to say whether it is the one."""
     at = found.at
     shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
     missing = tuple(int(edge) for edge in set(at.edge) - set(at.edge[found.used]))
-    if shown < LEAST_SHOWN:
+    if shown < LEAST_VISIBLE:
         text = f"only {100 * shown:.0f} % of its visible edges show in the picture"
-        return Objection(text, edges=missing)
+        return RejectionReason(text, edges=missing)
     agreeing = float(found.used.sum()) / max(int(found.shows.sum()), 1)
     if agreeing < _LEAST_AGREEING:
         text = f"only {100 * agreeing:.0f} % of the edge points lie on its edges"
-        return Objection(text, edges=missing)
-    if _lower_shown(found) < _LEAST_LOWER:
+        return RejectionReason(text, edges=missing)
+    if _lower_visible_share(found) < _LEAST_LOWER:
         text = "none of the edges of its floors and its base shows in the picture"
-        return Objection(text, edges=missing, hidden=True)
+        return RejectionReason(text, edges=missing, hidden=True)
     return None
 
 
-def _implausible(found: Survey) -> Objection | None:
+def _check_camera(found: EdgeMeasurements) -> RejectionReason | None:
     """A camera that no sensor has."""
     off_square = abs(found.camera.matrix[1, 1] / found.camera.matrix[0, 0] - 1)
     if off_square > _SQUARE:
-        return Objection(
+        return RejectionReason(
             "its edges would fit only if the camera's pixels were"
             f" {100 * off_square:.1f} % out of square",
             True,
         )
     k1, k2 = found.camera.distortion[:2]
     if abs(k1) > _K1 or abs(k2) > _K2:
-        return Objection(
+        return RejectionReason(
             f"its edges would fit only a lens distorted by k1 = {k1:.1f}, k2 = {k2:.1f}", True
         )
     return None
 
 
-def _lower_shown(found: Survey) -> float:
+def _lower_visible_share(found: EdgeMeasurements) -> float:
     """Share of the lower edges' length that shows: without them any height would do."""
     lower = np.array([name.startswith(_BELOW) for name in found.frame.names])
     rows = lower[found.at.edge]
@@ -134,19 +136,19 @@ def _lower_shown(found: Survey) -> float:
     return shown / max(float(found.at.length_px[rows].sum()), 1e-9)
 
 
-def block_like(found: Search) -> bool:
+def is_block_like(found: SearchResult) -> bool:
     """Whether most straight segments follow three perpendicular directions."""
     return found.segment_count >= 12 and found.explained >= _BLOCK_LIKE
 
 
-def symmetric(block: Crenellated) -> bool:
+def is_symmetric(block: Crenellated) -> bool:
     """Whether the block reads the same both ways, to ten times its uncertainty."""
     x = np.array(block.edges_x_mm)
     there, back = x - x[0], x[-1] - x[::-1]
     return bool(np.abs(there - back).max() < 10 * max(block.standard_uncertainty_mm, 0.001))
 
 
-def too_little_left(found: Survey, block: Crenellated, share: float) -> bool:
+def is_cut_off(found: EdgeMeasurements, block: Crenellated, share: float) -> bool:
     """Whether the frame leaves too little of the block.
 
     A camera needs two levels, the crests' and one below, and four of the crests' sides: as many
@@ -158,12 +160,12 @@ def too_little_left(found: Survey, block: Crenellated, share: float) -> bool:
         f"crest:{i}:{side}" in names for i in range(block.merlon_count) for side in ("L", "R")
     )
     below = any(name.startswith(_BELOW) for name in names)
-    return share < WHOLE and (sides < _SIDES or not below or share < _LEAST_IN_FRAME)
+    return share < COMPLETE_SHARE and (sides < _SIDES or not below or share < _LEAST_IN_FRAME)
 
 
-def in_frame(found: Survey) -> float:
+def share_in_frame(found: EdgeMeasurements) -> float:
     """Share of the visible edges' length that lies within the picture."""
-    parts = seen(found.frame, found.camera.centre_mm)
+    parts = find_visible_edges(found.frame, found.camera.centre_mm)
     begin = found.frame.starts_mm[parts.edge]
     along = found.frame.ends_mm[parts.edge] - begin
     span = (parts.end - parts.start) * np.linalg.norm(along, axis=1)

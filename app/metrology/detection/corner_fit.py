@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.visibility import seen, visible_corners
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.visibility import find_visible_edges, visible_corners
 from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
@@ -16,7 +16,7 @@ _FLATTEST_RAD = np.deg2rad(8.0)
 _WORST_CORNER_PX = 1.5
 # Nor do edges that meet so far from where all the others put their corner: in px, and over
 # their deviation.
-_FURTHEST_PX, _ASTRAY = 1.0, 5.0
+_FURTHEST_PX, _OUTLIER_SIGMAS = 1.0, 5.0
 # Those that meet more deviations off than this are less certain than they say, in proportion.
 _USUAL = 2.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
@@ -35,10 +35,10 @@ class Corner:
     covariance_px2: Floats
 
 
-def corners_where_edges_meet(measured: Survey, block: Crenellated) -> tuple[Corner, ...]:
+def fit_corners(measured: EdgeMeasurements, block: Crenellated) -> tuple[Corner, ...]:
     """Corners where two measured edges meet, with their covariance."""
     camera, frame = measured.camera, measured.frame
-    parts = seen(frame, camera.centre_mm)
+    parts = find_visible_edges(frame, camera.centre_mm)
     begin = frame.starts_mm[parts.edge]
     along = frame.ends_mm[parts.edge] - begin
     ends = np.stack(
@@ -46,7 +46,7 @@ def corners_where_edges_meet(measured: Survey, block: Crenellated) -> tuple[Corn
     )
     lines = {}
     for part in np.unique(measured.at.part[measured.used]):
-        line = _line(measured, int(part))
+        line = _fit_line(measured, int(part))
         if line is not None:
             lines[int(part)] = line
     found = []
@@ -59,14 +59,14 @@ def corners_where_edges_meet(measured: Survey, block: Crenellated) -> tuple[Corn
             continue
         touching = np.flatnonzero((np.abs(ends - point).max(axis=2) < 1e-6).any(axis=1))
         met = [lines[int(k)] for k in touching if int(k) in lines]
-        corner = _meeting(name, at, met, max(_FURTHEST_PX, measured.blur_px))
+        corner = _intersect_lines(name, at, met, max(_FURTHEST_PX, measured.blur_px))
         if corner is not None:
             found.append(corner)
     return tuple(found)
 
 
 @dataclass(frozen=True)
-class _Line:
+class _EdgeLine:
     """One part's measured edge as offsets, straight along the part, from the camera's edge."""
 
     middle: Floats  # (2,) px, where the offset is best known
@@ -78,7 +78,7 @@ class _Line:
     reach_px: tuple[float, float]  # along, as far beyond either end as the part was measured
 
 
-def _line(measured: Survey, part: int) -> _Line | None:
+def _fit_line(measured: EdgeMeasurements, part: int) -> _EdgeLine | None:
     rows = np.flatnonzero(measured.used & (measured.at.part == part))
     length = measured.at.length_px[rows]
     if len(rows) < _POINTS and length.sum() < _LENGTH_PX:
@@ -102,7 +102,7 @@ def _line(measured: Survey, part: int) -> _Line | None:
         slope = float((weight * s) @ off / spread)
         if abs(slope) > max(_ASKEW_SIGMAS / np.sqrt(spread), _ASKEW_PX / (last - first)):
             return None
-    return _Line(
+    return _EdgeLine(
         middle,
         direction,
         float(weight @ off / weight.sum()),
@@ -113,7 +113,9 @@ def _line(measured: Survey, part: int) -> _Line | None:
     )
 
 
-def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> Corner | None:
+def _intersect_lines(
+    name: str, at: Floats, lines: list[_EdgeLine], furthest_px: float
+) -> Corner | None:
     """Least-squares crossing (weighted) of the edges that meet at ``at`` (2,) by the camera.
 
     None where it would lie further from there than ``furthest_px``, or than its deviation
@@ -121,7 +123,7 @@ def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> C
     """
     information = np.zeros((2, 2))
     pull = np.zeros(2)
-    used: list[_Line] = []
+    used: list[_EdgeLine] = []
     for line in lines:
         s = float((at - line.middle) @ line.direction)
         if not line.reach_px[0] < s < line.reach_px[1]:
@@ -144,7 +146,7 @@ def _meeting(name: str, at: Floats, lines: list[_Line], furthest_px: float) -> C
     shift = covariance @ pull
     # The camera follows from all edges; a shadow beside a corner moves that corner alone.
     squares = float(shift @ information @ shift)
-    if float(np.hypot(*shift)) > furthest_px or squares > _ASTRAY**2:
+    if float(np.hypot(*shift)) > furthest_px or squares > _OUTLIER_SIGMAS**2:
         return None
     u, v = at + shift
     return Corner(name, float(u), float(v), covariance * max(1.0, squares / _USUAL**2))

@@ -1,7 +1,7 @@
 """The crenellated object in a calibration image: its edges, its corners, and the camera they show.
 
 No guess from the operator is needed. The object is found in a small picture
-(``locate``), its edges are measured in the full one (``edge_survey``) with a camera
+(``locate_block``), its edges are measured in the full one (``edge_survey``) with a camera
 fitted to all of them at once, and the result is accepted only if every edge lies
 where the certificate puts it (``acceptance``).
 """
@@ -10,22 +10,27 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.detection import acceptance
 from app.metrology.detection import errors as refusals
-from app.metrology.detection.corner_fit import Corner, corners_where_edges_meet
-from app.metrology.detection.edges.dimension_test import unseen
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.failure_evidence import DetectionRefusal, with_evidence
+from app.metrology.detection.corner_fit import Corner, fit_corners
+from app.metrology.detection.edges.dimension_test import find_unobserved_planes
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.failure_evidence import with_evidence
 from app.metrology.detection.image_quality import (
     Image,
-    PictureFinding,
-    grey_picture,
-    noisy,
-    picture_findings,
+    ImageFinding,
+    grey_levels,
+    image_findings,
+    is_noisy,
 )
-from app.metrology.detection.search.coarse_pose import Cleaning, locate, working_picture
-from app.metrology.detection.search.verify_hypotheses import NOT_TRIED, Placed, Tried, try_placings
+from app.metrology.detection.search.coarse_pose import Cleaning, locate_block, working_image
+from app.metrology.detection.search.verify_hypotheses import (
+    NO_ATTEMPT,
+    AttemptResult,
+    CameraHypothesis,
+    verify_hypotheses,
+)
 from app.metrology.detection.stripe_mask import stripe_mask
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe
@@ -34,12 +39,11 @@ from app.metrology.transforms import Floats
 
 __all__ = [
     "Corner",
-    "DetectionRefusal",
     "EdgePoints",
+    "ImageFinding",
     "ObjectDetection",
-    "PictureFinding",
     "detect_object",
-    "picture_findings",
+    "image_findings",
 ]
 
 # Longer sides, in pixels, at which the object is looked for, and how the picture is freed of
@@ -101,40 +105,43 @@ def detect_object(
         Refusal: ``image-not-grey``, ``image-dark``, ``image-saturated``,
             ``image-blurred``, ``object-not-found``, ``object-unclear``,
             ``object-does-not-match``, ``object-mirrored``, ``object-ambiguous``,
-            ``object-cut-off``; all but the first as ``DetectionRefusal``, with the evidence.
+            ``object-cut-off``; all but the first as ``DetectionError``, with the evidence.
     """
-    grey, clipped = grey_picture(ambient)
-    findings = picture_findings(ambient)
+    grey, clipped = grey_levels(ambient)
+    findings = image_findings(ambient)
     lit = None if stripe is None or len(stripe.u) == 0 else stripe_mask(grey, stripe)
-    tries: list[Tried] = []
-    declined: list[Placed] = []
+    tries: list[AttemptResult] = []
+    declined: list[CameraHypothesis] = []
     try:
         refusals.refuse_unusable(findings, clipped)
         hidden = clipped if lit is None else clipped | lit
         for longer_px, cleaning in _ATTEMPTS:
-            small, ignore, scale = working_picture(grey, lit, longer_px)
-            found = locate(small, ignore, block, cleaning)
-            tried = try_placings(grey, hidden, found, scale, block, declined)
+            small, ignore, scale = working_image(grey, lit, longer_px)
+            found = locate_block(small, ignore, block, cleaning)
+            tried = verify_hypotheses(grey, hidden, found, scale, block, declined)
             tries.append(tried)
             best = max(tries, key=lambda one: one.borne_out_px)
             if tried.good and not tried.doubtful and tried is best:
-                _refuse_gainsaid(tried, tries[:-1], findings, block)
-                return _detection(_the_one(tried, findings, block), block)
+                _check_earlier_attempts(tried, tries[:-1], findings, block)
+                return _detection(_select_measurement(tried, findings, block), block)
             if tried.sure_of_another:
                 break
         if best.good:
-            return _detection(_the_one(best, findings, block), block)
-        refusals.refuse_bad_picture(findings, "the object was not found")
-        raise _why_not(tries, findings, grey, block)
-    except Refusal as refusal:
-        shown = max(tries, key=lambda one: one.shown_px, default=NOT_TRIED)
+            return _detection(_select_measurement(best, findings, block), block)
+        refusals.refuse_bad_image(findings, "the object was not found")
+        raise _rejection_error(tries, findings, grey, block)
+    except OperationError as refusal:
+        shown = max(tries, key=lambda one: one.shown_px, default=NO_ATTEMPT)
         raise with_evidence(
             refusal, findings, clipped, shown.found, shown.measured, shown.against
         ) from None
 
 
-def _refuse_gainsaid(
-    tried: Tried, before: list[Tried], findings: list[PictureFinding], block: Crenellated
+def _check_earlier_attempts(
+    tried: AttemptResult,
+    before: list[AttemptResult],
+    findings: list[ImageFinding],
+    block: Crenellated,
 ) -> None:
     """Refuses a find where an earlier try drew about as much of the object and found another.
 
@@ -144,10 +151,12 @@ def _refuse_gainsaid(
     for one in before:
         as_much = one.shown_px > _AS_MUCH * tried.shown_px
         if one.nearest is not None and one.against is not None and one.against.definite and as_much:
-            raise refusals.contradicted(block, one.against, findings, one.nearest.blur_px)
+            raise refusals.contradiction_error(block, one.against, findings, one.nearest.blur_px)
 
 
-def _the_one(tried: Tried, findings: list[PictureFinding], block: Crenellated) -> Survey:
+def _select_measurement(
+    tried: AttemptResult, findings: list[ImageFinding], block: Crenellated
+) -> EdgeMeasurements:
     """The measured placing, if there is no other and it is fit to be used.
 
     Raises:
@@ -156,44 +165,44 @@ def _the_one(tried: Tried, findings: list[PictureFinding], block: Crenellated) -
     """
     located, measured = tried.good[0]
     refusals.refuse_blurred(measured)
-    share = acceptance.in_frame(measured)
-    if tried.more_than_one_way or acceptance.symmetric(block):
-        refusals.refuse_bad_picture(findings, "it can be read in more than one way")
-        raise refusals.ambiguous(block, share)
+    share = acceptance.share_in_frame(measured)
+    if tried.more_than_one_way or acceptance.is_symmetric(block):
+        refusals.refuse_bad_image(findings, "it can be read in more than one way")
+        raise refusals.ambiguity_error(block, share)
     if located.mirrored:
-        raise refusals.mirror_refusal(block, share)
-    if acceptance.too_little_left(measured, block, share):
-        raise refusals.too_much_cut_off(block, share)
+        raise refusals.mirror_error(block, share)
+    if acceptance.is_cut_off(measured, block, share):
+        raise refusals.too_incomplete_error(block, share)
     return measured
 
 
-def _why_not(
-    tries: list[Tried], findings: list[PictureFinding], grey: Floats, block: Crenellated
-) -> Refusal:
+def _rejection_error(
+    tries: list[AttemptResult], findings: list[ImageFinding], grey: Floats, block: Crenellated
+) -> OperationError:
     """The refusal after the last attempt: another object, or one not seen well enough."""
     best = max(tries, key=lambda one: one.shown_px)
     # Lines that mostly make no block are of marks and of other things: these may hide it.
-    block_like = [acceptance.block_like(one.found) for one in tries]
-    seen_well = not findings and not noisy(grey) and sum(block_like) > len(tries) / 2
+    block_like = [acceptance.is_block_like(one.found) for one in tries]
+    seen_well = not findings and not is_noisy(grey) and sum(block_like) > len(tries) / 2
     # A placing that hardly shows is none to say where the frame ends on.
-    if best.nearest is not None and best.share_shown > acceptance.LEAST_SHOWN:
-        share = acceptance.in_frame(best.nearest)
-        if acceptance.too_little_left(best.nearest, block, share):
-            return refusals.too_much_cut_off(block, share)
+    if best.nearest is not None and best.share_shown > acceptance.LEAST_VISIBLE:
+        share = acceptance.share_in_frame(best.nearest)
+        if acceptance.is_cut_off(best.nearest, block, share):
+            return refusals.too_incomplete_error(block, share)
     if best.nearest is not None and best.against is not None and best.against.definite:
         if not seen_well and best.share_shown < _HALF:
-            return refusals.hardly_shown(block, best.against, best.share_shown)
-        return refusals.contradicted(block, best.against, findings, best.nearest.blur_px)
+            return refusals.barely_visible_error(block, best.against, best.share_shown)
+        return refusals.contradiction_error(block, best.against, findings, best.nearest.blur_px)
     if not any(block_like):
-        return refusals.unfound(tries[0].found)
+        return refusals.not_found_error(tries[0].found)
     why = "no placing of its edges explains those in the picture"
     if best.against is not None:
         why = best.against.text
         seen_well = seen_well and not best.against.hidden
-    return refusals.mismatch(block, why) if seen_well else refusals.unclear(block, why)
+    return refusals.mismatch_error(block, why) if seen_well else refusals.unclear_error(block, why)
 
 
-def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
+def _detection(measured: EdgeMeasurements, block: Crenellated) -> ObjectDetection:
     at = measured.at
     edges = []
     for edge in np.unique(at.edge[measured.used]):
@@ -207,13 +216,13 @@ def _detection(measured: Survey, block: Crenellated) -> ObjectDetection:
             )
         )
     off = measured.off_px[measured.used]
-    found = corners_where_edges_meet(measured, block)
+    found = fit_corners(measured, block)
     if len(found) < _LEAST_CORNERS:
-        raise refusals.unclear(block, f"only {len(found)} of its corners can be measured")
+        raise refusals.unclear_error(block, f"only {len(found)} of its corners can be measured")
     return ObjectDetection(
         found,
         tuple(edges),
         measured.camera,
         float(np.sqrt(np.mean(off**2))),
-        unseen(measured),
+        find_unobserved_planes(measured),
     )

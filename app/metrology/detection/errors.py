@@ -3,18 +3,18 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.image_quality import BLURRED, EDGE_WIDTH, PictureFinding
-from app.metrology.detection.rejection import Objection
-from app.metrology.detection.search.coarse_pose import Search
+from app.errors import OperationError
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.image_quality import BLURRED, EDGE_WIDTH, ImageFinding
+from app.metrology.detection.rejection import RejectionReason
+from app.metrology.detection.search.coarse_pose import SearchResult
 from app.metrology.targets.crenellated_block import Crenellated
 
 # Share of the edges in the frame that makes the object whole.
-WHOLE = 0.9
+COMPLETE_SHARE = 0.9
 
 
-def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) -> None:
+def refuse_unusable(findings: list[ImageFinding], clipped: NDArray[np.bool_]) -> None:
     """Refuses a black picture and one that is clipped all over.
 
     Raises:
@@ -25,10 +25,10 @@ def refuse_unusable(findings: list[PictureFinding], clipped: NDArray[np.bool_]) 
             finding.code == "image-saturated" and float(clipped.mean()) > 0.5
         )
         if hopeless:
-            raise Refusal(finding.code, finding.text, "", finding.remedy)
+            raise OperationError(finding.code, finding.text, "", finding.remedy)
 
 
-def refuse_bad_picture(findings: list[PictureFinding], consequence: str) -> None:
+def refuse_bad_image(findings: list[ImageFinding], consequence: str) -> None:
     """Refuses a picture that is overexposed or blurred, where that is why a step failed.
 
     Raises:
@@ -36,12 +36,12 @@ def refuse_bad_picture(findings: list[PictureFinding], consequence: str) -> None
     """
     for finding in findings:
         if finding.code in ("image-saturated", "image-blurred"):
-            raise Refusal(finding.code, f"{finding.text}: {consequence}", "", finding.remedy)
+            raise OperationError(finding.code, f"{finding.text}: {consequence}", "", finding.remedy)
 
 
-def unfound(found: Search) -> Refusal:
+def not_found_error(found: SearchResult) -> OperationError:
     """The refusal for a picture in which nothing like the block was found."""
-    return Refusal(
+    return OperationError(
         "object-not-found",
         "no crenellated object was found in the picture",
         f"its {found.segment_count} straight edges do not make a block",
@@ -49,9 +49,9 @@ def unfound(found: Search) -> Refusal:
     )
 
 
-def unclear(block: Crenellated, why: str) -> Refusal:
+def unclear_error(block: Crenellated, why: str) -> OperationError:
     """The refusal for a block that is not seen well enough to be sure of it."""
-    return Refusal(
+    return OperationError(
         "object-unclear",
         f"{block.name} is not seen well enough to be sure of it",
         why,
@@ -60,9 +60,9 @@ def unclear(block: Crenellated, why: str) -> Refusal:
     )
 
 
-def mismatch(block: Crenellated, why: str) -> Refusal:
+def mismatch_error(block: Crenellated, why: str) -> OperationError:
     """The refusal for a block that is not the certificate's."""
-    return Refusal(
+    return OperationError(
         "object-does-not-match",
         f"the object in the picture does not match the certificate of {block.name}"
         f" ({block.serial_number})",
@@ -72,25 +72,27 @@ def mismatch(block: Crenellated, why: str) -> Refusal:
     )
 
 
-def hardly_shown(block: Crenellated, against: Objection, shown: float) -> Refusal:
+def barely_visible_error(
+    block: Crenellated, against: RejectionReason, shown: float
+) -> OperationError:
     """The refusal for a block whose placing is as doubtful as what is objected to it.
 
     ``shown``: the share of its visible edges that shows.
     """
     few = f"only {100 * shown:.0f} % of its visible edges show in the picture"
-    return unclear(block, f"{against.text}, and {few}")
+    return unclear_error(block, f"{against.text}, and {few}")
 
 
-def contradicted(
-    block: Crenellated, against: Objection, findings: list[PictureFinding], blur_px: float
-) -> Refusal:
+def contradiction_error(
+    block: Crenellated, against: RejectionReason, findings: list[ImageFinding], blur_px: float
+) -> OperationError:
     """The refusal for a block that a placing shows, but for what is objected to that.
 
     ``blur_px``: the blur at the block's own edges; a picture that was found soft is softer
     elsewhere.
     """
     if against.alone:
-        return unclear(
+        return unclear_error(
             block,
             f"{against.text}, and nothing else bears that out: a shadow, a highlight or something"
             " before it may look like that",
@@ -98,20 +100,22 @@ def contradicted(
     soft = next((one for one in findings if one.code in ("image-soft", "image-blurred")), None)
     width_px = EDGE_WIDTH * max(blur_px, soft.value if soft is not None else 0.0)
     if soft is not None and against.off_px < width_px:
-        return Refusal(
+        return OperationError(
             "object-unclear",
             f"{block.name} is not seen sharply enough to be sure of it",
             f"{against.text}, less than the {width_px:.0f} px that the picture's edges are wide",
             soft.remedy,
         )
-    return mismatch(block, against.text)
+    return mismatch_error(block, against.text)
 
 
-def mirror_refusal(block: Crenellated, share: float) -> Refusal:
+def mirror_error(block: Crenellated, share: float) -> OperationError:
     """The refusal for a block that reads the wrong way round."""
-    if share < WHOLE:
-        return cut_off(block, share, "what it shows reads rather like the object's mirror image")
-    return Refusal(
+    if share < COMPLETE_SHARE:
+        return out_of_frame_error(
+            block, share, "what it shows reads rather like the object's mirror image"
+        )
+    return OperationError(
         "object-mirrored",
         f"the merlons of {block.name} read in the mirrored order",
         "the picture is mirrored, or the camera looks at the object's back",
@@ -119,11 +123,13 @@ def mirror_refusal(block: Crenellated, share: float) -> Refusal:
     )
 
 
-def ambiguous(block: Crenellated, share: float) -> Refusal:
+def ambiguity_error(block: Crenellated, share: float) -> OperationError:
     """The refusal for a picture that more than one placing explains."""
-    if share < WHOLE:
-        return cut_off(block, share, "what it shows could be more than one part of the object")
-    return Refusal(
+    if share < COMPLETE_SHARE:
+        return out_of_frame_error(
+            block, share, "what it shows could be more than one part of the object"
+        )
+    return OperationError(
         "object-ambiguous",
         f"the picture of {block.name} can be read in more than one way",
         "its merlons read alike from either side",
@@ -131,9 +137,9 @@ def ambiguous(block: Crenellated, share: float) -> Refusal:
     )
 
 
-def cut_off(block: Crenellated, share: float, why: str) -> Refusal:
+def out_of_frame_error(block: Crenellated, share: float, why: str) -> OperationError:
     """The refusal for a block of which the frame shows too little."""
-    return Refusal(
+    return OperationError(
         "object-cut-off",
         f"the frame shows only {100 * share:.0f} % of {block.name}'s visible edges",
         why,
@@ -141,7 +147,7 @@ def cut_off(block: Crenellated, share: float, why: str) -> Refusal:
     )
 
 
-def refuse_blurred(found: Survey) -> None:
+def refuse_blurred(found: EdgeMeasurements) -> None:
     """Refuses a picture whose edges are too wide for its lines to keep apart.
 
     Raises:
@@ -150,7 +156,7 @@ def refuse_blurred(found: Survey) -> None:
     limit_px = BLURRED * max(found.camera.width_px, found.camera.height_px)
     if found.blur_px > limit_px:
         # From a tenth to nine tenths of its height, a step is 2.56 standard deviations wide.
-        raise Refusal(
+        raise OperationError(
             "image-blurred",
             f"the picture is blurred: its edges are {2.56 * found.blur_px:.0f} px wide,"
             f" at most {2.56 * limit_px:.0f} px can be measured",
@@ -159,6 +165,8 @@ def refuse_blurred(found: Survey) -> None:
         )
 
 
-def too_much_cut_off(block: Crenellated, share: float) -> Refusal:
+def too_incomplete_error(block: Crenellated, share: float) -> OperationError:
     """The refusal for a block of which the frame leaves too little to tell it or to use it."""
-    return cut_off(block, share, "a camera needs two levels and four sides of its merlons")
+    return out_of_frame_error(
+        block, share, "a camera needs two levels and four sides of its merlons"
+    )

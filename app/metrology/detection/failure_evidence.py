@@ -7,17 +7,17 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.image_quality import PictureFinding
-from app.metrology.detection.rejection import Objection
-from app.metrology.detection.search.coarse_pose import Search
-from app.metrology.detection.visibility import seen
+from app.errors import OperationError
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.image_quality import ImageFinding
+from app.metrology.detection.rejection import RejectionReason
+from app.metrology.detection.search.coarse_pose import SearchResult
+from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
 Fault = Literal["exposure", "focus", "framing", "object", "lighting"]
-MarkKind = Literal["clipped", "segment", "outline", "disagrees", "outside"]
+AnnotationKind = Literal["clipped", "segment", "outline", "disagrees", "outside"]
 
 _FAULTS: dict[str, Fault] = {
     "image-dark": "exposure",
@@ -44,7 +44,7 @@ _SEGMENTS = 60
 
 
 @dataclass(frozen=True)
-class Mark:
+class ImageAnnotation:
     """A line to draw on the picture, from (u0, v0) to (u1, v1) in px, and what it shows.
 
     ``clipped``: an overexposed region's border; ``segment``: a straight edge that was
@@ -52,30 +52,32 @@ class Mark:
     ``disagrees``: one that it does not, or elsewhere; ``outside``: out of the frame.
     """
 
-    kind: MarkKind
+    kind: AnnotationKind
     u0: float
     v0: float
     u1: float
     v1: float
 
 
-class DetectionRefusal(Refusal):
+class DetectionError(OperationError):
     """A picture in which the object was not found, with the fault and its evidence."""
 
-    def __init__(self, refusal: Refusal, fault: Fault, marks: tuple[Mark, ...]) -> None:
+    def __init__(
+        self, refusal: OperationError, fault: Fault, marks: tuple[ImageAnnotation, ...]
+    ) -> None:
         super().__init__(refusal.code, refusal.what, refusal.why, refusal.remedy)
         self.fault: Fault = fault
         self.marks = marks
 
 
 def with_evidence(
-    refusal: Refusal,
-    findings: list[PictureFinding],
+    refusal: OperationError,
+    findings: list[ImageFinding],
     clipped: NDArray[np.bool_],
-    found: Search | None,
-    nearest: Survey | None,
-    against: Objection | None,
-) -> DetectionRefusal:
+    found: SearchResult | None,
+    nearest: EdgeMeasurements | None,
+    against: RejectionReason | None,
+) -> DetectionError:
     """The refusal with what is at fault and marks in the picture's pixels.
 
     Args:
@@ -89,18 +91,18 @@ def with_evidence(
     fault = _FAULTS.get(refusal.code, "object")
     by_light = against is not None and against.alone
     if refusal.code in ("object-not-found", "object-unclear") and not by_light:
-        fault, refusal = by_picture(fault, refusal, findings)
-    marks = clipped_regions(clipped) if fault == "exposure" else []
+        fault, refusal = prefer_image_fault(fault, refusal, findings)
+    marks = mark_clipped_regions(clipped) if fault == "exposure" else []
     if nearest is not None:
-        marks += _outline(nearest, against)
+        marks += _mark_outline(nearest, against)
     elif found is not None:
-        marks += _segments(found, clipped.shape)
-    return DetectionRefusal(refusal, fault, tuple(marks))
+        marks += _mark_segments(found, clipped.shape)
+    return DetectionError(refusal, fault, tuple(marks))
 
 
-def by_picture(
-    fault: Fault, refusal: Refusal, findings: list[PictureFinding], guessed: bool = False
-) -> tuple[Fault, Refusal]:
+def prefer_image_fault(
+    fault: Fault, refusal: OperationError, findings: list[ImageFinding], guessed: bool = False
+) -> tuple[Fault, OperationError]:
     """What is at fault: the picture as such before what was not seen in it.
 
     Args:
@@ -115,14 +117,14 @@ def by_picture(
     kept = ("", "") if guessed else (refusal.why, refusal.remedy)
     why = "; ".join(part for part in (named.text, kept[0]) if part)
     remedy = "; ".join(part for part in (named.remedy, kept[1]) if part)
-    return _FINDING_FAULTS[named.code], Refusal(refusal.code, refusal.what, why, remedy)
+    return _FINDING_FAULTS[named.code], OperationError(refusal.code, refusal.what, why, remedy)
 
 
-def clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
+def mark_clipped_regions(clipped: NDArray[np.bool_]) -> list[ImageAnnotation]:
     """The borders of the largest overexposed regions, as boxes."""
     count, _, stats, _ = cv2.connectedComponentsWithStats(clipped.astype(np.uint8))
     order = np.argsort(-stats[1:count, cv2.CC_STAT_AREA])[:_REGIONS] + 1
-    marks: list[Mark] = []
+    marks: list[ImageAnnotation] = []
     for k in order:
         left, top, width, height, area = (float(value) for value in stats[k])
         if area < _GLINT * clipped.size:
@@ -130,22 +132,24 @@ def clipped_regions(clipped: NDArray[np.bool_]) -> list[Mark]:
         right, low = left + width - 1, top + height - 1
         corners = ((left, top), (right, top), (right, low), (left, low))
         for one, other in zip(corners, (*corners[1:], corners[0]), strict=True):
-            marks.append(Mark("clipped", *one, *other))
+            marks.append(ImageAnnotation("clipped", *one, *other))
     return marks
 
 
-def _segments(found: Search, shape: tuple[int, ...]) -> list[Mark]:
+def _mark_segments(found: SearchResult, shape: tuple[int, ...]) -> list[ImageAnnotation]:
     """The weightiest straight edges that were seen."""
     height, width = shape
     lines = found.segments[:_SEGMENTS] * max(width, height)
     lines = lines + np.tile([(width - 1) / 2, (height - 1) / 2], 2)
-    return [Mark("segment", *(float(value) for value in line)) for line in lines]
+    return [ImageAnnotation("segment", *(float(value) for value in line)) for line in lines]
 
 
-def _outline(nearest: Survey, against: Objection | None) -> list[Mark]:
+def _mark_outline(
+    nearest: EdgeMeasurements, against: RejectionReason | None
+) -> list[ImageAnnotation]:
     """The visible edges as the placing draws them: agreeing, disagreeing, out of the frame."""
     camera, frame = nearest.camera, nearest.frame
-    parts = seen(frame, camera.centre_mm)
+    parts = find_visible_edges(frame, camera.centre_mm)
     begin = frame.starts_mm[parts.edge]
     along = frame.ends_mm[parts.edge] - begin
     first = project(camera, begin + parts.start[:, None] * along)
@@ -153,12 +157,14 @@ def _outline(nearest: Survey, against: Objection | None) -> list[Mark]:
     wrong = set(against.edges) if against is not None else set()
     marks = []
     for edge, one, other in zip(parts.edge, first, last, strict=True):
-        kind: MarkKind = "disagrees" if int(edge) in wrong else "outline"
-        if _outside(camera, one) and _outside(camera, other):
+        kind: AnnotationKind = "disagrees" if int(edge) in wrong else "outline"
+        if _is_outside(camera, one) and _is_outside(camera, other):
             kind = "outside"
-        marks.append(Mark(kind, float(one[0]), float(one[1]), float(other[0]), float(other[1])))
+        marks.append(
+            ImageAnnotation(kind, float(one[0]), float(one[1]), float(other[0]), float(other[1]))
+        )
     return marks
 
 
-def _outside(camera: Camera, uv: Floats) -> bool:
+def _is_outside(camera: Camera, uv: Floats) -> bool:
     return bool((uv < 0).any() or uv[0] > camera.width_px - 1 or uv[1] > camera.height_px - 1)

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.image import saturation_level
 from app.metrology.transforms import Floats
 
@@ -30,7 +30,7 @@ EDGE_WIDTH = 2.56
 
 
 @dataclass(frozen=True)
-class PictureFinding:
+class ImageFinding:
     """Something about a picture that the operator should mend.
 
     ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels.
@@ -43,7 +43,7 @@ class PictureFinding:
     limit: float
 
 
-def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
+def grey_levels(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     """Grey levels (H, W) on a scale of 0 to 255, and which pixels are clipped.
 
     Raises:
@@ -51,7 +51,7 @@ def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     """
     array = image
     if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16) or min(array.shape) < 64:
-        raise Refusal(
+        raise OperationError(
             "image-not-grey",
             f"an image of shape {array.shape} and type {array.dtype}",
             "the object is looked for in grey images of 8 to 16 bits, at least 64 pixels each way",
@@ -64,7 +64,7 @@ def grey_picture(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     return array.astype(np.float64) * (255.0 / (2**bits - 1)), clipped
 
 
-def noisy(grey: Floats) -> bool:
+def is_noisy(grey: Floats) -> bool:
     """Whether a picture (H, W) is so noisy, for its contrast, that edges of faces may be lost."""
     bend = np.abs(grey[1:-1:2, 2::2] - 2 * grey[1:-1:2, 1:-1:2] + grey[1:-1:2, :-2:2])
     noise = float(np.median(bend)) / (0.6745 * np.sqrt(6.0))
@@ -85,7 +85,7 @@ def edge_blur_px(grey: NDArray[np.floating]) -> float:
         small = np.asarray(grey, np.float32)
         if shrink > 1:
             small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), np.float32)
-        found = _blur_of(small)
+        found = _level_blur_px(small)
         blur = found * shrink if np.isfinite(found) else blur
         # Beyond this the window that takes the step's height no longer holds it.
         if found < 3.0:
@@ -94,7 +94,7 @@ def edge_blur_px(grey: NDArray[np.floating]) -> float:
     return blur
 
 
-def _blur_of(small: NDArray[np.float32]) -> float:
+def _level_blur_px(small: NDArray[np.float32]) -> float:
     smooth = cv2.GaussianBlur(small, (0, 0), _SMOOTH_PX)
     slope = cv2.magnitude(
         cv2.Sobel(smooth, cv2.CV_32F, 1, 0, ksize=1) * 0.5,
@@ -116,7 +116,7 @@ def _blur_of(small: NDArray[np.float32]) -> float:
 
 
 @dataclass(frozen=True)
-class PictureMeasures:
+class ImageQuality:
     """What a picture is worth, in figures.
 
     ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark
@@ -145,23 +145,23 @@ class PictureMeasures:
         return self.saturated > CLIPPED
 
 
-def measured(image: Image) -> PictureMeasures:
+def measure_image_quality(image: Image) -> ImageQuality:
     """The measures of a picture (H, W), grey, 8 to 16 bits; quick enough for live use.
 
     Raises:
         Refusal: not a grey image.
     """
     step = max(1, min(image.shape) // 500) if image.ndim == 2 else 1
-    thin, clipped = grey_picture(image[::step, ::step])
+    thin, clipped = grey_levels(image[::step, ::step])
     low, high = np.percentile(thin[::2, ::2], (1.0, 99.0)) / 255.0
     longer = max(image.shape)
-    found = PictureMeasures(float(clipped.mean()), float(low), float(high), None, SOFT * longer)
+    found = ImageQuality(float(clipped.mean()), float(low), float(high), None, SOFT * longer)
     if found.overexposed or found.dark or found.dim:
         return found
     return replace(found, blur_px=_blur_px(image))
 
 
-def picture_findings(image: Image) -> list[PictureFinding]:
+def image_findings(image: Image) -> list[ImageFinding]:
     """What is wrong with a picture of the object, most serious first; quick enough for live use.
 
     Args:
@@ -174,14 +174,14 @@ def picture_findings(image: Image) -> list[PictureFinding]:
     Raises:
         Refusal: not a grey image.
     """
-    return findings_of(measured(image))
+    return quality_findings(measure_image_quality(image))
 
 
-def findings_of(picture: PictureMeasures) -> list[PictureFinding]:
-    """What is wrong with a picture by its measures, as ``picture_findings``."""
+def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
+    """What is wrong with a picture by its measures, as ``image_findings``."""
     if picture.overexposed:
         return [
-            PictureFinding(
+            ImageFinding(
                 "image-saturated",
                 f"{100 * picture.saturated:.0f} % of the picture is overexposed",
                 "turn down the exposure until the object's faces keep their grey",
@@ -192,7 +192,7 @@ def findings_of(picture: PictureMeasures) -> list[PictureFinding]:
     if picture.dark:
         contrast = picture.high - picture.low
         return [
-            PictureFinding(
+            ImageFinding(
                 "image-dark",
                 f"the picture shows no contrast: {100 * contrast:.1f} % of full scale",
                 "turn up the light or the exposure, and look at the object",
@@ -202,7 +202,7 @@ def findings_of(picture: PictureMeasures) -> list[PictureFinding]:
         ]
     if picture.dim:
         return [
-            PictureFinding(
+            ImageFinding(
                 "image-dim",
                 f"the picture is dim: its bright parts reach {100 * picture.high:.0f} % of full "
                 "scale",
@@ -225,7 +225,7 @@ def _blur_px(array: Image) -> float | None:
     return blur if np.isfinite(blur) else None
 
 
-def _sharpness(picture: PictureMeasures) -> list[PictureFinding]:
+def _sharpness(picture: ImageQuality) -> list[ImageFinding]:
     blur, soft = picture.blur_px, picture.soft_px
     if blur is None or blur <= soft:
         return []
@@ -233,7 +233,7 @@ def _sharpness(picture: PictureMeasures) -> list[PictureFinding]:
     if blur > soft * BLURRED / SOFT:
         code, text, limit = "image-blurred", "the picture is blurred", soft * BLURRED / SOFT
     return [
-        PictureFinding(
+        ImageFinding(
             code,
             f"{text}: its edges are {EDGE_WIDTH * blur:.0f} px wide",
             "focus the camera on the object, bring it into the working distance, and hold it still",

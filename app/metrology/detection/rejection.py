@@ -6,7 +6,7 @@ import numpy as np
 
 
 @dataclass(frozen=True)
-class Objection:
+class RejectionReason:
     """Why the picture does not bear a placing out.
 
     ``definite``: it shows other measures, rather than too little; ``edges``: rows in the
@@ -24,7 +24,7 @@ class Objection:
     hidden: bool = False
 
 
-def in_words(edge: str) -> str:
+def describe_edge(edge: str) -> str:
     """The name of an edge in an operator's words: merlons and grooves counted from the left.
 
     ``crest:1:L`` is the left edge of merlon 2's crest, ``wall:0:R:front`` the upright
@@ -42,12 +42,12 @@ def in_words(edge: str) -> str:
     )
 
 
-def elsewhere(
+def size_mismatch(
     edge: str, off_mm: float, off_px: float, edges: tuple[int, ...], alone: bool = False
-) -> Objection:
+) -> RejectionReason:
     """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
-    return Objection(
-        f"{in_words(edge)} seems to lie {off_mm:.2f} mm from where the certificate puts it",
+    return RejectionReason(
+        f"{describe_edge(edge)} seems to lie {off_mm:.2f} mm from where the certificate puts it",
         True,
         edges,
         alone,

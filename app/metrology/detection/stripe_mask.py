@@ -22,14 +22,14 @@ def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:
     if len(column) == 0:
         return mask > 0
     mask[row, column] = 1
-    reach = _half_width(grey, column, row, by_column=_counted(stripe.u, stripe.v)) + 1
+    reach = _half_width(grey, column, row, by_column=_counts_columns(stripe.u, stripe.v)) + 1
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     # Along the stripe its points may miss where it is faint or crosses an edge.
     bridged = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     return np.asarray(cv2.dilate(bridged, disc) > 0)
 
 
-def _counted(u: Floats, v: Floats) -> bool:
+def _counts_columns(u: Floats, v: Floats) -> bool:
     """Whether the points are counted along the columns (whole u) rather than the rows."""
     return bool(np.abs(u - np.rint(u)).sum() <= np.abs(v - np.rint(v)).sum())
 

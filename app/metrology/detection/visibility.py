@@ -62,7 +62,7 @@ class Wireframe:
 
     ``starts_mm``, ``ends_mm``: (E, 3) edges in the order of ``names``;
     ``boxes_mm``: (B, 6) as xmin, xmax, ymin, ymax, zmin, zmax, the body first;
-    ``regions``: names by the region numbers that ``seen`` gives.
+    ``regions``: names by the region numbers that ``find_visible_edges`` gives.
     """
 
     names: tuple[str, ...]
@@ -74,7 +74,7 @@ class Wireframe:
 
 
 @dataclass(frozen=True)
-class Seen:
+class VisibleEdges:
     """Visible parts as arrays of one length N.
 
     ``edge``: row in the wireframe; ``start``, ``end``: fractions of the edge;
@@ -112,7 +112,7 @@ def wireframe(block: Crenellated) -> Wireframe:
     )
 
 
-def seen(frame: Wireframe, centre_mm: Floats) -> Seen:
+def find_visible_edges(frame: Wireframe, centre_mm: Floats) -> VisibleEdges:
     """Visible parts of all edges from a camera's centre (3,) in the object frame."""
     edges = len(frame.starts_mm)
     edge, span = np.empty((edges, edges), np.int64), np.empty((edges, edges, 2))
@@ -129,7 +129,9 @@ def seen(frame: Wireframe, centre_mm: Floats) -> Seen:
         np.empty((edges, 13)),
     )
     start, end = span.reshape(-1, 2)[:count].T.copy()
-    return Seen(edge.ravel()[:count].copy(), start, end, sides.reshape(-1, 2)[:count].copy())
+    return VisibleEdges(
+        edge.ravel()[:count].copy(), start, end, sides.reshape(-1, 2)[:count].copy()
+    )
 
 
 def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
@@ -140,7 +142,7 @@ def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
     two differ in brightness.
     """
     frame = wireframe(block)
-    parts = seen(frame, centre_mm)
+    parts = find_visible_edges(frame, centre_mm)
     found = []
     for e, start, end, (one, other) in zip(
         parts.edge, parts.start, parts.end, parts.regions, strict=True

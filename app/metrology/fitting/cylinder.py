@@ -6,8 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from app.errors import Refusal
-from app.metrology.fitting.plane_sphere import Shape, draws, filtered, finite_points
+from app.errors import OperationError
+from app.metrology.fitting.plane_sphere import (
+    ShapeParameters,
+    draw_samples,
+    filter_outliers,
+    finite_points,
+)
 from app.metrology.transforms import Floats
 
 NEIGHBOURS = 24
@@ -48,7 +53,7 @@ def fit_cylinder(points_mm: Floats) -> CylinderFit:
     points, finite = finite_points(points_mm, 5, "cylinder")
     centre = points.mean(axis=0)
     local = points - centre
-    (axis, radius_mm), keep = filtered(
+    (axis, radius_mm), keep = filter_outliers(
         local, _start(local), cylinder_distances, _least_squares_cylinder
     )
     inside = cylinder_distances(local[keep], (axis, radius_mm))
@@ -67,7 +72,7 @@ def fit_cylinder(points_mm: Floats) -> CylinderFit:
     )
 
 
-def cylinder_distances(points_mm: Floats, cylinder: Shape) -> Floats:
+def cylinder_distances(points_mm: Floats, cylinder: ShapeParameters) -> Floats:
     """Signed radial distances (N,) in mm of points (N, 3); outside is positive."""
     axis, radius_mm = cylinder
     away = points_mm - axis[:3]
@@ -75,7 +80,7 @@ def cylinder_distances(points_mm: Floats, cylinder: Shape) -> Floats:
     return np.asarray(np.linalg.norm(away, axis=1) - radius_mm)
 
 
-def across(direction: Floats) -> tuple[Floats, Floats]:
+def perpendicular_axes(direction: Floats) -> tuple[Floats, Floats]:
     """Two unit vectors (3,) square to a direction and to each other."""
     aside = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
     aside /= np.linalg.norm(aside)
@@ -85,11 +90,11 @@ def across(direction: Floats) -> tuple[Floats, Floats]:
 def cylinder_jacobian(points_mm: Floats, axis: Floats) -> Floats:
     """Change (N, 5) of radial distances with the axis and the radius.
 
-    With a shift of the axis along ``across(direction)``, mm, a turn about its point towards
+    With a shift of the axis along ``perpendicular_axes(direction)``, mm, a turn about its point to
     them, rad, and the radius.
     """
     point, direction = axis[:3], axis[3:]
-    a, b = across(direction)
+    a, b = perpendicular_axes(direction)
     away = points_mm - point
     along = away @ direction
     u, v = away @ a, away @ b
@@ -98,21 +103,21 @@ def cylinder_jacobian(points_mm: Floats, axis: Floats) -> Floats:
     return np.column_stack([-u, -v, -u * along, -v * along, -np.ones(len(u))])
 
 
-def _start(points: Floats) -> Shape:
+def _start(points: Floats) -> ShapeParameters:
     """The cylinder through two points and their normals with the least median distance."""
-    sample, pairs = draws(points, 2)
+    sample, pairs = draw_samples(points, 2)
     nearest = cKDTree(sample).query(pairs.reshape(-1, 3), min(NEIGHBOURS, len(sample)))[1]
     normals = _normals(sample[nearest]).reshape(-1, 2, 3)
-    best: tuple[float, Shape] | None = None
+    best: tuple[float, ShapeParameters] | None = None
     for (p, q), (n, m) in zip(pairs, normals, strict=True):
-        cylinder = _through(p, q, n, m)
+        cylinder = _cylinder_through(p, q, n, m)
         if cylinder is None:
             continue
         misfit = float(np.median(np.abs(cylinder_distances(sample, cylinder))))
         if best is None or misfit < best[0]:
             best = (misfit, cylinder)
     if best is None:
-        raise _refused("the surface does not bend")
+        raise _no_cylinder_error("the surface does not bend")
     return best[1]
 
 
@@ -122,7 +127,7 @@ def _normals(near: Floats) -> Floats:
     return np.asarray(np.linalg.eigh(np.einsum("kij,kil->kjl", off, off))[1][:, :, 0])
 
 
-def _through(p: Floats, q: Floats, n: Floats, m: Floats) -> Shape | None:
+def _cylinder_through(p: Floats, q: Floats, n: Floats, m: Floats) -> ShapeParameters | None:
     """The cylinder through ``p`` and ``q`` with these normals there; None where none is told."""
     direction = np.cross(n, m)
     length = float(np.linalg.norm(direction))
@@ -138,7 +143,7 @@ def _through(p: Floats, q: Floats, n: Floats, m: Floats) -> Shape | None:
     return np.concatenate([point, direction]), radius
 
 
-def _least_squares_cylinder(points: Floats, start: Shape) -> Shape:
+def _least_squares_cylinder(points: Floats, start: ShapeParameters) -> ShapeParameters:
     """Gauss-Newton on the radial distances."""
     axis, radius = start
     largest = 2 * float(np.ptp(points, axis=0).max()) + 1e-9
@@ -152,24 +157,24 @@ def _least_squares_cylinder(points: Floats, start: Shape) -> Shape:
         scale = np.array([1.0, 1.0, 1.0 / largest, 1.0 / largest, 1.0])
         normal_matrix = (J * scale).T @ (J * scale)
         if np.linalg.cond(normal_matrix) > 1e12:
-            raise _refused("the points lie on too small a piece of it")
+            raise _no_cylinder_error("the points lie on too small a piece of it")
         off = cylinder_distances(points, (axis, radius))
         change = -scale * np.linalg.solve(normal_matrix, (J * scale).T @ off)
-        a, b = across(axis[3:])
+        a, b = perpendicular_axes(axis[3:])
         direction = axis[3:] + change[2] * a + change[3] * b
         axis = np.concatenate(
             [axis[:3] + change[0] * a + change[1] * b, direction / np.linalg.norm(direction)]
         )
         radius += float(change[4])
         if not np.isfinite(radius) or radius > 1e3 * largest:
-            raise _refused("the points lie on too small a piece of it")
+            raise _no_cylinder_error("the points lie on too small a piece of it")
         if np.max(np.abs(change)) < 1e-10:
             break
     return axis, radius
 
 
-def _refused(why: str) -> Refusal:
-    return Refusal(
+def _no_cylinder_error(why: str) -> OperationError:
+    return OperationError(
         "points-fix-no-cylinder",
         "the points fix no cylinder",
         why,

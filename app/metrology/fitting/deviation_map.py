@@ -31,7 +31,7 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
     if isinstance(fit, PlaneFit):
         flat = flat_places(points - fit.centre_mm, fit.normal)
     else:
-        flat = _unrolled(fit, points)
+        flat = _unroll_sphere(fit, points)
     low = flat.min(axis=0)
     cell = float(np.max(flat.max(axis=0) - low)) / CELLS_ACROSS or 1.0
     at = np.floor((flat - low) / cell).astype(np.int64).clip(0, CELLS_ACROSS - 1)
@@ -54,7 +54,7 @@ def flat_places(away_mm: Floats, normal: Floats) -> Floats:
     return np.column_stack([away_mm @ right, away_mm @ up])
 
 
-def _unrolled(fit: SphereFit, points: Floats) -> Floats:
+def _unroll_sphere(fit: SphereFit, points: Floats) -> Floats:
     """(N, 2) along the sphere from the middle of its cap, the distances from there kept."""
     outward = points - fit.centre_mm
     outward = outward / np.linalg.norm(outward, axis=1)[:, None]

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.transforms import Floats
 
 FILTER_SIGMAS = 3.0
 """Points farther than this many standard deviations from the fit are filtered out."""
 # A plane's normal (3,) and offset, a sphere's centre (3,) and radius, or a cylinder's axis
 # (6,), a point and the direction, and radius; in mm.
-Shape = tuple[Floats, float]
+ShapeParameters = tuple[Floats, float]
 START_TRIALS = 200
 START_POINTS = 2000
 
@@ -63,7 +63,7 @@ def fit_plane(points_mm: Floats) -> PlaneFit:
     """
     points, finite = finite_points(points_mm, 3, "plane")
     start = _start_plane(points)
-    (normal, offset_mm), keep = filtered(points, start, _plane_distances, _plane_through)
+    (normal, offset_mm), keep = filter_outliers(points, start, _plane_distances, _plane_through)
     inside = _plane_distances(points, (normal, offset_mm))[keep]
     used = finite.copy()
     used[finite] = keep
@@ -88,7 +88,9 @@ def fit_sphere(points_mm: Floats) -> SphereFit:
     """
     points, finite = finite_points(points_mm, 4, "sphere")
     start = _start_sphere(points)
-    (centre_mm, radius_mm), keep = filtered(points, start, _sphere_distances, _least_squares_sphere)
+    (centre_mm, radius_mm), keep = filter_outliers(
+        points, start, _sphere_distances, _least_squares_sphere
+    )
     inside = _sphere_distances(points, (centre_mm, radius_mm))[keep]
     used = finite.copy()
     used[finite] = keep
@@ -110,7 +112,7 @@ def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, ND
     points = np.asarray(points_mm, dtype=np.float64)
     finite = np.all(np.isfinite(points), axis=1)
     if finite.sum() < least:
-        raise Refusal(
+        raise OperationError(
             "too-few-points",
             f"the cloud holds {int(finite.sum())} usable points",
             f"a {shape} needs at least {least}",
@@ -118,12 +120,12 @@ def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, ND
     return points[finite], finite
 
 
-def filtered(
+def filter_outliers(
     points: Floats,
-    start: Shape,
-    distances_of: Callable[[Floats, Shape], Floats],
-    least_squares: Callable[[Floats, Shape], Shape],
-) -> tuple[Shape, NDArray[np.bool_]]:
+    start: ShapeParameters,
+    distances_of: Callable[[Floats, ShapeParameters], Floats],
+    least_squares: Callable[[Floats, ShapeParameters], ShapeParameters],
+) -> tuple[ShapeParameters, NDArray[np.bool_]]:
     """The paper's filter: fits, and leaves out what lies too far off, until nothing changes."""
     shape, off = start, distances_of(points, start)
     # to begin with, what is near the start by a scale that outliers do not stretch
@@ -138,29 +140,29 @@ def filtered(
     return shape, keep
 
 
-def _plane_distances(points: Floats, plane: Shape) -> Floats:
+def _plane_distances(points: Floats, plane: ShapeParameters) -> Floats:
     normal, offset_mm = plane
     return np.asarray(points @ normal - offset_mm)
 
 
-def _sphere_distances(points: Floats, sphere: Shape) -> Floats:
+def _sphere_distances(points: Floats, sphere: ShapeParameters) -> Floats:
     centre_mm, radius_mm = sphere
     return np.asarray(np.linalg.norm(points - centre_mm, axis=1) - radius_mm)
 
 
-def _plane_through(points: Floats, _: Shape | None = None) -> Shape:
+def _plane_through(points: Floats, _: ShapeParameters | None = None) -> ShapeParameters:
     """The plane through the centroid, across the direction of least spread."""
     centre = points.mean(axis=0)
     values, vectors = np.linalg.eigh((points - centre).T @ (points - centre))
     if values[1] <= 1e-12 * values[2]:
-        raise Refusal("points-on-a-line", "the points lie on one line", "they fix no plane")
+        raise OperationError("points-on-a-line", "the points lie on one line", "they fix no plane")
     normal = vectors[:, 0]
     return normal, float(normal @ centre)
 
 
-def _start_plane(points: Floats) -> Shape:
+def _start_plane(points: Floats) -> ShapeParameters:
     """The plane through three points that has the least median distance to a sample."""
-    sample, chosen = draws(points, 3)
+    sample, chosen = draw_samples(points, 3)
     normals = np.cross(chosen[:, 1] - chosen[:, 0], chosen[:, 2] - chosen[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     proper = lengths > 1e-9 * float(np.max(lengths, initial=1e-12))
@@ -173,9 +175,9 @@ def _start_plane(points: Floats) -> Shape:
     return normals[best], float(offsets[best])
 
 
-def _start_sphere(points: Floats) -> Shape:
+def _start_sphere(points: Floats) -> ShapeParameters:
     """The sphere through four points that has the least median distance to a sample."""
-    sample, chosen = draws(points, 4)
+    sample, chosen = draw_samples(points, 4)
     best: tuple[float, Floats, float] | None = None
     for four in chosen:
         system = 2 * (four[1:] - four[0])
@@ -187,18 +189,20 @@ def _start_sphere(points: Floats) -> Shape:
         if best is None or misfit < best[0]:
             best = (misfit, centre, radius)
     if best is None:
-        raise Refusal("points-in-a-plane", "the points lie in one plane", "they fix no sphere")
+        raise OperationError(
+            "points-in-a-plane", "the points lie in one plane", "they fix no sphere"
+        )
     return best[1], best[2]
 
 
-def draws(points: Floats, size: int) -> tuple[Floats, Floats]:
+def draw_samples(points: Floats, size: int) -> tuple[Floats, Floats]:
     """A sample of the points, and ``START_TRIALS`` draws of ``size`` of them; repeatable."""
     rng = np.random.default_rng(0)
     sample = points[rng.permutation(len(points))[:START_POINTS]]
     return sample, sample[rng.integers(0, len(sample), (START_TRIALS, size))]
 
 
-def _least_squares_sphere(points: Floats, start: Shape) -> Shape:
+def _least_squares_sphere(points: Floats, start: ShapeParameters) -> ShapeParameters:
     """Gauss-Newton on the radial distances."""
     centre_mm, radius_mm = start
     for _ in range(50):
@@ -207,7 +211,7 @@ def _least_squares_sphere(points: Floats, start: Shape) -> Shape:
         J = np.column_stack([-away / distance[:, None], -np.ones(len(points))])
         normal_matrix = J.T @ J
         if np.linalg.cond(normal_matrix) > 1e12:
-            raise Refusal(
+            raise OperationError(
                 "points-fix-no-sphere",
                 "the points lie on too small a piece of the sphere",
                 "centre and radius cannot be told apart",

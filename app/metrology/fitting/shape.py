@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from app.metrology.fitting.cylinder import (
     CylinderFit,
-    across,
     cylinder_distances,
     cylinder_jacobian,
     fit_cylinder,
+    perpendicular_axes,
 )
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, fit_plane, fit_sphere
 from app.metrology.transforms import Floats
@@ -113,7 +113,7 @@ def distances_from(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -
 def _jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
     """Change (N, p) of the distances with the parameters."""
     if isinstance(fit, PlaneFit):
-        a, b = across(fit.normal)
+        a, b = perpendicular_axes(fit.normal)
         away = points_mm - fit.centre_mm
         return np.column_stack([-np.ones(len(away)), away @ a, away @ b])
     if isinstance(fit, SphereFit):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, fit_plane, fit_sphere
 from app.metrology.transforms import Floats
 
@@ -118,7 +118,7 @@ def _z_error_um(fit: PlaneFit, nominal: NominalPlane) -> float | None:
 
 
 @dataclass(frozen=True)
-class Spread:
+class Repeatability:
     """How far a figure scatters over several clouds (paper, Fig. 7-10)."""
 
     mean: float
@@ -126,11 +126,13 @@ class Spread:
     range: float
 
 
-def spread(values: list[float]) -> Spread:
+def compute_repeatability(values: list[float]) -> Repeatability:
     """Mean, standard deviation (n - 1) and range of a figure over two or more clouds."""
     if len(values) < 2:
-        raise Refusal("too-few-clouds", "a spread needs at least two clouds")
-    return Spread(float(np.mean(values)), float(np.std(values, ddof=1)), max(values) - min(values))
+        raise OperationError("too-few-clouds", "a spread needs at least two clouds")
+    return Repeatability(
+        float(np.mean(values)), float(np.std(values, ddof=1)), max(values) - min(values)
+    )
 
 
 def angle_ranges_arcsec(normals: Floats) -> Floats:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres, tip_covariances
-from app.metrology.fitting.cylinder import across
+from app.metrology.fitting.cylinder import perpendicular_axes
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.transforms import Floats
 
@@ -25,7 +25,7 @@ TWO_SIGMA = 0.97725
 
 
 @dataclass(frozen=True)
-class TouchedPlane:
+class ProbedPlane:
     """A plane, outward to where the probe came from, that N contacts fix."""
 
     nominal: NominalPlane
@@ -33,7 +33,7 @@ class TouchedPlane:
     residuals_mm: Floats
     """(N,) of the contacts, outward."""
     covariance: Floats
-    """(3, 3) of the height in the middle (mm) and of the tilts (rad) along ``across``."""
+    """(3, 3) of the height in the middle (mm) and the tilts (rad) along ``perpendicular_axes``."""
 
     @property
     def rms_mm(self) -> float:
@@ -46,14 +46,14 @@ class TouchedPlane:
 
     def height_sd_mm(self, point_mm: Floats) -> float:
         """Of the plane at a point (3,) of it, k = 1."""
-        a, b = across(self.nominal.normal)
+        a, b = perpendicular_axes(self.nominal.normal)
         away = point_mm - self.nominal.point_mm
         g = np.array([1.0, away @ a, away @ b])
         return float(np.sqrt(g @ self.covariance @ g))
 
 
 @dataclass(frozen=True)
-class TouchedSphere:
+class ProbedSphere:
     """A sphere of known size that N contacts fix."""
 
     nominal: NominalSphere
@@ -75,7 +75,7 @@ class TouchedSphere:
         return _worst(self.covariance)
 
 
-def touched_plane(arm: Arm, q_rad: Floats) -> TouchedPlane:
+def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
     """The plane that the tip touched at encoder angles (N, n).
 
     Raises:
@@ -85,7 +85,7 @@ def touched_plane(arm: Arm, q_rad: Floats) -> TouchedPlane:
     middle = tips.mean(axis=0)
     values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
     if np.sqrt(values[1]) < LEAST_SPREAD_MM:
-        raise Refusal(
+        raise OperationError(
             "touches-on-a-line",
             f"The touches lie within {2 * np.sqrt(values[1]):.1f} mm of one line",
             "they fix no plane",
@@ -95,14 +95,14 @@ def touched_plane(arm: Arm, q_rad: Floats) -> TouchedPlane:
     if float(np.mean((_flanges(arm, q_rad) - tips) @ normal)) < 0:
         normal = -normal
     off = (tips - middle) @ normal
-    a, b = across(normal)
+    a, b = perpendicular_axes(normal)
     J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
-    sd = _touch_sd(arm, q_rad, off, np.tile(normal, (len(tips), 1)), 3)
+    sd = _contact_sd(arm, q_rad, off, np.tile(normal, (len(tips), 1)), 3)
     nominal = NominalPlane(middle - arm.tip.radius_mm * normal, normal)
-    return TouchedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
+    return ProbedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
 
 
-def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
+def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere:
     """The sphere of a known radius that the tip touched at encoder angles (N, n).
 
     Raises:
@@ -111,17 +111,17 @@ def touched_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> TouchedSphere:
     tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
     reach_mm = radius_mm + arm.tip.radius_mm
     free, free_mm, J = sphere_through(tips)
-    centre = _centre_of(tips, reach_mm, free)
+    centre = _fit_centre(tips, reach_mm, free)
     far, outward = _outward(tips, centre)
     if float(np.linalg.eigvalsh(outward.T @ outward)[0]) < LEAST_FACING * len(tips):
-        raise Refusal(
+        raise OperationError(
             "touches-too-close",
             "The touches lie too near together, or on one ring about the sphere",
             "they do not fix its centre",
             "Touch its top and all around its side",
         )
-    sd = _touch_sd(arm, q_rad, far - reach_mm, outward, 3)
-    return TouchedSphere(
+    sd = _contact_sd(arm, q_rad, far - reach_mm, outward, 3)
+    return ProbedSphere(
         NominalSphere(centre, radius_mm),
         far - reach_mm,
         np.asarray(sd**2 * np.linalg.inv(outward.T @ outward)),
@@ -135,7 +135,7 @@ def _radius_sd_mm(arm: Arm, q_rad: Floats, off: Floats, J: Floats) -> float:
     if values[0] < FIXED_RADIUS * values[-1]:
         return float("inf")
     cofactor = float(np.sum(vectors[3] ** 2 / values))
-    return _touch_sd(arm, q_rad, off, J[:, :3], 4) * float(np.sqrt(cofactor))
+    return _contact_sd(arm, q_rad, off, J[:, :3], 4) * float(np.sqrt(cofactor))
 
 
 def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
@@ -147,7 +147,7 @@ def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
 
 def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
     if len(q_rad) < least:
-        raise Refusal(
+        raise OperationError(
             "too-few-touches",
             f"The {shape} has {len(q_rad)} touches",
             f"at least {least} are needed",
@@ -160,7 +160,7 @@ def _flanges(arm: Arm, q_rad: Floats) -> Floats:
     return np.asarray(flange_poses(arm, q_rad)[:, :3, 3])
 
 
-def _touch_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
+def _contact_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
     """Of one touch, k = 1: by how they scatter, allowing for how few there are, and no
     better than the encoders are."""
     from scipy.special import stdtrit  # slow to load, and seldom needed
@@ -188,7 +188,7 @@ def sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
     return centre, radius, J
 
 
-def _centre_of(tips: Floats, radius_mm: float, start: Floats) -> Floats:
+def _fit_centre(tips: Floats, radius_mm: float, start: Floats) -> Floats:
     """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
     centre = start
     for _ in range(STEPS):

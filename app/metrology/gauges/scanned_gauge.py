@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from app.errors import Refusal
-from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draws, finite_points
+from app.errors import OperationError
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
 from app.metrology.transforms import Floats
 
@@ -39,7 +39,7 @@ class GaugeCloud:
     """(N, 3) that the fit was made of, arm frame."""
 
 
-def gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
+def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     """The plane gauge in a cloud (N, 3) of frames (N,).
 
     Raises:
@@ -53,16 +53,16 @@ def gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     values = np.linalg.eigvalsh(np.cov(inside.T))
     width = 4 * float(np.sqrt(values[1]))
     if width < LEAST_WIDTH_MM:
-        raise Refusal(
+        raise OperationError(
             "cloud-too-small",
             f"The cloud is a strip {width:.1f} mm wide",
             f"a plane needs {LEAST_WIDTH_MM:g} mm in both directions",
             "Pass over more of the gauge",
         )
-    return _measured(found, points, len(points_mm))
+    return _assemble_cloud(found, points, len(points_mm))
 
 
-def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
+def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
     """The sphere gauge of a known radius in a cloud (N, 3) of frames (N,).
 
     Raises:
@@ -71,17 +71,17 @@ def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) 
     points, frames = _usable(points_mm, frame)
     near = _near_sphere(points, radius_mm)
     if int(near.sum()) < LEAST_POINTS:
-        raise _no_such_sphere(radius_mm)
+        raise _no_sphere_error(radius_mm)
     points, frames = points[near], frames[near]
     try:
         found = measure_shape("sphere", points, frames)
-    except Refusal as refusal:
-        raise _no_such_sphere(radius_mm) from refusal
+    except OperationError as refusal:
+        raise _no_sphere_error(radius_mm) from refusal
     fit = found.fit
     assert isinstance(fit, SphereFit)
     off_mm = abs(fit.radius_mm - radius_mm)
     if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
-        raise Refusal(
+        raise OperationError(
             "another-gauge",
             f"The scanned sphere has a diameter of {2 * fit.radius_mm:.2f} mm",
             f"the chosen gauge has {2 * radius_mm:.2f} mm",
@@ -93,17 +93,17 @@ def gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) 
     length = float(np.linalg.norm(middle))
     cap = float(np.quantile(np.arccos(np.clip(outward @ middle / length, -1, 1)), 0.98))
     if cap < LEAST_CAP_RAD:
-        raise Refusal(
+        raise OperationError(
             "cloud-too-small",
             f"The cloud shows a cap of {np.rad2deg(cap):.0f}° of the sphere",
             f"at least {np.rad2deg(LEAST_CAP_RAD):.0f}° from its middle are needed",
             "Pass over it from several sides",
         )
     _refuse_rough(fit.rms_mm, "sphere")
-    return _measured(found, points, len(points_mm))
+    return _assemble_cloud(found, points, len(points_mm))
 
 
-def _measured(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud:
+def _assemble_cloud(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud:
     off = found.distances(points[found.fit.used])
     return GaugeCloud(found, of, len(off), zone_mm(off), points)
 
@@ -118,10 +118,10 @@ def zone_mm(off_mm: Floats) -> float:
 def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArray[np.int64]]:
     points, finite = finite_points(points_mm, 4, "gauge")
     frames = frame[finite]
-    once = _seen_once(points, frames)
+    once = _first_visits(points, frames)
     points, frames = points[once], frames[once]
     if len(points) < LEAST_POINTS:
-        raise Refusal(
+        raise OperationError(
             "cloud-too-small",
             f"The cloud has {len(points)} points",
             f"at least {LEAST_POINTS} are needed",
@@ -130,7 +130,7 @@ def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArra
     return points, frames
 
 
-def _seen_once(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _first_visits(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
     """(N,) the points of frames that lie where no frame before them lay.
 
     A hand that rests at the end of a pass would make the one line that it rests on weigh more
@@ -153,7 +153,7 @@ def _seen_once(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
 
 def _refuse_rough(rms_mm: float, shape: str) -> None:
     if rms_mm > ROUGHEST_MM:
-        raise Refusal(
+        raise OperationError(
             "another-gauge",
             f"The cloud is no {shape}: its points lie {rms_mm:.2f} mm rms off one",
             f"up to {ROUGHEST_MM:g} mm are taken for one",
@@ -167,7 +167,7 @@ def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
     Every three points have two spheres of a given radius through them. Three that lie within a
     radius of one another are of the sphere together far more often than any three are.
     """
-    sample, seeds = draws(points, 1)
+    sample, seeds = draw_samples(points, 1)
     rng = np.random.default_rng(0)
     about = KDTree(sample).query_ball_point(seeds[:, 0], radius_mm)
     threes = sample[[[*rng.choice(near, 3)] for near in about]]
@@ -184,7 +184,7 @@ def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
     rise2 = radius_mm**2 - np.sum(to_middle**2, axis=1)
     fits = rise2 > 0
     if not fits.any():
-        raise _no_such_sphere(radius_mm)
+        raise _no_sphere_error(radius_mm)
     rise = np.sqrt(rise2[fits] / area[fits])[:, None] * normal[fits]
     middles = a[fits] + to_middle[fits]
     centres = np.concatenate([middles + rise, middles - rise])
@@ -197,8 +197,8 @@ def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
     return np.asarray(np.abs(np.linalg.norm(points - best, axis=1) - radius_mm) < NEAR_MM)
 
 
-def _no_such_sphere(radius_mm: float) -> Refusal:
-    return Refusal(
+def _no_sphere_error(radius_mm: float) -> OperationError:
+    return OperationError(
         "another-gauge",
         f"There is no sphere of {2 * radius_mm:.2f} mm diameter in this cloud",
         "its points do not lie on one",

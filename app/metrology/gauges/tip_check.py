@@ -11,13 +11,13 @@ import numpy as np
 
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
 from app.metrology.gauges.conformity import Decision, decide
-from app.metrology.gauges.probed_gauge import sphere_through, touched_sphere
+from app.metrology.gauges.probed_gauge import fit_probed_sphere, sphere_through
 from app.metrology.transforms import Floats
 
 OTHER_TIP_MM = 0.3
 """A diameter so far off is another tip's (or another sphere's)."""
 BEND_SDS = 3.0
-BEND_TOUCHES = 8
+BEND_CONTACTS = 8
 LEAST_TURN_RAD = float(np.deg2rad(25.0))
 """The stylus' directions must differ by so much for a bend to show."""
 K = 2.0
@@ -57,7 +57,7 @@ def check_tip(
     Raises:
         Refusal: as ``touched_gauge.touched_sphere``.
     """
-    found = touched_sphere(arm, q_rad, sphere_diameter_mm / 2)
+    found = fit_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
     # the touches have the sphere bigger by what the tip is bigger than its papers
     error_mm = 2 * (found.radius_mm - sphere_diameter_mm / 2)
     sd_mm = float(np.hypot(2 * found.radius_sd_mm, sphere_sd_mm))
@@ -107,7 +107,7 @@ def _bend_mm(arm: Arm, q_rad: Floats, tips: Floats, centre: Floats) -> tuple[flo
     R = flange_poses(arm, q_rad)[:, :3, :3]
     stylus = R @ (arm.tip.centre_mm / np.linalg.norm(arm.tip.centre_mm))
     turned = float(np.arccos(np.clip(np.min(stylus @ stylus.T), -1.0, 1.0)))
-    if len(tips) < BEND_TOUCHES or turned < LEAST_TURN_RAD:
+    if len(tips) < BEND_CONTACTS or turned < LEAST_TURN_RAD:
         return None
     outward = (tips - centre) / np.linalg.norm(tips - centre, axis=1)[:, None]
     off = np.linalg.norm(tips - centre, axis=1)

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
 from app.metrology.probing.contacts import (
-    BESIDE_FACE_MM,
-    beside_face,
-    contacts_of,
+    FACE_SLACK_MM,
+    build_contacts,
+    off_face_mask,
     refuse_lines,
     surface_points,
 )
@@ -92,19 +92,19 @@ def align(
         Refusal: unknown face, too few contacts, contacts on one line, or contacts
             that do not fit on the block as they are labelled.
     """
-    contacts = contacts_of(
+    contacts = build_contacts(
         tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2
     )
     refuse_lines(contacts)
     start = best_start(contacts, tip_radius_mm, block)
     T_arm_obj, kept = fit_without_outliers(contacts, start)
     points_obj = surface_points(contacts, T_arm_obj, tip_radius_mm)
-    off_face = beside_face(contacts.features, points_obj, block) & kept
+    off_face = off_face_mask(contacts.features, points_obj, block) & kept
     if off_face.sum() > max(1, len(kept) // 10):
         mirrored = points_obj * [-1, 1, 1] + [block.edges_x_mm[0] + block.edges_x_mm[-1], 0, 0]
-        if not (beside_face(contacts.features, mirrored, block) & kept).any():
-            raise _mirrored(int(off_face.sum()), len(kept))
-        raise _mislabelled(contacts.features, off_face)
+        if not (off_face_mask(contacts.features, mirrored, block) & kept).any():
+            raise _mirror_error(int(off_face.sum()), len(kept))
+        raise _label_error(contacts.features, off_face)
     residuals = contacts.residuals_mm(T_arm_obj)
     J, centre_mm = jacobian(contacts, T_arm_obj)
     sds_mm = contacts.sds_mm(T_arm_obj)
@@ -138,10 +138,10 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
     Raises:
         Refusal: names the first such contact and the face that it lies on.
     """
-    far = alignment.outliers & (np.abs(alignment.residuals_mm) >= BESIDE_FACE_MM)
+    far = alignment.outliers & (np.abs(alignment.residuals_mm) >= FACE_SLACK_MM)
     count = int(far.sum())
     if count and alignment.rms_mm > POOR_FIT_MM:
-        raise Refusal(
+        raise OperationError(
             "contacts-do-not-fit",
             f"the contacts fit the block to {alignment.rms_mm:.2f} mm rms only, and "
             f"{count} of {len(far)} not at all",
@@ -151,7 +151,7 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
     for i in map(int, np.flatnonzero(far)):
         found = other_face(alignment, i, features[i], block)
         place = f"it lies on the {found} face" if found else "it lies on no face at all"
-        raise Refusal(
+        raise OperationError(
             "contact-on-wrong-face",
             f"contact {i + 1} is labelled {features[i]}, but misses that face by "
             f"{abs(alignment.residuals_mm[i]):.1f} mm",
@@ -184,12 +184,12 @@ def other_face(alignment: Alignment, contact: int, labelled: str, block: Crenell
 def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) -> bool:
     normal, offset_mm = probing_face(block, face)
     point = tip_mm - radius_mm * normal
-    near = abs(float(normal @ point) - offset_mm) < BESIDE_FACE_MM
-    return near and not bool(beside_face([face], point[None], block)[0])
+    near = abs(float(normal @ point) - offset_mm) < FACE_SLACK_MM
+    return near and not bool(off_face_mask([face], point[None], block)[0])
 
 
-def _mirrored(off_face: int, contacts: int) -> Refusal:
-    return Refusal(
+def _mirror_error(off_face: int, contacts: int) -> OperationError:
+    return OperationError(
         "contacts-mirrored",
         f"{off_face} of {contacts} contacts lie beside the crests or floors that were touched",
         "the merlons stand in the mirrored order",
@@ -197,12 +197,12 @@ def _mirrored(off_face: int, contacts: int) -> Refusal:
     )
 
 
-def _mislabelled(features: Sequence[str], off_face: NDArray[np.bool_]) -> Refusal:
+def _label_error(features: Sequence[str], off_face: NDArray[np.bool_]) -> OperationError:
     faces = sorted({features[int(i)] for i in np.flatnonzero(off_face)})
     remedy = "Check which face each contact was taken on, the tip, and the object's certificate"
     if 2 * off_face.sum() > len(features):
         remedy = CHECK_THE_ARM
-    return Refusal(
+    return OperationError(
         "contacts-do-not-fit",
         f"{int(off_face.sum())} of {len(features)} contacts lie beside the face they are labelled "
         f"with ({', '.join(faces)})",

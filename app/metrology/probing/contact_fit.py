@@ -4,13 +4,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.probing.contacts import (
-    BESIDE_FACE_MM,
     DIRECTIONS,
-    Contacts,
-    beside_face,
+    FACE_SLACK_MM,
+    FaceContacts,
     in_plane_spread,
+    missing_contacts,
+    off_face_mask,
     surface_points,
-    what_is_missing,
 )
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
@@ -18,7 +18,7 @@ from app.metrology.transforms import Floats, nearest_rotation, rigid, rotation_f
 OUTLIER_SIGMAS = 4.0
 
 
-def best_start(contacts: Contacts, tip_radius_mm: float, block: Crenellated) -> Floats:
+def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated) -> Floats:
     """The pose that puts most contacts onto their faces, among the four that fit as planes.
 
     Three perpendicular planes are matched equally well by four orientations of the
@@ -31,13 +31,15 @@ def best_start(contacts: Contacts, tip_radius_mm: float, block: Crenellated) -> 
             T, step = _step(contacts, T, _huber(contacts.residuals_mm(T)))
             if step < 1e-9:
                 break
-        off_face = beside_face(contacts.features, surface_points(contacts, T, tip_radius_mm), block)
+        off_face = off_face_mask(
+            contacts.features, surface_points(contacts, T, tip_radius_mm), block
+        )
         misfit = float(np.median(np.abs(contacts.residuals_mm(T))))
         found.append((int(off_face.sum()), misfit, T))
     return min(found, key=lambda start: start[:2])[2]
 
 
-def _start_rotations(contacts: Contacts) -> list[Floats]:
+def _start_rotations(contacts: FaceContacts) -> list[Floats]:
     """The four rotations ``R_arm_obj`` that turn the block's axes into the planes touched."""
     labels = np.array(contacts.features)
     axes: list[Floats] = []
@@ -55,7 +57,7 @@ def _start_rotations(contacts: Contacts) -> list[Floats]:
     return rotations
 
 
-def _start_translation(contacts: Contacts, rotation: Floats) -> Floats:
+def _start_translation(contacts: FaceContacts, rotation: Floats) -> Floats:
     """Least-squares ``T_arm_obj`` for a given ``R_arm_obj``: linear in the translation."""
     normals_arm = contacts.normals @ rotation.T
     along = np.einsum("ij,ij->i", normals_arm, contacts.tips_mm) - contacts.reach_mm
@@ -63,7 +65,7 @@ def _start_translation(contacts: Contacts, rotation: Floats) -> Floats:
     return rigid(rotation, translation)
 
 
-def jacobian(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
+def jacobian(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
     """(N, 6) derivative of the residuals by a left perturbation of ``T_arm_obj``, and its pivot."""
     centre_mm = contacts.tips_mm.mean(axis=0)
     normals_arm = contacts.normals @ T_arm_obj[:3, :3].T
@@ -71,7 +73,7 @@ def jacobian(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
     return np.column_stack([-np.cross(arms, normals_arm), -normals_arm]), centre_mm
 
 
-def _step(contacts: Contacts, T_arm_obj: Floats, weights: Floats) -> tuple[Floats, float]:
+def _step(contacts: FaceContacts, T_arm_obj: Floats, weights: Floats) -> tuple[Floats, float]:
     """One weighted Gauss-Newton step; returns the new pose and the step's size in mm."""
     J, centre_mm = jacobian(contacts, T_arm_obj)
     root = np.sqrt(weights)
@@ -88,7 +90,9 @@ def _huber(residuals_mm: Floats) -> Floats:
     return np.minimum(1.0, 1.5 * scale / np.maximum(np.abs(residuals_mm), 1e-12))
 
 
-def fit_without_outliers(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+def fit_without_outliers(
+    contacts: FaceContacts, T_arm_obj: Floats
+) -> tuple[Floats, NDArray[np.bool_]]:
     """Least squares on the contacts that agree; (N,) mask of those kept.
 
     Contacts that miss their face by millimetres at the robust start are on another
@@ -97,8 +101,8 @@ def fit_without_outliers(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats,
     (its leverage taken into account), as long as it exceeds the limit and enough
     contacts remain.
     """
-    kept = np.abs(contacts.residuals_mm(T_arm_obj)) < BESIDE_FACE_MM
-    if what_is_missing([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
+    kept = np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM
+    if missing_contacts([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
         kept[:] = True
     while True:
         for _ in range(20):
@@ -112,7 +116,9 @@ def fit_without_outliers(contacts: Contacts, T_arm_obj: Floats) -> tuple[Floats,
         kept[worst] = False
 
 
-def _worst_outlier(contacts: Contacts, T_arm_obj: Floats, kept: NDArray[np.bool_]) -> int | None:
+def _worst_outlier(
+    contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]
+) -> int | None:
     """Index of the contact that most exceeds the limit, by its deleted (studentised) residual."""
     J, _ = jacobian(contacts, T_arm_obj)
     own = np.flatnonzero(kept)
@@ -133,6 +139,6 @@ def _worst_outlier(contacts: Contacts, T_arm_obj: Floats, kept: NDArray[np.bool_
         if deleted[worst] <= limit:
             return None
         remaining = [contacts.features[int(i)] for i in own if i != own[worst]]
-        if not what_is_missing(remaining):
+        if not missing_contacts(remaining):
             return int(own[worst])
     return None

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
 from app.metrology.transforms import Floats, apply, inverse
 
@@ -18,14 +18,14 @@ MIN_SPREAD_MM = 0.5
 """Contacts whose rms distance from their best line is less count as lying on it."""
 CONTACT_SD_MM = 0.001
 """Repeatability of the touch itself, beside the encoders' noise."""
-BESIDE_FACE_MM = 1.5
+FACE_SLACK_MM = 1.5
 """How far beside its face a contact may seem to lie before it counts as off it."""
-BESIDE_MERLON_MM = 0.5
+MERLON_SLACK_MM = 0.5
 """The same across a crest or floor: the tip meets the edge before it passes it."""
 
 
 @dataclass(frozen=True)
-class Contacts:
+class FaceContacts:
     """Contact points with the planes that they touch."""
 
     features: tuple[str, ...]
@@ -46,7 +46,7 @@ class Contacts:
         return np.asarray(np.sqrt(variances + CONTACT_SD_MM**2))
 
 
-def what_is_missing(features: Sequence[str]) -> str:
+def missing_contacts(features: Sequence[str]) -> str:
     """What must still be probed before an alignment is possible; empty when nothing is.
 
     Args:
@@ -61,35 +61,35 @@ def what_is_missing(features: Sequence[str]) -> str:
     return "Touch " + ", ".join(wanted) if wanted else ""
 
 
-def contacts_of(
+def build_contacts(
     features: tuple[str, ...],
     tip_centres_mm: Floats,
     tip_radius_mm: float,
     block: Crenellated,
     tip_covariances_mm2: Floats | None,
-) -> Contacts:
+) -> FaceContacts:
     tips = np.asarray(tip_centres_mm, dtype=np.float64)
     for i, face in enumerate(features):
         if face not in FACES:
-            raise Refusal(
+            raise OperationError(
                 "unknown-face",
                 f"contact {i + 1} is on an unknown face '{face}'",
                 f"the faces are {', '.join(FACES)}",
             )
     if tips.shape != (len(features), 3) or not np.all(np.isfinite(tips)):
-        raise Refusal(
+        raise OperationError(
             "bad-contacts", f"{len(features)} contacts were given with positions {tips.shape}"
         )
-    missing = what_is_missing(features)
+    missing = missing_contacts(features)
     if missing:
-        raise Refusal(
+        raise OperationError(
             "too-few-contacts",
             f"{len(features)} contacts do not fix the object's position",
             f"at least {MIN_CONTACTS} are needed on each of three non-parallel faces",
             missing,
         )
     planes = [probing_face(block, face) for face in features]
-    return Contacts(
+    return FaceContacts(
         features=features,
         tips_mm=tips,
         normals=np.array([normal for normal, _ in planes]),
@@ -100,14 +100,14 @@ def contacts_of(
     )
 
 
-def refuse_lines(contacts: Contacts) -> None:
+def refuse_lines(contacts: FaceContacts) -> None:
     labels = np.array(contacts.features)
     for faces in DIRECTIONS:
         own = [face for face in faces if face in contacts.features]
         spreads = {face: in_plane_spread(contacts.tips_mm[labels == face]) for face in own}
         if max(spread for spread, _ in spreads.values()) < MIN_SPREAD_MM:
             face = max(own, key=lambda name: spreads[name][0])
-            raise Refusal(
+            raise OperationError(
                 "contacts-on-a-line",
                 f"the {int((labels == face).sum())} contacts on the {face} face lie on one line",
                 "the face can turn about that line",
@@ -139,13 +139,13 @@ def in_plane_spread(points_mm: Floats) -> tuple[float, Floats]:
     return float(s[1] / np.sqrt(near.sum())), Vt[2]
 
 
-def surface_points(contacts: Contacts, T_arm_obj: Floats, tip_radius_mm: float) -> Floats:
+def surface_points(contacts: FaceContacts, T_arm_obj: Floats, tip_radius_mm: float) -> Floats:
     return np.asarray(
         apply(inverse(T_arm_obj), contacts.tips_mm) - tip_radius_mm * contacts.normals
     )
 
 
-def beside_face(
+def off_face_mask(
     features: Sequence[str], points_obj_mm: Floats, block: Crenellated
 ) -> NDArray[np.bool_]:
     """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to.
@@ -155,13 +155,13 @@ def beside_face(
     """
     x, y, z = points_obj_mm.T
     edges = np.array(block.edges_x_mm)
-    slack = BESIDE_FACE_MM
+    slack = FACE_SLACK_MM
     in_x = (x > edges[0] - slack) & (x < edges[-1] + slack)
     in_y = (y > block.front_y_mm - slack) & (y < block.back_y_mm + slack)
     in_z = (z > block.base_z_mm - slack) & (z < block.crest_z_mm + slack)
     within = {
-        "crest": _in_a_span(x, edges[0::2], edges[1::2]) & in_y,
-        "floor": _in_a_span(x, edges[1:-1:2], edges[2::2]) & in_y,
+        "crest": _within_spans(x, edges[0::2], edges[1::2]) & in_y,
+        "floor": _within_spans(x, edges[1:-1:2], edges[2::2]) & in_y,
         "front": in_x & in_z,
         "back": in_x & in_z,
         "left": in_y & in_z,
@@ -170,7 +170,7 @@ def beside_face(
     return np.array([not within[face][i] for i, face in enumerate(features)], dtype=bool)
 
 
-def _in_a_span(x_mm: Floats, left_mm: Floats, right_mm: Floats) -> NDArray[np.bool_]:
+def _within_spans(x_mm: Floats, left_mm: Floats, right_mm: Floats) -> NDArray[np.bool_]:
     """(N,) which places lie on one of the merlons, or grooves, of these edges."""
-    after = x_mm[:, None] > left_mm - BESIDE_MERLON_MM
-    return np.asarray((after & (x_mm[:, None] < right_mm + BESIDE_MERLON_MM)).any(axis=1))
+    after = x_mm[:, None] > left_mm - MERLON_SLACK_MM
+    return np.asarray((after & (x_mm[:, None] < right_mm + MERLON_SLACK_MM)).any(axis=1))

@@ -47,7 +47,7 @@ def project(camera: Camera, points_mm: Floats) -> Floats:
     return np.column_stack([K[0, 0] * xd + K[0, 1] * yd + K[0, 2], K[1, 1] * yd + K[1, 2]])
 
 
-def normalised(camera: Camera, uv_px: Floats) -> Floats:
+def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
     """Undistorted directions (N, 2), x/z and y/z in the camera frame, of pixels (N, 2)."""
     uv = np.ascontiguousarray(uv_px, dtype=np.float64).reshape(-1, 1, 2)
     if not len(uv):  # OpenCV has no answer for no points
@@ -61,7 +61,7 @@ def normalised(camera: Camera, uv_px: Floats) -> Floats:
 
 def rays(camera: Camera, uv_px: Floats) -> tuple[Floats, Floats]:
     """Origin (3,) and directions (N, 3), not of unit length, in the sensor frame."""
-    xy = normalised(camera, uv_px)
+    xy = undistort_pixels(camera, uv_px)
     return camera.centre_mm, np.column_stack([xy, np.ones(len(xy))]) @ camera.rotation
 
 

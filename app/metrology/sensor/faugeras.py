@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats, nearest_rotation
 
@@ -69,15 +69,15 @@ def solve_faugeras(
 
 def _require_points(points: Floats, uv: Floats) -> None:
     if points.ndim != 2 or points.shape[1] != 3 or uv.shape != (len(points), 2):
-        raise Refusal(
+        raise OperationError(
             "points-malformed",
             f"object points of shape {points.shape} and pixels of shape {uv.shape}",
             "each point needs three coordinates and one pixel (u, v)",
         )
     if not (np.isfinite(points).all() and np.isfinite(uv).all()):
-        raise Refusal("points-not-finite", "an object point or a pixel is not a number")
+        raise OperationError("points-not-finite", "an object point or a pixel is not a number")
     if len(points) < 6:
-        raise Refusal(
+        raise OperationError(
             "degenerate-too-few-points",
             f"{len(points)} corners were found in the picture",
             "the camera's matrix needs at least six, on crests and floors",
@@ -92,14 +92,14 @@ def _refuse_flat(points: Floats) -> None:
     if extent[2] > FLAT * extent[0]:
         return
     if np.ptp(points[:, 2]) <= FLAT * extent[0]:
-        raise Refusal(
+        raise OperationError(
             "degenerate-one-level",
             f"all {len(points)} corners lie on one level, z = {points[0, 2]:.3f} mm",
             "one plane does not fix focal length, stand-off and the laser plane together",
             "place the sensor so that both crests and floors are in the picture",
         )
     normal = ", ".join(f"{value:.2f}" for value in axes[2])
-    raise Refusal(
+    raise OperationError(
         "degenerate-one-row",
         f"all {len(points)} corners lie in one plane with normal ({normal})",
         "with only one row of corners on each level, the camera is not fixed",
@@ -113,7 +113,7 @@ def _normalising(points: Floats) -> Floats:
     centre = points.mean(axis=0)
     rms = float(np.sqrt(np.mean(np.sum((points - centre) ** 2, axis=1))))
     if rms == 0.0:
-        raise Refusal("degenerate-one-pixel", "all corners were given the same pixel")
+        raise OperationError("degenerate-one-pixel", "all corners were given the same pixel")
     T = np.eye(n + 1)
     T[:n, :n] *= np.sqrt(n) / rms
     T[:n, n] = -centre * np.sqrt(n) / rms
@@ -137,7 +137,7 @@ def _condition(system: Floats, points: Floats) -> float:
     values = np.linalg.svd(system, compute_uv=False)
     condition = float(values[0] / max(values[10], 1e-300))
     if condition > LARGEST_CONDITION:
-        raise Refusal(
+        raise OperationError(
             "degenerate-flat",
             f"the {len(points)} corners fix the camera badly "
             f"(condition number {condition:.3g}, limit {LARGEST_CONDITION:.0f})",
@@ -168,7 +168,7 @@ def _in_front(matrix: Floats, points: Floats) -> Floats:
         return -matrix
     if np.all(depths > 0):
         return matrix
-    raise Refusal(
+    raise OperationError(
         "degenerate-behind-the-camera",
         f"{int(min((depths > 0).sum(), (depths < 0).sum()))} of {len(points)} corners would lie "
         "behind the camera",
@@ -184,7 +184,7 @@ def _decompose(matrix: Floats, width_px: int, height_px: int) -> tuple[Camera, f
     fy = float(np.linalg.norm(np.cross(m2, m3)))
     R = np.array([(m1 - u0 * m3) / fx, (m2 - v0 * m3) / fy, m3])
     if np.linalg.det(R) < 0:
-        raise Refusal(
+        raise OperationError(
             "object-mirrored",
             "the picture shows the object's mirror image",
             "left and right corners were exchanged, or the image is flipped",

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.transforms import Floats
 
@@ -72,7 +72,7 @@ def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
     angle = float(np.degrees(np.arcsin(np.median(sine))))
     if angle < LEAST_ANGLE_DEG:
-        raise Refusal(
+        raise OperationError(
             "laser-through-camera",
             f"the camera looks along the laser plane, {angle:.1f} deg off it "
             f"(limit {LEAST_ANGLE_DEG:.0f} deg)",

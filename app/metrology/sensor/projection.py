@@ -13,7 +13,7 @@ COUNT = len(PARAMETERS)
 LENS = slice(10, 14)
 
 
-def stepped(camera: Camera, step: Floats) -> Camera:
+def step_camera(camera: Camera, step: Floats) -> Camera:
     """The camera after adding a step (14,) to its ``PARAMETERS``."""
     matrix = camera.matrix.copy()
     matrix[0, 0] += step[0]

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
-from app.native.arguments import BOOL, F64, I64, Array, Function, Whole
+from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.product import CRENEL
 
 _alike = Function(CRENEL, "neighbours_alike", Array(F64, "n", 2), Array(F64, "n"), returns=float)
@@ -16,8 +16,8 @@ _variances = Function(
     Array(BOOL, "n"),
     Array(F64, "n"),
     Array(F64, "n", 2),
-    Whole(),
-    Whole(),
+    Integer(),
+    Integer(),
     Array(F64, "n", written=True),
     Array(F64, 3, "n", written=True),
 )

@@ -12,7 +12,7 @@ from app.metrology.transforms import Floats, apply
 from app.native.arguments import F64, I64, Array, Function
 from app.native.product import CRENEL
 
-Counts = NDArray[np.int64]
+PixelCounts = NDArray[np.int64]
 
 _frame_points = Function(
     CRENEL,
@@ -70,7 +70,7 @@ def frame_points(
     plane: LaserPlane,
     u_px: Floats,
     v_px: Floats,
-    count: Counts,
+    count: PixelCounts,
     T_arm_sensor: Floats,
     points_mm: Floats | None = None,
 ) -> Floats:
@@ -100,7 +100,7 @@ def scan_points(
     v_px: Floats,
     sigma_px: Floats,
     axis: str,
-    count: Counts,
+    count: PixelCounts,
     T_arm_sensor: Floats,
 ) -> tuple[Floats, Floats]:
     """Points of some frames in the arm frame (Eq. 9), and their standard uncertainty (k = 1).
@@ -137,7 +137,7 @@ def _fill(
     plane: LaserPlane,
     u_px: Floats,
     v_px: Floats,
-    count: Counts,
+    count: PixelCounts,
     T_arm_sensor: Floats,
     points_mm: Floats,
     sigma_px: Floats | None = None,

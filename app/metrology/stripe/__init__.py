@@ -30,17 +30,17 @@ flanks tell where it lies:
 """
 
 from app.metrology.stripe.extraction import extract_stripe
-from app.metrology.stripe.points import Stripe, empty_stripe, joined_stripes
-from app.metrology.stripe.settings import AUTOMATIC, Choice, StripeSettings
+from app.metrology.stripe.points import Stripe, concatenate_stripes, empty_stripe
+from app.metrology.stripe.settings import AUTOMATIC, PeakChoice, StripeSettings
 from app.metrology.stripe.tracking import StripeTracker
 
 __all__ = [
     "AUTOMATIC",
-    "Choice",
+    "PeakChoice",
     "Stripe",
     "StripeSettings",
     "StripeTracker",
+    "concatenate_stripes",
     "empty_stripe",
     "extract_stripe",
-    "joined_stripes",
 ]

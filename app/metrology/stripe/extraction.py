@@ -6,15 +6,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.image import Image
-from app.metrology.stripe.points import Stripe, empty_stripe, stripe_of
+from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
 from app.metrology.stripe.workspace import (
     LEAST_ROWS,
     Fields,
-    give_back,
-    take_workspace,
+    acquire_workspace,
+    release_workspace,
 )
 from app.native.arguments import U8, U16, Function, Record
 from app.native.product import CRENEL
@@ -50,9 +50,9 @@ def extract_stripe(
         Refusal: not a grey image of whole numbers, a mask of another size, an unknown
             axis, or settings that contradict themselves.
     """
-    grey = turned_image(image, axis)
+    grey = orient_image(image, axis)
     whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
-    return extract_parts(grey, axis, whole, turned_mask(where, grey, axis), settings)
+    return extract_parts(grey, axis, whole, orient_mask(where, grey, axis), settings)
 
 
 def extract_parts(
@@ -66,7 +66,7 @@ def extract_parts(
     """The stripe in parts of an image that is turned already; see ``extract_stripe``.
 
     Args:
-        grey: (H, W) with the stripe across its columns, as ``turned_image`` makes it.
+        grey: (H, W) with the stripe across its columns, as ``orient_image`` makes it.
         parts: (n, 4) first row and the one behind the last, first column and the one
             behind the last, of what is looked at.
         where: (H, W) pixels in which the stripe may lie; None for all.
@@ -77,17 +77,17 @@ def extract_parts(
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
         return empty_stripe(axis)
     known = np.zeros(4, dtype=np.float32) if known is None else known
-    workspace = take_workspace(grey)
+    workspace = acquire_workspace(grey)
     try:
         workspace.set_frame(grey, parts, where, known)
         workspace.set_settings(settings)
         count = EXTRACT[grey.dtype](workspace.fields)
-        return stripe_of(workspace.points[:, :count].copy(), axis)
+        return stripe_from_points(workspace.points[:, :count].copy(), axis)
     finally:
-        give_back(workspace)
+        release_workspace(workspace)
 
 
-def turned_image(image: Image, axis: str) -> Image:
+def orient_image(image: Image, axis: str) -> Image:
     """The image with the stripe across its columns, rows contiguous in memory.
 
     Raises:
@@ -95,19 +95,19 @@ def turned_image(image: Image, axis: str) -> Image:
     """
     array = np.asarray(image)
     if array.ndim != 2 or array.dtype not in EXTRACT:
-        raise Refusal(
+        raise OperationError(
             "image-not-grey",
             f"an image of shape {array.shape} and type {array.dtype}",
             "a stripe is extracted from grey images of 8 to 16 bits, height by width",
         )
     if axis not in ("u", "v"):
-        raise Refusal("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
+        raise OperationError("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
     if axis == "u":
         return np.ascontiguousarray(array)
     return cast(Image, cv2.transpose(cast(Image, array)))
 
 
-def turned_mask(
+def orient_mask(
     where: NDArray[np.bool_] | None, grey: Image, axis: str
 ) -> NDArray[np.bool_] | None:
     """The mask turned as the image was.
@@ -119,7 +119,7 @@ def turned_mask(
         return None
     turned = np.ascontiguousarray(where if axis == "u" else where.T, dtype=np.bool_)
     if turned.shape != grey.shape:
-        raise Refusal(
+        raise OperationError(
             "mask-size",
             f"a mask of {where.shape} pixels for an image of another size",
             "a mask says of every pixel whether the stripe may lie there",

@@ -39,7 +39,7 @@ class Stripe:
         return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
 
 
-def stripe_of(points: Floats, axis: str) -> Stripe:
+def stripe_from_points(points: Floats, axis: str) -> Stripe:
     """The stripe of points (4, N): along, across, height, standard deviation."""
     along, across, height, sigma = points
     return Stripe(*((along, across) if axis == "u" else (across, along)), height, sigma, axis)
@@ -47,10 +47,10 @@ def stripe_of(points: Floats, axis: str) -> Stripe:
 
 def empty_stripe(axis: str) -> Stripe:
     """A stripe of no points, counted along an axis."""
-    return stripe_of(np.zeros((4, 0)), axis)
+    return stripe_from_points(np.zeros((4, 0)), axis)
 
 
-def joined_stripes(parts: Sequence[Stripe]) -> Stripe:
+def concatenate_stripes(parts: Sequence[Stripe]) -> Stripe:
     """The points of stripes that were counted along the same axis, one after the other."""
     return Stripe(
         np.concatenate([part.u for part in parts]),

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from app.errors import Refusal
+from app.errors import OperationError
 
-Choice = Literal["continuity", "strength", "first", "last"]
-CHOICES: tuple[Choice, ...] = ("continuity", "strength", "first", "last")
+PeakChoice = Literal["continuity", "strength", "first", "last"]
+CHOICES: tuple[PeakChoice, ...] = ("continuity", "strength", "first", "last")
 SHORTEST_RUN = 6
 """A point belongs to a run of at least this many neighbouring points."""
 
@@ -29,7 +29,7 @@ class StripeSettings:
     min_width_px: float | None = None
     max_width_px: float | None = None
     min_run: int = SHORTEST_RUN
-    choice: Choice = "continuity"
+    choice: PeakChoice = "continuity"
 
 
 AUTOMATIC = StripeSettings()
@@ -54,7 +54,7 @@ def check_settings(settings: StripeSettings) -> None:
     elif settings.choice not in CHOICES:
         wrong = f'the choice "{settings.choice}"'
     if wrong:
-        raise Refusal(
+        raise OperationError(
             "stripe-settings",
             f"{wrong} of the stripe",
             f"widths are positive and ascend; the choice is one of {', '.join(CHOICES)}",

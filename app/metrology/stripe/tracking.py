@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.image import Image
-from app.metrology.stripe.extraction import extract_parts, turned_image, turned_mask
+from app.metrology.stripe.extraction import extract_parts, orient_image, orient_mask
 from app.metrology.stripe.points import Stripe
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
-from app.native.arguments import BOOL, F64, I64, Array, Function, Whole
+from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.product import CRENEL
 
 BLOCK_PX = 256
@@ -25,10 +25,10 @@ _plan_parts = Function(
     Array(F64, "n"),
     Array(F64, "n"),
     Array(BOOL, "blocks"),
-    Whole(),
-    Whole(),
-    Whole(),
-    Whole(),
+    Integer(),
+    Integer(),
+    Integer(),
+    Integer(),
     Array(I64, "most", 4, written=True),
     returns=int,
 )
@@ -73,9 +73,9 @@ class StripeTracker:
 
     def extract(self, image: Image) -> Stripe:
         """The stripe of the next frame; see ``extract_stripe`` for what is returned and raised."""
-        grey = turned_image(image, self._axis)
+        grey = orient_image(image, self._axis)
         if grey.shape != self._shape:
-            self._allowed = turned_mask(self._where, grey, self._axis)
+            self._allowed = orient_mask(self._where, grey, self._axis)
             self._shape = (grey.shape[0], grey.shape[1])
             self._counts = np.zeros(-(-grey.shape[1] // BLOCK_PX), dtype=np.int64)
             self._along = self._across = np.zeros(0)

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from app.metrology.image import Image
 from app.metrology.stripe.settings import CHOICES, StripeSettings
-from app.native.arguments import BOOL, F32, I64, Array, Function, Whole, pointer
+from app.native.arguments import BOOL, F32, I64, Array, Function, Integer, pointer
 from app.native.product import CRENEL
 
 ALIGNED_BYTES = 64
-SIZES_KEPT, WORKSPACES_KEPT = 4, 16
+MOST_SIZES, MOST_WORKSPACES = 4, 16
 PER_FULL_WIDTH = 1 / 2.3548
 """Standard deviation of a Gaussian whose width at half height is one."""
 # As in workspace.h, search.c and read_noise.c.
@@ -27,7 +27,7 @@ PARTS = Array(I64, "parts", 4)
 ALLOWED = Array(BOOL, "height", "width")
 KNOWN = Array(F32, 4, written=True)
 
-_clipped_bytes = Function(CRENEL, "clipped_bytes", Whole(), returns=int)
+_clipped_bytes = Function(CRENEL, "clipped_bytes", Integer(), returns=int)
 
 Key = tuple[tuple[int, int], "np.dtype[np.uint8] | np.dtype[np.uint16]"]
 
@@ -145,7 +145,7 @@ def _sigma(width_px: float | None) -> float:
 _free: dict[Key, deque[Workspace]] = {}
 
 
-def take_workspace(image: Image) -> Workspace:
+def acquire_workspace(image: Image) -> Workspace:
     """A workspace for images like this one, the caller's alone until it is given back."""
     key: Key = ((image.shape[0], image.shape[1]), image.dtype)
     try:
@@ -154,12 +154,12 @@ def take_workspace(image: Image) -> Workspace:
         return Workspace(key)
 
 
-def give_back(workspace: Workspace) -> None:
+def release_workspace(workspace: Workspace) -> None:
     """Keeps a workspace for the next caller; those of other sizes go when they are many."""
     if workspace.key not in _free:
-        if len(_free) >= SIZES_KEPT:
+        if len(_free) >= MOST_SIZES:
             _free.clear()
-        _free[workspace.key] = deque(maxlen=WORKSPACES_KEPT)
+        _free[workspace.key] = deque(maxlen=MOST_WORKSPACES)
     kept = _free.get(workspace.key)
     if kept is not None:
         kept.append(workspace)

@@ -2,7 +2,7 @@
 
 Its frame lies at the first inner corner, X along the rows, Z out of the board towards the
 camera. First is the corner whose outermost square is black; where the colours leave a
-choice (``ways_to_number``), every choice is as good as long as all pictures share it.
+choice (``numbering_count``), every choice is as good as long as all pictures share it.
 """
 
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ class Chessboard:
         return float(np.linalg.norm(self.extent_mm))
 
 
-def grid(board: Chessboard) -> NDArray[np.int64]:
+def corner_grid(board: Chessboard) -> NDArray[np.int64]:
     """(N, 2) column and row of every inner corner: along the first row, then the next."""
     columns, rows = board.inner_corners
     row, column = np.divmod(np.arange(columns * rows), columns)
@@ -48,17 +48,17 @@ def grid(board: Chessboard) -> NDArray[np.int64]:
 
 
 def corner_points(board: Chessboard) -> Floats:
-    """(N, 3) every inner corner in mm, in the board's frame, in the order of ``grid``."""
-    flat = grid(board) * board.square_mm
+    """(N, 3) every inner corner in mm, in the board's frame, in the order of ``corner_grid``."""
+    flat = corner_grid(board) * board.square_mm
     return np.column_stack([flat, np.zeros(len(flat))])
 
 
-def middle_of(board: Chessboard) -> Floats:
+def pattern_centre(board: Chessboard) -> Floats:
     """(3,) the middle of the pattern."""
     return np.array([*(board.extent_mm / 2), 0.0])
 
 
-def ways_to_number(board: Chessboard) -> int:
+def numbering_count(board: Chessboard) -> int:
     """In how many ways (1, 2 or 4) the board can lie so that its colours look the same."""
     columns, rows = board.inner_corners
     if (columns + rows) % 2:

@@ -37,7 +37,7 @@ class Crenellated:
 
 
 @dataclass(frozen=True)
-class Edge:
+class BlockEdge:
     """A straight edge of the block between two of its corners (3,), in the object frame."""
 
     name: str
@@ -68,7 +68,7 @@ def corners(block: Crenellated) -> dict[str, Floats]:
     return named
 
 
-def edges(block: Crenellated) -> list[Edge]:
+def edges(block: Crenellated) -> list[BlockEdge]:
     """Every straight edge of the block.
 
     Along X ``crest:I:front|back``, ``floor:J:front|back``, ``base:front|back``;
@@ -77,15 +77,19 @@ def edges(block: Crenellated) -> list[Edge]:
     (to the base at the block's two ends).
     """
     at = corners(block)
-    found: list[Edge] = []
+    found: list[BlockEdge] = []
     levels = [f"crest:{i}" for i in range(block.merlon_count)]
     levels += [f"floor:{j}" for j in range(block.merlon_count - 1)] + ["base"]
     for level in levels:
         for end in ("front", "back"):
-            found.append(Edge(f"{level}:{end}", at[f"{level}:L:{end}"], at[f"{level}:R:{end}"]))
+            found.append(
+                BlockEdge(f"{level}:{end}", at[f"{level}:L:{end}"], at[f"{level}:R:{end}"])
+            )
         for side in ("L", "R"):
             found.append(
-                Edge(f"{level}:{side}", at[f"{level}:{side}:front"], at[f"{level}:{side}:back"])
+                BlockEdge(
+                    f"{level}:{side}", at[f"{level}:{side}:front"], at[f"{level}:{side}:back"]
+                )
             )
     last = block.merlon_count - 1
     for i in range(block.merlon_count):
@@ -96,7 +100,7 @@ def edges(block: Crenellated) -> list[Edge]:
         for side, foot in feet.items():
             for end in ("front", "back"):
                 found.append(
-                    Edge(
+                    BlockEdge(
                         f"wall:{i}:{side}:{end}", at[f"crest:{i}:{side}:{end}"], at[f"{foot}:{end}"]
                     )
                 )

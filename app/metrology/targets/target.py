@@ -8,17 +8,17 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated, edges
 from app.metrology.transforms import Floats
 
-CalibrationObject = Crenellated | Chessboard
+CalibrationTarget = Crenellated | Chessboard
 
-Line = tuple[tuple[float, float], tuple[float, float]]
+PixelSegment = tuple[tuple[float, float], tuple[float, float]]
 """Of a drawing: the pixels of its two ends."""
 
 
-def middle_of(item: CalibrationObject) -> Floats:
+def target_centre(item: CalibrationTarget) -> Floats:
     """(3,) about which the sensor is held, object frame: of a block, the middle between its
     floors and crests; of a board, that of its pattern."""
     if isinstance(item, Chessboard):
-        return boards.middle_of(item)
+        return boards.pattern_centre(item)
     x = item.edges_x_mm
     return np.array(
         [
@@ -29,14 +29,14 @@ def middle_of(item: CalibrationObject) -> Floats:
     )
 
 
-def width_mm(item: CalibrationObject) -> float:
+def width_mm(item: CalibrationTarget) -> float:
     """Along X: of a block across its merlons, of a board along its pattern's rows."""
     if isinstance(item, Chessboard):
         return float(item.square_mm * (item.inner_corners[0] + 1))
     return float(item.edges_x_mm[-1] - item.edges_x_mm[0])
 
 
-def outline(camera: Camera, item: CalibrationObject) -> tuple[Line, ...]:
+def outline(camera: Camera, item: CalibrationTarget) -> tuple[PixelSegment, ...]:
     """What of the object is drawn for the eye, as pairs of pixels: the edges of a block's
     crests and floors; of a board, its pattern's border and two lines across."""
     if isinstance(item, Chessboard):
@@ -59,7 +59,7 @@ def board_lines(board: Chessboard) -> Floats:
     """(6, 2, 3) ends of the pattern's border and of the lines through its middle, mm."""
     low = np.full(2, -board.square_mm)
     high = board.square_mm * np.array(board.inner_corners, dtype=np.float64)
-    middle = boards.middle_of(board)[:2]
+    middle = boards.pattern_centre(board)[:2]
     (x0, y0), (x1, y1), (xm, ym) = low, high, middle
     lines = [
         ((x0, y0), (x1, y0)),

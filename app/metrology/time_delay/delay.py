@@ -11,10 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.time_delay.delay_fit import Fit, Fitted, fitted, reversals_of
-from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, lines_of
+from app.metrology.time_delay.delay_fit import (
+    DelayEstimate,
+    DelayHypothesis,
+    count_reversals,
+    fit_delay,
+)
+from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
 
 SEARCH_NS, SEARCH_STEP_NS = 250_000_000, 5_000_000
@@ -55,7 +60,7 @@ class ClockDelay:
     """The same with the delay."""
 
 
-def clock_delay(passed: PlanePass) -> ClockDelay:
+def estimate_delay(passed: PlanePass) -> ClockDelay:
     """Estimates the delay between arm and camera, in maximum likelihood.
 
     Unknown are the delay and the plane. What calibration and arm do wrong depends on where
@@ -70,12 +75,12 @@ def clock_delay(passed: PlanePass) -> ClockDelay:
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     _check_frames(len(usable))
     even = np.linspace(0, len(usable) - 1, min(SEARCH_FRAMES, len(usable))).astype(np.int64)
-    fit, gate_mm = _searched(passed.thinned(usable[even], SEARCH_POINTS)), GATE_MM
+    fit, gate_mm = _search_delay(passed.thinned(usable[even], SEARCH_POINTS)), GATE_MM
     off_mm = _distances(passed, fit)
     for _ in range(3):
-        lines = lines_of(passed, off_mm < gate_mm)
+        lines = fit_stripe_lines(passed, off_mm < gate_mm)
         _check_plane(off_mm, gate_mm, len(lines.stamps_ns))
-        found = fitted(lines, passed.poses_at, fit)
+        found = fit_delay(lines, passed.poses_at, fit)
         fit, off_mm = found, _distances(passed, found)
         near = off_mm[off_mm < gate_mm]
         gate_mm = max(GATE_SCALES * 1.4826 * float(np.median(near)), LEAST_GATE_MM)
@@ -85,7 +90,7 @@ def clock_delay(passed: PlanePass) -> ClockDelay:
         delay_ms=found.delay_ns / 1e6,
         standard_uncertainty_ms=found.uncertainty_ns / 1e6,
         frames=len(lines.stamps_ns),
-        reversals=reversals_of(found.across_mm_s),
+        reversals=count_reversals(found.across_mm_s),
         seconds=float(np.ptp(lines.stamps_ns)) / 1e9,
         speed_mm_s=float(np.sqrt(np.mean(found.across_mm_s**2))),
         rms_without_um=_rms_um(passed, on_plane, 0.0),
@@ -93,7 +98,7 @@ def clock_delay(passed: PlanePass) -> ClockDelay:
     )
 
 
-def _distances(passed: PlanePass, fit: Fit) -> Floats:
+def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:
     """(N,) of the points from the plane, mm; infinite where the arm's place is not known."""
     off = np.abs(passed.placed(fit.delay_ns) @ fit.normal - fit.offset_mm)
     return np.where(np.isfinite(off), off, np.inf)
@@ -108,9 +113,9 @@ def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> 
     return 1e3 * float(np.sqrt(max(least, 0.0) / len(points)))
 
 
-def _searched(sample: PlanePass) -> Fit:
+def _search_delay(sample: PlanePass) -> DelayHypothesis:
     """The delay of a grid that brings the points nearest to one plane; the least of equals."""
-    best: tuple[float, Fit] | None = None
+    best: tuple[float, DelayHypothesis] | None = None
     for delay_ns in sorted(range(-SEARCH_NS, SEARCH_NS + 1, SEARCH_STEP_NS), key=abs):
         points = sample.placed(delay_ns)
         known = np.isfinite(points).all(axis=1)
@@ -119,9 +124,9 @@ def _searched(sample: PlanePass) -> Fit:
         plane = fit_plane(points[known])
         off_mm = float(np.median(np.abs(points[known] @ plane.normal - plane.offset_mm)))
         if best is None or off_mm < 0.95 * best[0]:
-            best = off_mm, Fit(float(delay_ns), plane.normal, plane.offset_mm)
+            best = off_mm, DelayHypothesis(float(delay_ns), plane.normal, plane.offset_mm)
     if best is None:
-        raise Refusal(
+        raise OperationError(
             "no-joints-around-frames",
             "the arm's position is not known around most of the pictures",
             "the arm sent too little, or arm and camera are not on one clock",
@@ -132,7 +137,7 @@ def _searched(sample: PlanePass) -> Fit:
 
 def _check_frames(count: int) -> None:
     if count < LEAST_FRAMES:
-        raise Refusal(
+        raise OperationError(
             "pass-too-short",
             f"the pass has {count} pictures with the laser's line on the plane",
             f"{LEAST_FRAMES} are needed",
@@ -148,7 +153,7 @@ def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
         seen = f"{100 * share:.0f} % of the points lie within {gate_mm:.2g} mm of one plane"
         if share >= LEAST_SHARE:
             seen = f"the points lie {spread_mm:.2f} mm (k = 1) about the nearest plane"
-        raise Refusal(
+        raise OperationError(
             "not-a-plane",
             "what was passed over is not a plane",
             f"{seen}, whatever the delay",
@@ -157,7 +162,7 @@ def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
     _check_frames(frames)
 
 
-def _check_delay(found: Fitted) -> None:
+def _check_delay(found: DelayEstimate) -> None:
     """Refuses a pass that cannot tell the delay, in words that say what to do otherwise."""
     across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
     speed = float(np.sqrt(np.mean(across**2)))
@@ -184,4 +189,4 @@ def _check_delay(found: Fitted) -> None:
         again = "Go faster and farther over the plate, nearer and away again several times"
     else:
         return
-    raise Refusal(code, "this pass does not tell the delay", why, again)
+    raise OperationError(code, "this pass does not tell the delay", why, again)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.time_delay.plane_pass import Lines
+from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 
 CHORD_NS = 10_000_000
@@ -19,7 +19,7 @@ SINGULAR = 1e-9
 
 
 @dataclass(frozen=True)
-class Fit:
+class DelayHypothesis:
     """Delay and plane, ``normal . x = offset_mm``."""
 
     delay_ns: float
@@ -28,7 +28,7 @@ class Fit:
 
 
 @dataclass(frozen=True)
-class Fitted(Fit):
+class DelayEstimate(DelayHypothesis):
     """What a fit tells beside them."""
 
     uncertainty_ns: float
@@ -40,7 +40,7 @@ class Fitted(Fit):
 
 
 @dataclass(frozen=True)
-class _Rows:
+class _PlaneConditions:
     """The plane's condition on the centre and the end of each line, linearised."""
 
     off_mm: Floats
@@ -53,7 +53,9 @@ class _Rows:
     """(F, 3) of the centres, mm/s."""
 
 
-def fitted(lines: Lines, poses_at: Callable[[Stamps], Floats], start: Fit) -> Fitted:
+def fit_delay(
+    lines: StripeLines, poses_at: Callable[[Stamps], Floats], start: DelayHypothesis
+) -> DelayEstimate:
     """The delay by Gauss-Newton from a start; outlying frames weigh less (Huber).
 
     The spread of centres and of ends about the plane is taken from themselves, but never
@@ -63,7 +65,7 @@ def fitted(lines: Lines, poses_at: Callable[[Stamps], Floats], start: Fit) -> Fi
     """
     fit, weight = start, np.zeros(0)
     for _ in range(STEPS):
-        rows, known = _rows(lines, poses_at, fit)
+        rows, known = _plane_conditions(lines, poses_at, fit)
         weight = _weights(rows.off_mm, lines.variance[known])
         root = np.sqrt(weight)
         step = np.linalg.lstsq(root[:, None] * rows.J, -root * rows.off_mm, rcond=SINGULAR)[0]
@@ -71,11 +73,13 @@ def fitted(lines: Lines, poses_at: Callable[[Stamps], Floats], start: Fit) -> Fi
         length = float(np.linalg.norm(normal))
         # far from the solution a step may be too long for what the chords tell
         change_ns = float(np.clip(step[0] * 1e9, -20e6, 20e6))
-        fit = Fit(fit.delay_ns + change_ns, normal / length, (fit.offset_mm + step[3]) / length)
+        fit = DelayHypothesis(
+            fit.delay_ns + change_ns, normal / length, (fit.offset_mm + step[3]) / length
+        )
         if abs(change_ns) < STEP_NS:
             break
     across = rows.velocity @ fit.normal
-    return Fitted(
+    return DelayEstimate(
         fit.delay_ns,
         fit.normal,
         fit.offset_mm,
@@ -85,9 +89,9 @@ def fitted(lines: Lines, poses_at: Callable[[Stamps], Floats], start: Fit) -> Fi
     )
 
 
-def _rows(
-    lines: Lines, poses_at: Callable[[Stamps], Floats], fit: Fit
-) -> tuple[_Rows, NDArray[np.bool_]]:
+def _plane_conditions(
+    lines: StripeLines, poses_at: Callable[[Stamps], Floats], fit: DelayHypothesis
+) -> tuple[_PlaneConditions, NDArray[np.bool_]]:
     """Of the frames whose pose is known, and which these are."""
     at_ns = lines.stamps_ns + round(fit.delay_ns)
     T, before, after = (poses_at(at_ns + off) for off in (0, -CHORD_NS, CHORD_NS))
@@ -105,7 +109,7 @@ def _rows(
     J[:, 1:3] = np.concatenate([at, end]) @ tangents.T
     J[: len(at), 3:] = np.column_stack([-ones, height, height**2])
     off = np.concatenate([at @ n - fit.offset_mm, end @ n])
-    return _Rows(off, J, tangents, velocity), known
+    return _PlaneConditions(off, J, tangents, velocity), known
 
 
 def _weights(off_mm: Floats, variance: Floats) -> Floats:
@@ -120,7 +124,7 @@ def _weights(off_mm: Floats, variance: Floats) -> Floats:
     return np.concatenate(found)
 
 
-def _uncertainty_ns(rows: _Rows, weight: Floats, across: Floats) -> float:
+def _uncertainty_ns(rows: _PlaneConditions, weight: Floats, across: Floats) -> float:
     """Of the delay, k = 1."""
     J, frames = rows.J, len(across)
     size = np.linalg.norm(J, axis=0)
@@ -132,7 +136,7 @@ def _uncertainty_ns(rows: _Rows, weight: Floats, across: Floats) -> float:
     both = (J / size) * (weight * rows.off_mm)[:, None]
     score = both[:frames] + both[frames:]
     spread = score.T @ score
-    turns = max(reversals_of(across), 1)
+    turns = max(count_reversals(across), 1)
     for lag in range(1, max(frames // (2 * turns), 1)):
         share = 1 - lag / (frames / (2 * turns))
         near = score[lag:].T @ score[:-lag]
@@ -142,7 +146,7 @@ def _uncertainty_ns(rows: _Rows, weight: Floats, across: Floats) -> float:
     return float(np.sqrt(max(by_scores, inverse[0, 0])) / size[0] * 1e9)
 
 
-def reversals_of(across_mm_s: Floats) -> int:
+def count_reversals(across_mm_s: Floats) -> int:
     """How often the velocity (F,) across the plane changes its sign for good."""
     limit = 0.3 * float(np.sqrt(np.mean(across_mm_s**2)))
     signs = np.sign(across_mm_s[np.abs(across_mm_s) > limit])

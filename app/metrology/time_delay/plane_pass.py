@@ -54,7 +54,7 @@ class PlanePass:
 
 
 @dataclass(frozen=True)
-class Lines:
+class StripeLines:
     """The stripe of each frame as a line."""
 
     stamps_ns: Stamps
@@ -74,7 +74,7 @@ class Lines:
         return np.asarray(along / max(float(np.std(along)), 1e-9))
 
 
-def lines_of(passed: PlanePass, on_plane: NDArray[np.bool_]) -> Lines:
+def fit_stripe_lines(passed: PlanePass, on_plane: NDArray[np.bool_]) -> StripeLines:
     """The line through each frame's points on the plane (N,), weighed by their uncertainty."""
     frame, count = passed.frame[on_plane], len(passed.stamps_ns)
     points, weight = passed.points_mm[on_plane], passed.sigma_mm[on_plane] ** -2.0
@@ -91,4 +91,4 @@ def lines_of(passed: PlanePass, on_plane: NDArray[np.bool_]) -> Lines:
         moments[:, i, j] = summed(weight * off[:, i] * off[:, j]) / total
     spread, axes = np.linalg.eigh(moments[enough])
     half = axes[:, :, 2] * np.sqrt(spread[:, 2])[:, None]
-    return Lines(passed.stamps_ns[enough], centre[enough], half, 1.0 / total[enough])
+    return StripeLines(passed.stamps_ns[enough], centre[enough], half, 1.0 / total[enough])

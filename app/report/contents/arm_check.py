@@ -9,15 +9,24 @@ from app.formats.results.arm_checks import ARM_CHECK, ArmCheckFile
 from app.formats.session.arm_session import ARM, ARTICULATION, read_seats
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import Floats
-from app.report.content import Facts, Pictures, Report, Section, Table, Text, Verdict, signatures
-from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
+from app.report.content import (
+    Facts,
+    Pictures,
+    Report,
+    ReportTable,
+    Section,
+    Text,
+    Verdict,
+    signatures,
+)
+from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
     UNKNOWN,
-    demonstration,
+    device_name,
+    format_moment,
     micrometres,
     millimetres,
-    moment,
-    named,
+    simulation_notes,
     temperature,
 )
 from app.report.provenance import inputs_section
@@ -46,31 +55,31 @@ def arm_check_report(folder: Path) -> Report:
         f"The tip held in a seat moved by {worst:.0f} µm, (max − min)/2 on the worst axis{limit}."
     )
     sections = [
-        Section("What was checked", [Facts(_facts(check, arm))]),
+        Section("What was checked", [Facts(_check_facts(check, arm))]),
         Section("Results", [_table(check), *_rule()]),
         signatures(check.operator),
         Section("The tip's places", [Pictures([_places(arm, seat.q_rad, check.limit_um)])]),
         Section("How the arm swung", [_swing(arm, seat.q_rad)]),
         inputs_section(folder, check.inputs, ARM_CHECK),
     ]
-    notes = demonstration(check.simulated)
+    notes = simulation_notes(check.simulated)
     return Report(
         title="Arm check",
         number=folder.resolve().name,
         station=check.station or "Measuring arm",
-        date=moment(check.checked_at),
+        date=format_moment(check.checked_at),
         verdict=Verdict(check.verdict, WORDS[check.verdict], text),
         sections=sections,
         notes=notes,
     )
 
 
-def _facts(check: ArmCheckFile, arm: Arm) -> list[tuple[str, str]]:
+def _check_facts(check: ArmCheckFile, arm: Arm) -> list[tuple[str, str]]:
     return [
         ("Operator", check.operator or UNKNOWN),
-        ("Checked", moment(check.checked_at)),
+        ("Checked", format_moment(check.checked_at)),
         ("Temperature", temperature(check.temperature_c)),
-        ("Arm", named(check.arm_name, check.arm_serial)),
+        ("Arm", device_name(check.arm_name, check.arm_serial)),
         ("Axes", str(arm.joint_count)),
         ("Tip", f"Ø {2 * arm.tip.radius_mm:.4g} mm"),
         ("Points", str(check.points)),
@@ -78,7 +87,7 @@ def _facts(check: ArmCheckFile, arm: Arm) -> list[tuple[str, str]]:
     ]
 
 
-def _table(check: ArmCheckFile) -> Table:
+def _table(check: ArmCheckFile) -> ReportTable:
     rows = [
         (f"(max − min)/2 along {axis}", micrometres(value), millimetres(value), _limit(check))
         for axis, value in zip(AXES, check.half_range_um, strict=True)
@@ -91,7 +100,7 @@ def _table(check: ArmCheckFile) -> Table:
         (f"2σ by the encoders alone, {axis}", micrometres(value), millimetres(value), "")
         for axis, value in zip(AXES, check.encoders_two_sigma_um, strict=True)
     ]
-    return Table(("Result", "Value", "In mm", "Limit"), rows, (46, 18, 18, 18))
+    return ReportTable(("Result", "Value", "In mm", "Limit"), rows, (46, 18, 18, 18))
 
 
 def _limit(check: ArmCheckFile) -> str:
@@ -128,7 +137,7 @@ def _places(arm: Arm, q_rad: Floats, limit_um: float | None) -> tuple[Figure, st
             d = limit_um * scale
             square = [(-d, -d), (d, -d), (d, d), (-d, d), (-d, -d)]
             points = tuple((middle[0] + x, middle[1] + y) for x, y in square)
-            figure.items.append(Shape(points, RED, 1, dash=(4, 3)))
+            figure.items.append(Polyline(points, RED, 1, dash=(4, 3)))
         for off in off_um:
             at = (middle[0] + float(off[across]) * scale, middle[1] - float(off[up]) * scale)
             figure.items.append(Dot(at, 1.5, BLUE))
@@ -143,10 +152,10 @@ def _places(arm: Arm, q_rad: Floats, limit_um: float | None) -> tuple[Figure, st
     return figure, words
 
 
-def _swing(arm: Arm, q_rad: Floats) -> Table:
+def _swing(arm: Arm, q_rad: Floats) -> ReportTable:
     degrees = np.rad2deg(q_rad)
     rows = [
         (joint.name, f"{q.min():.1f}°", f"{q.max():.1f}°", f"{np.ptp(q):.1f}°")
         for joint, q in zip(arm.joints, degrees.T, strict=True)
     ]
-    return Table(("Joint", "From", "To", "Swing"), rows, (25, 25, 25, 25))
+    return ReportTable(("Joint", "From", "To", "Swing"), rows, (25, 25, 25, 25))

@@ -7,19 +7,24 @@ import numpy as np
 from app.formats.datasheets.target import read_certificate
 from app.formats.results.acceptance import Acceptance, read_acceptance
 from app.formats.results.calibration import CalibrationFile, PosePart
-from app.formats.session.calibration_session import OBJECT, BoardSession, Session, read_any_session
+from app.formats.session.calibration_session import (
+    OBJECT,
+    BlockSession,
+    BoardSession,
+    read_any_session,
+)
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from app.report.content import (
     Facts,
-    Finding,
     Findings,
     Pictures,
     Report,
+    ReportFinding,
+    ReportTable,
     Section,
-    Table,
     Text,
     Verdict,
     signatures,
@@ -28,17 +33,17 @@ from app.report.contents import calibration_figures as figures
 from app.report.figure import Figure
 from app.report.formatting import (
     UNKNOWN,
-    demonstration,
+    device_name,
+    format_moment,
     micrometres,
     millimetres,
-    moment,
-    named,
+    simulation_notes,
     temperature,
 )
 from app.report.provenance import inputs_section
 
 CALIBRATION = "calibration.json"
-SHOWN_POSES = 6
+DISPLAYED_POSES = 6
 WORDS = {
     "good": "Good",
     "attention": "Usable, with attention",
@@ -66,7 +71,7 @@ def calibration_report(folder: Path) -> Report:
     quality = verdict.quality if verdict else "neutral"
     text = verdict.text if verdict else "The file carries no verdict."
     sections = [
-        _what(sheet, session, accepted),
+        _subject_section(sheet, session, accepted),
         _results(sheet, session, accepted),
         signatures(_operator(sheet, accepted)),
         _findings(sheet),
@@ -81,7 +86,7 @@ def calibration_report(folder: Path) -> Report:
         title="Calibration report",
         number=folder.resolve().name,
         station=(accepted.station if accepted else "") or "Laser stripe sensor on a measuring arm",
-        date=moment(accepted.accepted_at if accepted else sheet.created_at),
+        date=format_moment(accepted.accepted_at if accepted else sheet.created_at),
         verdict=Verdict(quality, WORDS[quality], f"{text[:1].upper()}{text[1:]}."),
         sections=[section for section in sections if section.blocks],
         notes=_notes(accepted),
@@ -91,15 +96,15 @@ def calibration_report(folder: Path) -> Report:
 def _notes(accepted: Acceptance | None) -> list[str]:
     if accepted is None:
         return ["This calibration was not accepted at a station."]
-    return demonstration(accepted.simulated)
+    return simulation_notes(accepted.simulated)
 
 
 def _operator(sheet: CalibrationFile, accepted: Acceptance | None) -> str:
     return (accepted.operator if accepted else "") or sheet.operator or ""
 
 
-def _what(
-    sheet: CalibrationFile, session: Session | BoardSession, accepted: Acceptance | None
+def _subject_section(
+    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> Section:
     sensor, arm = session.sensor, session.arm
     target = session.board if isinstance(session, BoardSession) else session.block
@@ -108,14 +113,14 @@ def _what(
     tip = f", tip Ø {2 * arm.tip.radius_mm:.4g} mm" if arm.tip else ""
     rows = [
         ("Operator", _operator(sheet, accepted) or UNKNOWN),
-        ("Calibrated", moment(sheet.created_at)),
-        ("Accepted", moment(accepted.accepted_at) if accepted else "no"),
+        ("Calibrated", format_moment(sheet.created_at)),
+        ("Accepted", format_moment(accepted.accepted_at) if accepted else "no"),
         ("Temperature", temperature(accepted.temperature_c if accepted else None)),
         ("Method", METHODS.get(sheet.method or "", sheet.method or UNKNOWN)),
         ("Software", f"Crenel {sheet.software.version}" if sheet.software else UNKNOWN),
-        ("Arm", named(arm.name, arm.serial_number) + tip),
-        ("Sensor", f"{named(sensor.name, sensor.serial_number)}, {size}{laser}"),
-        ("Object", named(target.name, target.serial_number)),
+        ("Arm", device_name(arm.name, arm.serial_number) + tip),
+        ("Sensor", f"{device_name(sensor.name, sensor.serial_number)}, {size}{laser}"),
+        ("Object", device_name(target.name, target.serial_number)),
         ("Its certificate", read_certificate(session.folder / OBJECT) or UNKNOWN),
         ("Its coordinates", _coordinates(target)),
     ]
@@ -132,7 +137,7 @@ def _coordinates(target: object) -> str:
 
 
 def _results(
-    sheet: CalibrationFile, session: Session | BoardSession, accepted: Acceptance | None
+    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> Section:
     known, left = sheet.uncertainty, sheet.residuals
     rows: list[tuple[str, str, str, str, str]] = []
@@ -172,7 +177,7 @@ def _results(
             count = f"{len(left.contacts_um)} touches" + (f", {out} left out" if out else "")
             rows.append((f"Contacts, rms of {count}", *_um(left.contacts_rms_um), "", ""))
     columns = ("Result", "Value", "In mm", "k", "Limit, k = 1")
-    table = Table(columns, rows, (46, 14, 18, 5, 25))
+    table = ReportTable(columns, rows, (46, 14, 18, 5, 25))
     return Section("Results", [table, *_rule(sheet, accepted)])
 
 
@@ -214,21 +219,23 @@ def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[Text]:
 
 def _findings(sheet: CalibrationFile) -> Section:
     found = sheet.verdict.findings if sheet.verdict else ()
-    rows = [Finding(f.quality, f.text, f.remedy) for f in found]
+    rows = [ReportFinding(f.quality, f.text, f.remedy) for f in found]
     return Section("Findings", [Findings(rows)] if rows else [], together=False)
 
 
 def _pictures(
-    sheet: CalibrationFile, session: Session | BoardSession, accepted: Acceptance | None
+    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> list[Section]:
-    camera, plane = sheet.camera.model(), calibrated_plane(sheet)
+    camera, plane = sheet.camera.model(), laser_plane(sheet)
     sections: list[Section] = []
-    if isinstance(session, Session):
-        sections.append(Section("Residuals on the object", [Pictures([_touches(sheet, session)])]))
-    of_poses = _poses_shown(sheet)
+    if isinstance(session, BlockSession):
+        sections.append(
+            Section("Residuals on the object", [Pictures([_contact_figure(sheet, session)])])
+        )
+    of_poses = _worst_poses(sheet)
     by_number = {pose.number: pose for pose in session.poses}
     images: list[tuple[Figure, str]] = [
-        figures.on_image(by_number[part.number], part, camera, _fitted(session))
+        figures.image_figure(by_number[part.number], part, camera, _fit_basis(session))
         for part in of_poses
         if part.number in by_number
     ]
@@ -238,38 +245,38 @@ def _pictures(
         title = f"Residuals on the image{few}"
         sections.append(Section(title, [Pictures(images, 3)], together=False))
     if sheet.uncertainty is not None:
-        over = figures.over_volume(sheet.uncertainty, camera, plane)
+        over = figures.volume_figure(sheet.uncertainty, camera, plane)
         if over is not None:
             sections.append(Section("Uncertainty over the measuring volume", [Pictures([over])]))
         limits = (accepted.good_um, accepted.usable_um) if accepted else (None, None)
-        bars = figures.budget(sheet.uncertainty, *limits)
+        bars = figures.budget_figure(sheet.uncertainty, *limits)
         sections.append(Section("Error budget", [Pictures([bars])]))
     return sections
 
 
-def _fitted(session: Session | BoardSession) -> str:
+def _fit_basis(session: BlockSession | BoardSession) -> str:
     """What of the object the poses were fitted to; a board has no edges that were measured."""
     return "Corners" if isinstance(session, BoardSession) else "Edges"
 
 
-def calibrated_plane(sheet: CalibrationFile) -> LaserPlane:
+def laser_plane(sheet: CalibrationFile) -> LaserPlane:
     """The laser's plane in the sensor frame."""
     return LaserPlane(np.array(sheet.laser_plane.normal), sheet.laser_plane.offset_mm)
 
 
-def _poses_shown(sheet: CalibrationFile) -> list[PosePart]:
+def _worst_poses(sheet: CalibrationFile) -> list[PosePart]:
     """Those whose edges fit worst, in the order in which they were taken."""
     drawn = [pose for pose in sheet.poses if pose.used and pose.corners_at_px]
-    worst = sorted(drawn, key=lambda pose: -pose.edges_rms_px)[:SHOWN_POSES]
+    worst = sorted(drawn, key=lambda pose: -pose.edges_rms_px)[:DISPLAYED_POSES]
     return sorted(worst, key=lambda pose: pose.number)
 
 
-def _touches(sheet: CalibrationFile, session: Session) -> tuple[Figure, str]:
+def _contact_figure(sheet: CalibrationFile, session: BlockSession) -> tuple[Figure, str]:
     left = sheet.residuals
     residuals = left.contacts_um if left is not None else ()
     out = left.contacts_left_out if left is not None else ()
     count = min(len(residuals), len(session.contacts.features))
-    return figures.on_object(
+    return figures.object_figure(
         session.block,
         session.contacts.features[:count],
         _contact_points(sheet, session.arm, session)[:count],
@@ -278,39 +285,39 @@ def _touches(sheet: CalibrationFile, session: Session) -> tuple[Figure, str]:
     )
 
 
-def _contact_points(sheet: CalibrationFile, arm: Arm, session: Session) -> Floats:
+def _contact_points(sheet: CalibrationFile, arm: Arm, session: BlockSession) -> Floats:
     """(N, 3) the tip's centres in the object's frame."""
     assert sheet.T_arm_obj is not None
     T = np.array(sheet.T_arm_obj)
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])
 
 
-def _tables(sheet: CalibrationFile, session: Session | BoardSession) -> Section:
-    tables: list[Table] = []
+def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Section:
+    tables: list[ReportTable] = []
     if sheet.poses:
         rows = [
             (
                 str(pose.number),
-                _became(pose),
+                _pose_outcome(pose),
                 *(_pose_figures(pose) if pose.used else ("–",) * 5),
             )
             for pose in sheet.poses
         ]
         fitted = "Corners, px" if isinstance(session, BoardSession) else "Edges, px"
         columns = ("Pose", "", fitted, "Points", "Stripe, px", "Points", "Object off, µm")
-        tables.append(Table(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
+        tables.append(ReportTable(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
     if sheet.residuals is not None and sheet.residuals.faces:
         faces = [
             (face.face, str(face.points), f"{face.rms_um:.1f}", f"{face.form_um:.1f}")
             for face in sheet.residuals.faces
         ]
         heads = ("Face", "Touches", "rms, µm", "Form (max − min), µm")
-        tables.append(Table(heads, faces, (30, 20, 20, 30)))
+        tables.append(ReportTable(heads, faces, (30, 20, 20, 30)))
     touched = sheet.residuals is not None and len(sheet.residuals.contacts_um) > 0
     return Section("Poses and touches" if touched else "Poses", tables)
 
 
-def _became(pose: PosePart) -> str:
+def _pose_outcome(pose: PosePart) -> str:
     if not pose.used:
         return f"left out: {pose.reason}"
     return f"used, but {pose.reason}" if pose.reason else "used"
@@ -342,6 +349,6 @@ def _parameters(sheet: CalibrationFile) -> Section:
         ("Laser plane", f"({normal}) · x = {sheet.laser_plane.offset_mm:.4f} mm"),
     ]
     rows = [tuple(f"{value:.7f}" for value in row) for row in sheet.probe_matrix]
-    probe = Table(("x", "y", "z", "Origin, mm"), rows, (1, 1, 1, 1), 0)
+    probe = ReportTable(("x", "y", "z", "Origin, mm"), rows, (1, 1, 1, 1), 0)
     words = Text("Probe matrix: the sensor's frame in that of the arm's last joint.")
     return Section("Parameters", [Facts(facts), Text(""), words, probe])

@@ -26,12 +26,12 @@ from app.report.figure import (
     SOFT,
     Dot,
     Figure,
-    Photograph,
+    Photo,
     Point,
-    Shape,
+    Polyline,
     magnification,
 )
-from app.report.formatting import tied
+from app.report.formatting import join_units
 
 JPEG_WIDTH, JPEG_QUALITY = 900, 72
 SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
@@ -39,7 +39,7 @@ SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
 SIDE, ABOVE = np.radians(32.0), np.radians(38.0)
 
 
-def _seen(points_mm: Floats, turned: bool) -> Floats:
+def _project_view(points_mm: Floats, turned: bool) -> Floats:
     """(N, 2) of points (N, 3) in mm, right and downward; ``turned`` looks from behind."""
     angle = SIDE + (np.pi if turned else 0.0)
     c, s = np.cos(angle), np.sin(angle)
@@ -81,7 +81,7 @@ def _faces(block: Crenellated, turned: bool) -> list[tuple[str, Floats]]:
     return [(colour, np.array(corners) * [sign, sign, 1.0]) for colour, corners in found]
 
 
-def on_object(
+def object_figure(
     block: Crenellated,
     features: Sequence[str],
     points_mm: Floats,
@@ -117,12 +117,12 @@ def _view(
     turned: bool,
 ) -> None:
     faces = _faces(block, turned)
-    flat = np.vstack([_seen(corners, turned) for _, corners in faces])
+    flat = np.vstack([_project_view(corners, turned) for _, corners in faces])
     low, high = flat.min(axis=0), flat.max(axis=0)
     scale = min(245.0 / (high[0] - low[0]), 172.0 / (high[1] - low[1]))
 
     def place(points: Floats) -> list[Point]:
-        on = (_seen(np.atleast_2d(points), turned) - low) * scale + at
+        on = (_project_view(np.atleast_2d(points), turned) - low) * scale + at
         return [(float(u), float(v)) for u, v in on]
 
     for colour, corners in faces:
@@ -145,7 +145,7 @@ def _view(
         figure.items.append(Dot(a, 1.7, colour, "#ffffff", 0.4))
 
 
-def on_image(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple[Figure, str]:
+def image_figure(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple[Figure, str]:
     """A pose's picture with the residuals of corners and stripe as arrows, magnified.
 
     Args:
@@ -154,7 +154,7 @@ def on_image(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple
     size = (camera.width_px, camera.height_px)
     figure = Figure(250, 250 * size[1] / size[0], f"Residuals of pose {part.number} on its picture")
     scale = figure.width / size[0]
-    figure.items.append(Photograph((0, 0), figure.width, figure.height, _photograph(pose)))
+    figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose)))
 
     def at(u: float, v: float) -> Point:
         return (u + 0.5) * scale, (v + 0.5) * scale
@@ -163,7 +163,7 @@ def on_image(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple
     offs += [abs(off) for _, _, off in part.stripe_off_px]
     factor = magnification(max(offs, default=0.0), 0.07 * size[0])
     stripe = [at(u, v) for u, v, _ in part.stripe_off_px]
-    across = _across(np.array([(u, v) for u, v, _ in part.stripe_off_px]).reshape(-1, 2))
+    across = _stripe_normals(np.array([(u, v) for u, v, _ in part.stripe_off_px]).reshape(-1, 2))
     for (x, y), (nx, ny), (_, _, off) in zip(stripe, across, part.stripe_off_px, strict=True):
         end = (x + nx * off * factor * scale, y + ny * off * factor * scale)
         figure.line((x, y), end, stroke="#ff6b6f", width=0.8)
@@ -185,7 +185,7 @@ def on_image(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple
     return figure, words
 
 
-def _photograph(pose: Pose) -> bytes:
+def _encode_jpeg(pose: Pose) -> bytes:
     image = read_grey(pose.ambient if pose.laser is None else pose.laser)
     ambient = read_grey(pose.ambient)
     both = np.maximum(image, ambient)
@@ -198,7 +198,7 @@ def _photograph(pose: Pose) -> bytes:
     return encoded.tobytes()
 
 
-def _across(uv_px: Floats) -> Floats:
+def _stripe_normals(uv_px: Floats) -> Floats:
     """(N, 2) unit normals of a stripe whose points follow one another, downward or rightward."""
     if len(uv_px) < 2:
         return np.tile([0.0, 1.0], (len(uv_px), 1))
@@ -206,7 +206,7 @@ def _across(uv_px: Floats) -> Floats:
     return np.tile([0.0, 1.0] if spread[0] >= spread[1] else [1.0, 0.0], (len(uv_px), 1))
 
 
-def over_volume(
+def volume_figure(
     uncertainty: Uncertainty, camera: Camera, plane: LaserPlane
 ) -> tuple[Figure, str] | None:
     """The map over the laser's plane, in millimetres; None where the calibration has none."""
@@ -217,7 +217,7 @@ def over_volume(
     du, dv = (_step(uv[:, k]) / 2 for k in range(2))
     around = [(-du, -dv), (du, -dv), (du, dv), (-du, dv)]
     corners = np.stack([sensor_points(camera, plane, uv + shift) for shift in around], axis=1)
-    flat = _in_plane(corners.reshape(-1, 3), camera, plane).reshape(-1, 4, 2)
+    flat = _plane_coordinates(corners.reshape(-1, 3), camera, plane).reshape(-1, 4, 2)
     usable = np.isfinite(flat).all(axis=(1, 2))
     u_um, inside = np.array(over.u_um), np.array(over.calibrated)
     low_mm, high_mm = flat[usable].min(axis=(0, 1)), flat[usable].max(axis=(0, 1))
@@ -250,7 +250,7 @@ def over_volume(
     return figure, words
 
 
-def _in_plane(points_mm: Floats, camera: Camera, plane: LaserPlane) -> Floats:
+def _plane_coordinates(points_mm: Floats, camera: Camera, plane: LaserPlane) -> Floats:
     """(N, 2): across, and along the camera's view, of points of the laser's plane (mm)."""
     view = camera.rotation[2]
     depth = view - float(view @ plane.normal) * plane.normal
@@ -271,11 +271,11 @@ def _axes(
     for value in _ticks(low_mm[0], high_mm[0]):
         x = room[0] + (value - low_mm[0]) * scale
         figure.line((x, bottom + 2), (x, bottom + 5), stroke=FAINT)
-        figure.words((x, bottom + 14), tied(f"{value:g}"), 7, FAINT, "middle")
+        figure.words((x, bottom + 14), join_units(f"{value:g}"), 7, FAINT, "middle")
     for value in _ticks(low_mm[1], high_mm[1]):
         y = room[1] + (value - low_mm[1]) * scale
         figure.line((room[0] - 5, y), (room[0] - 2, y), stroke=FAINT)
-        figure.words((room[0] - 8, y + 2.5), tied(f"{value:g}"), 7, FAINT, "end")
+        figure.words((room[0] - 8, y + 2.5), join_units(f"{value:g}"), 7, FAINT, "end")
     middle = room[0] + (high_mm[0] - low_mm[0]) * scale / 2
     figure.words((middle, bottom + 25), "across, mm", 7.5, SOFT, "middle")
     figure.words((2, room[1] - 10), "depth, mm", 7.5, SOFT)
@@ -302,7 +302,7 @@ def _step(values: Floats) -> float:
     return float(np.median(np.diff(sorted_values))) if len(sorted_values) > 1 else 1.0
 
 
-def budget(
+def budget_figure(
     uncertainty: Uncertainty, good_um: float | None, usable_um: float | None
 ) -> tuple[Figure, str]:
     """The sources as bars, the largest first, and all together against the limit."""
@@ -323,7 +323,7 @@ def budget(
     bottom = 17.0 * len(rows) + 4
     if limit is not None:
         x = left + limit * scale
-        figure.items.append(Shape(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
+        figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
         figure.words((x, bottom + 10), f"good up to {limit:g} µm", 7.5, RED, "end")
     else:
         figure.line((left, bottom), (left + width, bottom), stroke=LINE, width=0.5)

@@ -11,7 +11,7 @@ OUTSIDE = ("#d6e8fb", "#a9cff6", "#5a9be4", "#1d5bd0")
 WITHIN = 0.98
 
 
-def deviations(name: str, found: MapFile) -> tuple[Figure, str]:
+def deviation_figure(name: str, found: MapFile) -> tuple[Figure, str]:
     """The cells of a cloud's map, blue outside the shape and orange inside it."""
     x, y = np.array(found.x_mm), np.array(found.y_mm)
     off = np.array(found.deviation_um)

@@ -2,22 +2,22 @@
 
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.arm_identification import IdentificationPart, ParameterPart
-from app.formats.file_names import shown_path
+from app.formats.file_names import display_path
 from app.formats.results.calibration import Input
-from app.formats.session.arm_session import ARM, IDENTIFIED, read_arm_session
-from app.metrology.arm.identification.observations import Observations
+from app.formats.session.arm_session import ARM, IDENTIFIED, read_identification_session
+from app.metrology.arm.identification.observations import ArmObservations
 from app.report.content import (
     Block,
     Facts,
-    Finding,
     Findings,
     Pictures,
     Report,
+    ReportFinding,
+    ReportTable,
     Section,
-    Table,
     Text,
     Verdict,
     signatures,
@@ -25,11 +25,11 @@ from app.report.content import (
 from app.report.figure import BLUE, FAINT, GROUND, INK, SOFT, Figure
 from app.report.formatting import (
     UNKNOWN,
-    demonstration,
+    device_name,
+    format_moment,
     micrometres,
     millimetres,
-    moment,
-    named,
+    simulation_notes,
     temperature,
 )
 from app.report.provenance import inputs_section
@@ -46,9 +46,9 @@ def identification_report(folder: Path) -> Report:
     sheet = ArmFile.read(folder / IDENTIFIED)
     found = sheet.identification
     if found is None:
-        raise Refusal(
+        raise OperationError(
             "not-identified",
-            f"{shown_path(folder / IDENTIFIED)} says nothing of an identification",
+            f"{display_path(folder / IDENTIFIED)} says nothing of an identification",
             "it is an arm as its papers have it",
             f"Identify the arm of the folder's {ARM} again",
         )
@@ -57,17 +57,17 @@ def identification_report(folder: Path) -> Report:
         title="Identification of the arm",
         number=folder.resolve().name,
         station=found.station or "Measuring arm",
-        date=moment(found.created_at),
+        date=format_moment(found.created_at),
         verdict=_verdict(found),
         sections=[
             Section("What was identified", [Facts(_facts(folder, sheet, found))]),
-            Section("Results", [_results(found), *_told(found)]),
+            Section("Results", [_results(found), *_explanation(found)]),
             signatures(found.operator),
             Section("Before and after", [Pictures([_before_and_after(_pairs(found))])]),
             Section("The arm's parameters", _parameters(found), together=False),
             inputs_section(folder, inputs, IDENTIFIED),
         ],
-        notes=demonstration(found.simulated),
+        notes=simulation_notes(found.simulated),
     )
 
 
@@ -84,17 +84,17 @@ def _facts(folder: Path, sheet: ArmFile, found: IdentificationPart) -> list[tupl
     tip = "" if sheet.tip is None else f"Ø {sheet.tip.diameter_mm:.4g} mm"
     return [
         ("Operator", found.operator or UNKNOWN),
-        ("Identified", moment(found.created_at)),
+        ("Identified", format_moment(found.created_at)),
         ("Temperature", temperature(found.temperature_c)),
-        ("Arm", named(sheet.name, sheet.serial_number)),
+        ("Arm", device_name(sheet.name, sheet.serial_number)),
         ("Axes", str(len(sheet.joints))),
         ("Tip", tip),
-        *_observed(read_arm_session(folder).observations),
+        *_observation_facts(read_identification_session(folder).observations),
         ("Software", f"Crenel {found.software.version}"),
     ]
 
 
-def _observed(seen: Observations) -> list[tuple[str, str]]:
+def _observation_facts(seen: ArmObservations) -> list[tuple[str, str]]:
     """What the tip was held in and touched."""
     bars = len({bar.name for bar in seen.bars})
     return [
@@ -118,7 +118,7 @@ def _pairs(found: IdentificationPart) -> list[Pair]:
     ]
 
 
-def _results(found: IdentificationPart) -> Table:
+def _results(found: IdentificationPart) -> ReportTable:
     rows = [
         (name, micrometres(was), millimetres(was), micrometres(now), millimetres(now), "none")
         for name, was, now in _pairs(found)
@@ -127,10 +127,10 @@ def _results(found: IdentificationPart) -> Table:
     single = "Scatter of single points beyond the encoders"
     rows.append((single, "", "", micrometres(scatter), millimetres(scatter), "none"))
     head = ("Result, rms", "Before", "In mm", "After", "In mm", "Limit")
-    return Table(head, rows, (40, 15, 16, 15, 16, 10))
+    return ReportTable(head, rows, (40, 15, 16, 15, 16, 10))
 
 
-def _told(found: IdentificationPart) -> list[Block]:
+def _explanation(found: IdentificationPart) -> list[Block]:
     seen = found.validation
     how = "in a folder of their own" if seen.method == "separate" else "held out in turn"
     blocks: list[Block] = [
@@ -149,25 +149,27 @@ def _told(found: IdentificationPart) -> list[Block]:
             "belong to it."
         ),
     ]
-    findings = [Finding("attention", f"{text[:1].upper()}{text[1:]}.") for text in found.warnings]
-    findings += [Finding("attention", f"Left out: {text}.") for text in found.outliers]
+    findings = [
+        ReportFinding("attention", f"{text[:1].upper()}{text[1:]}.") for text in found.warnings
+    ]
+    findings += [ReportFinding("attention", f"Left out: {text}.") for text in found.outliers]
     return [Findings(findings), *blocks] if findings else blocks
 
 
 def _parameters(found: IdentificationPart) -> list[Block]:
     rows = [_row(one) for one in found.parameters]
     head = ("Parameter", "Unit", "Before", "After", "Change", "u, k = 1")
-    blocks: list[Block] = [Table(head, rows, (26, 8, 18, 18, 16, 14), 2, small=True)]
+    blocks: list[Block] = [ReportTable(head, rows, (26, 8, 18, 18, 16, 14), 2, small=True)]
     kept: dict[str, list[str]] = {}
     for held in found.held:
         kept.setdefault(held.reason, []).append(held.name)
     if kept:
         rest = [(", ".join(names), why) for why, names in kept.items()]
-        blocks.append(Table(("Kept", "Why"), rest, (60, 40), 2, small=True))
+        blocks.append(ReportTable(("Kept", "Why"), rest, (60, 40), 2, small=True))
     if found.correlated:
         pairs = [(f"{p.first}, {p.second}", f"{p.coefficient:+.3f}") for p in found.correlated]
         title = "Correlated: told together, each alone less well"
-        blocks.append(Table((title, "Coefficient"), pairs, (70, 30), 1, small=True))
+        blocks.append(ReportTable((title, "Coefficient"), pairs, (70, 30), 1, small=True))
     return blocks
 
 

@@ -10,16 +10,25 @@ from app.formats.session.arm_session import ARM, SPHERES, read_spheres
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.gauges.probed_gauge import sphere_through
 from app.metrology.transforms import Floats
-from app.report.content import Facts, Pictures, Report, Section, Table, Text, Verdict, signatures
+from app.report.content import (
+    Facts,
+    Pictures,
+    Report,
+    ReportTable,
+    Section,
+    Text,
+    Verdict,
+    signatures,
+)
 from app.report.contents.verification import QUALITIES, WORDS
-from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Shape
+from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
     UNKNOWN,
-    demonstration,
+    device_name,
+    format_moment,
     micrometres,
     millimetres,
-    moment,
-    named,
+    simulation_notes,
     temperature,
 )
 from app.report.provenance import inputs_section
@@ -39,16 +48,16 @@ def tip_check_report(folder: Path) -> Report:
         title="Tip check",
         number=folder.resolve().name,
         station=check.station or "Measuring arm",
-        date=moment(check.checked_at),
+        date=format_moment(check.checked_at),
         verdict=Verdict(QUALITIES[check.decision], word, check.words),
         sections=[
             Section("What was checked", [Facts(_facts(check))]),
             Section("Results", [_table(check), *_rule()]),
             signatures(check.operator),
-            Section("The touches", [Pictures([_touches(tips, check.limit_um)])]),
+            Section("The touches", [Pictures([_contact_figure(tips, check.limit_um)])]),
             inputs_section(folder, check.inputs, TIP_CHECK),
         ],
-        notes=demonstration(check.simulated),
+        notes=simulation_notes(check.simulated),
     )
 
 
@@ -57,16 +66,16 @@ def _facts(check: TipCheckFile) -> list[tuple[str, str]]:
     known = f"known to {unsure:.1f} µm (k = 1)" if unsure else "its uncertainty is not stated"
     return [
         ("Operator", check.operator or UNKNOWN),
-        ("Checked", moment(check.checked_at)),
+        ("Checked", format_moment(check.checked_at)),
         ("Temperature", temperature(check.temperature_c)),
-        ("Arm", named(check.arm_name, check.arm_serial)),
+        ("Arm", device_name(check.arm_name, check.arm_serial)),
         ("Sphere", f"Ø {check.sphere_mm:.4f} mm, {known}"),
         ("Touches", str(check.touches)),
         ("Software", f"Crenel {check.software.version}"),
     ]
 
 
-def _table(check: TipCheckFile) -> Table:
+def _table(check: TipCheckFile) -> ReportTable:
     limit = "none" if check.limit_um is None else f"≤ {check.limit_um:g} µm"
     u = f"± {micrometres(check.expanded_uncertainty_um)}"
     rows = [
@@ -77,7 +86,9 @@ def _table(check: TipCheckFile) -> Table:
     ]
     if check.bend_um is not None:
         rows.append(("Tip off its place on the arm", *_um(check.bend_um), "", ""))
-    return Table(("Result", "Value", "In mm", "U, k = 2", "Limit"), rows, (40, 15, 18, 15, 15))
+    return ReportTable(
+        ("Result", "Value", "In mm", "U, k = 2", "Limit"), rows, (40, 15, 18, 15, 15)
+    )
 
 
 def _um(value_um: float) -> tuple[str, str]:
@@ -98,7 +109,7 @@ def _rule() -> list[Text]:
     ]
 
 
-def _touches(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, str]:
+def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, str]:
     """Each touch's distance from the sphere through all of them, one after another."""
     centre, reach_mm, _ = sphere_through(tips_mm)
     off_um = 1e3 * (np.linalg.norm(tips_mm - centre, axis=1) - reach_mm)
@@ -113,7 +124,7 @@ def _touches(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, str]:
         figure.words(at, f"{sign * end:+.0f} µm", 7, FAINT, "end")
         if limit_um is not None:
             y = middle - sign * limit_um * scale
-            figure.items.append(Shape(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
+            figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
     step = width / len(off_um)
     for i, off in enumerate(off_um):
         x, y = left + (i + 0.5) * step, middle - float(off) * scale

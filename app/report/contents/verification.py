@@ -12,26 +12,38 @@ from app.formats.results.verification import (
 )
 from app.report.content import (
     Facts,
-    Finding,
     Findings,
     Pictures,
     Quality,
     Report,
+    ReportFinding,
+    ReportTable,
     Section,
-    Table,
     Text,
     Verdict,
     signatures,
 )
-from app.report.contents.gauge_figure import deviations
-from app.report.figure import BLUE, FAINT, GROUND, INK, LINE, ORANGE, RED, SOFT, Dot, Figure, Shape
+from app.report.contents.gauge_figure import deviation_figure
+from app.report.figure import (
+    BLUE,
+    FAINT,
+    GROUND,
+    INK,
+    LINE,
+    ORANGE,
+    RED,
+    SOFT,
+    Dot,
+    Figure,
+    Polyline,
+)
 from app.report.formatting import (
     UNKNOWN,
-    demonstration,
+    device_name,
+    format_moment,
     micrometres,
     millimetres,
-    moment,
-    named,
+    simulation_notes,
     temperature,
 )
 from app.report.provenance import inputs_section
@@ -46,7 +58,7 @@ QUALITIES: dict[str, Quality] = {
 }
 LABELS = 192.0
 """Wide enough for the longest name of a figure, in every language."""
-TICK_ROOM = 7.0
+TICK_SPACE = 7.0
 """Between the numbers at a plot's side, so that none is written over another."""
 DECISIONS = {"pass": "pass", "fail": "fail", "uncertain": "undecided", "none": "no limit"}
 
@@ -59,14 +71,16 @@ def verification_report(folder: Path) -> Report:
     """
     sheet = read_verification(folder)
     result = sheet.verdict.result
-    reasons = [Finding(QUALITIES[figure.decision], _reason(figure)) for figure in sheet.figures]
-    notes = [Finding("neutral", note) for note in sheet.notes]
+    reasons = [
+        ReportFinding(QUALITIES[figure.decision], _reason(figure)) for figure in sheet.figures
+    ]
+    notes = [ReportFinding("neutral", note) for note in sheet.notes]
     sections = [
         Section("What was verified", [Facts(_facts(sheet))]),
         Section("Results", [_results(sheet), *_rule()]),
         signatures(sheet.operator),
         Section("Reasons", [Findings([*reasons, *notes])], together=False),
-        Section("Against the limits", [Pictures([_against(sheet)])]),
+        Section("Against the limits", [Pictures([_limit_figure(sheet)])]),
         *_clouds(sheet),
         *_maps(folder, sheet),
         inputs_section(folder, sheet.inputs, VERIFICATION),
@@ -75,9 +89,9 @@ def verification_report(folder: Path) -> Report:
         title=f"Verification on a gauge {sheet.gauge.shape}",
         number=sheet.id,
         station=sheet.station,
-        date=moment(sheet.accepted_at),
+        date=format_moment(sheet.accepted_at),
         verdict=Verdict(QUALITIES[result], WORDS[result], sheet.verdict.text),
-        notes=demonstration(sheet.simulated),
+        notes=simulation_notes(sheet.simulated),
         sections=sections,
     )
 
@@ -96,10 +110,10 @@ def _facts(sheet: VerificationFile) -> list[tuple[str, str]]:
     radius = f", radius {gauge.radius_mm:.4f} mm" if gauge.radius_mm is not None else ""
     return [
         ("Operator", sheet.operator or UNKNOWN),
-        ("Begun", moment(sheet.started_at)),
-        ("Accepted", moment(sheet.accepted_at)),
+        ("Begun", format_moment(sheet.started_at)),
+        ("Accepted", format_moment(sheet.accepted_at)),
         ("Temperature", known if start is None or end is None else f"{start:.1f} to {end:.1f} °C"),
-        ("Gauge", named(gauge.name, gauge.serial_number) + radius),
+        ("Gauge", device_name(gauge.name, gauge.serial_number) + radius),
         (
             "Its paper",
             f"{paper}; known to {gauge.standard_uncertainty_um:g} µm (k = 1), "
@@ -108,19 +122,19 @@ def _facts(sheet: VerificationFile) -> list[tuple[str, str]]:
         ("Arm", f"serial number {sheet.serial_numbers.arm or UNKNOWN}"),
         ("Sensor", f"serial number {sheet.serial_numbers.sensor or UNKNOWN}"),
         ("Calibration", f"{used.name}, a point known to {used.total_um:.1f} µm (k = 1)"),
-        ("Placed", _placed(sheet.placing)),
+        ("Placed", _placement_text(sheet.placing)),
         ("Software", f"Crenel {sheet.software.version}"),
     ]
 
 
-def _placed(placing: PlacingPart | None) -> str:
+def _placement_text(placing: PlacingPart | None) -> str:
     if placing is None:
         return "the gauge was not touched: shape and size only"
     known = micrometres(placing.standard_uncertainty_um)
     return f"by {placing.touches} touches, {placing.rms_um:.1f} µm rms, known to {known} (k = 1)"
 
 
-def _results(sheet: VerificationFile) -> Table:
+def _results(sheet: VerificationFile) -> ReportTable:
     rows = [
         (
             figure.title,
@@ -133,7 +147,7 @@ def _results(sheet: VerificationFile) -> Table:
         for figure in sheet.figures
     ]
     columns = ("Figure", "Value", "In mm", "U, k = 2", "Limit", "Decision")
-    return Table(columns, rows, (34, 14, 15, 14, 13, 13))
+    return ReportTable(columns, rows, (34, 14, 15, 14, 13, 13))
 
 
 def _value(value: float, unit: str) -> str:
@@ -154,12 +168,12 @@ def _rule() -> list[Text]:
     ]
 
 
-def _against(sheet: VerificationFile) -> tuple[Figure, str]:
+def _limit_figure(sheet: VerificationFile) -> tuple[Figure, str]:
     """Each figure in shares of its limit, with its uncertainty and each cloud's own value."""
     shown = [figure for figure in sheet.figures if figure.limit is not None]
     figure = Figure(520, 24.0 * max(len(shown), 1) + 26, "The figures against their limits")
     left, width = LABELS, 270.0
-    reach = max((_reach(one) for one in shown), default=1.0)
+    reach = max((_limit_share(one) for one in shown), default=1.0)
     scale = width / (2 * max(1.2, 1.05 * reach))
     zero = left + width / 2
     for row, one in enumerate(shown):
@@ -179,7 +193,7 @@ def _against(sheet: VerificationFile) -> tuple[Figure, str]:
     figure.line((zero, 2.0), (zero, bottom), stroke=LINE)
     for sign in (-1, 1):
         x = zero + sign * scale
-        figure.items.append(Shape(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
+        figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
         figure.words((x, bottom + 11), "limit", 7.5, RED, "middle")
     words = (
         "Values in shares of their limits: the bar is the expanded uncertainty (k = 2), circles "
@@ -188,7 +202,7 @@ def _against(sheet: VerificationFile) -> tuple[Figure, str]:
     return figure, words
 
 
-def _reach(one: FigurePart) -> float:
+def _limit_share(one: FigurePart) -> float:
     assert one.limit is not None
     return (abs(one.value) + one.expanded_uncertainty) / one.limit
 
@@ -220,7 +234,7 @@ def _clouds(sheet: VerificationFile) -> list[Section]:
         for cloud in sheet.clouds
     ]
     columns = ("Cloud", "Points used", "rms, µm", "Form 95 %, µm", *(t for _, t, _ in told))
-    table = Table(columns, rows, (22, 14, 11, 15, *[12] * len(told)))
+    table = ReportTable(columns, rows, (22, 14, 11, 15, *[12] * len(told)))
     sections = [Section("Clouds", [table], together=False)]
     if len(sheet.clouds) > 1 and told:
         plots = [_plot(sheet, name, title) for name, title, _ in told]
@@ -235,7 +249,7 @@ def _maps(folder: Path, sheet: VerificationFile) -> list[Section]:
         for cloud in sheet.clouds
         if (path := (folder / cloud.recording).parent / MAP).is_file()
     ]
-    shown = [deviations(cloud.name, found) for cloud, found in maps if found.deviation_um]
+    shown = [deviation_figure(cloud.name, found) for cloud, found in maps if found.deviation_um]
     if not shown:
         return []
     return [Section("Residuals on the gauge", [Pictures(shown, 3)], together=False)]
@@ -263,7 +277,7 @@ def _plot(sheet: VerificationFile, name: str, title: str) -> tuple[Figure, str]:
     told = [0.0]
     for value in (max(known, key=abs), min(known, key=abs)):
         # what would stand in another's place is read from the table
-        if all(abs(y(value) - y(other)) >= TICK_ROOM for other in told):
+        if all(abs(y(value) - y(other)) >= TICK_SPACE for other in told):
             figure.words((left - 4, y(value) + 2.5), f"{value:.0f}", 7, FAINT, "end")
             told.append(value)
     step = width / len(values)

@@ -5,15 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import capital
 from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.arm.joint_plausibility import JointJudge
+from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
 from app.metrology.transforms import Floats, vector_from_rotation
 from app.station.bus import Bus
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
-from app.station.devices.joint_buffer import JointMean, JointRing, JointWindow, mean_of
+from app.station.devices.joint_buffer import JointMean, JointRing, JointWindow, average_joints
 from app.station.devices.link_state import DeviceState, device_state
 from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
 from hardware.clock import now_ns
@@ -27,14 +27,14 @@ ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
 DOUBTED_S = 1.0
 
 
-class ArmSide:
+class StationArm:
     """Reads the arm on its own thread; everything else may be called from any thread."""
 
     def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
         self._bus = bus
         self._chosen: Arm | None = None
         self._ring: JointRing | None = None
-        self._judge: JointJudge[JointSample] | None = None
+        self._judge: PlausibilityFilter[JointSample] | None = None
         self._judged_serial = ""
         self._newest: JointSample | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
@@ -58,7 +58,7 @@ class ArmSide:
         return 0 if self._judge is None else self._judge.kept_back
 
     @property
-    def newest_kept_back(self) -> Refusal | None:
+    def newest_kept_back(self) -> OperationError | None:
         """What is said of the newest of them; None where there are none."""
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else newest.refusal
@@ -69,7 +69,7 @@ class ArmSide:
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
 
-    def doubt(self) -> Refusal | None:
+    def doubt(self) -> OperationError | None:
         """Why the arm's readings are not believed just now; None while they are plausible."""
         newest = self._judge.newest if self._judge is not None else None
         if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
@@ -171,13 +171,13 @@ class ArmSide:
         """
         ring, arm = self._ring, self._model()
         if ring is None or not ring.wait_past(last_ns, LATE_S):
-            raise Refusal(
+            raise OperationError(
                 "arm-lost",
                 "the arm sends no joint angles",
                 remedy="wait until the arm is connected again; nothing was lost",
             )
         if arm is None:
-            raise Refusal(
+            raise OperationError(
                 "no-arm-model",
                 f"no arm model with {ring.joint_count} joints is chosen",
                 remedy="choose the arm first",
@@ -188,15 +188,17 @@ class ArmSide:
         window = ring.between(first_ns, last_ns)
         moved = stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
         if moved is UNKNOWN:
-            raise Refusal(
+            raise OperationError(
                 "no-joints",
                 f"only {len(window)} joint samples came in {(last_ns - first_ns) / 1e9:.2f} s",
                 "the arm's data has a gap there",
                 "take it again",
             )
         if not moved.still:
-            raise Refusal(moved_code, "the arm was not still", moved.text, "hold it still, again")
-        return mean_of(window)
+            raise OperationError(
+                moved_code, "the arm was not still", moved.text, "hold it still, again"
+            )
+        return average_joints(window)
 
     def _model(self) -> Arm | None:
         """The arm's model, unless the connected arm has another number of joints."""
@@ -210,7 +212,7 @@ class ArmSide:
             self._ring = JointRing(info.joint_count, info.rate_hz)
             self._judge = None
         if self._judge is None or self._judged_serial != info.serial_number:
-            self._judge = JointJudge(info.joint_count, info.rate_hz, self._chosen)
+            self._judge = PlausibilityFilter(info.joint_count, info.rate_hz, self._chosen)
             self._judged_serial = info.serial_number
         # off and on again is the way back for a joint that slipped
         self._judge.forget_place()

@@ -49,7 +49,7 @@ def better_exposure_us(frame: Frame, exposure_range_us: tuple[float, float]) -> 
     A saturated picture does not say by how much, so it is cut the more the more of it
     is saturated.
     """
-    return _towards(brightness(frame), frame, exposure_range_us)
+    return _exposure_towards_us(brightness(frame), frame, exposure_range_us)
 
 
 def better_line_exposure_us(
@@ -62,10 +62,12 @@ def better_line_exposure_us(
     if not len(stripe.u):
         return better_exposure_us(frame, exposure_range_us)
     level = float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full_scale(frame)
-    return _towards(level, frame, exposure_range_us)
+    return _exposure_towards_us(level, frame, exposure_range_us)
 
 
-def _towards(level: float, frame: Frame, exposure_range_us: tuple[float, float]) -> float | None:
+def _exposure_towards_us(
+    level: float, frame: Frame, exposure_range_us: tuple[float, float]
+) -> float | None:
     """The exposure that brings a level of the frame to the target; None when it is there."""
     if abs(level - TARGET) <= TOLERANCE * TARGET:
         return None

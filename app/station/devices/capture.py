@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.joint_buffer import JointMean
 from hardware.clock import now_ns
@@ -35,54 +35,55 @@ def capture(
 
     Args:
         set_laser: the laser's switch, None where the sensor has none.
-        mean_over: the joints' mean between two stamps; raises ``Refusal`` when
+        mean_over: the joints' mean between two stamps; raises ``OperationError`` when
             the arm moved between them.
 
     Raises:
         Refusal: no frame came, the laser did not obey, or the arm moved.
     """
     if set_laser is None:
-        frame = _exposed_after(hub, now_ns(), None)
-        closed_ns = _closed_ns(frame)
-        joints = mean_over(min(_opened_ns(frame), closed_ns - SHORTEST_MEAN_NS), closed_ns)
+        frame = _wait_for_frame(hub, now_ns(), None)
+        closed_ns = _exposure_end_ns(frame)
+        joints = mean_over(min(_exposure_start_ns(frame), closed_ns - SHORTEST_MEAN_NS), closed_ns)
         return Capture(frame, None, "both", joints)
     try:
         set_laser(False)
-        ambient = _exposed_after(hub, now_ns(), False)
+        ambient = _wait_for_frame(hub, now_ns(), False)
         set_laser(True)
-        laser = _exposed_after(hub, now_ns(), True)
+        laser = _wait_for_frame(hub, now_ns(), True)
     finally:
         set_laser(laser_was_on)
-    closed_ns = _closed_ns(laser)
-    joints = mean_over(min(_opened_ns(ambient), closed_ns - SHORTEST_MEAN_NS), closed_ns)
+    closed_ns = _exposure_end_ns(laser)
+    joints = mean_over(min(_exposure_start_ns(ambient), closed_ns - SHORTEST_MEAN_NS), closed_ns)
     return Capture(ambient, laser, "pair", joints)
 
 
-def _opened_ns(frame: Frame) -> int:
+def _exposure_start_ns(frame: Frame) -> int:
     return frame.mid_exposure_ns - int(500 * frame.exposure_us)
 
 
-def _closed_ns(frame: Frame) -> int:
+def _exposure_end_ns(frame: Frame) -> int:
     return frame.mid_exposure_ns + int(500 * frame.exposure_us)
 
 
-def _exposed_after(hub: FrameHub, switched_ns: int, laser_on: bool | None) -> Frame:
+def _wait_for_frame(hub: FrameHub, switched_ns: int, laser_on: bool | None) -> Frame:
     """The next frame whose whole exposure came after the switch, with the laser as asked."""
     frame = hub.wait(
-        lambda f: _opened_ns(f) >= switched_ns and laser_on in (None, f.laser_on), FRAME_TIMEOUT_S
+        lambda f: _exposure_start_ns(f) >= switched_ns and laser_on in (None, f.laser_on),
+        FRAME_TIMEOUT_S,
     )
     if frame is not None:
         return frame
     latest = hub.latest
-    if latest is not None and _opened_ns(latest) >= switched_ns:
+    if latest is not None and _exposure_start_ns(latest) >= switched_ns:
         wish = "on" if laser_on else "off"
-        raise Refusal(
+        raise OperationError(
             "laser-stuck",
             f"no picture with the laser {wish} came within {FRAME_TIMEOUT_S:.0f} s",
             "the sensor reports the laser in its other state",
             "check the laser's interlock and key switch, and capture again",
         )
-    raise Refusal(
+    raise OperationError(
         "sensor-lost",
         f"no picture came within {FRAME_TIMEOUT_S:.0f} s",
         "the sensor is lost or its exposure is longer than that",

@@ -11,11 +11,11 @@ from app.formats.recording.joint_track import (
     LONGEST_GAP_LIMIT_NS,
     SHORTEST_GAP_LIMIT_NS,
 )
-from app.metrology.arm.joint_interpolation import Stamps, angles_at, turn
+from app.metrology.arm.joint_interpolation import Stamps, interpolate_angles, shortest_turn
 from app.metrology.transforms import Floats
 from hardware.interfaces import JointSample
 
-KEPT_SAMPLES = 16_384
+RING_SAMPLES = 16_384
 
 
 @dataclass(frozen=True)
@@ -46,8 +46,8 @@ class JointRing:
                 LONGEST_GAP_LIMIT_NS,
             )
         )
-        self._stamps: Stamps = np.zeros(KEPT_SAMPLES, dtype=np.int64)
-        self._q: Floats = np.zeros((KEPT_SAMPLES, joint_count))
+        self._stamps: Stamps = np.zeros(RING_SAMPLES, dtype=np.int64)
+        self._q: Floats = np.zeros((RING_SAMPLES, joint_count))
         self._count = 0
         self._judged_ns: int | None = None
         self._grown = threading.Condition()
@@ -61,8 +61,8 @@ class JointRing:
             for sample in samples:
                 if self._count and sample.stamp_ns <= self._last_stamp():
                     continue
-                self._stamps[self._count % KEPT_SAMPLES] = sample.stamp_ns
-                self._q[self._count % KEPT_SAMPLES] = sample.joints_rad
+                self._stamps[self._count % RING_SAMPLES] = sample.stamp_ns
+                self._q[self._count % RING_SAMPLES] = sample.joints_rad
                 self._count += 1
             self._judged_ns = judged_ns
             self._grown.notify_all()
@@ -72,7 +72,7 @@ class JointRing:
         with self._grown:
             low = self._position(first_ns, "left")
             high = self._position(last_ns, "right")
-            at = np.arange(low, high) % KEPT_SAMPLES
+            at = np.arange(low, high) % RING_SAMPLES
             return JointWindow(self._stamps[at], self._q[at])
 
     def covers(self, window: JointWindow, first_ns: int, last_ns: int) -> bool:
@@ -102,27 +102,27 @@ class JointRing:
         first_ns, last_ns = int(stamps_ns.min()), int(stamps_ns.max())
         self.wait_past(last_ns, wait_s)
         around = self.between(first_ns - self.gap_limit_ns, last_ns + self.gap_limit_ns)
-        return angles_at(around.stamps_ns, around.q_rad, stamps_ns, self.gap_limit_ns)
+        return interpolate_angles(around.stamps_ns, around.q_rad, stamps_ns, self.gap_limit_ns)
 
     def last_stamp_ns(self) -> int | None:
         with self._grown:
             return self._last_stamp() if self._count else None
 
     def _oldest(self) -> int:
-        return max(0, self._count - KEPT_SAMPLES)
+        return max(0, self._count - RING_SAMPLES)
 
     def _reaches_ns(self) -> int:
         return max(self._last_stamp(), self._judged_ns or 0)
 
     def _last_stamp(self) -> int:
-        return int(self._stamps[(self._count - 1) % KEPT_SAMPLES])
+        return int(self._stamps[(self._count - 1) % RING_SAMPLES])
 
     def _position(self, stamp_ns: int, side: str) -> int:
         """The running index of the first kept sample at or after (right: after) a stamp."""
         low, high = self._oldest(), self._count
         while low < high:
             middle = (low + high) // 2
-            found = int(self._stamps[middle % KEPT_SAMPLES])
+            found = int(self._stamps[middle % RING_SAMPLES])
             if found < stamp_ns or (side == "right" and found == stamp_ns):
                 low = middle + 1
             else:
@@ -141,9 +141,9 @@ class JointMean:
     last_ns: int
 
 
-def mean_of(window: JointWindow) -> JointMean:
+def average_joints(window: JointWindow) -> JointMean:
     """The mean of a window of at least one sample, with the samples' scatter."""
-    turns = turn(window.q_rad - window.q_rad[0])
+    turns = shortest_turn(window.q_rad - window.q_rad[0])
     scatter = turns.std(axis=0, ddof=1) if len(window) > 1 else np.zeros(turns.shape[1])
     return JointMean(
         np.asarray(window.q_rad[0] + turns.mean(axis=0)),

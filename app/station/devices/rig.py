@@ -7,13 +7,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
-from app.station.devices.arm_device import ArmSide
+from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
 from app.station.devices.device_thread import Link, LinkState
 from app.station.devices.link_state import DeviceState
-from app.station.devices.sensor_device import SensorSide
+from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import ArmDriver, SensorDriver
 
 # Devices are told of so often, and as soon as one is seen to be lost or back.
@@ -51,8 +51,8 @@ class Rig:
     ) -> None:
         self._bus = bus
         self._data_dir = data_dir
-        self.arm = ArmSide(bus, arm)
-        self.sensor = SensorSide(bus, sensor)
+        self.arm = StationArm(bus, arm)
+        self.sensor = StationSensor(bus, sensor)
         self._capturing = threading.Lock()
         self._stopping = threading.Event()
         self._publisher: threading.Thread | None = None
@@ -97,7 +97,7 @@ class Rig:
         """
         _, info = self.sensor.open_driver()
         if not self._capturing.acquire(blocking=False):
-            raise Refusal("busy", "a picture is being taken already")
+            raise OperationError("busy", "a picture is being taken already")
         try:
             self.arm.average()
             return capture(

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import MOST_STEPS, better_exposure_us
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
@@ -20,7 +20,7 @@ LASER_RESTORE_S = 5.0
 FRAME_TIMEOUT_S = 3.0
 
 
-class SensorSide:
+class StationSensor:
     """Reads the sensor on its own thread; everything else may be called from any thread."""
 
     def __init__(self, bus: Bus, make: Callable[[], SensorDriver]) -> None:
@@ -68,10 +68,10 @@ class SensorSide:
         return latest.exposure_us if latest is not None and self.info else None
 
     def set_laser(self, on: bool) -> None:
-        """Switches the laser; raises ``Refusal`` when there is no sensor or no switch."""
+        """Switches the laser; raises ``OperationError`` when there is no sensor or no switch."""
         driver, info = self.open_driver()
         if not info.has_laser_switch:
-            raise Refusal(
+            raise OperationError(
                 "no-laser-switch",
                 "this sensor's laser cannot be switched from here",
                 remedy="use the switch on the sensor",
@@ -79,7 +79,7 @@ class SensorSide:
         try:
             driver.set_laser(on)
         except DeviceError as error:
-            raise Refusal("sensor-lost", error.what, remedy=error.remedy) from error
+            raise OperationError("sensor-lost", error.what, remedy=error.remedy) from error
         self._laser_wanted = on
 
     def laser_off(self) -> None:
@@ -101,7 +101,7 @@ class SensorSide:
         try:
             driver.set_exposure_us(wanted)
         except DeviceError as error:
-            raise Refusal("sensor-lost", error.what, remedy=error.remedy) from error
+            raise OperationError("sensor-lost", error.what, remedy=error.remedy) from error
         self._exposure_wanted_us = wanted
 
     def auto_exposure(self, better: Better = better_exposure_us) -> float:
@@ -122,10 +122,10 @@ class SensorSide:
         return frame.exposure_us
 
     def open_driver(self) -> tuple[SensorDriver, SensorInfo]:
-        """The open driver; raises ``Refusal`` while there is none."""
+        """The open driver; raises ``OperationError`` while there is none."""
         driver, info = self.reader.driver, self.info
         if driver is None or info is None:
-            raise Refusal(
+            raise OperationError(
                 "sensor-lost",
                 "the sensor is not connected",
                 self.reader.link().text,
@@ -146,7 +146,7 @@ class SensorSide:
 
         frame = self.frames.wait(as_wanted, 1.0) or self.frames.wait(later, FRAME_TIMEOUT_S)
         if frame is None:
-            raise Refusal(
+            raise OperationError(
                 "sensor-lost", "no picture came from the sensor", remedy="wait until it is back"
             )
         return frame

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.arm.joint_interpolation import turn
+from app.metrology.arm.joint_interpolation import shortest_turn
 from app.metrology.arm.kinematics import Arm, flange_poses, geometric_jacobian
 from app.metrology.transforms import Floats
 from app.station.devices.joint_buffer import JointWindow
@@ -46,7 +46,8 @@ def stillness(arm: Arm, window: JointWindow) -> Stillness:
     count = min(BLOCKS, len(window) // 2)
     first = window.q_rad[0]
     blocks = [
-        first + turn(part - first).mean(axis=0) for part in np.array_split(window.q_rad, count)
+        first + shortest_turn(part - first).mean(axis=0)
+        for part in np.array_split(window.q_rad, count)
     ]
     poses = flange_poses(arm, np.array(blocks))
     tips = poses[:, :3, :3] @ arm.tip.centre_mm + poses[:, :3, 3]

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from hardware.errors import DeviceError
 
-KEPT_EVERY_S = 600.0
+STORE_EVERY_S = 600.0
 
 
 class Thermometer(Protocol):
@@ -60,6 +60,6 @@ class TemperatureWatch:
                 return
             self._now = Temperature(celsius)
             now_s = time.monotonic()
-            if self._kept_s is None or now_s - self._kept_s > KEPT_EVERY_S:
+            if self._kept_s is None or now_s - self._kept_s > STORE_EVERY_S:
                 self._kept_s = now_s
                 self._keep(celsius)

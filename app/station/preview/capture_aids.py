@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.findings import Quality
-from app.metrology.detection.image_quality import CLIPPED, DIM, EDGE_WIDTH, Image, PictureMeasures
+from app.metrology.detection.image_quality import CLIPPED, DIM, EDGE_WIDTH, Image, ImageQuality
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
 from app.station.working_distance import Distance
@@ -24,7 +24,7 @@ Segment = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
-class Aid:
+class CaptureAid:
     """One figure; ``words`` is which way to go, empty where all is well."""
 
     name: Literal["exposure", "focus", "framing", "distance"]
@@ -37,13 +37,13 @@ class Aid:
     words: str = ""
 
 
-def exposure_aid(picture: PictureMeasures) -> Aid:
+def exposure_aid(picture: ImageQuality) -> CaptureAid:
     """Of a picture of the object: what is lost in white, or how far the bright parts reach."""
     if picture.overexposed:
         share = 100 * picture.saturated
         words = f"Too bright: {share:.0f} % saturated"
         wanted = f"≤ {100 * CLIPPED:.0f}"
-        return Aid("exposure", "Saturated", share, "%", 0, wanted, "attention", words)
+        return CaptureAid("exposure", "Saturated", share, "%", 0, wanted, "attention", words)
     level = 100 * picture.high
     words = ""
     if picture.dim:
@@ -51,10 +51,10 @@ def exposure_aid(picture: PictureMeasures) -> Aid:
     elif picture.dark:
         words = "Nothing is seen: no contrast"
     quality: Quality = "attention" if words else "good"
-    return Aid("exposure", "Brightness", level, "%", 0, f"≥ {100 * DIM:.0f}", quality, words)
+    return CaptureAid("exposure", "Brightness", level, "%", 0, f"≥ {100 * DIM:.0f}", quality, words)
 
 
-def line_aid(image: Image, stripe: Stripe) -> Aid | None:
+def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
     """The same of the laser's line; None where no line is seen."""
     if not len(stripe.u):
         return None
@@ -65,16 +65,16 @@ def line_aid(image: Image, stripe: Stripe) -> Aid | None:
     if clipped > 100 * LINE_CLIPPED:
         words = f"Line too bright: {clipped:.0f} % saturated"
         wanted = f"≤ {100 * LINE_CLIPPED:.0f}"
-        return Aid("exposure", "Line saturated", clipped, "%", 0, wanted, "attention", words)
+        return CaptureAid("exposure", "Line saturated", clipped, "%", 0, wanted, "attention", words)
     level = 100 * float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full
     dim = level < 100 * LINE_DIM
     words = f"Line too dark: {level:.0f} %" if dim else ""
     quality: Quality = "attention" if dim else "good"
     wanted = f"≥ {100 * LINE_DIM:.0f}"
-    return Aid("exposure", "Line brightness", level, "%", 0, wanted, quality, words)
+    return CaptureAid("exposure", "Line brightness", level, "%", 0, wanted, quality, words)
 
 
-def focus_aid(picture: PictureMeasures) -> Aid | None:
+def focus_aid(picture: ImageQuality) -> CaptureAid | None:
     """How wide the picture's edges are; None where that cannot be told."""
     if picture.blur_px is None:
         return None
@@ -82,10 +82,10 @@ def focus_aid(picture: PictureMeasures) -> Aid | None:
     soft = width > wanted
     words = f"Out of focus: edges {width:.1f} px wide, {wanted:.1f} wanted" if soft else ""
     quality: Quality = "attention" if soft else "good"
-    return Aid("focus", "Edge width", width, "px", 1, f"≤ {wanted:.1f}", quality, words)
+    return CaptureAid("focus", "Edge width", width, "px", 1, f"≤ {wanted:.1f}", quality, words)
 
 
-def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> Aid | None:
+def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> CaptureAid | None:
     """How much of the picture the object takes, and where it lies; None where it is not seen."""
     if not outline:
         return None
@@ -104,7 +104,7 @@ def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> Ai
         words = f"The object is too far {_side(float(across), float(down))}"
     quality: Quality = "attention" if words else "good"
     wanted = f"{100 * least:.0f} to {100 * most:.0f}"
-    return Aid("framing", "Object fills", 100 * fills, "%", 0, wanted, quality, words)
+    return CaptureAid("framing", "Object fills", 100 * fills, "%", 0, wanted, quality, words)
 
 
 def _side(across: float, down: float) -> str:
@@ -113,10 +113,10 @@ def _side(across: float, down: float) -> str:
     return "down" if down > 0 else "up"
 
 
-def distance_aid(distance: Distance) -> Aid:
+def distance_aid(distance: Distance) -> CaptureAid:
     """How far the camera is from what it sees, against what was calibrated."""
     wanted = f"{distance.near_mm:.0f} to {distance.far_mm:.0f}"
     told = f"{distance.mm:.0f} mm, {wanted} wanted"
     words = {"in": "", "near": f"Too near: {told}", "far": f"Too far: {told}"}[distance.state]
     quality: Quality = "attention" if words else "good"
-    return Aid("distance", "Distance", distance.mm, "mm", 0, wanted, quality, words)
+    return CaptureAid("distance", "Distance", distance.mm, "mm", 0, wanted, quality, words)

@@ -2,9 +2,14 @@
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding, capital
-from app.metrology.detection.image_quality import Image, PictureMeasures, findings_of, measured
+from app.metrology.detection.image_quality import (
+    Image,
+    ImageQuality,
+    measure_image_quality,
+    quality_findings,
+)
 from app.metrology.image import saturation_level
 from app.station.devices.stillness import Stillness
 
@@ -35,28 +40,28 @@ def saturation(image: Image) -> tuple[float, tuple[Box, ...]]:
     return percent, tuple(boxes[:MOST_BOXES])
 
 
-def picture_words(image: Image) -> list[Finding]:
+def image_findings(image: Image) -> list[Finding]:
     """Exposure, saturation and sharpness in words; empty when all is well."""
-    return measured_words(image)[1]
+    return measure_image(image)[1]
 
 
-def measured_words(image: Image) -> tuple[PictureMeasures | None, list[Finding]]:
+def measure_image(image: Image) -> tuple[ImageQuality | None, list[Finding]]:
     """The same with the measures, which a picture that is not grey has none of."""
     try:
-        measures = measured(image)
-    except Refusal as refusal:
-        return None, [refused(refusal)]
+        measures = measure_image_quality(image)
+    except OperationError as refusal:
+        return None, [error_finding(refusal)]
     return measures, [
-        Finding("attention", capital(f.text), capital(f.remedy)) for f in findings_of(measures)
+        Finding("attention", capital(f.text), capital(f.remedy)) for f in quality_findings(measures)
     ]
 
 
-def refused(refusal: Refusal) -> Finding:
+def error_finding(refusal: OperationError) -> Finding:
     """A refusal as a finding."""
     text = refusal.what if not refusal.why else f"{refusal.what}: {refusal.why}"
     return Finding("attention", capital(text), capital(refusal.remedy))
 
 
-def still_words(stillness: Stillness) -> list[Finding]:
+def stillness_findings(stillness: Stillness) -> list[Finding]:
     """Asks to hold still when the arm moves; empty when it is still."""
     return [] if stillness.still else [Finding("attention", stillness.text, "Hold still")]

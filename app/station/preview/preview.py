@@ -13,30 +13,30 @@ from typing import Literal
 import cv2
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
-from app.metrology.detection.image_quality import Image, PictureMeasures
+from app.metrology.detection.image_quality import Image, ImageQuality
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.station.bus import Bus
-from app.station.devices.arm_device import ArmSide
-from app.station.devices.sensor_device import SensorSide
+from app.station.devices.arm_device import StationArm
+from app.station.devices.sensor_device import StationSensor
 from app.station.devices.stillness import Stillness
 from app.station.preview.capture_aids import (
-    Aid,
+    CaptureAid,
     distance_aid,
     exposure_aid,
     focus_aid,
     framing_aid,
     line_aid,
 )
-from app.station.preview.image_quality import Box, measured_words, saturation, still_words
-from app.station.preview.target_overlay import SeenCorner, Segment
-from app.station.preview.target_watch import NOTHING, ObjectWatch, Seen
+from app.station.preview.image_quality import Box, measure_image, saturation, stillness_findings
+from app.station.preview.target_overlay import DetectedCorner, Segment
+from app.station.preview.target_watch import NO_DETECTION, TargetDetection, TargetWatch
 from app.station.scan.extraction import Extraction, extraction_by
-from app.station.working_distance import Band, DistanceWatch
+from app.station.working_distance import Band, WorkingRange
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
 
@@ -59,7 +59,7 @@ class PreviewHeader:
     height_px: int
     age_s: float
     stripe: tuple[tuple[float, float], ...]
-    corners: tuple[SeenCorner, ...]
+    corners: tuple[DetectedCorner, ...]
     outline: tuple[Segment, ...]
     saturated_percent: float
     laser_on: bool
@@ -67,7 +67,7 @@ class PreviewHeader:
     findings: tuple[Finding, ...]
     saturated: tuple[Box, ...] = ()
     band: Band | None = None
-    aids: tuple[Aid, ...] = ()
+    aids: tuple[CaptureAid, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -87,19 +87,19 @@ class Preview:
     """Publishes the newest picture, at most 15 a second, while somebody watches or the
     object is looked for."""
 
-    def __init__(self, bus: Bus, arm: ArmSide, sensor: SensorSide) -> None:
+    def __init__(self, bus: Bus, arm: StationArm, sensor: StationSensor) -> None:
         self._bus = bus
         self._arm = arm
         self._sensor = sensor
-        self._objects = ObjectWatch()
+        self._objects = TargetWatch()
         self._axis: Literal["u", "v"] = "u"
         self._settings = AUTOMATIC
         self._extraction = Extraction()
         self._viewers = 0
         self._detecting = False
         self._latest: PreviewImage | None = None
-        self._words: tuple[float, PictureMeasures | None, tuple[Finding, ...]] = (0.0, None, ())
-        self._distances: DistanceWatch | None = None
+        self._words: tuple[float, ImageQuality | None, tuple[Finding, ...]] = (0.0, None, ())
+        self._distances: WorkingRange | None = None
         self._watched = threading.Condition()
         self._stopping = False
         self._thread: threading.Thread | None = None
@@ -137,7 +137,7 @@ class Preview:
         finally:
             self.remove_viewer()
 
-    def detect(self, item: CalibrationObject | None) -> None:
+    def detect(self, item: CalibrationTarget | None) -> None:
         """Looks for the object from now on; None ends the search."""
         self._objects.watch(item)
         with self._watched:
@@ -167,7 +167,7 @@ class Preview:
         self._settings = settings
         self._extraction = extraction_by(settings, self._axis)
 
-    def set_calibration(self, distances: DistanceWatch | None) -> None:
+    def set_calibration(self, distances: WorkingRange | None) -> None:
         """What tells distances in the picture from now on; None where nothing does."""
         self._distances = distances
 
@@ -204,7 +204,7 @@ class Preview:
         stillness = self._arm.stillness()
         seen = self._seen(stillness)
         measures, words = self._measured(frame.image)
-        findings = [*still_words(stillness), *words]
+        findings = [*stillness_findings(stillness), *words]
         if seen.finding is not None:
             findings.append(seen.finding)
         height, width = frame.image.shape
@@ -217,7 +217,7 @@ class Preview:
             width_px=width,
             height_px=height,
             age_s=(now_ns() - frame.mid_exposure_ns) / 1e9,
-            stripe=decimated(stripe),
+            stripe=decimate(stripe),
             corners=seen.corners,
             outline=seen.outline,
             saturated_percent=percent,
@@ -234,10 +234,10 @@ class Preview:
         self,
         frame: Frame,
         stripe: Stripe | None,
-        seen: Seen,
-        measures: PictureMeasures | None,
-        distances: DistanceWatch | None,
-    ) -> Iterator[Aid]:
+        seen: TargetDetection,
+        measures: ImageQuality | None,
+        distances: WorkingRange | None,
+    ) -> Iterator[CaptureAid]:
         """Of the line where only that is looked at, else of the object."""
         if frame.laser_on and not self._detecting:
             if stripe is None:
@@ -252,14 +252,14 @@ class Preview:
         height, width = frame.image.shape
         yield from some(framing_aid(seen.outline, width, height))
 
-    def _seen(self, stillness: Stillness) -> Seen:
+    def _seen(self, stillness: Stillness) -> TargetDetection:
         """What was found of the object, unless the camera has been moved since."""
         seen = self._objects.seen
-        if seen is NOTHING or not self._arm.moved_since(seen.stamp_ns):
+        if seen is NO_DETECTION or not self._arm.moved_since(seen.stamp_ns):
             return seen
         if stillness.still:
             self._objects.forget(seen)
-        return NOTHING
+        return NO_DETECTION
 
     def _stripe(self, frame: Frame) -> Stripe | None:
         if not frame.laser_on:
@@ -268,21 +268,21 @@ class Preview:
         extraction = Extraction(self._axis) if self._detecting else self._extraction
         try:
             return extraction.stripe(frame.image)
-        except Refusal:
+        except OperationError:
             return None
 
-    def _measured(self, image: Image) -> tuple[PictureMeasures | None, tuple[Finding, ...]]:
+    def _measured(self, image: Image) -> tuple[ImageQuality | None, tuple[Finding, ...]]:
         """Measures and words a few times a second: faster, nobody reads them."""
         made_s, measures, words = self._words
         now = time.monotonic()
         if now - made_s > WORDS_PERIOD_S:
-            measures, told = measured_words(image)
+            measures, told = measure_image(image)
             words = tuple(told)
             self._words = (now, measures, words)
         return measures, words
 
 
-def some(aid: Aid | None) -> tuple[Aid, ...]:
+def some(aid: CaptureAid | None) -> tuple[CaptureAid, ...]:
     """The aid, where there is one."""
     return () if aid is None else (aid,)
 
@@ -300,7 +300,7 @@ def jpeg(image: Image) -> bytes:
     return encoded.tobytes()
 
 
-def decimated(stripe: Stripe | None) -> tuple[tuple[float, float], ...]:
+def decimate(stripe: Stripe | None) -> tuple[tuple[float, float], ...]:
     """At most 200 points of a stripe, evenly taken."""
     if stripe is None or not len(stripe.u):
         return ()

@@ -4,23 +4,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.chessboard.detect_board import BoardDetection, detect_board, outshining
-from app.metrology.chessboard.grid import mapped, perspective
+from app.metrology.chessboard.detect_board import BoardDetection, detect_board, drop_faint_stripe
+from app.metrology.chessboard.grid import fit_perspective, map_places
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
 from app.metrology.detection.image_quality import Image
 from app.metrology.detection.visibility import visible_parts
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
-from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.targets.crenellated_block import Crenellated, corners
-from app.metrology.targets.target import CalibrationObject, board_lines
+from app.metrology.targets.target import CalibrationTarget, board_lines
 
 Segment = tuple[float, float, float, float]
 """A line in the picture: u0, v0, u1, v1."""
 
 
 @dataclass(frozen=True)
-class SeenCorner:
+class DetectedCorner:
     """A corner found in a picture; as ``ImageCorner`` of the browser's types."""
 
     name: str
@@ -30,25 +30,27 @@ class SeenCorner:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class TargetOverlay:
     """The object in a picture: each corner with its distance from where all of them put it."""
 
-    corners: tuple[SeenCorner, ...] = ()
+    corners: tuple[DetectedCorner, ...] = ()
     outline: tuple[Segment, ...] = ()
 
 
-def found_in(image: Image, item: CalibrationObject, stripe: Stripe | None) -> Drawn:
+def detect_target(image: Image, item: CalibrationTarget, stripe: Stripe | None) -> TargetOverlay:
     """The object found in a picture; raises ``Refusal`` where it is not to be found.
 
     Args:
         stripe: of the same picture, where the laser was on.
     """
     if isinstance(item, Chessboard):
-        return board_drawn(detect_board(image, item, stripe and outshining(image, stripe)), item)
-    return block_drawn(detect_object(image, item, stripe), item)
+        return board_overlay(
+            detect_board(image, item, stripe and drop_faint_stripe(image, stripe)), item
+        )
+    return block_overlay(detect_object(image, item, stripe), item)
 
 
-def block_drawn(found: ObjectDetection, block: Crenellated) -> Drawn:
+def block_overlay(found: ObjectDetection, block: Crenellated) -> TargetOverlay:
     """A block by the camera that was fitted to it, hidden edges left out."""
     points = corners(block)
     at = project(found.camera, np.array([points[corner.name] for corner in found.corners]))
@@ -56,25 +58,25 @@ def block_drawn(found: ObjectDetection, block: Crenellated) -> Drawn:
     ends = project(
         found.camera, np.array([(part.start_mm, part.end_mm) for part in parts]).reshape(-1, 3)
     )
-    return Drawn(
+    return TargetOverlay(
         tuple(
-            SeenCorner(c.name, c.u, c.v, float(np.hypot(c.u - u, c.v - v)))
+            DetectedCorner(c.name, c.u, c.v, float(np.hypot(c.u - u, c.v - v)))
             for c, (u, v) in zip(found.corners, at, strict=True)
         ),
         tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in ends.reshape(-1, 4)),
     )
 
 
-def board_drawn(found: BoardDetection, board: Chessboard) -> Drawn:
+def board_overlay(found: BoardDetection, board: Chessboard) -> TargetOverlay:
     """A board by one perspective of all its corners."""
-    places = grid(board)[found.number]
-    to_picture = perspective(places, found.uv_px)
-    off = np.linalg.norm(found.uv_px - mapped(to_picture, places), axis=1)
+    places = corner_grid(board)[found.number]
+    to_picture = fit_perspective(places, found.uv_px)
+    off = np.linalg.norm(found.uv_px - map_places(to_picture, places), axis=1)
     border = board_lines(board)[:4, :, :2].reshape(-1, 2) / board.square_mm
-    ends = mapped(to_picture, border)
-    return Drawn(
+    ends = map_places(to_picture, border)
+    return TargetOverlay(
         tuple(
-            SeenCorner(f"{column},{row}", float(u), float(v), float(px))
+            DetectedCorner(f"{column},{row}", float(u), float(v), float(px))
             for (column, row), (u, v), px in zip(places.tolist(), found.uv_px, off, strict=True)
         ),
         tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in ends.reshape(-1, 4)),

@@ -5,12 +5,12 @@ import threading
 import time
 from dataclasses import dataclass
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.metrology.stripe import Stripe
-from app.metrology.targets.target import CalibrationObject
-from app.station.preview.image_quality import refused
-from app.station.preview.target_overlay import SeenCorner, Segment, found_in
+from app.metrology.targets.target import CalibrationTarget
+from app.station.preview.image_quality import error_finding
+from app.station.preview.target_overlay import DetectedCorner, Segment, detect_target
 from hardware.interfaces import Frame
 
 log = logging.getLogger(__name__)
@@ -21,26 +21,26 @@ SHORTEST_REST_S = 0.15
 
 
 @dataclass(frozen=True)
-class Seen:
+class TargetDetection:
     """What was found of the object in the frame exposed at ``stamp_ns``."""
 
     stamp_ns: int = 0
-    corners: tuple[SeenCorner, ...] = ()
+    corners: tuple[DetectedCorner, ...] = ()
     outline: tuple[Segment, ...] = ()
     finding: Finding | None = None
 
 
-NOTHING = Seen()
+NO_DETECTION = TargetDetection()
 
 
-class ObjectWatch:
+class TargetWatch:
     """Detects on the newest frame that was offered, and rests between two detections."""
 
     def __init__(self) -> None:
         self._offered = threading.Condition()
-        self._item: CalibrationObject | None = None
+        self._item: CalibrationTarget | None = None
         self._frame: tuple[Frame, Stripe | None] | None = None
-        self._seen = NOTHING
+        self._seen = NO_DETECTION
         self._resting = False
         self._stopping = False
         self._thread: threading.Thread | None = None
@@ -58,15 +58,15 @@ class ObjectWatch:
             self._thread.join(5.0)
             self._thread = None
 
-    def watch(self, item: CalibrationObject | None) -> None:
+    def watch(self, item: CalibrationTarget | None) -> None:
         """Names the object to look for; None ends the search."""
         with self._offered:
             if item != self._item:
-                self._item, self._seen, self._frame = item, NOTHING, None
+                self._item, self._seen, self._frame = item, NO_DETECTION, None
 
     @property
-    def seen(self) -> Seen:
-        """What the last search found; ``NOTHING`` while none is wanted."""
+    def seen(self) -> TargetDetection:
+        """What the last search found; ``NO_DETECTION`` while none is wanted."""
         with self._offered:
             return self._seen
 
@@ -75,11 +75,11 @@ class ObjectWatch:
         with self._offered:
             self._resting = resting
 
-    def forget(self, seen: Seen) -> None:
+    def forget(self, seen: TargetDetection) -> None:
         """What was found is out of date: the next search begins at once."""
         with self._offered:
             if self._seen is seen:
-                self._seen = NOTHING
+                self._seen = NO_DETECTION
                 self._offered.notify()
 
     def offer(self, frame: Frame, stripe: Stripe | None) -> None:
@@ -106,16 +106,18 @@ class ObjectWatch:
                     self._seen = seen
             rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
             with self._offered:
-                self._offered.wait_for(lambda: self._stopping or self._seen is NOTHING, rest_s)
+                self._offered.wait_for(lambda: self._stopping or self._seen is NO_DETECTION, rest_s)
 
 
-def _search(frame: Frame, stripe: Stripe | None, item: CalibrationObject) -> Seen:
+def _search(frame: Frame, stripe: Stripe | None, item: CalibrationTarget) -> TargetDetection:
     stamp_ns = frame.mid_exposure_ns
     try:
-        found = found_in(frame.image, item, stripe)
-    except Refusal as refusal:
-        return Seen(stamp_ns, finding=refused(refusal))
+        found = detect_target(frame.image, item, stripe)
+    except OperationError as refusal:
+        return TargetDetection(stamp_ns, finding=error_finding(refusal))
     except Exception:  # a preview must not end because a picture is odd
         log.exception("the search for the object failed")
-        return Seen(stamp_ns, finding=Finding("attention", "The search for the object failed"))
-    return Seen(stamp_ns, found.corners, found.outline)
+        return TargetDetection(
+            stamp_ns, finding=Finding("attention", "The search for the object failed")
+        )
+    return TargetDetection(stamp_ns, found.corners, found.outline)

@@ -1,29 +1,29 @@
 """Why a scan cannot start, and what the operator should know while it runs."""
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding, capital
 from app.station.devices.rig import Rig
 from app.station.scan.pipeline import ScanCalibration, ScanPipeline
 
 # Below these shares nothing is said: a frame now and then does no harm.
-SAY_SHARE = 0.01
+REPORT_SHARE = 0.01
 BEHIND = 0.5
 SOME_FRAMES = 10
 
 
-def blocked(calibration: ScanCalibration | None, rig: Rig) -> Refusal | None:
+def start_error(calibration: ScanCalibration | None, rig: Rig) -> OperationError | None:
     """Why a scan with this calibration cannot start on these devices; None when it can."""
     if calibration is None:
-        return Refusal(
+        return OperationError(
             "no-calibration",
             "there is no valid calibration",
             "without one pixels cannot become points",
             "calibrate first",
         )
-    return _arm_blocked(calibration, rig) or _sensor_blocked(calibration, rig)
+    return _arm_error(calibration, rig) or _sensor_error(calibration, rig)
 
 
-def cut_short(trouble: Refusal | None) -> str:
+def end_reason(trouble: OperationError | None) -> str:
     """Why a scan ended before the operator ended it; empty where it did not."""
     if trouble is None:
         return ""
@@ -32,47 +32,49 @@ def cut_short(trouble: Refusal | None) -> str:
     return f"This scan was cut short: {trouble.why or trouble.what}."
 
 
-def _arm_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
+def _arm_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
     info = rig.arm.info
     if info is None or not rig.arm.fresh:
-        return _lost("arm", rig.arm.link().text)
+        return _device_lost_error("arm", rig.arm.link().text)
     if (doubt := rig.arm.doubt()) is not None:
         return doubt
     if info.joint_count != calibration.arm.joint_count:
-        return Refusal(
+        return OperationError(
             "wrong-arm",
             f"the connected arm has {info.joint_count} joints",
             f"the calibration is for one with {calibration.arm.joint_count}",
             "connect that arm, or calibrate with this one",
         )
-    return _other_serial("arm", info.serial_number, calibration.arm_serial)
+    return _serial_error("arm", info.serial_number, calibration.arm_serial)
 
 
-def _sensor_blocked(calibration: ScanCalibration, rig: Rig) -> Refusal | None:
+def _sensor_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
     info = rig.sensor.info
     if info is None or not rig.sensor.fresh:
-        return _lost("sensor", rig.sensor.link().text)
+        return _device_lost_error("sensor", rig.sensor.link().text)
     size = (info.width_px, info.height_px)
     wanted = (calibration.camera.width_px, calibration.camera.height_px)
     if size != wanted:
-        return Refusal(
+        return OperationError(
             "wrong-image-size",
             f"the sensor's image has {size[0]} × {size[1]} pixels",
             f"the calibration is for {wanted[0]} × {wanted[1]}",
             "set the sensor back, or calibrate again",
         )
-    return _other_serial("sensor", info.serial_number, calibration.sensor_serial)
+    return _serial_error("sensor", info.serial_number, calibration.sensor_serial)
 
 
-def _lost(device: str, why: str) -> Refusal:
-    return Refusal(f"{device}-lost", f"the {device} sends nothing", why, "wait until it does")
+def _device_lost_error(device: str, why: str) -> OperationError:
+    return OperationError(
+        f"{device}-lost", f"the {device} sends nothing", why, "wait until it does"
+    )
 
 
-def _other_serial(device: str, connected: str, calibrated: str) -> Refusal | None:
+def _serial_error(device: str, connected: str, calibrated: str) -> OperationError | None:
     """A device that tells no serial number cannot contradict the calibration."""
     if connected == calibrated or not connected or not calibrated:
         return None
-    return Refusal(
+    return OperationError(
         f"wrong-{device}",
         f"the connected {device} has the serial number {connected}",
         f"the calibration is for {calibrated}",
@@ -80,20 +82,20 @@ def _other_serial(device: str, connected: str, calibrated: str) -> Refusal | Non
     )
 
 
-def findings_of(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Finding, ...]:
+def scan_findings(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Finding, ...]:
     """What is amiss, the gravest first."""
     found = []
     if pipeline.trouble is not None:
         text = pipeline.trouble.line
         found.append(Finding("bad", f"The scan stopped: {text}", "What was recorded is kept."))
     if running:
-        found += _live(pipeline, rig)
+        found += _live_findings(pipeline, rig)
     else:
-        found += _summed(pipeline)
-    return (*found, *_counted(pipeline))
+        found += _summary_findings(pipeline)
+    return (*found, *_loss_findings(pipeline))
 
 
-def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
+def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     found = []
     if not rig.arm.fresh:
         found.append(Finding("bad", rig.arm.link().text, "The scan goes on when it is back."))
@@ -107,7 +109,7 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     elif pipeline.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
         remedy = "Bring the part into the sensor's range; if it is there, look at the exposure."
         found.append(Finding("neutral", "No line is seen", remedy))
-    found += _paced(pipeline)
+    found += _speed_findings(pipeline)
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog
         found.append(
@@ -120,7 +122,7 @@ def _live(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     return found
 
 
-def _paced(pipeline: ScanPipeline) -> list[Finding]:
+def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
     """Too fast, or standing."""
     now = pipeline.pace.now
     if now is None:
@@ -134,11 +136,11 @@ def _paced(pipeline: ScanPipeline) -> list[Finding]:
     return []
 
 
-def _summed(pipeline: ScanPipeline) -> list[Finding]:
+def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
     """What is told of a scan once it has ended."""
     counts, found = pipeline.counts, []
     pace = pipeline.pace
-    if pace.frames_too_fast > SAY_SHARE * counts.frames:
+    if pace.frames_too_fast > REPORT_SHARE * counts.frames:
         found.append(
             Finding(
                 "attention",
@@ -159,11 +161,11 @@ def _summed(pipeline: ScanPipeline) -> list[Finding]:
     return found
 
 
-def _counted(pipeline: ScanPipeline) -> list[Finding]:
+def _loss_findings(pipeline: ScanPipeline) -> list[Finding]:
     counts = pipeline.counts
     arrived = counts.frames + pipeline.lost_frames
     found = []
-    if pipeline.lost_frames > SAY_SHARE * arrived:
+    if pipeline.lost_frames > REPORT_SHARE * arrived:
         found.append(
             Finding(
                 "attention",
@@ -180,7 +182,7 @@ def _counted(pipeline: ScanPipeline) -> list[Finding]:
                 f"Nothing was made of them. {capital(newest.remedy)}.",
             )
         )
-    if counts.frames_without_joints > SAY_SHARE * counts.frames:
+    if counts.frames_without_joints > REPORT_SHARE * counts.frames:
         found.append(
             Finding(
                 "attention",

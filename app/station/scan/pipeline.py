@@ -16,10 +16,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
-from app.formats.clouds.files import CloudWriter, cloud_writer, packed
+from app.errors import OperationError
+from app.formats.clouds.files import CloudWriter, cloud_writer, pack_points
 from app.formats.clouds.points import Points
-from app.formats.io_errors import refusal_of
+from app.formats.io_errors import error_from_os
 from app.formats.recording.reader import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.metrology.arm.kinematics import Arm, flange_poses
@@ -28,11 +28,11 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import scan_points
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply
-from app.station.devices.arm_device import LATE_S, ArmSide
-from app.station.devices.sensor_device import SensorSide
+from app.station.devices.arm_device import LATE_S, StationArm
+from app.station.devices.sensor_device import StationSensor
 from app.station.scan.extraction import extraction_by
 from app.station.scan.recorder import Recorder, StripeFrame
-from app.station.scan.scan_speed import Pace
+from app.station.scan.scan_speed import ScanSpeed
 from app.station.scan.storage import CLOUD, RECORDING
 from hardware.interfaces import Frame
 
@@ -90,8 +90,8 @@ class ScanPipeline:
 
     def __init__(
         self,
-        arm: ArmSide,
-        sensor: SensorSide,
+        arm: StationArm,
+        sensor: StationSensor,
         calibration: ScanCalibration,
         folder: Path,
         show: Show,
@@ -101,8 +101,8 @@ class ScanPipeline:
         """``about``: what the recording says of the scan beside its devices and calibration."""
         self._about = dict(about or {})
         self.counts = Counts()
-        self.pace = Pace(arm, settings.blur_limit_mm)
-        self.failure: Refusal | None = None
+        self.pace = ScanSpeed(arm, settings.blur_limit_mm)
+        self.failure: OperationError | None = None
         self._arm = arm
         self._sensor = sensor
         self._calibration = calibration
@@ -120,7 +120,7 @@ class ScanPipeline:
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         joint_names = tuple(joint.name for joint in calibration.arm.joints)
         self._recorder = Recorder(folder / RECORDING, joint_names, self._told(), arm)
-        self._tap = sensor.frames.tap(_waiting(sensor))
+        self._tap = sensor.frames.tap(_queue_length(sensor))
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
             threading.Thread(target=self._record_all, name="scan-record", daemon=True),
@@ -140,7 +140,7 @@ class ScanPipeline:
         return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
 
     @property
-    def implausible(self) -> tuple[int, Refusal | None]:
+    def implausible(self) -> tuple[int, OperationError | None]:
         """How many of the arm's readings could not be true, and what is said of the newest."""
         count = self._arm.kept_back - self._kept_back_before
         return count, self._arm.newest_kept_back if count > 0 else None
@@ -163,7 +163,7 @@ class ScanPipeline:
         return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
 
     @property
-    def trouble(self) -> Refusal | None:
+    def trouble(self) -> OperationError | None:
         """Why the scan cannot go on: the disk, most likely."""
         return self.failure or self._recorder.failure
 
@@ -236,7 +236,7 @@ class ScanPipeline:
         """Pixels of another picture would become points in wrong places."""
         camera, shape = self._calibration.camera, frame.image.shape
         if shape != (camera.height_px, camera.width_px):
-            raise Refusal(
+            raise OperationError(
                 "image-size",
                 f"the sensor now sends pictures of {' × '.join(map(str, shape[::-1]))} pixels",
                 f"the calibration is for {camera.width_px} × {camera.height_px}",
@@ -248,12 +248,12 @@ class ScanPipeline:
         while (work := self._extracting.get()) is not None:
             try:
                 found = work.result()
-            except Refusal as refusal:
+            except OperationError as refusal:
                 self.failure = self.failure or refusal
                 continue
             except Exception as error:  # the scan ends with a reason, the station lives
                 log.exception("the stripes of a scan could not be extracted")
-                self.failure = self.failure or _failed(error)
+                self.failure = self.failure or _failure_error(error)
                 continue
             self.counts.frames += len(found)
             self.counts.frames_without_stripe += sum(not len(one.stripe.u) for one in found)
@@ -266,13 +266,13 @@ class ScanPipeline:
         try:
             with cloud_writer(self._cloud_path) as cloud:
                 self._points_of_all(cloud)
-        except Refusal as refusal:
+        except OperationError as refusal:
             self.failure = self.failure or refusal
         except OSError as error:
-            self.failure = self.failure or refusal_of(error, self._cloud_path)
+            self.failure = self.failure or error_from_os(error, self._cloud_path)
         except Exception as error:  # the scan ends with a reason, the station lives
             log.exception("the points of a scan could not be made")
-            self.failure = _failed(error)
+            self.failure = _failure_error(error)
         # the stage before ends only when its queue takes all
         while self._next_stripes() is not None:
             continue
@@ -314,7 +314,7 @@ class ScanPipeline:
         points, spread = scan_points(
             use.camera, use.plane, u, v, sigma_px, use.stripe_axis, count, T_arm_sensor
         )
-        records = packed(points, intensity, spread, np.repeat(numbers, count))
+        records = pack_points(points, intensity, spread, np.repeat(numbers, count))
         cloud.append(records)
         self.counts.points = cloud.points
         self._note(len(points))
@@ -356,11 +356,11 @@ class ScanPipeline:
             self._distance = (time.monotonic(), float(np.median(distances)))
 
 
-def _failed(error: Exception) -> Refusal:
-    return Refusal("failed", "the scan stopped", f"{error}", "start it again")
+def _failure_error(error: Exception) -> OperationError:
+    return OperationError("failed", "the scan stopped", f"{error}", "start it again")
 
 
-def _waiting(sensor: SensorSide) -> int:
+def _queue_length(sensor: StationSensor) -> int:
     """How many of its frames may wait, of up to 16 bits."""
     info = sensor.info
     if info is None:

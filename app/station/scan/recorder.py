@@ -9,11 +9,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.recording.reader import ARM_DELAY
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.stripe import Stripe
-from app.station.devices.arm_device import LATE_S, ArmSide
+from app.station.devices.arm_device import LATE_S, StationArm
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
 
@@ -49,10 +49,10 @@ class Recorder:
     """
 
     def __init__(
-        self, path: Path, joint_names: tuple[str, ...], station: Mapping[str, str], arm: ArmSide
+        self, path: Path, joint_names: tuple[str, ...], station: Mapping[str, str], arm: StationArm
     ) -> None:
         """``station``: as of ``RecordingWriter``."""
-        self.failure: Refusal | None = None
+        self.failure: OperationError | None = None
         self.pictures = self.pictures_dropped = 0
         self._delay_ns = int(station.get(ARM_DELAY, 0))
         self._arm = arm
@@ -121,11 +121,13 @@ class Recorder:
                 if self._arm.fresh:
                     self._arm.at(last_ns + self._delay_ns, LATE_S)
                 self._write_joints()
-        except Refusal as refusal:
+        except OperationError as refusal:
             self.failure = refusal
         except Exception as error:  # the scan ends with a reason, the station lives
             log.exception("a scan could not be recorded")
-            self.failure = Refusal("failed", "the recording stopped", f"{error}", "start it again")
+            self.failure = OperationError(
+                "failed", "the recording stopped", f"{error}", "start it again"
+            )
 
     def _write_frames(self) -> int:
         """Until told to end; the last frame's stamp."""

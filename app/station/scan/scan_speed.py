@@ -7,7 +7,7 @@ import numpy as np
 
 from app.metrology.sensor.motion_blur import PassSpeed, pass_speed
 from app.metrology.transforms import Floats
-from app.station.devices.arm_device import ArmSide
+from app.station.devices.arm_device import StationArm
 
 CHORD_NS = 10_000_000
 """Velocities are told over so much before the frame."""
@@ -17,7 +17,7 @@ AGE_S = 0.7
 
 
 @dataclass(frozen=True)
-class PaceNow:
+class CurrentSpeed:
     """Of the newest frame with a stripe."""
 
     blur_mm: float
@@ -33,10 +33,10 @@ class PaceNow:
         return self.blur_mm > self.limit_mm
 
 
-class Pace:
+class ScanSpeed:
     """Judges some frames of a scan, and counts for all."""
 
-    def __init__(self, arm: ArmSide, limit_mm: float | None) -> None:
+    def __init__(self, arm: StationArm, limit_mm: float | None) -> None:
         self.limit_mm = limit_mm
         """None: by the points themselves."""
         self.frames_too_fast = self.frames_still = 0
@@ -44,10 +44,10 @@ class Pace:
         """The largest blur so far."""
         self._arm = arm
         self._last_ns: int | None = None
-        self._newest: tuple[float, PaceNow] | None = None
+        self._newest: tuple[float, CurrentSpeed] | None = None
 
     @property
-    def now(self) -> PaceNow | None:
+    def now(self) -> CurrentSpeed | None:
         """None where no stripe was seen just now."""
         newest = self._newest
         return newest[1] if newest and time.monotonic() - newest[0] <= AGE_S else None
@@ -90,7 +90,7 @@ class Pace:
         automatic_mm = speed.limit_mm(uncertainty_mm)
         limit_mm = automatic_mm if self.limit_mm is None else self.limit_mm
         still = speed.step_mm < STILL_SPACINGS * speed.spacing_mm
-        now = PaceNow(speed.blur_mm, speed.step_mm, limit_mm, still)
+        now = CurrentSpeed(speed.blur_mm, speed.step_mm, limit_mm, still)
         self._newest = (time.monotonic(), now)
         self.worst_mm = max(self.worst_mm, speed.blur_mm)
         self.frames_too_fast += frames if now.too_fast else 0

@@ -7,18 +7,18 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import capital
 from app.formats.recording.reader import SCAN_NAME, SCAN_STARTED
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
-from app.station.scan.messages import blocked, cut_short, findings_of
+from app.station.scan.messages import end_reason, scan_findings, start_error
 from app.station.scan.pipeline import ScanCalibration, ScanPipeline
-from app.station.scan.state import NOTHING, ScanLoad, ScanResult, ScanState, State
-from app.station.scan.storage import ScanFolders, made, size_of
+from app.station.scan.state import NO_SCAN, ScanLoad, ScanResult, ScanState, State
+from app.station.scan.storage import ScanFolders, make_scan_folder, recording_size
 from app.station.view3d.scene import Scene
-from app.station.working_distance import Distance, distance_of
+from app.station.working_distance import Distance, classify_distance
 
 # The drawn arm moves ten times a second, the numbers change five times.
 WATCH_S = 0.1
@@ -59,8 +59,8 @@ class Scanner:
         self._folders = ScanFolders(scans_dir)
         self._lock = threading.RLock()
         self._calibration: ScanCalibration | None = None
-        self._look: Callable[[], Refusal | None] = lambda: None
-        self._trouble: Refusal | None = None
+        self._look: Callable[[], OperationError | None] = lambda: None
+        self._trouble: OperationError | None = None
         self._settings = AUTOMATIC
         self._scan: _Running | None = None
         self._published: ScanState | None = None
@@ -77,8 +77,8 @@ class Scanner:
     def set_calibration(
         self,
         calibration: ScanCalibration | None,
-        trouble: Refusal | None = None,
-        look: Callable[[], Refusal | None] = lambda: None,
+        trouble: OperationError | None = None,
+        look: Callable[[], OperationError | None] = lambda: None,
     ) -> None:
         """The calibration to scan with; a running scan keeps the one it started with.
 
@@ -101,7 +101,7 @@ class Scanner:
         self._publish()
 
     @property
-    def trouble(self) -> Refusal | None:
+    def trouble(self) -> OperationError | None:
         """Why the calibration in use cannot be read, or not any more."""
         with self._lock:
             trouble, look = self._trouble, self._look
@@ -114,7 +114,11 @@ class Scanner:
         if scan is None or scan.ended_s is not None:
             return None
         found_mm = scan.pipeline.distance_mm
-        return None if found_mm is None else distance_of(found_mm, scan.calibration.depth_range_mm)
+        return (
+            None
+            if found_mm is None
+            else classify_distance(found_mm, scan.calibration.depth_range_mm)
+        )
 
     def set_settings(self, settings: ScanSettings) -> None:
         """What the operator has set; a running scan goes on by it, but for the delay."""
@@ -136,14 +140,14 @@ class Scanner:
         with self._lock:
             return self._scan.folder if self._scan is not None and self._is_running() else None
 
-    def why_not(self) -> Refusal | None:
+    def why_not(self) -> OperationError | None:
         """Why a scan cannot start now; None when it can."""
         with self._lock:
             if self._is_running():
-                return Refusal(
+                return OperationError(
                     "busy", "a scan is running already", remedy="stop it before the next"
                 )
-            return self.trouble or blocked(self._calibration, self._rig)
+            return self.trouble or start_error(self._calibration, self._rig)
 
     def start(self, name: str, into: Path | None = None) -> str:
         """Starts a scan and switches the laser on; its id.
@@ -162,7 +166,7 @@ class Scanner:
             calibration = self._calibration
             assert calibration is not None
             started = datetime.now(UTC)
-            folder = self._folders.new(started) if into is None else made(into)
+            folder = self._folders.new(started) if into is None else make_scan_folder(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
             name = name.strip() or f"Scan {started:%Y-%m-%d %H:%M}"
             started_at = started.isoformat(timespec="seconds")
@@ -182,7 +186,7 @@ class Scanner:
                     self._settings,
                     {SCAN_NAME: name, SCAN_STARTED: started_at},
                 )
-            except Refusal:
+            except OperationError:
                 self._rig.sensor.laser_off()
                 raise
             self._scan = _Running(
@@ -238,7 +242,7 @@ class Scanner:
         why_not = "" if refusal is None or running else capital(refusal.line)
         state: State = "blocked" if why_not else "idle"
         if scan is None:
-            return replace(NOTHING, state=state, why_not=why_not)
+            return replace(NO_SCAN, state=state, why_not=why_not)
         if running:
             state = "stopping" if scan.stopping else "running"
         counts, pace = scan.pipeline.counts, scan.pipeline.pace
@@ -259,7 +263,7 @@ class Scanner:
             blur_limit_mm=now.limit_mm if now else None,
             frames_too_fast=pace.frames_too_fast,
             pictures=scan.pipeline.pictures[0],
-            findings=findings_of(scan.pipeline, self._rig, running),
+            findings=scan_findings(scan.pipeline, self._rig, running),
         )
 
     def _is_running(self) -> bool:
@@ -278,8 +282,8 @@ class Scanner:
             scan.seconds,
             scan.calibration.id,
             scan.pipeline.lost_frames,
-            cut_short(scan.pipeline.trouble),
-            size_of(scan.folder),
+            end_reason(scan.pipeline.trouble),
+            recording_size(scan.folder),
         )
 
     def _watch(self) -> None:

@@ -34,7 +34,7 @@ class ScanState:
     findings: tuple[Finding, ...]
 
 
-NOTHING = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0.0, None, None, None, 0, 0, ())
+NO_SCAN = ScanState("idle", "", None, 0, 0, 0.0, 0, 0, 0, 0.0, None, None, None, 0, 0, ())
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,10 @@ import shutil
 from datetime import datetime
 from pathlib import Path
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, make_folder
-from app.formats.file_names import shown_path
-from app.formats.io_errors import files_refused, refusal_of
+from app.formats.file_names import display_path
+from app.formats.io_errors import convert_io_errors, error_from_os
 
 RECORDING, CLOUD = "scan.mcap", "cloud.ply"
 # A scan does not start with less, and stops before the disk is so full that it
@@ -23,42 +23,44 @@ class ScanFolders:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def no_room_to_start(self) -> Refusal | None:
+    def no_room_to_start(self) -> OperationError | None:
         """Why the disk lets no scan begin; None when it does."""
         return self._no_room(START_FREE_BYTES)
 
-    def no_room_to_go_on(self) -> Refusal | None:
+    def no_room_to_go_on(self) -> OperationError | None:
         """Why the disk ends a running scan; None when it does not."""
         return self._no_room(STOP_FREE_BYTES)
 
     def new(self, started: datetime) -> Path:
-        """A folder of its own for a scan; raises ``Refusal`` where it cannot be made."""
+        """A folder of its own for a scan; raises ``OperationError`` where it cannot be made."""
         stem = f"{started:%Y%m%d-%H%M%S}"
         names = (stem if n == 1 else f"{stem}-{n}" for n in range(1, 1000))
-        with files_refused(self._folder):
+        with convert_io_errors(self._folder):
             for name in names:
                 with contextlib.suppress(FileExistsError):
                     make_folder(self._folder / name)
                     return self._folder / name
-        raise Refusal("folder-taken", f"no free name for a scan in {shown_path(self._folder)}")
+        raise OperationError(
+            "folder-taken", f"no free name for a scan in {display_path(self._folder)}"
+        )
 
-    def _no_room(self, needed: int) -> Refusal | None:
+    def _no_room(self, needed: int) -> OperationError | None:
         try:
             ensure_folder(self._folder)
             free = shutil.disk_usage(self._folder).free
         except OSError as error:
-            return refusal_of(error, self._folder)
+            return error_from_os(error, self._folder)
         if free >= needed:
             return None
-        return Refusal(
+        return OperationError(
             "disk-full",
-            f"only {free / 1e9:.2f} GB are free on the disk of {shown_path(self._folder)}",
+            f"only {free / 1e9:.2f} GB are free on the disk of {display_path(self._folder)}",
             f"a scan needs {needed / 1e9:.1f} GB",
             "free some space",
         )
 
 
-def size_of(folder: Path) -> int:
+def recording_size(folder: Path) -> int:
     """Bytes of the recording in a scan's folder; 0 where there is none."""
     try:
         return (folder / RECORDING).stat().st_size
@@ -66,8 +68,8 @@ def size_of(folder: Path) -> int:
         return 0
 
 
-def made(folder: Path) -> Path:
-    """A new folder where the caller wants it; raises ``Refusal`` where it cannot be made."""
-    with files_refused(folder):
+def make_scan_folder(folder: Path) -> Path:
+    """A new folder where the caller wants it; raises ``OperationError`` where it cannot be made."""
+    with convert_io_errors(folder):
         make_folder(folder)
     return folder

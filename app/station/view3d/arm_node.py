@@ -12,14 +12,14 @@ from app.metrology.transforms import Floats, apply
 from app.station.view3d.meshes import (
     Mesh,
     box,
-    joined,
+    flat_mesh,
+    join_meshes,
     link_meshes,
     measuring_field,
     reach_mm,
-    sheet,
     tube,
 )
-from app.station.view3d.nodes import M_PER_MM, Colour, add_mesh, pose_of
+from app.station.view3d.nodes import M_PER_MM, Colour, add_mesh, viser_pose
 
 LINK: Colour = (214, 218, 224)
 HUB: Colour = (66, 74, 86)
@@ -39,7 +39,7 @@ class Removable(Protocol):
     def remove(self) -> None: ...
 
 
-class ArmView:
+class ArmNode:
     """Nodes nested as the links are, so that a pose is one small message a joint."""
 
     def __init__(self, server: viser.ViserServer, arm: Arm) -> None:
@@ -61,7 +61,7 @@ class ArmView:
         """Puts every link where ``A_i E_i`` (n, 4, 4) of Eq. 2-3 has it."""
         with self._server.atomic():
             for handle, T in zip(self._links, links, strict=True):
-                handle.position, handle.wxyz = pose_of(T)
+                handle.position, handle.wxyz = viser_pose(T)
 
     def _build(self, arm: Arm) -> None:
         reach = reach_mm(arm)
@@ -142,7 +142,7 @@ class ArmView:
         self._field = add_mesh(
             self._server,
             f"{name}/field",
-            sheet(outline_mm),
+            flat_mesh(outline_mm),
             IDLE,
             opacity=IDLE_OPACITY,
             both_sides=True,
@@ -168,4 +168,4 @@ def _housing(centre_mm: Floats, R_flange_cam: Floats) -> Mesh:
 def _lens(centre_mm: Floats, R_flange_cam: Floats) -> Mesh:
     view = R_flange_cam[:, 2]
     rim = tube(centre_mm, centre_mm + 6.0 * view, 13.0, 12.0)
-    return joined(rim, tube(centre_mm + 6.0 * view, centre_mm + 6.5 * view, 9.0, 9.0))
+    return join_meshes(rim, tube(centre_mm + 6.0 * view, centre_mm + 6.5 * view, 9.0, 9.0))

@@ -9,23 +9,23 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
 from app.metrology.transforms import Floats
-from app.station.view3d.colormaps import APART, BALANCE, SCALE, Bytes, painted, stops_of
+from app.station.view3d.colormaps import APART, BALANCE, SCALE, Bytes, map_colours, scale_stops
 
 Measure = Literal["height", "intensity", "uncertainty", "age", "deviation"]
 Distances = Callable[[Floats], Floats]
 """Signed distances (N,) in mm of points (N, 3) from a fitted shape."""
 Points32 = NDArray[np.float32]
 """(N, 3), mm from the cloud's own origin."""
-Traits = NDArray[np.void]
-"""(N,) of ``TRAITS``."""
+PointAttributes = NDArray[np.void]
+"""(N,) of ``ATTRIBUTES``."""
 
-TRAITS = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
+ATTRIBUTES = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
 """What is kept of each shown point beside its place; the time since its scan began."""
 
 
-def traits_of(points: Points, taken_s: Floats) -> Traits:
+def point_attributes(points: Points, taken_s: Floats) -> PointAttributes:
     """Of points (N,) taken at times (N,)."""
-    traits = np.empty(len(points), TRAITS)
+    traits = np.empty(len(points), ATTRIBUTES)
     traits["intensity"] = points["intensity"]
     traits["uncertainty_um"] = points["uncertainty_um"]
     traits["taken_s"] = taken_s
@@ -33,7 +33,7 @@ def traits_of(points: Points, taken_s: Floats) -> Traits:
 
 
 @dataclass(frozen=True)
-class _Kind:
+class _MeasureScale:
     unit: str
     scale: Bytes
     percentiles: tuple[float, float]
@@ -41,12 +41,12 @@ class _Kind:
     least_span: float
 
 
-KINDS: dict[Measure, _Kind] = {
-    "height": _Kind("mm", SCALE, (0.2, 99.8), 1.0),
-    "intensity": _Kind("grey levels", SCALE, (2.0, 98.0), 10.0),
-    "uncertainty": _Kind("µm", SCALE, (1.0, 98.0), 2.0),
-    "age": _Kind("s", SCALE[::-1], (0.0, 100.0), 5.0),
-    "deviation": _Kind("µm", BALANCE, (0.0, 100.0), 4.0),
+MEASURE_SCALES: dict[Measure, _MeasureScale] = {
+    "height": _MeasureScale("mm", SCALE, (0.2, 99.8), 1.0),
+    "intensity": _MeasureScale("grey levels", SCALE, (2.0, 98.0), 10.0),
+    "uncertainty": _MeasureScale("µm", SCALE, (1.0, 98.0), 2.0),
+    "age": _MeasureScale("s", SCALE[::-1], (0.0, 100.0), 5.0),
+    "deviation": _MeasureScale("µm", BALANCE, (0.0, 100.0), 4.0),
 }
 # An automatic range moves once it is off by this share of itself.
 OFF_SHARE = 0.08
@@ -71,14 +71,14 @@ class Legend:
 
 
 @dataclass(frozen=True)
-class Target:
+class ReferenceShape:
     """The shape that deviations are from."""
 
     distances: Distances
     rms_mm: float
 
 
-class Painter:
+class CloudColouring:
     """Not safe for threads: its owner holds a lock.
 
     ``version`` counts up whenever points need other colours than before.
@@ -87,7 +87,7 @@ class Painter:
     def __init__(self) -> None:
         self.version = 0
         self.measure: Measure = "height"
-        self.target: Target | None = None
+        self.target: ReferenceShape | None = None
         self._low, self._high = 0.0, 1.0
         self._ranged = False
         self._by_hand = False
@@ -97,9 +97,14 @@ class Painter:
         """None before there is anything to colour."""
         if not self._ranged:
             return None
-        kind = KINDS[self.measure]
+        kind = MEASURE_SCALES[self.measure]
         return Legend(
-            self.measure, kind.unit, self._low, self._high, not self._by_hand, stops_of(kind.scale)
+            self.measure,
+            kind.unit,
+            self._low,
+            self._high,
+            not self._by_hand,
+            scale_stops(kind.scale),
         )
 
     def show(self, measure: Measure, limits: tuple[float, float] | None) -> None:
@@ -115,7 +120,7 @@ class Painter:
         """With nothing shown any more, what comes next tells an automatic range anew."""
         self._ranged = self._by_hand
 
-    def aim_at(self, target: Target | None) -> None:
+    def aim_at(self, target: ReferenceShape | None) -> None:
         """The shape that deviations are from; without one, heights are shown instead."""
         self.target = target
         if self.measure != "deviation":
@@ -125,7 +130,9 @@ class Painter:
         else:
             self.show("deviation", (self._low, self._high) if self._by_hand else None)
 
-    def values(self, points: Floats, traits: Traits, newest_s: float) -> NDArray[np.floating]:
+    def values(
+        self, points: Floats, traits: PointAttributes, newest_s: float
+    ) -> NDArray[np.floating]:
         """What is coloured by, (N,), of points (N, 3) of the arm frame."""
         if self.measure == "height":
             return np.asarray(points[:, 2])
@@ -147,13 +154,13 @@ class Painter:
         """Whether all of a node is older than the range, so that its colours stay."""
         return self.measure == "age" and newest_s - node_newest_s > self._high
 
-    def colours(self, points: Floats, traits: Traits, newest_s: float) -> Bytes:
+    def colours(self, points: Floats, traits: PointAttributes, newest_s: float) -> Bytes:
         """Colours (N, 3) of points (N, 3) of the arm frame."""
         if self.measure == "age":  # as of the step's end: nothing is younger than new
             step_s = AGE_STEP * max(self._high - self._low, 1e-6)
             newest_s = step_s * self.age_step(newest_s)
         values = self.values(points, traits, newest_s)
-        found = painted(values, self._low, self._high, KINDS[self.measure].scale)
+        found = map_colours(values, self._low, self._high, MEASURE_SCALES[self.measure].scale)
         if self.measure == "deviation":
             middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
             found[np.abs(values - middle) > APART_RANGES * half] = APART
@@ -174,7 +181,7 @@ class Painter:
             self.version += 1
 
     def _range_of(self, sample: NDArray[np.floating]) -> tuple[float, float] | None:
-        kind = KINDS[self.measure]
+        kind = MEASURE_SCALES[self.measure]
         if self.measure == "deviation":
             if self.target is None:
                 return None

@@ -14,7 +14,12 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
 from app.metrology.transforms import Floats
-from app.station.view3d.cloud_colouring import Painter, Points32, Traits, traits_of
+from app.station.view3d.cloud_colouring import (
+    CloudColouring,
+    PointAttributes,
+    Points32,
+    point_attributes,
+)
 from app.station.view3d.colormaps import Bytes
 from app.station.view3d.nodes import M_PER_MM
 from app.station.view3d.voxel_lod import Tiers, Voxels
@@ -28,11 +33,11 @@ SMALLEST_POINT_MM = 0.3
 
 
 @dataclass
-class _Node:
+class _PointNode:
     """A node of the scene, with what is needed to colour it again."""
 
     points_mm: Points32
-    traits: Traits
+    traits: PointAttributes
     handle: viser.PointCloudHandle | None = None
     painted: tuple[int, int] = (-1, 0)
     """The colours it has: version of the painter, and step of the age."""
@@ -41,16 +46,16 @@ class _Node:
     def newest_s(self) -> float:
         return float(self.traits["taken_s"].max())
 
-    def part(self, which: slice | NDArray[np.int64]) -> "_Node":
+    def part(self, which: slice | NDArray[np.int64]) -> "_PointNode":
         """Some of its points, not shown yet."""
-        return _Node(self.points_mm[which], self.traits[which])
+        return _PointNode(self.points_mm[which], self.traits[which])
 
 
-class CloudView:
+class CloudNode:
     """The cloud of one scan. Not safe for threads: its owner holds a lock."""
 
     def __init__(
-        self, server: viser.ViserServer, painter: Painter, budget: int, root: str = "/cloud"
+        self, server: viser.ViserServer, painter: CloudColouring, budget: int, root: str = "/cloud"
     ) -> None:
         self.budget = budget
         self.newest_s = 0.0
@@ -78,7 +83,7 @@ class CloudView:
         parts = [self._in_arm(node.points_mm) for node in self._nodes]
         return np.concatenate(parts) if parts else np.zeros((0, 3))
 
-    def traits(self) -> list[Traits]:
+    def traits(self) -> list[PointAttributes]:
         """Of what is shown, in the order of ``points_mm``."""
         return [node.traits for node in self._nodes]
 
@@ -112,7 +117,7 @@ class CloudView:
         new = np.flatnonzero(tiers >= 0)
         if not len(new):
             return
-        points, traits = places[new], traits_of(found[new], taken_s[new])
+        points, traits = places[new], point_attributes(found[new], taken_s[new])
         if self._painter.legend is None:
             self._painter.settle_range(self._painter.values(points, traits, float(taken_s[-1])))
         if not self._nodes:
@@ -120,7 +125,7 @@ class CloudView:
         self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points.T])
         self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points.T])
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
-        node = _Node((points - self._origin_mm).astype(np.float32), traits)
+        node = _PointNode((points - self._origin_mm).astype(np.float32), traits)
         self._small.append((node, tiers[new]))
         if self.keep_budget():
             return
@@ -163,7 +168,7 @@ class CloudView:
         return done
 
     @property
-    def _nodes(self) -> list[_Node]:
+    def _nodes(self) -> list[_PointNode]:
         return [*chain.from_iterable(self._large.values()), *(node for node, _ in self._small)]
 
     @property
@@ -176,8 +181,8 @@ class CloudView:
 
     def _forget(self) -> None:
         self._voxels = Voxels(FIRST_VOXEL_MM)
-        self._small: list[tuple[_Node, Tiers]] = []
-        self._large: dict[int, list[_Node]] = {}
+        self._small: list[tuple[_PointNode, Tiers]] = []
+        self._large: dict[int, list[_PointNode]] = {}
         self._origin_mm = np.zeros(3)
         self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
         self.newest_s = 0.0
@@ -192,10 +197,10 @@ class CloudView:
             self._root, show_axes=False, position=self._origin_mm * M_PER_MM
         )
 
-    def _colours(self, node: _Node) -> Bytes:
+    def _colours(self, node: _PointNode) -> Bytes:
         return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
 
-    def _show(self, node: _Node, tier: int | None = None) -> None:
+    def _show(self, node: _PointNode, tier: int | None = None) -> None:
         """Its name tells the tier of its points, where they are of one."""
         self._made += 1
         of_tier = "" if tier is None else f"-{tier}"
@@ -221,7 +226,7 @@ class CloudView:
             return
         tiers = np.concatenate([tiers for _, tiers in small])
         order = np.argsort(tiers, kind="stable")
-        whole, tiers = _joined([node for node, _ in small]).part(order), tiers[order]
+        whole, tiers = _concatenate([node for node, _ in small]).part(order), tiers[order]
         few = [np.zeros(0, dtype=np.int64)]
         for tier in range(self._voxels.finest, int(tiers[-1]) + 1):
             start, end = np.searchsorted(tiers, (tier, tier + 1))
@@ -236,12 +241,12 @@ class CloudView:
         for node, _ in small:
             _remove(node)
 
-    def _append(self, tier: int, node: _Node) -> None:
+    def _append(self, tier: int, node: _PointNode) -> None:
         """Shows a node's points in large nodes of their tier; fills up the last of those."""
         nodes = self._large.setdefault(tier, [])
         last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 3 else None
         if last is not None:
-            node = _joined([last, node])
+            node = _concatenate([last, node])
         for start in range(0, len(node.points_mm), NODE_POINTS):
             nodes.append(node.part(slice(start, start + NODE_POINTS)))
             self._show(nodes[-1], tier)
@@ -249,15 +254,15 @@ class CloudView:
             _remove(last)
 
 
-def _joined(nodes: list[_Node]) -> _Node:
+def _concatenate(nodes: list[_PointNode]) -> _PointNode:
     """All their points, not shown yet."""
-    return _Node(
+    return _PointNode(
         np.concatenate([node.points_mm for node in nodes]),
         np.concatenate([node.traits for node in nodes]),
     )
 
 
-def _remove(node: _Node) -> None:
+def _remove(node: _PointNode) -> None:
     if node.handle is not None:
         node.handle.remove()
         node.handle = None

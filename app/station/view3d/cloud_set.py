@@ -6,27 +6,27 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
 from app.metrology.transforms import Floats
-from app.station.view3d.cloud_colouring import TRAITS, Measure, Painter, Traits
-from app.station.view3d.cloud_node import CloudView
+from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, Measure, PointAttributes
+from app.station.view3d.cloud_node import CloudNode
 
 # So many points a turn are given other colours: the record and new points come first.
-REPAINTED_AT_ONCE = 400_000
+REPAINT_POINTS = 400_000
 SAMPLE = 20_000
 # The automatic range is looked at again when so much more is shown.
 LOOK_AGAIN = 1.05
 
 
-class Clouds:
+class CloudSet:
     """The scan under way, or the last one, and others that were asked for, by their names.
 
     Not safe for threads: its owner holds a lock.
     """
 
     def __init__(self, server: viser.ViserServer, budget: int) -> None:
-        self.painter = Painter()
+        self.painter = CloudColouring()
         self._server = server
         self._budget = budget
-        self._views: dict[str, CloudView] = {}
+        self._views: dict[str, CloudNode] = {}
         self._made = 0
         self._looked_at: tuple[int, int] = (-1, 0)
 
@@ -54,16 +54,16 @@ class Clouds:
         view = self._views[name]
         return view.points_mm(), view.voxel_mm
 
-    def traits_of(self, name: str) -> Traits:
+    def traits_of(self, name: str) -> PointAttributes:
         """Beside ``points_of``."""
         parts = self._views[name].traits()
-        return np.concatenate(parts) if parts else np.zeros(0, TRAITS)
+        return np.concatenate(parts) if parts else np.zeros(0, ATTRIBUTES)
 
     def open(self, name: str, live: bool = False) -> None:
         """A place for the points of one more scan; the others get less of the budget."""
         self._made += 1
         root = "/cloud" if live else f"/kept/{self._made}"
-        self._views[name] = CloudView(self._server, self.painter, self._budget, root)
+        self._views[name] = CloudNode(self._server, self.painter, self._budget, root)
         self._share()
 
     def close(self, name: str) -> None:
@@ -100,7 +100,7 @@ class Clouds:
         more = max(self.shown, shown) > LOOK_AGAIN * max(min(self.shown, shown), 1)
         if version != self.painter.version or more:
             self._settle_range()
-        left = REPAINTED_AT_ONCE
+        left = REPAINT_POINTS
         for view in self._views.values():
             left -= view.repaint(left)
 

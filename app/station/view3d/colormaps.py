@@ -74,7 +74,7 @@ BALANCE = np.concatenate(
 """From below to above, with nothing in the middle."""
 
 
-def painted(values: NDArray[np.floating], low: float, high: float, scale: Bytes) -> Bytes:
+def map_colours(values: NDArray[np.floating], low: float, high: float, scale: Bytes) -> Bytes:
     """Colours (N, 3) of values (N,) between two limits; beyond them the outermost."""
     known = np.append(scale, [NO_VALUE], axis=0).astype(np.uint8)
     by = (len(scale) - 1) / max(high - low, 1e-9)
@@ -84,7 +84,7 @@ def painted(values: NDArray[np.floating], low: float, high: float, scale: Bytes)
     return known.take(at.astype(np.intp), axis=0)
 
 
-def stops_of(scale: Bytes, count: int = 17) -> tuple[str, ...]:
+def scale_stops(scale: Bytes, count: int = 17) -> tuple[str, ...]:
     """Some of a scale's colours, evenly spaced, as pages write them."""
     at = np.rint(np.linspace(0, STEPS - 1, count)).astype(int)
     return tuple(f"#{r:02x}{g:02x}{b:02x}" for r, g, b in scale[at].tolist())

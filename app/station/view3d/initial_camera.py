@@ -8,12 +8,12 @@ from app.metrology.transforms import Floats
 FIELD_OF_VIEW_RAD = float(np.radians(42.0))
 ELEVATION_RAD = float(np.radians(26.0))
 # Beside the line from the arm's base to the work, so that both are seen.
-ASIDE_RAD = float(np.radians(-65.0))
+AZIMUTH_OFFSET_RAD = float(np.radians(-65.0))
 # A camera this near to where it was put (as a share of its distance) was not touched.
 UNTOUCHED = 0.01
 
 
-class Eye:
+class InitialCamera:
     """Aims new tabs, and those whose user has not moved the view."""
 
     def __init__(self, server: viser.ViserServer) -> None:
@@ -26,7 +26,7 @@ class Eye:
 
     def look(self, centre_m: Floats, radius_m: float) -> None:
         """Shows a ball of the arm frame, from beside the line between the base and it."""
-        azimuth = np.arctan2(centre_m[1], centre_m[0]) + ASIDE_RAD
+        azimuth = np.arctan2(centre_m[1], centre_m[0]) + AZIMUTH_OFFSET_RAD
         across = np.cos(ELEVATION_RAD)
         direction = np.array(
             [across * np.cos(azimuth), across * np.sin(azimuth), np.sin(ELEVATION_RAD)]

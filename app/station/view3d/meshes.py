@@ -31,7 +31,7 @@ class Mesh:
     faces: Faces
 
 
-def joined(*meshes: Mesh) -> Mesh:
+def join_meshes(*meshes: Mesh) -> Mesh:
     """Several meshes as one."""
     offsets = np.cumsum([0] + [len(mesh.vertices_mm) for mesh in meshes[:-1]])
     return Mesh(
@@ -87,7 +87,7 @@ def box(low_mm: Floats, high_mm: Floats) -> Mesh:
     return Mesh(np.concatenate(vertices), np.array(faces, dtype=np.uint32))
 
 
-def sheet(corners_mm: Floats) -> Mesh:
+def flat_mesh(corners_mm: Floats) -> Mesh:
     """A flat convex outline (K, 3), to be seen from both sides."""
     k = np.arange(1, len(corners_mm) - 1, dtype=np.uint32)
     return Mesh(corners_mm, np.column_stack([np.zeros_like(k), k, k + 1]))
@@ -119,7 +119,7 @@ def block_mesh(block: Crenellated) -> Mesh:
         )
         for i in range(block.merlon_count)
     ]
-    return joined(body, *merlons)
+    return join_meshes(body, *merlons)
 
 
 def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
@@ -131,12 +131,12 @@ def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
         np.array([(columns + 1) * square, (rows + 1) * square, 0.0]),
     )
     black = [
-        sheet(square * np.array([[i, j, 0], [i + 1, j, 0], [i + 1, j + 1, 0], [i, j + 1, 0.0]]))
+        flat_mesh(square * np.array([[i, j, 0], [i + 1, j, 0], [i + 1, j + 1, 0], [i, j + 1, 0.0]]))
         for i in range(-1, columns)
         for j in range(-1, rows)
         if (i + j) % 2 == 0
     ]
-    squares = joined(*black)
+    squares = join_meshes(*black)
     return plate, Mesh(squares.vertices_mm + [0.0, 0.0, INK_MM], squares.faces)
 
 
@@ -170,7 +170,7 @@ def link_meshes(joint: Joint, radius_mm: float, end_radius_mm: float) -> tuple[M
     ]
     half = 1.25 * radius_mm * joint_axis(joint)
     hub = tube(path[0] - half, path[0] + half, 1.3 * radius_mm, 1.3 * radius_mm)
-    return (joined(*tubes) if tubes else None), hub
+    return (join_meshes(*tubes) if tubes else None), hub
 
 
 def measuring_field(

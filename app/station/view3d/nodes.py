@@ -5,7 +5,7 @@ import viser
 from scipy.spatial.transform import Rotation
 
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats
 from app.station.view3d.meshes import Mesh, block_mesh, board_meshes
 
@@ -37,7 +37,7 @@ def add_mesh(
     )
 
 
-def pose_of(T_ab: Floats) -> tuple[Floats, Floats]:
+def viser_pose(T_ab: Floats) -> tuple[Floats, Floats]:
     """Position (3,) in metres and quaternion (w, x, y, z) of a transform (4, 4)."""
     x, y, z, w = Rotation.from_matrix(T_ab[:3, :3]).as_quat()
     return np.asarray(T_ab[:3, 3] * M_PER_MM), np.array([w, x, y, z])
@@ -47,7 +47,7 @@ TINT: Colour = (64, 120, 235)
 OPACITY = 0.16
 
 
-class FitViews:
+class ShapeNodes:
     """The shapes that are drawn, by their numbers."""
 
     def __init__(self, server: viser.ViserServer) -> None:
@@ -76,21 +76,21 @@ class FitViews:
 
 
 METAL: Colour = (176, 182, 190)
-PAPER: Colour = (232, 232, 228)
+BOARD_WHITE: Colour = (232, 232, 228)
 INK: Colour = (48, 52, 58)
 
 
-class ObjectView:
+class TargetNode:
     """Draws it where it lies. For one thread at a time."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
         self._drawn: list[viser.MeshHandle] = []
 
-    def show(self, T_arm_obj: Floats, item: CalibrationObject) -> None:
+    def show(self, T_arm_obj: Floats, item: CalibrationTarget) -> None:
         """Draws the object instead of the one before."""
         self.clear()
-        position, wxyz = pose_of(T_arm_obj)
+        position, wxyz = viser_pose(T_arm_obj)
         for name, mesh, colour in _parts(item):
             part = add_mesh(self._server, f"/object/{name}", mesh, colour, flat_shading=True)
             part.position, part.wxyz = position, wxyz
@@ -101,8 +101,8 @@ class ObjectView:
             self._drawn.pop().remove()
 
 
-def _parts(item: CalibrationObject) -> list[tuple[str, Mesh, Colour]]:
+def _parts(item: CalibrationTarget) -> list[tuple[str, Mesh, Colour]]:
     if isinstance(item, Chessboard):
         plate, squares = board_meshes(item)
-        return [("plate", plate, PAPER), ("squares", squares, INK)]
+        return [("plate", plate, BOARD_WHITE), ("squares", squares, INK)]
     return [("block", block_mesh(item), METAL)]

@@ -4,7 +4,7 @@ import numpy as np
 import viser
 
 from app.metrology.transforms import Floats
-from app.station.view3d.meshes import Mesh, box, joined
+from app.station.view3d.meshes import Mesh, box, join_meshes
 from app.station.view3d.nodes import M_PER_MM, Colour, add_mesh
 
 LIGHT: Colour = (206, 212, 220)
@@ -23,7 +23,7 @@ def round_length_mm(most_mm: float) -> float:
     return float(max(step * tens for step in (1.0, 2.0, 5.0) if step * tens <= most_mm * 1.0001))
 
 
-class Ruler:
+class ScaleBar:
     """Lies before the front lower edge of what is shown; alternately light and dark."""
 
     def __init__(self, server: viser.ViserServer) -> None:
@@ -49,8 +49,8 @@ class Ruler:
                 ROOT, show_axes=False, position=foot * M_PER_MM
             )
             parts = [self._part(i) for i in range(PARTS)]
-            add_mesh(self._server, f"{ROOT}/dark", joined(*parts[::2]), DARK)
-            add_mesh(self._server, f"{ROOT}/light", joined(*parts[1::2]), LIGHT)
+            add_mesh(self._server, f"{ROOT}/dark", join_meshes(*parts[::2]), DARK)
+            add_mesh(self._server, f"{ROOT}/light", join_meshes(*parts[1::2]), LIGHT)
             self._server.scene.add_label(
                 f"{ROOT}/length",
                 f"{length:g} mm",

@@ -16,15 +16,15 @@ from app.formats.clouds.points import Points
 from app.metrology.arm.kinematics import Arm, link_transforms
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, apply
-from app.station.view3d.arm_node import ArmView
-from app.station.view3d.cloud_colouring import Legend, Measure, Target, Traits
-from app.station.view3d.cloud_set import Clouds
-from app.station.view3d.initial_camera import Eye
+from app.station.view3d.arm_node import ArmNode
+from app.station.view3d.cloud_colouring import Legend, Measure, PointAttributes, ReferenceShape
+from app.station.view3d.cloud_set import CloudSet
+from app.station.view3d.initial_camera import InitialCamera
 from app.station.view3d.meshes import Mesh, reach_mm
-from app.station.view3d.nodes import M_PER_MM, FitViews, ObjectView
-from app.station.view3d.scale_bar import Ruler
+from app.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
+from app.station.view3d.scale_bar import ScaleBar
 from app.station.view3d.scene_server import open_server
 
 T = TypeVar("T")
@@ -59,19 +59,19 @@ class Scene:
         self._waiting_points = 0
         self._q_rad: Sequence[float] | None = None
         self._laser: tuple[bool, bool | None] = (False, None)
-        self._clouds = Clouds(self._server, point_budget)
-        self._fits = FitViews(self._server)
-        self._ruler = Ruler(self._server)
+        self._clouds = CloudSet(self._server, point_budget)
+        self._fits = ShapeNodes(self._server)
+        self._ruler = ScaleBar(self._server)
         self._live = ""
         self._begun = 0
         self._began_s = time.monotonic()
-        self._arm: ArmView | None = None
+        self._arm: ArmNode | None = None
         self._arm_model: Arm | None = None
-        self._object = ObjectView(self._server)
+        self._object = TargetNode(self._server)
         self._seen_size_mm = 0.0
         self._looked = False
         self._prepare()
-        self._eye = Eye(self._server)
+        self._eye = InitialCamera(self._server)
         self.begin()
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
@@ -167,7 +167,7 @@ class Scene:
         with self._lock:
             self._clouds.colour_by(measure, limits)
 
-    def aim_at(self, target: Target | None) -> None:
+    def aim_at(self, target: ReferenceShape | None) -> None:
         """The shape that deviations are from."""
         with self._lock:
             self._clouds.painter.aim_at(target)
@@ -181,7 +181,7 @@ class Scene:
         with self._lock:
             self._fits.hide(number)
 
-    def points_of(self, name: str) -> tuple[Floats, Traits, float]:
+    def points_of(self, name: str) -> tuple[Floats, PointAttributes, float]:
         """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""
         with self._lock:
             points_mm, voxel_mm = self._clouds.points_of(name)
@@ -195,7 +195,7 @@ class Scene:
             if self._arm is not None:
                 self._arm.remove()
             self._arm_model = arm
-            self._arm = None if arm is None else ArmView(self._server, arm)
+            self._arm = None if arm is None else ArmNode(self._server, arm)
             self._q_rad = None
             self._looked = False
 
@@ -225,7 +225,7 @@ class Scene:
         (None where no stripe is measured)."""
         self._laser = on, in_range
 
-    def set_object(self, T_arm_obj: Floats, item: CalibrationObject) -> None:
+    def set_object(self, T_arm_obj: Floats, item: CalibrationTarget) -> None:
         """Draws the object where the contacts or the pictures put it."""
         with self._lock:
             self._object.show(T_arm_obj, item)

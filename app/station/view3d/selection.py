@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.errors import Refusal
-from app.formats.clouds.pieces import cloud_pieces
+from app.errors import OperationError
+from app.formats.clouds.pieces import read_cloud_pieces
 from app.metrology.transforms import Floats
-from app.station.view3d.cloud_colouring import Traits
+from app.station.view3d.cloud_colouring import PointAttributes
 from app.station.view3d.nodes import M_PER_MM
 
 # The front surface is told by squares of the rectangle with about so many points each.
@@ -144,17 +144,17 @@ FRAMES_A_SCAN = 1 << 40
 
 
 @dataclass(frozen=True)
-class ShownCloud:
+class VisibleCloud:
     """A scan in the picture: what is shown of it, and its file once it is complete."""
 
     points_mm: Floats
-    traits: Traits
+    traits: PointAttributes
     voxel_mm: float
     file: Path | None
 
 
 @dataclass(frozen=True)
-class Picked:
+class SelectedPoints:
     """Points of a region."""
 
     points_mm: Floats
@@ -166,7 +166,9 @@ class Picked:
     """Whether files gave all points, or the thinned ones of the picture had to do."""
 
 
-def pick(camera: ViewCamera, rectangle: Rectangle, clouds: list[ShownCloud]) -> Picked:
+def select_points(
+    camera: ViewCamera, rectangle: Rectangle, clouds: list[VisibleCloud]
+) -> SelectedPoints:
     """The points on the surface in front, under a rectangle of the picture.
 
     Raises:
@@ -180,33 +182,33 @@ def pick(camera: ViewCamera, rectangle: Rectangle, clouds: list[ShownCloud]) -> 
         max((cloud.voxel_mm for cloud in clouds), default=0.0),
     )
     if surface.empty:
-        raise Refusal(
+        raise OperationError(
             "nothing-picked",
             "There are no points in the rectangle",
             remedy="draw it over a part of the cloud",
         )
-    gathered, every = _Gathered(), True
+    gathered, every = _PointSample(), True
     for number, cloud in enumerate(clouds):
-        for points, frame in _points_of(cloud):
+        for points, frame in _read_points(cloud):
             held = surface.holds(points)
             gathered.add(points[held], frame[held] + number * FRAMES_A_SCAN)
         every = every and cloud.file is not None
     points, frame = gathered.all()
-    return Picked(points, frame, gathered.count, every)
+    return SelectedPoints(points, frame, gathered.count, every)
 
 
-def _points_of(cloud: ShownCloud) -> Iterator[tuple[Floats, NDArray[np.int64]]]:
+def _read_points(cloud: VisibleCloud) -> Iterator[tuple[Floats, NDArray[np.int64]]]:
     if cloud.file is None:
         # frames are not kept of what is shown; those of one moment stand for one
         moments = np.unique(cloud.traits["taken_s"], return_inverse=True)[1]
         yield cloud.points_mm, moments.astype(np.int64)
         return
-    for points, _ in cloud_pieces(cloud.file):
+    for points, _ in read_cloud_pieces(cloud.file):
         places = np.column_stack([points["x"], points["y"], points["z"]])
         yield places, points["frame"].astype(np.int64)
 
 
-class _Gathered:
+class _PointSample:
     """Evenly thinned when it grows too large."""
 
     def __init__(self) -> None:

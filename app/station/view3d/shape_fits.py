@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.fitting.cylinder import CylinderFit, across
+from app.metrology.fitting.cylinder import CylinderFit, perpendicular_axes
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.fitting.shape import MeasuredShape, ShapeName
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
 from app.metrology.transforms import Floats
-from app.station.view3d.meshes import Mesh, ball, sheet, tube
+from app.station.view3d.meshes import Mesh, ball, flat_mesh, tube
 
 UM_PER_MM = 1e3
 MARGIN = 0.04
@@ -17,7 +17,7 @@ MARGIN = 0.04
 
 
 @dataclass(frozen=True)
-class Figure:
+class ShapeParameter:
     """A number with its standard uncertainty, k = 1; None where it is not known."""
 
     label: str
@@ -29,7 +29,7 @@ class Figure:
 
 
 @dataclass(frozen=True)
-class Fitted:
+class FittedShape:
     """What the operator reads of a fitted shape."""
 
     id: int
@@ -43,38 +43,44 @@ class Fitted:
     rms_um: float
     largest_um: float
     form_um: float
-    figures: tuple[Figure, ...]
+    figures: tuple[ShapeParameter, ...]
 
 
-def figures_of(measured: MeasuredShape) -> tuple[Figure, ...]:
+def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
     """The shape's parameters, the ones that are asked for first."""
-    fit, known = measured.fit, _Known(measured.covariance)
+    fit, known = measured.fit, _StandardUncertainties(measured.covariance)
     if isinstance(fit, PlaneFit):
         upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
         # known at the middle of its points, and by its tilts from there to the arm's zero
-        lever = np.array([1.0, *(float(side @ fit.centre_mm) for side in across(fit.normal))])
+        lever = np.array(
+            [1.0, *(float(side @ fit.centre_mm) for side in perpendicular_axes(fit.normal))]
+        )
         return (
-            Figure("From the arm's zero", fit.offset_mm, "mm", 3, known.along_um(lever), "µm"),
+            ShapeParameter(
+                "From the arm's zero", fit.offset_mm, "mm", 3, known.along_um(lever), "µm"
+            ),
             _angle("Tilt from level", upright, known.angle_arcsec(1)),
             *_vector("Normal", fit.normal),
         )
     if isinstance(fit, SphereFit):
         return (
-            Figure("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(3, 2.0), "µm"),
+            ShapeParameter("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(3, 2.0), "µm"),
             *(
-                Figure(f"Centre {axis}", float(fit.centre_mm[i]), "mm", 3, known.um(i), "µm")
+                ShapeParameter(
+                    f"Centre {axis}", float(fit.centre_mm[i]), "mm", 3, known.um(i), "µm"
+                )
                 for i, axis in enumerate("XYZ")
             ),
         )
     level = float(np.arcsin(np.clip(abs(fit.direction[2]), 0.0, 1.0)))
     return (
-        Figure("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
+        ShapeParameter("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
         _angle("Axis from level", level, known.angle_arcsec(2)),
         *_vector("Axis", fit.direction),
     )
 
 
-class _Known:
+class _StandardUncertainties:
     """Standard uncertainties out of a covariance, where there is one."""
 
     def __init__(self, covariance: Floats | None) -> None:
@@ -100,17 +106,18 @@ class _Known:
         return ARCSEC_PER_RAD * float(np.sqrt(np.linalg.eigvalsh(tilts)[-1]))
 
 
-def _angle(label: str, angle_rad: float, known_arcsec: float | None) -> Figure:
-    return Figure(label, float(np.degrees(angle_rad)), "°", 3, known_arcsec, "″")
+def _angle(label: str, angle_rad: float, known_arcsec: float | None) -> ShapeParameter:
+    return ShapeParameter(label, float(np.degrees(angle_rad)), "°", 3, known_arcsec, "″")
 
 
-def _vector(label: str, direction: Floats) -> tuple[Figure, ...]:
+def _vector(label: str, direction: Floats) -> tuple[ShapeParameter, ...]:
     return tuple(
-        Figure(f"{label} {axis}", float(direction[i]), "", 5) for i, axis in enumerate("XYZ")
+        ShapeParameter(f"{label} {axis}", float(direction[i]), "", 5)
+        for i, axis in enumerate("XYZ")
     )
 
 
-def fitted_mesh(measured: MeasuredShape, points_mm: Floats) -> Mesh:
+def shape_mesh(measured: MeasuredShape, points_mm: Floats) -> Mesh:
     """The shape where it was fitted to points (N, 3), a little larger."""
     fit = measured.fit
     used = points_mm[fit.used]
@@ -126,12 +133,12 @@ def fitted_mesh(measured: MeasuredShape, points_mm: Floats) -> Mesh:
     low_b, high_b = _reach((used - fit.centre_mm) @ b)
     foot = fit.centre_mm - fit.normal * float(fit.normal @ fit.centre_mm - fit.offset_mm)
     corners = [(low_a, low_b), (high_a, low_b), (high_a, high_b), (low_a, high_b)]
-    return sheet(np.array([foot + u * a + v * b for u, v in corners]))
+    return flat_mesh(np.array([foot + u * a + v * b for u, v in corners]))
 
 
 def _main_directions(points: Floats, fit: PlaneFit) -> tuple[Floats, Floats]:
     """In the plane, along and across the points."""
-    a, b = across(fit.normal)
+    a, b = perpendicular_axes(fit.normal)
     flat = (points - fit.centre_mm) @ np.column_stack([a, b])
     vectors = np.linalg.eigh(flat.T @ flat)[1]
     return vectors[0, 1] * a + vectors[1, 1] * b, vectors[0, 0] * a + vectors[1, 0] * b

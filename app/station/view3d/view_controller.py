@@ -9,14 +9,20 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import Refusal
-from app.formats.clouds.pieces import cloud_pieces
+from app.errors import OperationError
+from app.formats.clouds.pieces import read_cloud_pieces
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
-from app.station.view3d.cloud_colouring import Legend, Measure, Target
+from app.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
 from app.station.view3d.scene import Scene
-from app.station.view3d.selection import Picked, Rectangle, ShownCloud, ViewCamera, pick
-from app.station.view3d.shape_fits import UM_PER_MM, Fitted, figures_of, fitted_mesh
+from app.station.view3d.selection import (
+    Rectangle,
+    SelectedPoints,
+    ViewCamera,
+    VisibleCloud,
+    select_points,
+)
+from app.station.view3d.shape_fits import UM_PER_MM, FittedShape, shape_mesh, shape_parameters
 from app.station.working_distance import Distance
 
 log = logging.getLogger(__name__)
@@ -37,7 +43,7 @@ class StoredScan:
 
 
 @dataclass(frozen=True)
-class ShownScan:
+class VisibleScan:
     """A scan in the picture, and how much of it has been read, 0 to 1."""
 
     id: str
@@ -49,10 +55,10 @@ class ShownScan:
 class ViewState:
     """The 3D view as the browser's panels show it."""
 
-    scans: tuple[ShownScan, ...]
+    scans: tuple[VisibleScan, ...]
     measure: Measure
     legend: Legend | None
-    fits: tuple[Fitted, ...]
+    fits: tuple[FittedShape, ...]
     busy: str
     """What is being fitted now; empty when nothing is."""
     distance: Distance | None
@@ -61,7 +67,7 @@ class ViewState:
     """Counts up when scans were renamed or deleted."""
 
 
-class Viewing:
+class ViewController:
     """Changes what is shown, for all viewers; methods may be called from any thread.
 
     What takes longer is done on threads of its own: reading clouds, and fitting.
@@ -79,7 +85,7 @@ class Viewing:
         self._lock = threading.RLock()
         self._cameras: dict[str, ViewCamera] = {}
         self._loading: dict[str, float] = {}
-        self._fits: list[tuple[Fitted, MeasuredShape]] = []
+        self._fits: list[tuple[FittedShape, MeasuredShape]] = []
         self._fits_made = 0
         self._begun = scene.begun
         self._busy = ""
@@ -119,7 +125,7 @@ class Viewing:
             scans = self._scene.scans
             return ViewState(
                 scans=tuple(
-                    ShownScan(name, shown, round(self._loading.get(name, 1.0), 2))
+                    VisibleScan(name, shown, round(self._loading.get(name, 1.0), 2))
                     for name, shown in scans.items()
                     if name
                 ),
@@ -145,7 +151,7 @@ class Viewing:
         """
         file = scan.folder / CLOUD
         if not file.is_file():
-            raise Refusal(
+            raise OperationError(
                 "cloud-gone",
                 f"The cloud of {scan.name} is not in the data folder",
                 remedy="rebuild it from its recording with crenel reconstruct",
@@ -174,13 +180,13 @@ class Viewing:
         if limits is not None and not (
             all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
         ):
-            raise Refusal(
+            raise OperationError(
                 "no-range", "The lower limit is not below the upper", remedy="change one of them"
             )
         with self._lock:
             self._drop_old_fits()
             if measure == "deviation" and not self._fits:
-                raise Refusal(
+                raise OperationError(
                     "no-fit",
                     "There is no fitted shape yet",
                     "deviations are distances from one",
@@ -200,13 +206,13 @@ class Viewing:
         with self._lock:
             camera = self._cameras.get(key)
             if camera is None:
-                raise Refusal(
+                raise OperationError(
                     "no-view",
                     "The 3D view of this page is not connected",
                     remedy="wait a moment, or load the page again",
                 )
             if self._busy:
-                raise Refusal("busy", self._busy, remedy="wait until it is done")
+                raise OperationError("busy", self._busy, remedy="wait until it is done")
             self._busy = f"Fitting a {shape}"
             self._publish()
         self._fitter.submit(self._fit, camera, rectangle, shape)
@@ -223,14 +229,14 @@ class Viewing:
         """On the loader's thread."""
         s_a_frame = scan.seconds / max(scan.frames, 1)
         try:
-            for points, done in cloud_pieces(scan.folder / CLOUD):
+            for points, done in read_cloud_pieces(scan.folder / CLOUD):
                 known = self._scene.add_to_scan(scan.id, points, s_a_frame * points["frame"])
                 if not known or self._closing.is_set():
                     break
                 with self._lock:
                     if scan.id in self._loading:
                         self._loading[scan.id] = done
-        except Refusal as refusal:
+        except OperationError as refusal:
             self.hide(scan.id)
             self._bus.event("refused", f"{scan.name} cannot be shown: {refusal.line}", "bad")
         except Exception:
@@ -245,13 +251,13 @@ class Viewing:
         """On the fitter's thread."""
         begun = self._scene.begun
         try:
-            picked = pick(camera, rectangle, self._shown())
+            picked = select_points(camera, rectangle, self._shown())
             measured = measure_shape(shape, picked.points_mm, picked.frame)
             with self._lock:
                 self._drop_old_fits()
                 if begun == self._scene.begun:
                     self._keep(shape, picked, measured)
-        except Refusal as refusal:
+        except OperationError as refusal:
             self._bus.event("refused", f"No {shape} was fitted: {refusal.line}", "attention")
         except Exception:
             log.exception("a shape could not be fitted")
@@ -260,10 +266,10 @@ class Viewing:
             with self._lock:
                 self._busy = ""
 
-    def _keep(self, shape: ShapeName, picked: Picked, measured: MeasuredShape) -> None:
+    def _keep(self, shape: ShapeName, picked: SelectedPoints, measured: MeasuredShape) -> None:
         self._fits_made += 1
         fit = measured.fit
-        fitted = Fitted(
+        fitted = FittedShape(
             id=self._fits_made,
             shape=shape,
             points=int(fit.used.sum()),
@@ -272,10 +278,10 @@ class Viewing:
             rms_um=UM_PER_MM * fit.rms_mm,
             largest_um=UM_PER_MM * measured.largest_mm,
             form_um=UM_PER_MM * fit.form_mm,
-            figures=figures_of(measured),
+            figures=shape_parameters(measured),
         )
         self._fits.append((fitted, measured))
-        mesh = fitted_mesh(measured, picked.points_mm)
+        mesh = shape_mesh(measured, picked.points_mm)
         self._scene.show_shape(fitted.id, mesh, f"{shape.capitalize()} {fitted.id}")
         self._aim()
 
@@ -285,9 +291,9 @@ class Viewing:
             self._scene.aim_at(None)
             return
         measured = self._fits[-1][1]
-        self._scene.aim_at(Target(measured.distances, measured.fit.rms_mm))
+        self._scene.aim_at(ReferenceShape(measured.distances, measured.fit.rms_mm))
 
-    def _shown(self) -> list[ShownCloud]:
+    def _shown(self) -> list[VisibleCloud]:
         """All that is in the picture, with the files of the scans that are complete."""
         found = []
         for name in self._scene.scans:
@@ -296,7 +302,7 @@ class Viewing:
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
                 if len(points_mm):
-                    found.append(ShownCloud(points_mm, traits, voxel_mm, file if whole else None))
+                    found.append(VisibleCloud(points_mm, traits, voxel_mm, file if whole else None))
         return found
 
     def _drop_old_fits(self) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
-from app.native.arguments import F64, I8, I64, Array, Function, Real, Whole
+from app.native.arguments import F64, I8, I64, Array, Function, Integer, Real
 from app.native.product import CRENEL
 
 Tiers = NDArray[np.int8]
@@ -30,11 +30,11 @@ _take_points = Function(
     "take_points",
     Array(F64, "n", 3),
     Real(),
-    Whole(),
+    Integer(),
     Array(I64, "slots", 2, written=True),
     Array(I64, "old_slots", 2),
     Array(I64, SIZES, written=True),
-    Whole(),
+    Integer(),
     Array(I8, "n", written=True),
     returns=int,
 )
@@ -42,7 +42,7 @@ _copy_bricks = Function(
     CRENEL,
     "copy_bricks",
     Array(I64, "old_slots", 2),
-    Whole(),
+    Integer(),
     Array(I64, "slots", 2, written=True),
 )
 

@@ -17,7 +17,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button
 from hardware.simulator.devices.faults import Faults
 from hardware.simulator.devices.motion import Motion
-from hardware.simulator.devices.ports import Line
+from hardware.simulator.devices.ports import DevicePort
 
 SYNC = b"\xa7\x5c"
 VERSION, SAMPLE, HELLO = 1, 0x01, 0x02
@@ -74,7 +74,7 @@ class ArmDevice:
     """
 
     def __init__(
-        self, motion: Motion, line: Line, encoders: Encoders, faults: Faults, seed: int = 0
+        self, motion: Motion, line: DevicePort, encoders: Encoders, faults: Faults, seed: int = 0
     ) -> None:
         self.requests = 0
         self._motion, self._line, self._encoders, self._faults = motion, line, encoders, faults

@@ -26,12 +26,12 @@ STRIPE_SD_PX, READ_NOISE, ELECTRONS_PER_LEVEL = 2.0, 2.0, 40.0
 RING_FRAMES, RING_SAMPLES = 128, 4096
 """What the devices keep for a reader that is late; what is older is lost. Of frames 0.2 s, as
 many buffers as one gives the driver of so fast a camera."""
-TOGETHER_S = 0.004
+PACKET_S = 0.004
 """Readings of the arm that come in one packet."""
 
 
 @dataclass(frozen=True)
-class Pace:
+class FastStationConfig:
     """How fast the station is, and how much it sees."""
 
     profiles_hz: float = 600.0
@@ -42,21 +42,21 @@ class Pace:
     seed: int = 1
 
 
-class SwiftClock:
+class SweepClock:
     """When the sweep began: one for arm and sensor."""
 
     def __init__(self) -> None:
         self.start_ns = now_ns()
 
-    def azimuth_rad(self, stamp_ns: int, pace: Pace) -> float:
+    def azimuth_rad(self, stamp_ns: int, pace: FastStationConfig) -> float:
         """Of the laser's plane in the arm's frame."""
         return -np.pi + pace.turn_rad_s * (stamp_ns - self.start_ns) / 1e9
 
 
-class SwiftArm:
+class FastArm:
     """Meets ``ArmDriver``."""
 
-    def __init__(self, pace: Pace, clock: SwiftClock) -> None:
+    def __init__(self, pace: FastStationConfig, clock: SweepClock) -> None:
         self._pace, self._clock = pace, clock
         self._health = LinkHealth()
         self._pause = threading.Event()
@@ -71,7 +71,7 @@ class SwiftArm:
         return ArmInfo("Swift arm", "SWIFT-A", JOINTS, self._pace.arm_hz)
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
-        self._pause.wait(min(TOGETHER_S, timeout_s))
+        self._pause.wait(min(PACKET_S, timeout_s))
         due = self._due()
         late = due - RING_SAMPLES - self._next
         if late > 0:
@@ -94,10 +94,12 @@ class SwiftArm:
         return JointSample(number, stamp_ns, (turned, *(0.0,) * (JOINTS - 1)))
 
 
-class SwiftSensor:
+class FastSensor:
     """Meets ``SensorDriver``; its laser is always on."""
 
-    def __init__(self, pace: Pace, clock: SwiftClock, pool: Sequence[NDArray[np.uint8]]) -> None:
+    def __init__(
+        self, pace: FastStationConfig, clock: SweepClock, pool: Sequence[NDArray[np.uint8]]
+    ) -> None:
         self._pace, self._clock, self._pool = pace, clock, pool
         self._health = LinkHealth()
         self._pause = threading.Event()
@@ -150,7 +152,7 @@ class SwiftSensor:
         return int((now_ns() - self._clock.start_ns) * self._pace.profiles_hz / 1e9)
 
 
-def stripe_pictures(pace: Pace, count: int = POOL) -> list[NDArray[np.uint8]]:
+def draw_stripe_images(pace: FastStationConfig, count: int = POOL) -> list[NDArray[np.uint8]]:
     """Pictures (height, width) of a wavy stripe with shot and read noise, a point a column."""
     rng = np.random.default_rng(pace.seed)
     columns = np.arange(pace.width_px)

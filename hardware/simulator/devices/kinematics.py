@@ -10,15 +10,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.native.arguments import F64, Array, Function, Real, Whole
+from app.native.arguments import F64, Array, Function, Integer, Real
 from hardware.simulator.native import SIMULATOR
 
 Floats = NDArray[np.float64]
-WrongIn = Literal["links", "parameters"]
+ErrorSource = Literal["links", "parameters"]
 
-REACHED_MM = 1e-7
+SOLVED_MM = 1e-7
 """Norm of what a pose misses, a radian of orientation weighing as much as 200 mm."""
-MOST_JOINTS = 16
+MAX_JOINTS = 16
 JUMP_RAD = 0.6
 """No joint turns so far between neighbours of a path; it would be another posture."""
 
@@ -38,7 +38,7 @@ _follow = Function(
     Array(F64, "N", written=True),
     Real(),
     Real(),
-    Whole(),
+    Integer(),
     returns=int,
 )
 
@@ -48,7 +48,7 @@ class UnreachableError(ValueError):
 
 
 @dataclass(frozen=True)
-class Link:
+class ArmLink:
     """One rotary joint and the link behind it, as truly built."""
 
     a_mm: float
@@ -65,7 +65,7 @@ class Link:
 class ArmModel:
     """A chain of links with a touch probe; ``tip_mm`` is its sphere's centre on the flange."""
 
-    links: tuple[Link, ...]
+    links: tuple[ArmLink, ...]
     tip_mm: tuple[float, float, float]
     tip_diameter_mm: float
     encoder_sd_rad: float = 1e-5
@@ -73,8 +73,8 @@ class ArmModel:
     serial_number: str = "TWIN-A1"
 
     def __post_init__(self) -> None:
-        if len(self.links) > MOST_JOINTS:
-            raise ValueError(f"an arm may have {MOST_JOINTS} joints, not {len(self.links)}")
+        if len(self.links) > MAX_JOINTS:
+            raise ValueError(f"an arm may have {MAX_JOINTS} joints, not {len(self.links)}")
 
     @property
     def joint_count(self) -> int:
@@ -138,7 +138,7 @@ def tip_centre(arm: ArmModel, q_rad: Floats) -> Floats:
     return np.asarray(T[:3, :3] @ np.array(arm.tip_mm) + T[:3, 3])
 
 
-def follow(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
+def follow_poses(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
     """Joint angles (N, n) along a path of flange poses (N, 4, 4), each near the last.
 
     Raises:
@@ -148,12 +148,12 @@ def follow(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
     i = len(path)
     if i == len(targets):
         return path
-    if misfits_mm[i] <= REACHED_MM:
+    if misfits_mm[i] <= SOLVED_MM:
         raise UnreachableError(f"the arm would have to flip over at point {i} of the path")
     raise UnreachableError(f"point {i} of the path misses by {misfits_mm[i]:.3g} mm")
 
 
-def reach(
+def solve_joints(
     arm: ArmModel,
     target: Floats,
     start_rad: Floats,
@@ -189,14 +189,14 @@ def _descend(
         np.ascontiguousarray(targets, dtype=np.float64),
         path,
         misfits_mm,
-        REACHED_MM,
+        SOLVED_MM,
         jump_rad,
         steps,
     )
     return path[:reached], misfits_mm
 
 
-def _with_parameters_off(link: Link, by: Floats) -> Link:
+def _offset_parameters(link: ArmLink, by: Floats) -> ArmLink:
     """A link whose parameters are off along and about x and z, of ``by`` (6,) as of an error."""
     return replace(
         link,
@@ -207,8 +207,8 @@ def _with_parameters_off(link: Link, by: Floats) -> Link:
     )
 
 
-def imperfect(
-    arm: ArmModel, rms_um: float, rng: np.random.Generator, wrong_in: WrongIn = "links"
+def perturb_arm(
+    arm: ArmModel, rms_um: float, rng: np.random.Generator, wrong_in: ErrorSource = "links"
 ) -> ArmModel:
     """The arm as it really is, with errors that its papers do not know.
 
@@ -224,7 +224,7 @@ def imperfect(
     def with_errors(scale: float) -> ArmModel:
         rows = zip(arm.links, unit * scale, strict=True)
         if wrong_in == "parameters":
-            return replace(arm, links=tuple(_with_parameters_off(*row) for row in rows))
+            return replace(arm, links=tuple(_offset_parameters(*row) for row in rows))
         links = []
         for link, row in rows:
             x, y, z, rx, ry, rz = (float(value) for value in row)

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from hardware.simulator.devices.kinematics import ArmModel, Floats, flange_pose, follow
+from hardware.simulator.devices.kinematics import ArmModel, Floats, flange_pose, follow_poses
 
 KNOTS = 24
 FASTEST_RAD_S = 4.0
 """No joint is moved faster by the hand."""
-KEPT = 16
+STORED_PIECES = 16
 HALT_S = 0.12
 RAMP_S = 0.15
 
@@ -51,7 +51,7 @@ class Motion:
         self._tones_hz = rng.uniform(6.0, 11.0, (3, len(q_rad)))
         self._phases = rng.uniform(0.0, 2 * np.pi, (3, len(q_rad)))
         resting = _Piece(0, 0, _spline(np.array([0.0, 1e-3]), np.stack([q_rad, q_rad])), True)
-        self._pieces: deque[_Piece] = deque([resting], maxlen=KEPT)
+        self._pieces: deque[_Piece] = deque([resting], maxlen=STORED_PIECES)
 
     def play(self, path: JointPath, start_ns: int, trembles: bool = False) -> int:
         """Moves along a path from ``start_ns``; returns when it ends. ``trembles``: once there."""
@@ -113,12 +113,12 @@ def _spline(times_s: Floats, q_rad: Floats) -> CubicSpline:
     return CubicSpline(times_s, q_rad, bc_type="clamped")
 
 
-def smooth(share: Floats) -> Floats:
+def min_jerk_progress(share: Floats) -> Floats:
     """Least-jerk progress from 0 to 1."""
     return np.asarray(share**3 * (10 - 15 * share + 6 * share**2))
 
 
-def between(a: Floats, b: Floats, share: float) -> Floats:
+def interpolate_rotation(a: Floats, b: Floats, share: float) -> Floats:
     """(3, 3) rotation a part of the way from one to another."""
     turn = a.T @ b
     w = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
@@ -132,19 +132,19 @@ def between(a: Floats, b: Floats, share: float) -> Floats:
     return np.asarray(a @ (np.eye(3) + np.sin(part) * K + (1 - np.cos(part)) * K @ K))
 
 
-def path_over(arm: ArmModel, poses: Floats, q_rad: Floats, duration_s: float) -> JointPath:
+def plan_path(arm: ArmModel, poses: Floats, q_rad: Floats, duration_s: float) -> JointPath:
     """A path through flange poses (K, 4, 4) that are even in progress; slowed where too fast.
 
     Raises:
         UnreachableError: the arm cannot follow.
     """
-    q = np.vstack([q_rad, follow(arm, poses[1:], q_rad)])
+    q = np.vstack([q_rad, follow_poses(arm, poses[1:], q_rad)])
     times = np.linspace(0.0, duration_s, len(q))
     fastest = float(np.max(np.abs(np.diff(q, axis=0)) / np.diff(times)[:, None]))
     return JointPath(times * max(1.0, fastest / FASTEST_RAD_S), q)
 
 
-def reaching_path(
+def plan_approach(
     arm: ArmModel,
     q_rad: Floats,
     target: Floats,
@@ -167,9 +167,9 @@ def reaching_path(
     p3 = target[:3, :3] @ tool_mm + target[:3, 3]
     p1, p2 = p0 + lifts_mm[0], p3 + lifts_mm[1]
     poses = np.tile(np.eye(4), (KNOTS, 1, 1))
-    for pose, s in zip(poses, smooth(np.linspace(0.0, 1.0, KNOTS)), strict=True):
+    for pose, s in zip(poses, min_jerk_progress(np.linspace(0.0, 1.0, KNOTS)), strict=True):
         r = 1 - s
         point = r**3 * p0 + 3 * r**2 * s * p1 + 3 * r * s**2 * p2 + s**3 * p3
-        pose[:3, :3] = between(start[:3, :3], target[:3, :3], float(s))
+        pose[:3, :3] = interpolate_rotation(start[:3, :3], target[:3, :3], float(s))
         pose[:3, 3] = point - pose[:3, :3] @ tool_mm
-    return path_over(arm, poses, q_rad, duration_s)
+    return plan_path(arm, poses, q_rad, duration_s)

@@ -11,7 +11,7 @@ WAITING_BYTES = 16_384
 """What a client that does not read may leave waiting; more is lost to it."""
 
 
-class Line(Protocol):
+class DevicePort(Protocol):
     """One thread polls and sends; nothing blocks."""
 
     url: str
@@ -32,7 +32,7 @@ class Line(Protocol):
         """To every client, whole or not at all."""
 
 
-class TcpLine:
+class TcpPort:
     """Serves any number of clients at one port, which stays the same when plugged in again."""
 
     def __init__(self, host: str, port: int) -> None:
@@ -43,7 +43,7 @@ class TcpLine:
         self.plug_in()
 
     def plug_in(self) -> None:
-        """See ``Line``; raises ``OSError`` when the port is taken."""
+        """See ``DevicePort``; raises ``OSError`` when the port is taken."""
         if self._listener is not None:
             return
         listener = socket.socket()
@@ -100,7 +100,7 @@ class TcpLine:
                 del waiting[: client.send(waiting)]
 
 
-class PtyLine:
+class PtyPort:
     """A pseudo-terminal behind a path that stays the same when plugged in again."""
 
     def __init__(self) -> None:

@@ -1,6 +1,6 @@
 """The simulator's loops in C: rendering, and the simulated arm's kinematics."""
 
-from app.native.library import Library
+from app.native.library import NativeLibrary
 from app.native.sources import LIBRARIES
 
-SIMULATOR = Library(LIBRARIES[1])
+SIMULATOR = NativeLibrary(LIBRARIES[1])

@@ -3,7 +3,7 @@
 import numpy as np
 
 from hardware.simulator.devices.kinematics import ArmModel, Floats, rotation_about
-from hardware.simulator.scene.world import Board, Comb
+from hardware.simulator.scene.world import Board, CrenellatedBlock
 
 BOARD = "board"
 """The chessboard's one face: its printed side."""
@@ -22,24 +22,26 @@ _NORMALS = {
 }
 
 
-def outward(face: str) -> Floats:
+def outward_normal(face: str) -> Floats:
     """(3,) outward normal of a face, in the frame of what has it."""
     return np.array(_NORMALS[face])
 
 
-def reachable_faces(block: Comb, tip_radius_mm: float) -> tuple[str, ...]:
+def reachable_faces(block: CrenellatedBlock, tip_radius_mm: float) -> tuple[str, ...]:
     """Faces that a ball of this size can touch; the floor only where a groove is wide enough."""
     widest = max(_grooves(block), key=lambda groove: groove[1] - groove[0], default=(0.0, 0.0))
     floor_fits = widest[1] - widest[0] > 2 * (tip_radius_mm + 0.5)
     return tuple(face for face in FACES if face != "floor" or floor_fits)
 
 
-def _grooves(block: Comb) -> list[tuple[float, float]]:
+def _grooves(block: CrenellatedBlock) -> list[tuple[float, float]]:
     x = block.edges_x_mm
     return [(x[i], x[i + 1]) for i in range(1, len(x) - 1, 2)]
 
 
-def _patches(block: Comb | Board, face: str, tip_radius_mm: float) -> list[tuple[Floats, Floats]]:
+def _patches(
+    block: CrenellatedBlock | Board, face: str, tip_radius_mm: float
+) -> list[tuple[Floats, Floats]]:
     """Rectangles (low corner, high corner) of a face that the ball's contact may lie in.
 
     None where that has no such face, or the ball does not reach it.
@@ -74,8 +76,12 @@ def _patches(block: Comb | Board, face: str, tip_radius_mm: float) -> list[tuple
     return [(np.array([at, front + m, low]), np.array([at, back - m, crest - m]))]
 
 
-def contact_spot(
-    block: Comb | Board, face: str, index: int, tip_radius_mm: float, rng: np.random.Generator
+def choose_contact_point(
+    block: CrenellatedBlock | Board,
+    face: str,
+    index: int,
+    tip_radius_mm: float,
+    rng: np.random.Generator,
 ) -> Floats:
     """(3,) the ``index``-th place to touch on a face, in the frame of the block or the board.
 
@@ -92,7 +98,7 @@ def contact_spot(
     golden = np.array([0.7548776662466927, 0.5698402909980532])
     even = (0.5 + golden * turn + 0.13 * (index % len(patches))) % 1.0
     even = np.clip(even + rng.uniform(-0.04, 0.04, 2), 0.0, 1.0)
-    free = np.flatnonzero(outward(face) == 0.0)
+    free = np.flatnonzero(outward_normal(face) == 0.0)
     spot = low.copy()
     for share, axis in zip(even, free, strict=True):
         spot[axis] = low[axis] + share * (high[axis] - low[axis])
@@ -115,7 +121,7 @@ def contact_pose(
     so differently each time, as a hand does. ``flange_x`` (3,): where the flange's x
     axis points about, in the arm frame; along the block's x where not given.
     """
-    up, normal = np.array([0.0, 0.0, 1.0]), outward(face)
+    up, normal = np.array([0.0, 0.0, 1.0]), outward_normal(face)
     lean = up + 0.4 * (1.0 - normal[2]) * normal
     sway = rng.normal(0.0, sway_rad, 3)
     if face == "floor":

@@ -5,24 +5,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.scene.camera import LaserSheet, Optics
-from hardware.simulator.scene.world import Board, Comb
+from hardware.simulator.scene.camera import LightPlane, Optics
+from hardware.simulator.scene.world import Board, CrenellatedBlock
 
 PLACE_SD_MM, TURN_SD_RAD = 0.4, 0.015
 """A hand's usual variation."""
 
 
 @dataclass(frozen=True)
-class Sight:
+class SensorMount:
     """What the sensor sees and lights, and where the arm carries it."""
 
     optics: Optics
-    sheet: LaserSheet
+    sheet: LightPlane
     T_flange_sensor: Floats  # (4, 4)
 
 
 @dataclass(frozen=True)
-class View:
+class BoardViewpoint:
     """How the camera looks at the board's middle."""
 
     about_x_deg: float
@@ -34,43 +34,45 @@ class View:
     """Farther than where the laser crosses the view, or nearer."""
 
 
-VIEWS = (
-    View(3, -2),
-    View(2, -21, 2, 4),
-    View(21, 3, -20, -6),
-    View(-3, 21, 1, 6),
-    View(-21, -3, 20, -5),
-    View(16, 15, 24, 7),
-    View(-16, 16, -24, 4),
-    View(-15, -16, 22, 8),
-    View(16, -15, -22, 6),
-    View(20, 3, 0, -6),
+VIEWPOINTS = (
+    BoardViewpoint(3, -2),
+    BoardViewpoint(2, -21, 2, 4),
+    BoardViewpoint(21, 3, -20, -6),
+    BoardViewpoint(-3, 21, 1, 6),
+    BoardViewpoint(-21, -3, 20, -5),
+    BoardViewpoint(16, 15, 24, 7),
+    BoardViewpoint(-16, 16, -24, 4),
+    BoardViewpoint(-15, -16, 22, 8),
+    BoardViewpoint(16, -15, -22, 6),
+    BoardViewpoint(20, 3, 0, -6),
 )
 """What a calibration on a chessboard wants: tilts to every side, turns and heights; the first
 five as the operator is told to, from straight above to the right, back, left and front."""
 
 
-def sensor_over_block(block: Comb, rng: np.random.Generator) -> Floats:
+def sensor_over_block(block: CrenellatedBlock, rng: np.random.Generator) -> Floats:
     """``T_block_sensor`` (4, 4) with the block framed, as a hand would hold it."""
     middle = (block.crest_z_mm + block.floor_z_mm) / 2
-    return np.asarray(translation(0.0, 0.0, middle) @ _unsteady(rng))
+    return np.asarray(translation(0.0, 0.0, middle) @ _draw_pose_error(rng))
 
 
-def sensor_over_board(board: Board, sight: Sight, view: int, rng: np.random.Generator) -> Floats:
+def sensor_over_board(
+    board: Board, sight: SensorMount, view: int, rng: np.random.Generator
+) -> Floats:
     """``T_board_sensor`` (4, 4) with the pattern's middle looked at in the ``view``-th way.
 
-    Begins anew after the last of ``VIEWS``.
+    Begins anew after the last of ``VIEWPOINTS``.
     """
-    wanted = VIEWS[view % len(VIEWS)]
+    wanted = VIEWPOINTS[view % len(VIEWPOINTS)]
     T = _view_at_laser(sight.optics, sight.sheet) @ translation(0.0, 0.0, -wanted.away_mm)
     T = T @ rotation_about("z", np.radians(wanted.turn_deg))
     T = T @ rotation_about("x", np.radians(wanted.about_x_deg))
     T = T @ rotation_about("y", np.radians(wanted.about_y_deg))
     middle = translation(*board.middle_mm.tolist())
-    return np.asarray(middle @ _unsteady(rng) @ np.linalg.inv(T))
+    return np.asarray(middle @ _draw_pose_error(rng) @ np.linalg.inv(T))
 
 
-def _view_at_laser(optics: Optics, sheet: LaserSheet) -> Floats:
+def _view_at_laser(optics: Optics, sheet: LightPlane) -> Floats:
     """``T_sensor_view`` (4, 4): where the camera's axis meets the laser, z towards the camera,
     x along the sensor's."""
     eye, along = optics.centre_mm, optics.T_cam_sensor[2, :3]
@@ -84,7 +86,7 @@ def _view_at_laser(optics: Optics, sheet: LaserSheet) -> Floats:
     return T
 
 
-def _unsteady(rng: np.random.Generator) -> Floats:
+def _draw_pose_error(rng: np.random.Generator) -> Floats:
     """(4, 4) by how much a hand misses the pose that it means."""
     T = translation(*rng.normal(0.0, PLACE_SD_MM, 3).tolist())
     for axis in "xyz":

@@ -14,7 +14,7 @@ SETTLE_S, PRESS_S = 0.36, 0.05
 
 
 @dataclass(frozen=True)
-class HandState:
+class OperatorState:
     """What the hand does now; ``progress`` is from 0 to 1."""
 
     activity: str = ""
@@ -29,7 +29,7 @@ class _CancelledError(Exception):
     """The move under way was cancelled."""
 
 
-class Moving:
+class MoveExecutor:
     """Plays the true arm's paths and presses its buttons, one move at a time.
 
     Any thread may read ``state`` and ``cancel``.
@@ -48,10 +48,10 @@ class Moving:
         self._motion, self._press, self._halted = motion, press, halted
         self._lock = threading.Lock()
         self._cancelled = threading.Event()
-        self._state = HandState()
+        self._state = OperatorState()
 
     @property
-    def state(self) -> HandState:
+    def state(self) -> OperatorState:
         return self._state
 
     def cancel(self) -> None:
@@ -64,7 +64,7 @@ class Moving:
         and what stands after it goes on."""
         with self._lock:
             self._cancelled.clear()
-            self._state = HandState(activity)
+            self._state = OperatorState(activity)
             try:
                 yield
             except _CancelledError:
@@ -72,7 +72,7 @@ class Moving:
                 self._halted()
                 threading.Event().wait(HALT_S)
             finally:
-                self._state = HandState()
+                self._state = OperatorState()
 
     def play(self, path: JointPath, begin: float, end: float, trembles: bool = False) -> None:
         """Plays a path and waits for its end, telling progress from ``begin`` to ``end``."""
@@ -82,7 +82,7 @@ class Moving:
         end_ns = self._motion.play(path, start_ns, trembles)
         while (left_s := (end_ns - now_ns()) / 1e9) > 0:
             done = 1 - min(left_s / path.duration_s, 1.0)
-            self._state = HandState(self._state.activity, begin + done * (end - begin))
+            self._state = OperatorState(self._state.activity, begin + done * (end - begin))
             if self._cancelled.wait(min(left_s, 0.05)):
                 raise _CancelledError
 

@@ -17,26 +17,31 @@ from hardware.simulator.devices.kinematics import (
     translation,
 )
 from hardware.simulator.devices.motion import JointPath, Motion
-from hardware.simulator.operator.contact import BOARD, contact_spot, outward, reachable_faces
-from hardware.simulator.operator.holding import Sight, sensor_over_block, sensor_over_board
-from hardware.simulator.operator.moving import HandState, Moving
-from hardware.simulator.operator.passing import SECONDS, passing_poses
-from hardware.simulator.operator.paths import Ways
-from hardware.simulator.operator.sweeping import sweep_poses, sweeps_of
+from hardware.simulator.operator.contact import (
+    BOARD,
+    choose_contact_point,
+    outward_normal,
+    reachable_faces,
+)
+from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
+from hardware.simulator.operator.moving import MoveExecutor, OperatorState
+from hardware.simulator.operator.passing import PASS_S, passing_poses
+from hardware.simulator.operator.paths import PathPlanner
+from hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
 from hardware.simulator.operator.swinging import (
-    BALL_MM,
     BAR_MM,
     LIFT_MM,
     LIFT_S,
+    SPHERE_MM,
     bar_end,
-    plate_spot,
+    choose_plate_point,
+    path_into_seat,
+    path_onto_plate,
+    path_onto_sphere,
     seat_centre,
     swing_path,
-    way_into_seat,
-    way_onto_ball,
-    way_onto_plate,
 )
-from hardware.simulator.scene.world import Ball, Board, Box, Comb, Scene
+from hardware.simulator.scene.world import Board, Box, CrenellatedBlock, GaugeSphere, SimulatedScene
 
 CLEAR_MM = 3.0
 """From here the tip goes straight to the face, and back."""
@@ -44,15 +49,15 @@ APPROACH_S, RETRACT_S = 0.09, 0.06
 TRIES = 12
 GAUGE = "gauge"
 """Instead of a face's name, after a gauge was touched."""
-WAYS = 8
+PATH_TRIES = 8
 """Of which the hand takes the shortest."""
-BESIDE = (0.0, 0.3, 0.6, -0.3)
+INDEX_OFFSETS = (0.0, 0.3, 0.6, -0.3)
 """Places on a sphere between its numbered ones, tried where the arm does not get to one."""
-LEAST_HEIGHT = 0.15
+MIN_HEIGHT = 0.15
 """Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
 
 
-class Hand:
+class ScriptedOperator:
     """Moves one station's arm.
 
     Args:
@@ -64,8 +69,8 @@ class Hand:
         self,
         arm: ArmModel,
         motion: Motion,
-        scene: Scene,
-        sight: Sight,
+        scene: SimulatedScene,
+        sight: SensorMount,
         press: Callable[[Button, bool, int], None],
         contact_sd_mm: float = 0.006,
         pace: float = 1.0,
@@ -75,20 +80,20 @@ class Hand:
         self._sight, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
         self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
-        self.ways = Ways(arm, motion, pace, contact_sd_mm, self._rng)
-        self._moving = Moving(motion, press, self._forget_touched)
+        self.ways = PathPlanner(arm, motion, pace, contact_sd_mm, self._rng)
+        self._moving = MoveExecutor(motion, press, self._forget_touched)
         self._touched: str | None = None
         block = scene.thing("block")
-        assert isinstance(block.shape, Comb)
+        assert isinstance(block.shape, CrenellatedBlock)
         self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
         """Faces of the block that ``touch`` takes."""
         self.parts = tuple(
-            thing.name for thing in scene.things if sweeps_of(thing) and thing.name != "block"
+            thing.name for thing in scene.things if plan_sweeps(thing) and thing.name != "block"
         )
         """Parts that ``scan_part`` takes."""
 
     @property
-    def state(self) -> HandState:
+    def state(self) -> OperatorState:
         return self._moving.state
 
     @property
@@ -99,7 +104,7 @@ class Hand:
     @property
     def ball_mm(self) -> float:
         """The sphere's diameter."""
-        return BALL_MM
+        return SPHERE_MM
 
     def cancel(self) -> None:
         """Makes the move under way stop smoothly and end; later moves are not affected."""
@@ -115,12 +120,14 @@ class Hand:
             known = ", ".join((*self.faces, BOARD))
             raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
         thing = self._scene.thing("board" if face == BOARD else "block")
-        assert isinstance(thing.shape, Comb | Board)
+        assert isinstance(thing.shape, CrenellatedBlock | Board)
         with self._moving.move(
             "touching the board" if face == BOARD else f"touching the {face} face"
         ):
-            spot = contact_spot(thing.shape, face, index, self._arm.tip_diameter_mm / 2, self._rng)
-            away = thing.T_arm_obj[:3, :3] @ outward(face)
+            spot = choose_contact_point(
+                thing.shape, face, index, self._arm.tip_diameter_mm / 2, self._rng
+            )
+            away = thing.T_arm_obj[:3, :3] @ outward_normal(face)
             clear = (CLEAR_MM + _depth(thing.shape, face)) * away
             left = None if self._touched == GAUGE else self._touched
             to_spot, contact = self.ways.to_touch(thing.T_arm_obj, face, spot, clear, left)
@@ -141,7 +148,7 @@ class Hand:
         Returns False when cancelled. Raises KeyError for any other name.
         """
         thing = self._scene.thing(name)
-        if not isinstance(thing.shape, Comb | Board):
+        if not isinstance(thing.shape, CrenellatedBlock | Board):
             raise KeyError(f"the hand does not hold the sensor over {name!r}")
         with self._moving.move("placing the sensor"):
             for _ in range(TRIES):
@@ -155,7 +162,7 @@ class Hand:
             raise UnreachableError(f"the arm cannot hold the sensor over the {name}")
         return False
 
-    def _held_over(self, shape: Comb | Board, view: int) -> Floats:
+    def _held_over(self, shape: CrenellatedBlock | Board, view: int) -> Floats:
         """``T_obj_sensor`` (4, 4), another one each time."""
         if isinstance(shape, Board):
             return sensor_over_board(shape, self._sight, view, self._rng)
@@ -175,7 +182,7 @@ class Hand:
             raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
         thing = self._scene.thing(name)
         with self._moving.move(f"scanning the {name}"):
-            sweeps = sweeps_of(thing)
+            sweeps = plan_sweeps(thing)
             for i, sweep in enumerate(sweeps):
                 begin, share = i / len(sweeps), 1 / len(sweeps)
                 start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
@@ -194,7 +201,7 @@ class Hand:
             poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
             poses = poses @ self._T_sensor_flange
             self._moving.play(self.ways.to(poses[0], 50.0), 0.0, 0.2)
-            self._moving.play(self.ways.over(poses, SECONDS), 0.2, 1.0)
+            self._moving.play(self.ways.over(poses, PASS_S), 0.2, 1.0)
             return True
         return False
 
@@ -213,7 +220,7 @@ class Hand:
         """Touches the sphere in its ``ball``-th place and presses the primary button."""
         with self._moving.move("touching the sphere"):
             centre = seat_centre(self._arm, ball)
-            self._tap(lambda q: self._onto_ball(centre, BALL_MM / 2, index, q))
+            self._tap(lambda q: self._onto_ball(centre, SPHERE_MM / 2, index, q))
             return True
         return False
 
@@ -222,17 +229,19 @@ class Hand:
         the primary button; False when cancelled. Raises KeyError for any other name."""
         thing = self._scene.thing(name)
         shape, T = thing.shape, thing.T_arm_obj
-        if not isinstance(shape, Ball | Box):
+        if not isinstance(shape, GaugeSphere | Box):
             raise KeyError(f"{name!r} is no gauge")
         with self._moving.move(f"touching the {name}"):
-            if isinstance(shape, Ball):
+            if isinstance(shape, GaugeSphere):
                 radius, centre = shape.radius_mm, T[:3, 3]
-                self._tap(lambda q: self._onto_ball(centre, radius, index, q, LEAST_HEIGHT, WAYS))
+                self._tap(
+                    lambda q: self._onto_ball(centre, radius, index, q, MIN_HEIGHT, PATH_TRIES)
+                )
             else:
                 low, high = np.array(shape.low_mm), np.array(shape.high_mm)
-                spot = plate_spot(low, high, index, self._rng)
+                spot = choose_plate_point(low, high, index, self._rng)
                 self._tap(
-                    lambda q: way_onto_plate(self._arm, T, spot, self.ways.gap_mm(), q, self._rng)
+                    lambda q: path_onto_plate(self._arm, T, spot, self.ways.gap_mm(), q, self._rng)
                 )
             return True
         return False
@@ -250,10 +259,12 @@ class Hand:
         ways: int = 1,
     ) -> JointPath:
         reach_mm = radius_mm + self.ways.gap_mm()
-        for beside in BESIDE:
+        for beside in INDEX_OFFSETS:
             with suppress(UnreachableError):
                 place = index + beside
-                return way_onto_ball(self._arm, centre, reach_mm, place, q, self._rng, lowest, ways)
+                return path_onto_sphere(
+                    self._arm, centre, reach_mm, place, q, self._rng, lowest, ways
+                )
         raise UnreachableError("the arm cannot touch the ball there")
 
     def _tap(self, way: Callable[[Floats], JointPath]) -> None:
@@ -275,7 +286,7 @@ class Hand:
             start = (
                 0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self.ways.now()
             )
-            into = way_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
+            into = path_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
             up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
             with suppress(UnreachableError):
                 self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
@@ -294,8 +305,8 @@ class Hand:
         return False
 
 
-def _depth(shape: Comb | Board, face: str) -> float:
+def _depth(shape: CrenellatedBlock | Board, face: str) -> float:
     """How far (mm) a face lies below what is around it."""
-    if isinstance(shape, Comb) and face == "floor":
+    if isinstance(shape, CrenellatedBlock) and face == "floor":
         return shape.crest_z_mm - shape.floor_z_mm
     return 0.0

@@ -5,8 +5,8 @@ import numpy as np
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
 
 WAVES = 5.0
-NEARER_MM = 6.0
-SECONDS = 6.0
+WAVE_MM = 6.0
+PASS_S = 6.0
 POSES = 121
 
 
@@ -16,7 +16,7 @@ def passing_poses(T_arm_plate: Floats, half_y_mm: float) -> Floats:
     poses = []
     for s in np.linspace(0.0, 1.0, POSES):
         y = -half_y_mm * np.cos(2 * np.pi * s)
-        z = NEARER_MM * np.sin(2 * np.pi * WAVES * s) * np.sin(np.pi * s) ** 0.5
+        z = WAVE_MM * np.sin(2 * np.pi * WAVES * s) * np.sin(np.pi * s) ** 0.5
         lean = rotation_about("x", 0.05 * np.sin(6.0 * s)) @ rotation_about("y", 0.04 * s)
         poses.append(T_arm_plate @ translation(0.0, float(y), float(z)) @ lean)
     return np.stack(poses)

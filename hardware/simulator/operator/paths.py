@@ -8,18 +8,24 @@ from hardware.simulator.devices.kinematics import (
     Floats,
     UnreachableError,
     flange_pose,
-    reach,
+    solve_joints,
     translation,
 )
-from hardware.simulator.devices.motion import JointPath, Motion, path_over, reaching_path, smooth
-from hardware.simulator.operator.contact import contact_pose, outward
+from hardware.simulator.devices.motion import (
+    JointPath,
+    Motion,
+    min_jerk_progress,
+    plan_approach,
+    plan_path,
+)
+from hardware.simulator.operator.contact import contact_pose, outward_normal
 
-HAND_MM_S, HAND_RAD_S = 260.0, 2.2
+OPERATOR_MM_S, OPERATOR_RAD_S = 260.0, 2.2
 TRIES = 12
 SWAY_RAD = 0.1
 
 
-class Ways:
+class PathPlanner:
     """Plans ways from where one arm is.
 
     Args:
@@ -54,7 +60,7 @@ class Ways:
 
     def over(self, poses: Floats, seconds: float) -> JointPath:
         """Through flange poses (K, 4, 4), in an operator's seconds."""
-        return path_over(self._arm, poses, self.now(), seconds / self.pace)
+        return plan_path(self._arm, poses, self.now(), seconds / self.pace)
 
     def to_touch(
         self, T_arm_obj: Floats, face: str, spot: Floats, clear: Floats, left: str | None
@@ -73,7 +79,7 @@ class Ways:
         else:
             leave = np.zeros(3)
             if left is not None:
-                leave = 20.0 * (T_arm_obj[:3, :3] @ outward(left))
+                leave = 20.0 * (T_arm_obj[:3, :3] @ outward_normal(left))
             lifts = (30.0 * up + leave, 30.0 * up + 5.0 * clear)
         gap = self.gap_mm()
         best: tuple[JointPath, Floats] | None = None
@@ -84,8 +90,8 @@ class Ways:
             before = translation(*clear.tolist()) @ contact
             wanted_s = self._seconds(q, before, tip)
             try:
-                path = reaching_path(self._arm, q, before, tip, lifts, wanted_s)
-                path_over(self._arm, np.stack([before, contact]), path.q_rad[-1], 1.0)
+                path = plan_approach(self._arm, q, before, tip, lifts, wanted_s)
+                plan_path(self._arm, np.stack([before, contact]), path.q_rad[-1], 1.0)
             except UnreachableError:
                 continue
             if best is None or path.duration_s < best[0].duration_s:
@@ -99,15 +105,15 @@ class Ways:
         q, tip = self.now(), np.array(self._arm.tip_mm)
         up = np.array([0.0, 0.0, lift_mm])
         try:
-            return reaching_path(self._arm, q, target, tip, (up, up), self._seconds(q, target, tip))
+            return plan_approach(self._arm, q, target, tip, (up, up), self._seconds(q, target, tip))
         except UnreachableError:
             return self._detour(q, target)
 
     def turned_to(self, goal: Floats) -> JointPath:
         """Straight in the joints from where they are."""
         q = self.now()
-        share = smooth(np.linspace(0.0, 1.0, 24))[:, None]
-        seconds = 2.0 * float(np.max(np.abs(goal - q))) / HAND_RAD_S / self.pace
+        share = min_jerk_progress(np.linspace(0.0, 1.0, 24))[:, None]
+        seconds = 2.0 * float(np.max(np.abs(goal - q))) / OPERATOR_RAD_S / self.pace
         return JointPath(np.linspace(0.0, max(seconds, 0.3), 24), q + share * (goal - q))
 
     def straight(self, target: Floats, seconds: float) -> JointPath:
@@ -115,11 +121,11 @@ class Ways:
         q = self.now()
         zero = np.zeros(3)
         tip = np.array(self._arm.tip_mm)
-        return reaching_path(self._arm, q, target, tip, (zero, zero), seconds / self.pace)
+        return plan_approach(self._arm, q, target, tip, (zero, zero), seconds / self.pace)
 
     def _detour(self, q: Floats, target: Floats) -> JointPath:
         """Straight in the joints, where the arm cannot follow a straight way in space."""
-        return self.turned_to(reach(self._arm, target, q, self._rng))
+        return self.turned_to(solve_joints(self._arm, target, q, self._rng))
 
     def _seconds(self, q: Floats, target: Floats, tool: Floats) -> float:
         """How long a hand takes from here to a flange pose."""
@@ -127,5 +133,5 @@ class Ways:
         way = target[:3, :3] @ tool + target[:3, 3] - start[:3, :3] @ tool - start[:3, 3]
         turn = start[:3, :3].T @ target[:3, :3]
         angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
-        seconds = 0.08 + float(np.linalg.norm(way)) / HAND_MM_S + 0.4 * angle / HAND_RAD_S
+        seconds = 0.08 + float(np.linalg.norm(way)) / OPERATOR_MM_S + 0.4 * angle / OPERATOR_RAD_S
         return max(seconds, 0.16) / self.pace

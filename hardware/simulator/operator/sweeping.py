@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.scene.world import Ball, Box, Shell, Thing
+from hardware.simulator.scene.world import Box, FreeformPart, GaugeSphere, SceneObject
 
-MM_S = 16.0
+SPEED_MM_S = 16.0
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Sweep:
     @property
     def seconds(self) -> float:
         """How long an operator takes."""
-        return float(np.linalg.norm(self.end[:3, 3] - self.start[:3, 3])) / MM_S
+        return float(np.linalg.norm(self.end[:3, 3] - self.start[:3, 3])) / SPEED_MM_S
 
 
 def sweep_poses(T_arm_part: Floats, sweep: Sweep) -> Floats:
@@ -35,7 +35,7 @@ def sweep_poses(T_arm_part: Floats, sweep: Sweep) -> Floats:
     return np.stack(poses)
 
 
-def sweeps_of(thing: Thing) -> list[Sweep]:
+def plan_sweeps(thing: SceneObject) -> list[Sweep]:
     """How a part is scanned; empty for what is no part."""
     shape = thing.shape
 
@@ -47,10 +47,10 @@ def sweeps_of(thing: Thing) -> list[Sweep]:
     def back(sweep: Sweep) -> Sweep:
         return Sweep(sweep.end, sweep.start)
 
-    if isinstance(shape, Ball):
+    if isinstance(shape, GaugeSphere):
         top, r = 0.75 * shape.radius_mm, 1.05 * shape.radius_mm
         return [across(r, top), back(across(r, top, 0.3)), across(r, top, -0.3)]
-    if isinstance(shape, Shell):
+    if isinstance(shape, FreeformPart):
         z, half = 0.6 * shape.height_mm, 1.02 * shape.half_depth_mm
         return [across(half, z), back(across(half, z, 0.2)), across(half, z, -0.2)]
     if isinstance(shape, Box) and thing.name == "plate":

@@ -9,11 +9,11 @@ from hardware.simulator.devices.kinematics import (
     Floats,
     UnreachableError,
     flange_pose,
-    reach,
     rotation_about,
+    solve_joints,
     translation,
 )
-from hardware.simulator.devices.motion import JointPath, path_over, reaching_path, smooth
+from hardware.simulator.devices.motion import JointPath, min_jerk_progress, plan_approach, plan_path
 from hardware.simulator.operator.contact import contact_pose
 
 SEATS = (
@@ -30,17 +30,27 @@ SEATS = (
 BARS = ((1, 1.5, 0.1), (2, 0.2, 0.5), (0, -0.9, 0.2), (4, 1.2, -0.3))
 """At which of the seats the bar's middle lies, its turn from there and its rise, in rad."""
 BAR_MM = 300.0
-BALL_MM = 25.0
+SPHERE_MM = 25.0
 """The simulated ball bar's length and the sphere's diameter, as their papers have them."""
 CLEAR_MM, TOUCH_S, TOUCH_STEP = 8.0, 0.4, 0.618
-SPOTS = ((-1, -1), (1, 1), (-1, 1), (1, -1), (0, 0), (-0.5, 0.1), (0.5, -0.1), (0, 0.7), (0, -0.7))
+PLATE_POINTS = (
+    (-1, -1),
+    (1, 1),
+    (-1, 1),
+    (1, -1),
+    (0, 0),
+    (-0.5, 0.1),
+    (0.5, -0.1),
+    (0, 0.7),
+    (0, -0.7),
+)
 """Places on a plate, from its middle, in shares of what may be touched."""
 PLATE_SHARE, SWAY_RAD = 0.8, 0.12
 SWING_RAD, LEAN_RAD, TWIST_RAD = 0.75, 0.55, 1.5
 SWING_S = 11.0
 KNOTS = 300
 LIFT_MM, LIFT_S = 25.0, 0.5
-WAYS = 8
+PATH_TRIES = 8
 TRIES, ENOUGH = 60, 8
 EVEN_RAD = 0.02
 """Between neighbours of a path a joint's speed changes by no more."""
@@ -70,7 +80,7 @@ def bar_end(arm: ArmModel, position: int, end: int) -> Floats:
     return np.asarray(middle + (end - 0.5) * BAR_MM * along)
 
 
-def way_into_seat(
+def path_into_seat(
     arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator, pace: float
 ) -> JointPath:
     """From above a seat straight down into it, where the arm can swing.
@@ -79,19 +89,21 @@ def way_into_seat(
         UnreachableError: the arm cannot do that with any posture tried.
     """
     tip, still = np.array(arm.tip_mm), np.zeros(3)
-    for _ in range(WAYS):
+    for _ in range(PATH_TRIES):
         with suppress(UnreachableError):
-            goal = seated(arm, centre_mm, q_rad, rng)
+            goal = joints_in_seat(arm, centre_mm, q_rad, rng)
             target = flange_pose(arm, goal)
-            above = reach(arm, translation(0.0, 0.0, LIFT_MM) @ target, goal, rng, attempts=1)
-            path = reaching_path(arm, above, target, tip, (still, still), LIFT_S / pace)
+            above = solve_joints(
+                arm, translation(0.0, 0.0, LIFT_MM) @ target, goal, rng, attempts=1
+            )
+            path = plan_approach(arm, above, target, tip, (still, still), LIFT_S / pace)
             swing_path(arm, path.q_rad[-1], rng)
             return path
         q_rad = rng.uniform(0.8 * arm.limits_rad[:, 0], 0.8 * arm.limits_rad[:, 1])
     raise UnreachableError(f"the arm cannot swing at {np.round(centre_mm).tolist()} mm")
 
 
-def way_onto_ball(
+def path_onto_sphere(
     arm: ArmModel,
     ball_mm: Floats,
     radius_mm: float,
@@ -128,22 +140,24 @@ def way_onto_ball(
             continue  # it would come through the ball
         T[:3, 3] = ball_mm + radius_mm * outward - stylus
         with suppress(UnreachableError):
-            goal = reach(arm, T, q_rad, rng, attempts=2)
+            goal = solve_joints(arm, T, q_rad, rng, attempts=2)
             clear = translation(*(CLEAR_MM * outward).tolist()) @ flange_pose(arm, goal)
-            outside = reach(arm, clear, goal, rng, attempts=1)
+            outside = solve_joints(arm, clear, goal, rng, attempts=1)
             onto = flange_pose(arm, goal)
-            found.append(reaching_path(arm, outside, onto, tip, (still, still), TOUCH_S))
+            found.append(plan_approach(arm, outside, onto, tip, (still, still), TOUCH_S))
             if len(found) == ways:
                 break
     if not found:
         raise UnreachableError("the arm cannot touch the ball there")
-    return min(found, key=lambda path: _turn(path, q_rad))
+    return min(found, key=lambda path: _joint_travel_rad(path, q_rad))
 
 
-def plate_spot(low_mm: Floats, high_mm: Floats, index: int, rng: np.random.Generator) -> Floats:
+def choose_plate_point(
+    low_mm: Floats, high_mm: Floats, index: int, rng: np.random.Generator
+) -> Floats:
     """(3,) the ``index``-th place to touch on the top of a plate between two corners: corners
     first, then its middle and between."""
-    across, along = SPOTS[index % len(SPOTS)]
+    across, along = PLATE_POINTS[index % len(PLATE_POINTS)]
     half = PLATE_SHARE * (high_mm - low_mm) / 2
     middle = (low_mm + high_mm) / 2
     shift = rng.uniform(-1.0, 1.0, 2)
@@ -156,7 +170,7 @@ def plate_spot(low_mm: Floats, high_mm: Floats, index: int, rng: np.random.Gener
     )
 
 
-def way_onto_plate(
+def path_onto_plate(
     arm: ArmModel,
     T_arm_plate: Floats,
     spot_mm: Floats,
@@ -172,25 +186,27 @@ def way_onto_plate(
     tip, still = np.array(arm.tip_mm), np.zeros(3)
     flange_x = flange_pose(arm, q_rad)[:3, 0]
     best: JointPath | None = None
-    for _ in range(WAYS):
+    for _ in range(PATH_TRIES):
         T = contact_pose(arm, T_arm_plate, "crest", spot_mm, gap_mm, rng, flange_x, SWAY_RAD)
         with suppress(UnreachableError):
-            goal = reach(arm, T, q_rad, rng, attempts=2)
+            goal = solve_joints(arm, T, q_rad, rng, attempts=2)
             clear = translation(*(CLEAR_MM * T_arm_plate[:3, 2]).tolist()) @ T
-            above = reach(arm, clear, goal, rng, attempts=1)
-            path = reaching_path(arm, above, T, tip, (still, still), TOUCH_S)
-            if best is None or _turn(path, q_rad) < _turn(best, q_rad):
+            above = solve_joints(arm, clear, goal, rng, attempts=1)
+            path = plan_approach(arm, above, T, tip, (still, still), TOUCH_S)
+            if best is None or _joint_travel_rad(path, q_rad) < _joint_travel_rad(best, q_rad):
                 best = path
     if best is None:
         raise UnreachableError("the arm cannot touch the plate there")
     return best
 
 
-def _turn(path: JointPath, q_rad: Floats) -> float:
+def _joint_travel_rad(path: JointPath, q_rad: Floats) -> float:
     return float(np.max(np.abs(path.q_rad[0] - q_rad)))
 
 
-def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator) -> Floats:
+def joints_in_seat(
+    arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Generator
+) -> Floats:
     """Joint angles (n,) with the tip in a seat, from which the arm swings freely.
 
     Raises:
@@ -204,7 +220,7 @@ def seated(arm: ArmModel, centre_mm: Floats, q_rad: Floats, rng: np.random.Gener
         T = T @ rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
         T[:3, 3] = centre_mm - T[:3, :3] @ np.array(arm.tip_mm)
         with suppress(UnreachableError):
-            q = reach(arm, T, q_rad, rng, attempts=2)
+            q = solve_joints(arm, T, q_rad, rng, attempts=2)
             path = swing_path(arm, q, rng)
             freedom = float(np.mean(np.ptp(path.q_rad, axis=0))) / path.duration_s
             if best is None or freedom > best[0]:
@@ -230,7 +246,7 @@ def swing_path(
     tip = start[:3, :3] @ np.array(arm.tip_mm) + start[:3, 3]
     turn = 2 * np.pi * np.linspace(0.0, 1.0, KNOTS)
     # sets out and comes back at rest
-    gently = smooth(np.minimum(1.0, np.minimum(turn, turn[::-1]) / (np.pi / 3)))
+    gently = min_jerk_progress(np.minimum(1.0, np.minimum(turn, turn[::-1]) / (np.pi / 3)))
     play = rng.normal(0.0, play_mm, (KNOTS, 3)) * gently[:, None]
     for share in (1.0, 0.75, 0.55, 0.4):
         angles = (
@@ -250,7 +266,7 @@ def swing_path(
             pose[:3, :3] = (R @ rotation_about("z", twist))[:3, :3]
             pose[:3, 3] = tip + off - pose[:3, :3] @ np.array(arm.tip_mm)
         with suppress(UnreachableError):
-            path = path_over(arm, poses, q_rad, SWING_S)
+            path = plan_path(arm, poses, q_rad, SWING_S)
             # past a wrist stretched out straight the joints race, and the tip with them
             if float(np.max(np.abs(np.diff(path.q_rad, 2, axis=0)))) < EVEN_RAD:
                 return path

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from app.native.arguments import F32, F64, I32, Array, Function
 from hardware.simulator.devices.kinematics import Floats
 from hardware.simulator.native import SIMULATOR
-from hardware.simulator.rendering.tracing import BUNDLE, THINGS
+from hardware.simulator.rendering.tracing import BUNDLE, OBJECTS
 
 Image = NDArray[np.float32]
 Lines = NDArray[np.float32]
@@ -23,10 +23,10 @@ CODES = Array(I32, "height", "width", written=True)
 LIGHT_OUT = Array(F32, "height", "width", written=True)
 
 cast_room = Function(
-    SIMULATOR, "cast_room", LINES, *THINGS, BUNDLE, *LIGHT, GRAIN, CODES, LIGHT_OUT
+    SIMULATOR, "cast_room", LINES, *OBJECTS, BUNDLE, *LIGHT, GRAIN, CODES, LIGHT_OUT
 )
 refine_room = Function(
-    SIMULATOR, "refine_room", LINES, SPOTS, *THINGS, BUNDLE, *LIGHT, GRAIN, CODES, LIGHT_OUT
+    SIMULATOR, "refine_room", LINES, SPOTS, *OBJECTS, BUNDLE, *LIGHT, GRAIN, CODES, LIGHT_OUT
 )
 
 

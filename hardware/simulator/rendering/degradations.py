@@ -1,6 +1,6 @@
 """Pictures of the block as a workshop spoils them: many things in the way, several at once.
 
-``draw_shot`` makes another block, camera, light and surroundings for every seed. A
+``draw_degraded_image`` makes another block, camera, light and surroundings for every seed. A
 picture counts as usable where at least ``USABLE`` of the block's visible edges are in it
 and not covered, by length; nothing else is asked for. So there are pictures among them in
 which faces are as bright as each other, or edges drown in noise, blur or tool marks:
@@ -12,26 +12,26 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.rendering.noise import Detector, Digits
+from hardware.simulator.rendering.noise import Detector, RawImage
 from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.rendering.tracing import bundle, first_hits
+from hardware.simulator.rendering.tracing import first_hits, ray_bundle
 from hardware.simulator.scene.camera import (
-    LaserSheet,
+    LightPlane,
     Optics,
-    looking_at,
-    sheet_through,
+    camera_looking_at,
+    light_plane_through,
     to_pixels,
 )
-from hardware.simulator.scene.random_scenes import made_from
+from hardware.simulator.scene.random_scenes import draw_true_block
 from hardware.simulator.scene.world import (
-    Ball,
     Box,
-    Comb,
-    Finish,
+    CrenellatedBlock,
+    GaugeSphere,
     Light,
-    Scene,
-    Shape,
-    Thing,
+    ObjectShape,
+    SceneObject,
+    SimulatedScene,
+    SurfaceFinish,
     shape_rows,
 )
 
@@ -59,60 +59,64 @@ CERTIFICATE_SD_MM = 0.002
 
 
 @dataclass(frozen=True)
-class Shot:
+class DegradedImage:
     """One picture and its truth. The sensor's and the arm's frame are the block's.
 
-    ``lit``: the laser is on in it. ``made``: the block as truly made. ``in_sight``: share
+    ``lit``: the laser is on in it. ``made``: the block as truly made. ``visible_edge_share``: share
     of the block's visible edges that the picture shows.
     """
 
-    image: Digits
+    image: RawImage
     lit: bool
-    certificate: Comb
-    made: Comb
+    certificate: CrenellatedBlock
+    made: CrenellatedBlock
     optics: Optics
     nuisances: frozenset[str]
     in_sight: float
 
 
-def draw_shot(seed: int) -> Shot:
+def draw_degraded_image(seed: int) -> DegradedImage:
     """A picture for a seed, of all that may happen to one."""
     rng = np.random.default_rng((seed, 20_061))
     spoilt = frozenset(name for name, share in NUISANCES.items() if rng.uniform() < share)
-    certificate = any_comb(rng)
-    made = made_from(certificate, CERTIFICATE_SD_MM, rng)
+    certificate = draw_workshop_block(rng)
+    made = draw_true_block(certificate, CERTIFICATE_SD_MM, rng)
     size = SENSORS_PX[int(rng.choice(len(SENSORS_PX), p=SENSOR_SHARES))]
     while True:
         optics = _optics(made, size, spoilt, rng)
-        scene = Scene(_things(made, spoilt, rng), _light(made, spoilt, rng))
-        share = in_sight(scene, optics)
+        scene = SimulatedScene(_draw_objects(made, spoilt, rng), _light(made, spoilt, rng))
+        share = visible_edge_share(scene, optics)
         if share >= USABLE and (share < 0.97 or "cut-off" not in spoilt):
             break
-    renderer = Renderer(scene, optics, _sheet(made, rng), _detector(size, spoilt, rng), seed)
+    renderer = Renderer(
+        scene, optics, _draw_light_plane(made, rng), _detector(size, spoilt, rng), seed
+    )
     brightest = float(np.percentile(renderer.room_light(np.eye(4), RAYS)[::4, ::4], 97))
     exposure = rng.uniform(0.45, 1.5) / max(brightest, 0.05)
     laser = float(rng.uniform(0.5, 1.1)) if "stripe" in spoilt else 0.0
     image = renderer.picture(np.eye(4), exposure, laser, RAYS)
-    return Shot(image, laser > 0, certificate, made, optics, spoilt, share)
+    return DegradedImage(image, laser > 0, certificate, made, optics, spoilt, share)
 
 
-def any_comb(rng: np.random.Generator) -> Comb:
+def draw_workshop_block(rng: np.random.Generator) -> CrenellatedBlock:
     """A block of three to six merlons that is not its own mirror image.
 
     Of any proportions, or, as often, as workshops make them: of one pitch, but for one or two
     of its widths.
     """
     count = int(rng.integers(3, 7))
-    widths = _regular_widths(rng, count) if rng.random() < 0.5 else _any_widths(rng, count)
+    widths = _regular_widths(rng, count) if rng.random() < 0.5 else _random_widths(rng, count)
     edges = np.concatenate([[0.0], np.cumsum(widths)]) - np.round(widths.sum() / 2)
     depth = float(np.round(rng.uniform(14.0, 34.0), 1))
     front = -float(np.round(depth * rng.uniform(0.3, 0.7), 1))
     crest = float(np.round(rng.uniform(7.0, 19.0), 1))
     base = -float(np.round(rng.uniform(5.0, 18.0), 1))
-    return Comb(tuple(round(float(x), 1) for x in edges), front, front + depth, crest, 0.0, base)
+    return CrenellatedBlock(
+        tuple(round(float(x), 1) for x in edges), front, front + depth, crest, 0.0, base
+    )
 
 
-def _any_widths(rng: np.random.Generator, count: int) -> Floats:
+def _random_widths(rng: np.random.Generator, count: int) -> Floats:
     """Widths of merlons and grooves in turn, mm, that differ by 1.5 from their mirror image."""
     total = rng.uniform(32.0, 60.0)
     while True:
@@ -135,7 +139,7 @@ def _regular_widths(rng: np.random.Generator, count: int) -> Floats:
             return widths
 
 
-def _hull(comb: Comb) -> tuple[Floats, Floats]:
+def _block_bounds(comb: CrenellatedBlock) -> tuple[Floats, Floats]:
     """Lowest and highest corner (3,) of the block."""
     x = comb.edges_x_mm
     low = np.array([x[0], comb.front_y_mm, comb.base_z_mm])
@@ -143,17 +147,17 @@ def _hull(comb: Comb) -> tuple[Floats, Floats]:
 
 
 def _optics(
-    comb: Comb, size: tuple[int, int], spoilt: frozenset[str], rng: np.random.Generator
+    comb: CrenellatedBlock, size: tuple[int, int], spoilt: frozenset[str], rng: np.random.Generator
 ) -> Optics:
     """A camera that looks at the block from its front and above."""
-    low, high = _hull(comb)
+    low, high = _block_bounds(comb)
     azimuth, elevation = rng.uniform(-0.6, 0.6), rng.uniform(0.45, 1.2)
     flat = np.cos(elevation)
     away = np.array([np.sin(azimuth) * flat, -np.cos(azimuth) * flat, np.sin(elevation)])
     middle = (low + high) / 2
     roll = rng.uniform(-np.pi, np.pi) if "rolled" in spoilt else rng.normal(0.0, 0.08)
     eye = middle + rng.uniform(2.2, 5.0) * float(np.linalg.norm(high - low)) * away
-    T = looking_at(eye, middle + rng.normal(0.0, 1.0, 3), np.array([1.0, 0.0, 0.0]), roll)
+    T = camera_looking_at(eye, middle + rng.normal(0.0, 1.0, 3), np.array([1.0, 0.0, 0.0]), roll)
     box = np.array([np.where(np.array(bits), high, low) for bits in np.ndindex(2, 2, 2)])
     in_cam = box @ T[:3, :3].T + T[:3, 3]
     width, height = size
@@ -165,7 +169,7 @@ def _optics(
     if cut:
         # The camera is aimed past the block; its lens stays centred.
         direction = np.array([aside[0] / focal, aside[1] / focal, 1.0]) @ T[:3, :3]
-        T = looking_at(eye, eye + 100.0 * direction, T[0, :3], 0.0)
+        T = camera_looking_at(eye, eye + 100.0 * direction, T[0, :3], 0.0)
         aside = rng.normal(0.0, 0.02, 2) * size
     return Optics(
         width,
@@ -179,7 +183,7 @@ def _optics(
     )
 
 
-def _towards_light(spoilt: frozenset[str], rng: np.random.Generator) -> Floats:
+def _light_direction(spoilt: frozenset[str], rng: np.random.Generator) -> Floats:
     """Unit vector (3,) to the light, which is above; for equal faces half-way between two."""
     if "equal-faces" in spoilt:
         side = float(rng.choice([-1.0, 1.0]))
@@ -193,8 +197,8 @@ def _towards_light(spoilt: frozenset[str], rng: np.random.Generator) -> Floats:
     return np.asarray(found / np.linalg.norm(found))
 
 
-def _light(comb: Comb, spoilt: frozenset[str], rng: np.random.Generator) -> Light:
-    towards = _towards_light(spoilt, rng)
+def _light(comb: CrenellatedBlock, spoilt: frozenset[str], rng: np.random.Generator) -> Light:
+    towards = _light_direction(spoilt, rng)
     light = Light(
         (float(towards[0]), float(towards[1]), float(towards[2])),
         directed=float(rng.uniform(0.4, 0.9)),
@@ -210,8 +214,8 @@ def _light(comb: Comb, spoilt: frozenset[str], rng: np.random.Generator) -> Ligh
     return replace(light, lamp_mm=(x, y, z), lamp_radius_mm=radius)
 
 
-def _finish(spoilt: frozenset[str], rng: np.random.Generator) -> Finish:
-    return Finish(
+def _finish(spoilt: frozenset[str], rng: np.random.Generator) -> SurfaceFinish:
+    return SurfaceFinish(
         float(rng.uniform(0.2, 1.2)) if "highlights" in spoilt else 0.0,
         float(np.exp(rng.uniform(np.log(8.0), np.log(150.0)))),
         float(rng.uniform(0.03, 0.15)) if "tool-marks" in spoilt else 0.0,
@@ -219,16 +223,18 @@ def _finish(spoilt: frozenset[str], rng: np.random.Generator) -> Finish:
     )
 
 
-def _things(comb: Comb, spoilt: frozenset[str], rng: np.random.Generator) -> tuple[Thing, ...]:
+def _draw_objects(
+    comb: CrenellatedBlock, spoilt: frozenset[str], rng: np.random.Generator
+) -> tuple[SceneObject, ...]:
     """The block, what it stands on, and what lies about and over it."""
-    low, high = _hull(comb)
-    things = [Thing("block", comb, np.eye(4), 1.0, _finish(spoilt, rng))]
+    low, high = _block_bounds(comb)
+    things = [SceneObject("block", comb, np.eye(4), 1.0, _finish(spoilt, rng))]
     ground = translation(0.0, 0.0, comb.base_z_mm - 0.01)
     if rng.uniform() < 0.85:
         slab = Box((-900.0, -900.0, -30.0), (900.0, 900.0, 0.0))
         albedo = float(np.exp(rng.uniform(np.log(0.04), np.log(1.1))))
         turned = ground @ rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
-        things.append(Thing("table", slab, turned, albedo, _finish(spoilt, rng)))
+        things.append(SceneObject("table", slab, turned, albedo, _finish(spoilt, rng)))
     half = float(np.linalg.norm(high[:2] - low[:2])) / 2
     middle = (low + high) / 2
     for _ in range(int(rng.integers(1, 6)) if "clutter" in spoilt else 0):
@@ -242,7 +248,9 @@ def _things(comb: Comb, spoilt: frozenset[str], rng: np.random.Generator) -> tup
         )
         turn = rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
         albedo = float(rng.uniform(0.1, 1.2))
-        things.append(Thing("clutter", shape, ground @ place @ turn, albedo, _finish(spoilt, rng)))
+        things.append(
+            SceneObject("clutter", shape, ground @ place @ turn, albedo, _finish(spoilt, rng))
+        )
     if "covered" in spoilt:
         bar = Box(
             (-70.0, -float(rng.uniform(0.5, 2.0)), 0.5), (70.0, float(rng.uniform(0.5, 2)), 3)
@@ -251,19 +259,19 @@ def _things(comb: Comb, spoilt: frozenset[str], rng: np.random.Generator) -> tup
             float(rng.uniform(low[0], high[0])), float(rng.uniform(low[1], high[1])), high[2]
         )
         turn = rotation_about("z", float(rng.uniform(-np.pi, np.pi)))
-        things.append(Thing("bar", bar, at @ turn, float(rng.uniform(0.1, 1.2))))
+        things.append(SceneObject("bar", bar, at @ turn, float(rng.uniform(0.1, 1.2))))
     return tuple(things)
 
 
-def _clutter(rng: np.random.Generator) -> tuple[Shape, float, float]:
+def _clutter(rng: np.random.Generator) -> tuple[ObjectShape, float, float]:
     """A thing from the bench: its shape, the circle it needs, and its frame's height above it."""
     kind = int(rng.integers(4))
     if kind == 0:
-        other = any_comb(rng)
-        low, high = _hull(other)
+        other = draw_workshop_block(rng)
+        low, high = _block_bounds(other)
         return other, float(np.hypot(*np.abs([low, high]).max(axis=0)[:2])), -other.base_z_mm
     if kind == 1:
-        ball = Ball(float(rng.uniform(4.0, 15.0)))
+        ball = GaugeSphere(float(rng.uniform(4.0, 15.0)))
         return ball, ball.radius_mm, ball.radius_mm
     long = rng.uniform(30.0, 120.0) if kind == 2 else rng.uniform(8.0, 40.0)
     wide = rng.uniform(3.0, 10.0) if kind == 2 else rng.uniform(8.0, 40.0)
@@ -272,14 +280,14 @@ def _clutter(rng: np.random.Generator) -> tuple[Shape, float, float]:
     return Box((-a, -b, 0.0), (a, b, c)), float(np.hypot(a, b)), 0.0
 
 
-def _sheet(comb: Comb, rng: np.random.Generator) -> LaserSheet:
+def _draw_light_plane(comb: CrenellatedBlock, rng: np.random.Generator) -> LightPlane:
     """A laser across the merlons."""
-    low, high = _hull(comb)
+    low, high = _block_bounds(comb)
     normal = np.array([0.0, 1.0, 0.0]) + rng.normal(0.0, [0.15, 0.0, 0.1], 3)
     middle = (low + high) / 2
     point = middle + np.array([0.0, rng.uniform(-0.3, 0.3) * (high[1] - low[1]), 0.0])
     lamp = point + np.array([0.0, 0.0, 2.5 * float(np.linalg.norm(high - low))])
-    return replace(sheet_through(normal, point, lamp), half_angle_rad=0.4)
+    return replace(light_plane_through(normal, point, lamp), half_angle_rad=0.4)
 
 
 def _detector(size: tuple[int, int], spoilt: frozenset[str], rng: np.random.Generator) -> Detector:
@@ -293,18 +301,18 @@ def _detector(size: tuple[int, int], spoilt: frozenset[str], rng: np.random.Gene
     )
 
 
-def in_sight(scene: Scene, optics: Optics) -> float:
+def visible_edge_share(scene: SimulatedScene, optics: Optics) -> float:
     """Share of the block's visible edges that is in the picture and uncovered.
 
     The block is the scene's first thing, in whose frame the camera's pose is given.
     """
     comb = scene.things[0].shape
-    assert isinstance(comb, Comb)
+    assert isinstance(comb, CrenellatedBlock)
     points = _edge_points(comb)
     kinds, rows = shape_rows(scene)
     T = np.linalg.inv(optics.T_cam_sensor)
     into = np.stack([np.linalg.inv(thing.T_arm_obj) @ T for thing in scene.things])
-    eyes = bundle(into, rows, np.zeros(3))
+    eyes = ray_bundle(into, rows, np.zeros(3))
     in_cam = points @ optics.T_cam_sensor[:3, :3].T + optics.T_cam_sensor[:3, 3]
     pixels = to_pixels(optics, points)
     own = first_hits(kinds[:1], rows[:1], eyes[:1], in_cam) >= 1 - 1e-6
@@ -313,7 +321,7 @@ def in_sight(scene: Scene, optics: Optics) -> float:
     return float(np.sum(own & uncovered & within)) / max(float(np.sum(own)), 1.0)
 
 
-def _edge_points(comb: Comb) -> Floats:
+def _edge_points(comb: CrenellatedBlock) -> Floats:
     """(N, 3) points every millimetre or so of all the block's edges, a hair outside of it."""
     x, n = comb.edges_x_mm, len(comb.edges_x_mm)
     y = (comb.front_y_mm, comb.back_y_mm)

@@ -7,11 +7,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.native.arguments import F32, I64, U8, U16, Array, Function, Real, Whole
+from app.native.arguments import F32, I64, U8, U16, Array, Function, Integer, Real
 from hardware.simulator.native import SIMULATOR
 from hardware.simulator.rendering.casting import Image
 
-Digits = NDArray[np.uint8] | NDArray[np.uint16]
+RawImage = NDArray[np.uint8] | NDArray[np.uint16]
 
 POOL = 1 << 21
 TILE = 512
@@ -41,11 +41,11 @@ class Detector:
     nominal_exposure_us: float = 5000.0
 
 
-QUIET = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
+NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
 """No noise of any kind; the optics stay."""
 
 
-def blank(height: int, width: int, detector: Detector) -> Digits:
+def empty_image(height: int, width: int, detector: Detector) -> RawImage:
     """An image to be filled, of the detector's kind of digits."""
     if detector.bits <= 8:
         return np.zeros((height, width), dtype=np.uint8)
@@ -84,20 +84,22 @@ speckle = Function(
     "speckle",
     Array(F32, "height", "width", written=True),
     Array(F32, TILE, TILE),
-    Whole(),
-    Whole(),
+    Integer(),
+    Integer(),
 )
 """Multiplies the laser's light by the speckle, shifted by rows and columns, in place."""
 
 
-def _digitise(name: str, digits: np.dtype[Any]) -> Function:
+def _digitise_function(name: str, digits: np.dtype[Any]) -> Function:
     """Of the light, the pool, where each row begins in it, ``Detector`` numbers, and digits."""
     pool, offsets, numbers = Array(F32, "pool"), Array(I64, "height"), [Real()] * 7
     out = Array(digits, "height", "width", written=True)
     return Function(SIMULATOR, name, LIGHT, pool, offsets, *numbers, out)
 
 
-_DIGITISE = {digits: _digitise(f"digitise_{8 * digits.itemsize}", digits) for digits in (U8, U16)}
+_DIGITISE = {
+    digits: _digitise_function(f"digitise_{8 * digits.itemsize}", digits) for digits in (U8, U16)
+}
 
 
 def digitise(
@@ -107,7 +109,7 @@ def digitise(
     detector: Detector,
     pool: Image,
     offsets: NDArray[np.int64],
-    out: Digits,
+    out: RawImage,
 ) -> None:
     """Digits of a frame from its light, with noise; saturates.
 

@@ -16,17 +16,17 @@ from hardware.simulator.rendering.casting import Codes, Image, cast_room, lattic
 from hardware.simulator.rendering.noise import (
     POOL,
     Detector,
-    Digits,
-    blank,
+    RawImage,
     digitise,
+    empty_image,
     grain_tile,
     speckle,
     speckle_tile,
 )
 from hardware.simulator.rendering.striping import band_around, cast_laser, trace_fan
-from hardware.simulator.rendering.tracing import Ints, bundle
-from hardware.simulator.scene.camera import LaserSheet, Optics, sight_lines
-from hardware.simulator.scene.world import Scene, shape_rows
+from hardware.simulator.rendering.tracing import Ints, ray_bundle
+from hardware.simulator.scene.camera import LightPlane, Optics, sight_lines
+from hardware.simulator.scene.world import SimulatedScene, shape_rows
 
 FINE, QUICK, SMEARED = 89, 13, 0
 """Rays over a pixel at an edge: for measuring; while the sensor drifts; and while it moves
@@ -49,9 +49,9 @@ class Renderer:
 
     def __init__(
         self,
-        scene: Scene,
+        scene: SimulatedScene,
         optics: Optics,
-        sheet: LaserSheet,
+        sheet: LightPlane,
         detector: Detector,
         seed: int = 0,
     ) -> None:
@@ -72,7 +72,7 @@ class Renderer:
         self._pool = np.empty(POOL + width, dtype=np.float32)
         self._rng.standard_normal(out=self._pool[:POOL], dtype=np.float32)
         self._pool[POOL:] = self._pool[:width]
-        dark = blank(1, POOL + width, self.detector)
+        dark = empty_image(1, POOL + width, self.detector)
         start = np.zeros(1, dtype=np.int64)
         unlit = np.zeros_like(self._pool)[None]
         digitise(unlit, 0.0, 0.0, self.detector, self._pool, start, dark)
@@ -97,7 +97,7 @@ class Renderer:
             centre = T[:3, :3].T @ (row[:3] - T[:3, 3])
             eyes = (np.zeros(3), emitter)
             if self.scene.light.lamp_mm or any(
-                _off_axis(eye, middle, centre, row[3]) < self._view_rad for eye in eyes
+                _off_axis_rad(eye, middle, centre, row[3]) < self._view_rad for eye in eyes
             ):
                 near.append(k)
         return self._kinds[near], self._rows[near], np.stack([into[k] for k in near])
@@ -117,7 +117,7 @@ class Renderer:
         turn = np.arange(count) * np.pi * (3.0 - np.sqrt(5.0))
         radius = light.lamp_radius_mm * np.sqrt(np.arange(count) / count)
         places = at + (radius * np.stack([np.cos(turn), np.sin(turn)])).T @ side
-        return np.stack([bundle(into, rows, place) for place in places])
+        return np.stack([ray_bundle(into, rows, place) for place in places])
 
     def room_light(self, T_arm_sensor: Floats, rays: int = FINE) -> Image:
         """(H, W) light of the room with 1 for a bright face, lens blur included, no noise."""
@@ -125,7 +125,7 @@ class Renderer:
         if kept is not None and kept[1] >= rays and np.array_equal(kept[0], T_arm_sensor):
             return kept[2]
         kinds, rows, into = self._things_in_view(T_arm_sensor)
-        eyes = bundle(into, rows, np.zeros(3))
+        eyes = ray_bundle(into, rows, np.zeros(3))
         light = self.scene.light
         towards = np.array(light.direction) / np.linalg.norm(light.direction)
         in_cam = self.optics.T_cam_sensor[:3, :3] @ towards
@@ -172,7 +172,7 @@ class Renderer:
             return kept[1:]
         kinds, rows, into = self._things_in_view(T_arm_sensor)
         fan, emitter, sheet, lens = self._sheet_in_camera
-        eyes, lamps = bundle(into, rows, np.zeros(3)), bundle(into, rows, emitter)
+        eyes, lamps = ray_bundle(into, rows, np.zeros(3)), ray_bundle(into, rows, emitter)
         shapes = (kinds, rows)
         angles = np.linspace(-self.sheet.half_angle_rad, self.sheet.half_angle_rad, FAN_RAYS)
         landed = np.empty((8 * FAN_RAYS, 5))
@@ -238,7 +238,7 @@ class Renderer:
         room: float = 1.0,
         laser: float = 0.0,
         rays: int = FINE,
-    ) -> Digits:
+    ) -> RawImage:
         """A frame (H, W) with noise.
 
         Args:
@@ -249,7 +249,7 @@ class Renderer:
         """
         detector = self.detector
         height, width = self.optics.height_px, self.optics.width_px
-        out = blank(height, width, detector)
+        out = empty_image(height, width, detector)
         offsets = self._rng.integers(0, POOL, height)
         first, last, light = 0, 0, self._laser_light
         if laser > 0:
@@ -269,7 +269,7 @@ class Renderer:
         return out
 
 
-def _off_axis(eye: Floats, target: Floats, centre: Floats, radius: float) -> float:
+def _off_axis_rad(eye: Floats, target: Floats, centre: Floats, radius: float) -> float:
     """Angle in rad between the line from an eye to a target and the nearest of a ball."""
     line, way = target - eye, centre - eye
     distance = float(np.linalg.norm(way))

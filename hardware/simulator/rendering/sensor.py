@@ -18,18 +18,18 @@ from hardware.errors import DeviceError
 from hardware.interfaces import Frame, LinkHealth, SensorInfo
 from hardware.simulator.devices.faults import Faults
 from hardware.simulator.devices.kinematics import Floats
-from hardware.simulator.rendering.noise import Digits
+from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
 
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 READOUT_NS = 3_000_000
-STILL, HELD = 55, 34
+STILL, TREMBLING = 55, 34
 """Rays over a pixel at an edge: while nothing moves at all; and while a hand holds the sensor
 and trembles."""
 SMEAR_MM = 0.15
 """The sensor's way in one exposure from which on its pictures of the room are smeared."""
 LEVER_MM = 130.0
-SHARE_OF_A_CORE = 0.5
+CORE_SHARE = 0.5
 """Rendering takes no more of the machine than this; the frame rate gives way."""
 LONGEST_GAP_S = 10.0
 """Pictures are no further apart, however busy the machine; a lost camera says so at once."""
@@ -40,7 +40,7 @@ FIRST_EXPOSURE_US = 5000.0
 
 
 @dataclass
-class Lamps:
+class Lighting:
     """The light that falls on the scene; set at any time."""
 
     room: float = 1.0
@@ -50,7 +50,7 @@ class Lamps:
     pictures); True: pictures with the laser show both."""
 
 
-class Studio:
+class SharedRenderer:
     """The one renderer of a station, and where its sensor is; drivers take turns."""
 
     def __init__(
@@ -58,7 +58,7 @@ class Studio:
         make: Callable[[], Renderer],
         sensor_pose: Callable[[int], Floats],
         resting: Callable[[int], bool],
-        lamps: Lamps,
+        lamps: Lighting,
         faults: Faults,
     ) -> None:
         self._make, self._sensor_pose, self._resting = make, sensor_pose, resting
@@ -73,7 +73,7 @@ class Studio:
             if self._renderer is None:
                 self._renderer = self._make()
 
-    def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> Digits:
+    def expose(self, mid_ns: int, exposure_us: float, laser_on: bool) -> RawImage:
         """What the camera sees; ``mid_ns`` is the middle of the exposure."""
         with self._lock:
             renderer = self._renderer
@@ -90,7 +90,7 @@ class Studio:
         if self._last is not None and np.array_equal(T, self._last):
             return STILL
         if self._resting(mid_ns):
-            return HELD
+            return TREMBLING
         half_ns = round(exposure_us * 500)
         first, last = self._sensor_pose(mid_ns - half_ns), self._sensor_pose(mid_ns + half_ns)
         way = float(np.linalg.norm(last[:3, 3] - first[:3, 3]))
@@ -100,15 +100,15 @@ class Studio:
 
 def _rest_ns(cost_ns: float) -> float:
     """How long to rest after a picture; the next may well cost as much."""
-    return cost_ns * (1 / SHARE_OF_A_CORE - 1)
+    return cost_ns * (1 / CORE_SHARE - 1)
 
 
-class TwinSensor:
+class SimulatedSensor:
     """Meets ``SensorDriver``."""
 
     def __init__(
         self,
-        studio: Studio,
+        studio: SharedRenderer,
         info: SensorInfo,
         rate_hz: float,
         seed: int = 0,

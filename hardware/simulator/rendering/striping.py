@@ -3,9 +3,9 @@
 from app.native.arguments import F32, F64, I32, Array, Function
 from hardware.simulator.native import SIMULATOR
 from hardware.simulator.rendering.casting import CODES, LIGHT_OUT
-from hardware.simulator.rendering.tracing import BUNDLE, THINGS
+from hardware.simulator.rendering.tracing import BUNDLE, OBJECTS
 
-EMITTER, SHEET = Array(F64, 3), Array(F64, 5)
+EMITTER, LIGHT_PLANE = Array(F64, 3), Array(F64, 5)
 """In the camera's frame; of the sheet its normal, offset and half thickness."""
 
 trace_fan = Function(
@@ -14,9 +14,9 @@ trace_fan = Function(
     Array(F64, "angles"),
     Array(F64, 2, 3),
     EMITTER,
-    SHEET,
+    LIGHT_PLANE,
     Array(F64, 9),
-    *THINGS,
+    *OBJECTS,
     BUNDLE,
     Array(F64, "most", 5, written=True),
     returns=int,
@@ -37,8 +37,8 @@ cast_laser = Function(
     Array(F64, "many", 2),
     Array(F64, "few", 2),
     EMITTER,
-    SHEET,
-    *THINGS,
+    LIGHT_PLANE,
+    *OBJECTS,
     BUNDLE,
     BUNDLE,
     CODES,

@@ -1,6 +1,6 @@
 """Rays of one bundle share an origin: the camera's centre, the laser's emitter, a lamp.
 
-Origin and turn into every thing's own frame are worked out once for all of them (``bundle``);
+Origin and turn into every thing's own frame are worked out once for all of them (``ray_bundle``);
 ``native/c/tracing.c`` then finds where each first meets a thing.
 """
 
@@ -13,16 +13,16 @@ from hardware.simulator.native import SIMULATOR
 
 Ints = NDArray[np.int64]
 
-THINGS = (Array(I64, "things"), Array(F64, "things", 64))
+OBJECTS = (Array(I64, "things"), Array(F64, "things", 64))
 """Kinds and rows of numbers, as of ``world.shape_rows``."""
 BUNDLE = Array(F64, "things", 16)
 
 _first_hits = Function(
-    SIMULATOR, "first_hits", *THINGS, BUNDLE, Array(F64, "n", 3), Array(F64, "n", written=True)
+    SIMULATOR, "first_hits", *OBJECTS, BUNDLE, Array(F64, "n", 3), Array(F64, "n", written=True)
 )
 
 
-def bundle(into: Floats, rows: Floats, origin: Floats) -> Floats:
+def ray_bundle(into: Floats, rows: Floats, origin: Floats) -> Floats:
     """(K, 16): all that a ray caster needs to know of the rays from one origin.
 
     Args:
@@ -47,7 +47,7 @@ def bundle(into: Floats, rows: Floats, origin: Floats) -> Floats:
 def first_hits(kinds: Ints, rows: Floats, rays: Floats, directions: Floats) -> Floats:
     """(N,) how far along each of ``directions`` (N, 3) the first thing is, in their lengths.
 
-    1e30 where there is none. ``rays``: the ``bundle`` that they are of.
+    1e30 where there is none. ``rays``: the ``ray_bundle`` that they are of.
     """
     found = np.empty(len(directions))
     _first_hits(kinds, rows, rays, np.ascontiguousarray(directions), found)

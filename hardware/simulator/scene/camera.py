@@ -50,7 +50,7 @@ class Optics:
 
 
 @dataclass(frozen=True)
-class LaserSheet:
+class LightPlane:
     """A thin fan of light; all in the sensor frame. ``normal . x = offset_mm``."""
 
     normal: tuple[float, float, float]
@@ -62,19 +62,21 @@ class LaserSheet:
     half_angle_rad: float = 0.42
 
 
-def sheet_through(
+def light_plane_through(
     normal: Floats, point_mm: Floats, emitter_mm: Floats, sigma_mm: float = 0.075
-) -> LaserSheet:
+) -> LightPlane:
     """The sheet through a point with a normal; the emitter is moved into it along the normal."""
     n = np.asarray(normal) / np.linalg.norm(normal)
     offset = float(n @ point_mm)
     at = np.asarray(emitter_mm) - (n @ emitter_mm - offset) * n
     nx, ny, nz = (float(v) for v in n)
     ex, ey, ez = (float(v) for v in at)
-    return LaserSheet((nx, ny, nz), offset, (ex, ey, ez), sigma_mm)
+    return LightPlane((nx, ny, nz), offset, (ex, ey, ez), sigma_mm)
 
 
-def looking_at(eye_mm: Floats, target_mm: Floats, right_hint: Floats, roll_rad: float) -> Floats:
+def camera_looking_at(
+    eye_mm: Floats, target_mm: Floats, right_hint: Floats, roll_rad: float
+) -> Floats:
     """``T_cam_sensor`` (4, 4) of a camera at ``eye_mm`` that looks at ``target_mm``.
 
     The image's +u follows ``right_hint``; ``roll_rad`` then turns the camera about
@@ -92,7 +94,7 @@ def looking_at(eye_mm: Floats, target_mm: Floats, right_hint: Floats, roll_rad: 
     return T
 
 
-def distorted(optics: Optics, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+def distort(optics: Optics, x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """What Brown's model makes of ideal image coordinates x/z, y/z."""
     k1, k2, p1, p2, k3 = optics.distortion
     r2 = x * x + y * y
@@ -106,7 +108,7 @@ def distorted(optics: Optics, x: Floats, y: Floats) -> tuple[Floats, Floats]:
 def to_pixels(optics: Optics, points_mm: Floats) -> Floats:
     """Pixels (N, 2) that points (N, 3) of the sensor frame are seen at."""
     p = np.asarray(points_mm) @ optics.T_cam_sensor[:3, :3].T + optics.T_cam_sensor[:3, 3]
-    x, y = distorted(optics, p[:, 0] / p[:, 2], p[:, 1] / p[:, 2])
+    x, y = distort(optics, p[:, 0] / p[:, 2], p[:, 1] / p[:, 2])
     return np.column_stack([optics.fx_px * x + optics.cx_px, optics.fy_px * y + optics.cy_px])
 
 

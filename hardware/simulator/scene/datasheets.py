@@ -10,16 +10,16 @@ from pathlib import Path
 import numpy as np
 
 from hardware.simulator.devices.kinematics import ArmModel, Floats
-from hardware.simulator.scene.camera import LaserSheet, Optics, to_pixels
-from hardware.simulator.scene.world import Ball, Board, Comb
+from hardware.simulator.scene.camera import LightPlane, Optics, to_pixels
+from hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere
 
-Paper = dict[str, object]
+JsonObject = dict[str, object]
 
 BOARD_FLATNESS_MM = 0.005
 """By how much the maker of a chessboard says that it may bend."""
 
 
-def arm_paper(arm: ArmModel) -> Paper:
+def arm_datasheet(arm: ArmModel) -> JsonObject:
     """arm.json of the arm as it was meant to be."""
     joints = []
     for i, link in enumerate(arm.links):
@@ -47,12 +47,12 @@ def arm_paper(arm: ArmModel) -> Paper:
     }
 
 
-def object_paper(
-    certificate: Comb,
+def block_datasheet(
+    certificate: CrenellatedBlock,
     standard_uncertainty_mm: float,
     name: str = "Simulated crenellated block",
     serial_number: str = "TWIN-B1",
-) -> Paper:
+) -> JsonObject:
     """object.json as the block's certificate has it."""
     return {
         "format": "crenel/object",
@@ -70,12 +70,12 @@ def object_paper(
     }
 
 
-def board_paper(
+def board_datasheet(
     certificate: Board,
     standard_uncertainty_mm: float,
     name: str = "Simulated chessboard",
     serial_number: str = "TWIN-C1",
-) -> Paper:
+) -> JsonObject:
     """The file of an object as the chessboard's certificate has it; its squares are square."""
     return {
         "format": "crenel/object",
@@ -91,12 +91,12 @@ def board_paper(
     }
 
 
-def sensor_paper(
+def sensor_datasheet(
     optics: Optics,
-    sheet: LaserSheet,
+    sheet: LightPlane,
     name: str = "Simulated stripe sensor",
     serial_number: str = "TWIN-S1",
-) -> Paper:
+) -> JsonObject:
     """sensor.json: the image's size and the way that the stripe runs in it."""
     return {
         "format": "crenel/sensor",
@@ -110,7 +110,7 @@ def sensor_paper(
     }
 
 
-def stripe_axis(optics: Optics, sheet: LaserSheet) -> str:
+def stripe_axis(optics: Optics, sheet: LightPlane) -> str:
     """ "u" where the stripe has one point a column, "v" where it has one a row."""
     along = np.cross(sheet.normal, [0.0, 0.0, 1.0])
     middle = np.array(sheet.normal) * sheet.offset_mm
@@ -119,7 +119,7 @@ def stripe_axis(optics: Optics, sheet: LaserSheet) -> str:
     return "u" if du >= dv else "v"
 
 
-def plane_paper(point_mm: Floats, normal: Floats) -> Paper:
+def plane_nominal(point_mm: Floats, normal: Floats) -> JsonObject:
     """*.nominal.json of a gauge plane, in the arm frame."""
     return {
         "format": "crenel/nominal",
@@ -135,7 +135,7 @@ def plane_paper(point_mm: Floats, normal: Floats) -> Paper:
     }
 
 
-def sphere_paper(centre_mm: Floats, ball: Ball) -> Paper:
+def sphere_nominal(centre_mm: Floats, ball: GaugeSphere) -> JsonObject:
     """*.nominal.json of a gauge sphere, in the arm frame."""
     return {
         "format": "crenel/nominal",
@@ -151,7 +151,7 @@ def sphere_paper(centre_mm: Floats, ball: Ball) -> Paper:
     }
 
 
-def write_paper(path: Path, paper: Paper) -> None:
+def write_document(path: Path, paper: JsonObject) -> None:
     """Writes one paper as JSON."""
     path.write_text(json.dumps(paper, indent=1) + "\n", encoding="utf-8")
 

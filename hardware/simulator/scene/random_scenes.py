@@ -5,31 +5,33 @@ from dataclasses import replace
 import numpy as np
 
 from hardware.simulator.devices.kinematics import (
+    ArmLink,
     ArmModel,
     Floats,
-    Link,
     rotation_about,
     translation,
 )
 from hardware.simulator.scene.camera import (
-    LaserSheet,
+    LightPlane,
     Optics,
-    looking_at,
-    sheet_through,
+    camera_looking_at,
+    light_plane_through,
     to_pixels,
 )
-from hardware.simulator.scene.world import Board, Comb
+from hardware.simulator.scene.world import Board, CrenellatedBlock
 
 RIGHT_ANGLE = np.pi / 2
 
 
-def made_from(certificate: Comb, sd_mm: float, rng: np.random.Generator) -> Comb:
+def draw_true_block(
+    certificate: CrenellatedBlock, sd_mm: float, rng: np.random.Generator
+) -> CrenellatedBlock:
     """The block as truly made: each size off its certificate by a few micrometres."""
 
     def near(value: float) -> float:
         return float(value + rng.normal(0.0, sd_mm)) if sd_mm else value
 
-    return Comb(
+    return CrenellatedBlock(
         tuple(near(x) for x in certificate.edges_x_mm),
         near(certificate.front_y_mm),
         near(certificate.back_y_mm),
@@ -39,7 +41,7 @@ def made_from(certificate: Comb, sd_mm: float, rng: np.random.Generator) -> Comb
     )
 
 
-def board_made_from(certificate: Board, sd_mm: float, rng: np.random.Generator) -> Board:
+def draw_true_board(certificate: Board, sd_mm: float, rng: np.random.Generator) -> Board:
     """The chessboard as truly made: width and height between the outermost inner corners off
     its certificate by a few micrometres."""
     columns, rows = certificate.inner_corners
@@ -51,7 +53,7 @@ def board_made_from(certificate: Board, sd_mm: float, rng: np.random.Generator) 
     )
 
 
-def random_comb(rng: np.random.Generator, merlons: int | None = None) -> Comb:
+def random_block(rng: np.random.Generator, merlons: int | None = None) -> CrenellatedBlock:
     """A block about 40 to 48 mm wide whose mirror image has other widths.
 
     ``merlons`` is 3 to 5 where not given.
@@ -67,7 +69,7 @@ def random_comb(rng: np.random.Generator, merlons: int | None = None) -> Comb:
     edges -= np.round(edges[-1] / 2)
     depth = float(np.round(rng.uniform(20.0, 28.0)))
     front = -float(np.round(depth * rng.uniform(0.42, 0.58)))
-    return Comb(
+    return CrenellatedBlock(
         tuple(float(x) for x in edges),
         front,
         front + depth,
@@ -81,12 +83,12 @@ def demo_arm() -> ArmModel:
     """A six-axis portable arm by its papers: yaw, shoulder, elbow, a wrist of three."""
     return ArmModel(
         (
-            Link(0.0, -RIGHT_ANGLE, 320.0, 0.0, 1, _pair(np.radians(170.0))),
-            Link(560.0, 0.0, 0.0, -RIGHT_ANGLE, 1, _pair(np.radians(125.0))),
-            Link(32.0, -RIGHT_ANGLE, 0.0, 0.0, 1, _pair(np.radians(155.0))),
-            Link(0.0, RIGHT_ANGLE, 540.0, 0.0, 1, _pair(np.radians(175.0))),
-            Link(0.0, -RIGHT_ANGLE, 0.0, 0.0, -1, _pair(np.radians(125.0))),
-            Link(0.0, 0.0, 82.0, 0.0, 1, _pair(np.radians(175.0))),
+            ArmLink(0.0, -RIGHT_ANGLE, 320.0, 0.0, 1, _symmetric_limits(np.radians(170.0))),
+            ArmLink(560.0, 0.0, 0.0, -RIGHT_ANGLE, 1, _symmetric_limits(np.radians(125.0))),
+            ArmLink(32.0, -RIGHT_ANGLE, 0.0, 0.0, 1, _symmetric_limits(np.radians(155.0))),
+            ArmLink(0.0, RIGHT_ANGLE, 540.0, 0.0, 1, _symmetric_limits(np.radians(175.0))),
+            ArmLink(0.0, -RIGHT_ANGLE, 0.0, 0.0, -1, _symmetric_limits(np.radians(125.0))),
+            ArmLink(0.0, 0.0, 82.0, 0.0, 1, _symmetric_limits(np.radians(175.0))),
         ),
         tip_mm=(0.0, -12.0, 165.0),
         tip_diameter_mm=3.0,
@@ -94,23 +96,23 @@ def demo_arm() -> ArmModel:
     )
 
 
-def _pair(limit: float) -> tuple[float, float]:
+def _symmetric_limits(limit: float) -> tuple[float, float]:
     return (-float(limit), float(limit))
 
 
 def random_arm(rng: np.random.Generator, joints: int = 6) -> ArmModel:
     """A nominal arm of six or seven joints: any of the usual layouts, signs and offsets."""
-    limits = _pair(np.radians(175.0))
+    limits = _symmetric_limits(np.radians(175.0))
     base, upper, fore, hand = (
         float(rng.uniform(low, high))
         for low, high in ((270, 330), (520, 650), (480, 570), (60, 100))
     )
     small = float(rng.uniform(0.0, 38.0))
 
-    def link(a: float, quarter: int, d: float) -> Link:
+    def link(a: float, quarter: int, d: float) -> ArmLink:
         theta = float(rng.choice([0.0, np.pi / 2, -np.pi / 2, np.pi / 6]))
         sign = int(rng.choice([-1, 1]))
-        return Link(a, quarter * RIGHT_ANGLE, d, theta, sign, limits)
+        return ArmLink(a, quarter * RIGHT_ANGLE, d, theta, sign, limits)
 
     shoulder = [link(0.0, -1, base), link(small, 1, 0.0), link(-small, -1, upper)]
     elbow = [link(small, 1, 0.0), link(-small, -1, fore)]
@@ -149,8 +151,8 @@ def random_mounting(rng: np.random.Generator) -> Floats:
     return np.asarray(place @ np.diag([1.0, -1.0, -1.0, 1.0]) @ turn)
 
 
-def sensor_for(
-    block: Comb,
+def draw_sensor(
+    block: CrenellatedBlock,
     rng: np.random.Generator | None = None,
     *,
     roll_rad: float = 0.0,
@@ -158,7 +160,7 @@ def sensor_for(
     width_px: int = 1280,
     height_px: int = 1024,
     fill: float = 0.86,
-) -> tuple[Optics, LaserSheet]:
+) -> tuple[Optics, LightPlane]:
     """Optics that frame a block about the sensor's origin, and a laser sheet through it.
 
     Sensor frame: x along the stripe, z towards the sensor, the sheet near y = 0, the
@@ -174,7 +176,7 @@ def sensor_for(
     low = np.array([block.edges_x_mm[0], block.front_y_mm, block.base_z_mm - mid_z])
     high = np.array([block.edges_x_mm[-1], block.back_y_mm, block.crest_z_mm - mid_z])
     box = np.array([np.where(np.array(bits), high, low) for bits in np.ndindex(2, 2, 2)])
-    T = looking_at(eye, (low + high) / 2 + jitter(0.5), np.array([1.0, 0.0, 0.0]), roll_rad)
+    T = camera_looking_at(eye, (low + high) / 2 + jitter(0.5), np.array([1.0, 0.0, 0.0]), roll_rad)
     shift = jitter(8.0)
     optics = Optics(
         width_px,
@@ -190,11 +192,13 @@ def sensor_for(
     focal = float(fill * 0.5 * np.min([width_px, height_px] / reach))
     optics = replace(optics, fx_px=1000.0 * focal, fy_px=optics.fy_px * focal)
     normal = np.array([0.0, 1.0, -0.016]) + 0.01 * jitter(1.0)
-    sheet = sheet_through(normal, 0.3 * jitter(1.0), np.array([0.0, 0.0, 128.0]) + jitter(2.0))
+    sheet = light_plane_through(
+        normal, 0.3 * jitter(1.0), np.array([0.0, 0.0, 128.0]) + jitter(2.0)
+    )
     return optics, sheet
 
 
-def random_place(rng: np.random.Generator, yaw_rad: float = 0.7) -> Floats:
+def random_block_pose(rng: np.random.Generator, yaw_rad: float = 0.7) -> Floats:
     """``T_arm_obj`` (4, 4) of a block on a table within an arm's comfortable reach."""
     bearing, distance = rng.uniform(-0.5, 0.6), rng.uniform(480.0, 640.0)
     place = translation(

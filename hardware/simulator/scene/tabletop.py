@@ -3,7 +3,17 @@
 import numpy as np
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.scene.world import Ball, Board, Box, Comb, Light, Scene, Shell, Thing, table
+from hardware.simulator.scene.world import (
+    Board,
+    Box,
+    CrenellatedBlock,
+    FreeformPart,
+    GaugeSphere,
+    Light,
+    SceneObject,
+    SimulatedScene,
+    make_table,
+)
 
 PARTS_MM = {
     "block": (740.0, 70.0, 0.20),
@@ -14,38 +24,38 @@ PARTS_MM = {
 }
 """x, y and turn (rad) of everything on the table; of the chessboard its middle's."""
 
-STAND_MM = 16.0
+SUPPORT_MM = 16.0
 """Height of what the chessboard lies on."""
 
 
-def standing(name: str, z_mm: float) -> Floats:
+def part_pose(name: str, z_mm: float) -> Floats:
     """``T_arm_part`` (4, 4) of one of ``PARTS_MM``, its frame so high over the table."""
     x, y, turn = PARTS_MM[name]
     return np.asarray(translation(x, y, z_mm) @ rotation_about("z", turn))
 
 
-def table_top(
-    block: Comb, T_arm_block: Floats, board: Board, correction: Floats, light: Light
-) -> Scene:
+def build_table_scene(
+    block: CrenellatedBlock, T_arm_block: Floats, board: Board, correction: Floats, light: Light
+) -> SimulatedScene:
     """Block, chessboard and parts as they truly are.
 
     Args:
         correction: (4, 4) from the frame in which gauges are certified to the arm's.
     """
-    ball, plate = Ball(12.7), Box((-30.0, -20.0, -12.0), (30.0, 20.0, 0.0))
+    ball, plate = GaugeSphere(12.7), Box((-30.0, -20.0, -12.0), (30.0, 20.0, 0.0))
     foot = Box((-4.0, -4.0, -34.0), (4.0, 4.0, -11.0))
-    stand = Box((-20.0, -16.0, 0.0), (20.0, 16.0, STAND_MM))
-    sphere_at = correction @ standing("sphere", 34.0)
-    plate_at = correction @ standing("plate", 12.3) @ rotation_about("x", 0.012)
-    printed_at = standing("board", STAND_MM + board.thickness_mm)
+    stand = Box((-20.0, -16.0, 0.0), (20.0, 16.0, SUPPORT_MM))
+    sphere_at = correction @ part_pose("sphere", 34.0)
+    plate_at = correction @ part_pose("plate", 12.3) @ rotation_about("x", 0.012)
+    printed_at = part_pose("board", SUPPORT_MM + board.thickness_mm)
     things = (
-        table(),
-        Thing("block", block, T_arm_block),
-        Thing("plate", plate, plate_at, 0.8),
-        Thing("sphere", ball, sphere_at, 0.85),
-        Thing("foot", foot, sphere_at, 0.3),
-        Thing("shell", Shell(), standing("shell", 0.0), 0.9),
-        Thing("board", board, printed_at @ translation(*(-board.middle_mm).tolist()), 0.9),
-        Thing("stand", stand, standing("board", 0.0), 0.2),
+        make_table(),
+        SceneObject("block", block, T_arm_block),
+        SceneObject("plate", plate, plate_at, 0.8),
+        SceneObject("sphere", ball, sphere_at, 0.85),
+        SceneObject("foot", foot, sphere_at, 0.3),
+        SceneObject("shell", FreeformPart(), part_pose("shell", 0.0), 0.9),
+        SceneObject("board", board, printed_at @ translation(*(-board.middle_mm).tolist()), 0.9),
+        SceneObject("stand", stand, part_pose("board", 0.0), 0.2),
     )
-    return Scene(things, light)
+    return SimulatedScene(things, light)

@@ -19,7 +19,7 @@ FINISH = 48
 """Where in a row the numbers of a thing's finish begin."""
 
 
-class Kind(IntEnum):
+class ShapeKind(IntEnum):
     COMB = 0
     BOX = 1
     BALL = 2
@@ -28,7 +28,7 @@ class Kind(IntEnum):
 
 
 @dataclass(frozen=True)
-class Comb:
+class CrenellatedBlock:
     """The crenellated block as truly made. X across the merlons, Y along the grooves, Z up."""
 
     edges_x_mm: tuple[float, ...] = (-22.0, -14.0, -7.0, -2.0, 5.0, 10.0, 17.0, 22.0)
@@ -48,14 +48,14 @@ class Box:
 
 
 @dataclass(frozen=True)
-class Ball:
+class GaugeSphere:
     """A gauge sphere about its frame's origin."""
 
     radius_mm: float = 12.7
 
 
 @dataclass(frozen=True)
-class Shell:
+class FreeformPart:
     """A scallop-like relief: ``z = height(x, y)`` over an ellipse, smooth everywhere."""
 
     half_width_mm: float = 30.0
@@ -97,10 +97,10 @@ class Board:
         return np.array([(columns + 1) * self.square_x_mm, (rows + 1) * self.square_y_mm]) / 2
 
 
-Shape = Comb | Box | Ball | Shell | Board
+ObjectShape = CrenellatedBlock | Box | GaugeSphere | FreeformPart | Board
 
 
-def shell_height(shell: Shell, x: Floats, y: Floats) -> Floats:
+def relief_height_mm(shell: FreeformPart, x: Floats, y: Floats) -> Floats:
     """Height in mm of the relief over points of its base; below zero outside of it."""
     w = 1 - (x / shell.half_width_mm) ** 2 - (y / shell.half_depth_mm) ** 2
     fan = x / (y + 1.3 * shell.half_depth_mm)
@@ -109,7 +109,7 @@ def shell_height(shell: Shell, x: Floats, y: Floats) -> Floats:
 
 
 @dataclass(frozen=True)
-class Finish:
+class SurfaceFinish:
     """How a surface was worked. The default is matt and without marks."""
 
     gloss: float = 0.0
@@ -123,16 +123,16 @@ class Finish:
 
 
 @dataclass(frozen=True)
-class Thing:
+class SceneObject:
     """A shape at a place in the arm frame. ``albedo`` 1 is the block's brightness."""
 
     name: str
-    shape: Shape
+    shape: ObjectShape
     T_arm_obj: Floats
     albedo: float = 1.0
-    finish: Finish = field(default_factory=Finish)
+    finish: SurfaceFinish = field(default_factory=SurfaceFinish)
 
-    def at(self, T_arm_obj: Floats) -> "Thing":
+    def at(self, T_arm_obj: Floats) -> "SceneObject":
         """The same thing elsewhere."""
         return replace(self, T_arm_obj=T_arm_obj)
 
@@ -157,11 +157,11 @@ class Light:
 
 
 @dataclass(frozen=True)
-class Scene:
-    things: tuple[Thing, ...]
+class SimulatedScene:
+    things: tuple[SceneObject, ...]
     light: Light = field(default_factory=Light)
 
-    def thing(self, name: str) -> Thing:
+    def thing(self, name: str) -> SceneObject:
         """The thing of that name; raises KeyError."""
         for thing in self.things:
             if thing.name == name:
@@ -169,7 +169,7 @@ class Scene:
         raise KeyError(name)
 
 
-def _comb_row(shape: Comb, row: Floats) -> None:
+def _block_row(shape: CrenellatedBlock, row: Floats) -> None:
     x = shape.edges_x_mm
     if len(x) > MAX_EDGES:
         raise ValueError(f"a block may have {MAX_EDGES} edges at most, not {len(x)}")
@@ -193,18 +193,18 @@ def _board_row(shape: Board, row: Floats) -> None:
     row[16:21] = *shape.inner_corners, shape.square_x_mm, shape.square_y_mm, shape.ink
 
 
-def _steepest(shell: Shell) -> float:
+def _max_slope(shell: FreeformPart) -> float:
     """A slope that the relief reaches nowhere on its base."""
     x, y = np.meshgrid(
         np.linspace(-shell.half_width_mm, shell.half_width_mm, 241),
         np.linspace(-shell.half_depth_mm, shell.half_depth_mm, 241),
     )
-    height = shell_height(shell, x, y)
+    height = relief_height_mm(shell, x, y)
     down, across = np.gradient(height, y[:, 0], x[0])
     return 1.15 * float(np.max(np.hypot(down, across)))
 
 
-def shape_rows(scene: Scene) -> tuple[NDArray[np.int64], Floats]:
+def shape_rows(scene: SimulatedScene) -> tuple[NDArray[np.int64], Floats]:
     """Kinds (K,) and rows (K, 64) for the ray caster.
 
     A row holds the bounding sphere (0-3), albedo (4), bounds (8-13), what the kind
@@ -218,20 +218,20 @@ def shape_rows(scene: Scene) -> tuple[NDArray[np.int64], Floats]:
         finish = thing.finish
         row[FINISH : FINISH + 4] = finish.gloss, finish.sharpness, finish.marks, finish.mark_mm
         shape = thing.shape
-        if isinstance(shape, Comb):
-            kinds[k] = Kind.COMB
-            _comb_row(shape, row)
+        if isinstance(shape, CrenellatedBlock):
+            kinds[k] = ShapeKind.COMB
+            _block_row(shape, row)
         elif isinstance(shape, Box):
-            kinds[k] = Kind.BOX
+            kinds[k] = ShapeKind.BOX
             _box_row(np.array(shape.low_mm), np.array(shape.high_mm), row)
-        elif isinstance(shape, Ball):
-            kinds[k] = Kind.BALL
+        elif isinstance(shape, GaugeSphere):
+            kinds[k] = ShapeKind.BALL
             row[3] = shape.radius_mm
         elif isinstance(shape, Board):
-            kinds[k] = Kind.BOARD
+            kinds[k] = ShapeKind.BOARD
             _board_row(shape, row)
         else:
-            kinds[k] = Kind.SHELL
+            kinds[k] = ShapeKind.SHELL
             top = shape.height_mm + shape.rib_mm
             reach = np.array([shape.half_width_mm, shape.half_depth_mm, top])
             _box_row(reach * [-1, -1, 0], reach, row)
@@ -241,11 +241,13 @@ def shape_rows(scene: Scene) -> tuple[NDArray[np.int64], Floats]:
                 shape.height_mm,
                 shape.rib_mm,
                 shape.ribs,
-                _steepest(shape),
+                _max_slope(shape),
             )
     return kinds, rows
 
 
-def table() -> Thing:
+def make_table() -> SceneObject:
     """A dark table top, level with the arm's base."""
-    return Thing("table", Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0)), np.eye(4), 0.15)
+    return SceneObject(
+        "table", Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0)), np.eye(4), 0.15
+    )

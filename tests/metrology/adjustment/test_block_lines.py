@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import JointCalibration, JointInputs, calibrate_joint
-from app.metrology.calibration.findings import Finding
+from app.metrology.adjustment.block.calibrate import BlockCalibration, BlockInputs, calibrate_block
+from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply
 from app.workflows.calibrate import joint_inputs
@@ -20,16 +20,16 @@ PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0
 
 
 @pytest.fixture(scope="module")
-def inputs(samples: Path) -> JointInputs:
+def inputs(samples: Path) -> BlockInputs:
     return joint_inputs(read_session(samples / "many-poses"))
 
 
 @pytest.fixture(scope="module")
-def found(inputs: JointInputs) -> JointCalibration:
-    return calibrate_joint(inputs)
+def found(inputs: BlockInputs) -> BlockCalibration:
+    return calibrate_block(inputs)
 
 
-def shifted(inputs: JointInputs, places: Collection[int], by_px: float) -> JointInputs:
+def shifted(inputs: BlockInputs, places: Collection[int], by_px: float) -> BlockInputs:
     """The laser seen so far across, as if the sensor had been bumped between the pictures."""
     seen = [
         replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + by_px * (place in places)))
@@ -38,7 +38,7 @@ def shifted(inputs: JointInputs, places: Collection[int], by_px: float) -> Joint
     return replace(inputs, seen=tuple(seen))
 
 
-def apart_um(a: JointCalibration, b: JointCalibration) -> float:
+def apart_um(a: BlockCalibration, b: BlockCalibration) -> float:
     """Largest distance, in the flange's frame, of points rebuilt by two calibrations."""
     one, other = (
         apply(k.T_flange_sensor, sensor_points(k.camera, k.plane, PIXELS)) for k in (a, b)
@@ -46,16 +46,16 @@ def apart_um(a: JointCalibration, b: JointCalibration) -> float:
     return 1e3 * float(np.max(np.linalg.norm(one - other, axis=1)))
 
 
-def about(result: JointCalibration, code: str) -> list[Finding]:
+def about(result: BlockCalibration, code: str) -> list[CalibrationFinding]:
     return [finding for finding in result.findings if finding.code == code]
 
 
 # Each of them, so that the one from which the adjustment starts is among them.
 @pytest.mark.parametrize("place", range(8))
 def test_one_line_off_the_others_plane_is_named_and_left_out(
-    inputs: JointInputs, found: JointCalibration, place: int
+    inputs: BlockInputs, found: BlockCalibration, place: int
 ) -> None:
-    result = calibrate_joint(shifted(inputs, {place}, 3.0))
+    result = calibrate_block(shifted(inputs, {place}, 3.0))
     (said,) = about(result, "laser-moved")
     assert (said.quality, said.pose) == ("attention", inputs.seen[place].number)
     of_pose = next(pose for pose in result.poses if pose.number == said.pose)
@@ -66,19 +66,19 @@ def test_one_line_off_the_others_plane_is_named_and_left_out(
     assert about(result, "laser-plane")[0].quality == "good"
 
 
-def test_no_line_is_named_where_all_agree(found: JointCalibration) -> None:
+def test_no_line_is_named_where_all_agree(found: BlockCalibration) -> None:
     assert not about(found, "laser-moved")
     assert about(found, "laser-plane")[0].quality == "good"
 
 
 def test_a_laser_picture_without_a_line_is_named(
-    inputs: JointInputs, found: JointCalibration
+    inputs: BlockInputs, found: BlockCalibration
 ) -> None:
     seen = list(inputs.seen)
     none = np.zeros(0)
     dark = replace(seen[3].stripe, u=none, v=none, intensity=none, sigma_px=none)
     seen[3] = replace(seen[3], stripe=dark)
-    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, seen=tuple(seen)))
     (said,) = about(result, "line-missing")
     assert (said.quality, said.pose) == ("attention", seen[3].number)
     assert "the laser was on" in said.remedy
@@ -90,30 +90,30 @@ def test_a_laser_picture_without_a_line_is_named(
 
 
 def test_laser_pictures_that_were_exchanged_are_named(
-    inputs: JointInputs, found: JointCalibration
+    inputs: BlockInputs, found: BlockCalibration
 ) -> None:
     seen = list(inputs.seen)
     seen[2], seen[5] = (
         replace(seen[2], stripe=seen[5].stripe),
         replace(seen[5], stripe=seen[2].stripe),
     )
-    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, seen=tuple(seen)))
     assert {said.pose for said in about(result, "laser-moved")} == {2, 5}
     assert apart_um(result, found) < found.known.total_um
 
 
-def test_lines_in_two_planes_are_refused(inputs: JointInputs) -> None:
-    with pytest.raises(Refusal) as caught:
-        calibrate_joint(shifted(inputs, {4, 5, 6, 7}, 30.0))
+def test_lines_in_two_planes_are_refused(inputs: BlockInputs) -> None:
+    with pytest.raises(OperationError) as caught:
+        calibrate_block(shifted(inputs, {4, 5, 6, 7}, 30.0))
     assert caught.value.code == "lines-contradict"
     assert "each laser picture is of its own pose" in caught.value.remedy
 
 
-def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: JointInputs) -> None:
+def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: BlockInputs) -> None:
     seen = [
         replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + 2.0 * place))
         for place, pose in enumerate(inputs.seen)
     ]
-    result = calibrate_joint(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, seen=tuple(seen)))
     assert about(result, "laser-plane")[0].quality == "attention"
     assert "the laser sits firmly" in about(result, "laser-plane")[0].remedy

@@ -7,15 +7,18 @@ from scipy.spatial.transform import Rotation
 from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.parameters import SENSOR
-from app.metrology.adjustment.core.uncertainty import by_sensor, measuring_volume
-from app.metrology.adjustment.planning.inverse_kinematics import REACHED_MM, joints_for
-from app.metrology.adjustment.planning.next_pose import PoseAdvice, held, next_poses
+from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
+from app.metrology.adjustment.planning.inverse_kinematics import (
+    REACHED_MM,
+    solve_inverse_kinematics,
+)
+from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
 from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose
 from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.chessboard import middle_of
+from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, inverse, rigid
-from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, seen_from
-from tests.metrology.seen_boards import PAPER, Errors, seen_at
+from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, camera_pose
+from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, simulate_detection
 
 REST_RAD = np.radians([0.0, -70.0, 40.0, 0.0, 70.0, 0.0])
 ENCODER_SD_RAD = 1e-5
@@ -38,11 +41,13 @@ def taken(arm: Arm, poses: tuple[Floats, ...], seed: int = 1) -> BoardInputs:
     T_arm_obj = flange_pose(arm, REST_RAD) @ T_FLANGE_CAM @ poses[0]
     seen, angles = [], []
     for k, T_cam_obj in enumerate(poses):
-        q = joints_for(arm, T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM), REST_RAD)
+        q = solve_inverse_kinematics(
+            arm, T_arm_obj @ inverse(T_cam_obj) @ inverse(T_FLANGE_CAM), REST_RAD
+        )
         assert q is not None
-        seen.append(seen_at(rng, k + 1, PAPER, T_cam_obj, PLANE, Errors()))
+        seen.append(simulate_detection(rng, k + 1, PAPER_BOARD, T_cam_obj, PLANE, BoardErrors()))
         angles.append(q + rng.normal(0, ENCODER_SD_RAD, len(q)))
-    return BoardInputs(arm, PAPER, tuple(seen), np.array(angles), SIZE)
+    return BoardInputs(arm, PAPER_BOARD, tuple(seen), np.array(angles), SIZE)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +62,7 @@ def found(five: BoardInputs) -> BoardCalibration:
 
 @pytest.fixture(scope="module")
 def advice(arm: Arm, five: BoardInputs, found: BoardCalibration) -> list[PoseAdvice]:
-    return next_poses(found.adjusted, arm, PAPER, five.readings)
+    return next_poses(found.adjusted, arm, PAPER_BOARD, five.readings)
 
 
 def test_the_advised_pose_brings_what_was_foretold(
@@ -80,7 +85,7 @@ def test_the_advised_pose_brings_what_was_foretold(
 
 def rms_um(found: BoardCalibration, uv_px: Floats) -> float:
     """Standard uncertainty of the points that pixels (N, 2) show, over all of them."""
-    by = by_sensor(found.adjusted.state, uv_px)
+    by = sensor_jacobian(found.adjusted.state, uv_px)
     covariance = found.adjusted.covariance[SENSOR, SENSOR]
     return float(1e3 * np.sqrt(np.mean(np.einsum("gik,kl,gil->g", by, covariance, by))))
 
@@ -93,7 +98,7 @@ def test_the_outline_lies_in_the_picture(advice: list[PoseAdvice]) -> None:
 
 
 def test_right_is_what_is_right_in_the_picture_however_the_board_lies() -> None:
-    straight, middle = inverse(seen_from(0, 0, 0, 230)), middle_of(PAPER)
+    straight, middle = inverse(camera_pose(0, 0, 0, 230)), pattern_centre(PAPER_BOARD)
     right, back = straight[:3, 0], -straight[:3, 1]
 
     def swung(axis: Floats, T_obj_cam: Floats) -> Floats:
@@ -103,7 +108,7 @@ def test_right_is_what_is_right_in_the_picture_however_the_board_lies() -> None:
     # swung to the right, the camera has moved to where its picture's right was
     T = swung(back, straight)
     assert (T[:3, 3] - straight[:3, 3]) @ right > 50
-    assert held(T, straight, PAPER).words == "tilt right 20°"
+    assert pose_delta(T, straight, PAPER_BOARD).words == "tilt right 20°"
     half_turn = rigid(np.diag([-1.0, -1.0, 1.0]), 2 * middle)
     turned = half_turn @ straight
-    assert held(half_turn @ T, turned, PAPER).words == "tilt right 20°"
+    assert pose_delta(half_turn @ T, turned, PAPER_BOARD).words == "tilt right 20°"

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.simulated import USUAL, SetUp, Station, drawn, station_of
-from app.metrology.adjustment.core.gauss_newton import adjust
-from app.metrology.adjustment.core.observations import Touches
+from app.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
+from app.metrology.adjustment.core.gauss_newton import solve_adjustment
+from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.core.variance_components import Scales
-from app.metrology.adjustment.outliers.fault_hypotheses import about_block_faults
-from app.metrology.calibration.findings import Finding
+from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
+from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
 
@@ -22,33 +22,33 @@ MIDDLING = replace(USUAL, links_mm=0.012, links_rad=3e-5)
 POOR = replace(USUAL, links_mm=0.03, links_rad=7.5e-5)
 
 
-def station(poses: int, faces: tuple[str, ...], scales: Scales = USUAL) -> Station:
-    return station_of(
+def station(poses: int, faces: tuple[str, ...], scales: Scales = USUAL) -> SimulatedSetup:
+    return draw_setup(
         SetUp("faults", poses, faces=faces, contacts_per_face=10, scales=scales, seed=4)
     )
 
 
-def said(on: Station, seed: int, tips_mm: Floats | None = None) -> list[Finding]:
+def said(on: SimulatedSetup, seed: int, tips_mm: Floats | None = None) -> list[CalibrationFinding]:
     """Of a session in which the contacts are off by (N, 3), arm frame."""
-    session = drawn(on, np.random.default_rng(seed))
+    session = draw_session(on, np.random.default_rng(seed))
     touches = touches_of(session.problem.touches)
     off_mm = np.zeros(3) if tips_mm is None else tips_mm
     moved = replace(touches, tips_mm=touches.tips_mm + off_mm)
-    return about_block_faults(
-        adjust(replace(session.problem, touches=moved), session.start), LIMITS
+    return block_fault_findings(
+        solve_adjustment(replace(session.problem, touches=moved), session.start), LIMITS
     )
 
 
-def touches_of(touches: Touches | None) -> Touches:
+def touches_of(touches: ContactObservations | None) -> ContactObservations:
     assert touches is not None
     return touches
 
 
-def touches_on(on: Station) -> Touches:
-    return touches_of(drawn(on, np.random.default_rng(0)).problem.touches)
+def touches_on(on: SimulatedSetup) -> ContactObservations:
+    return touches_of(draw_session(on, np.random.default_rng(0)).problem.touches)
 
 
-def inward(on: Station, mm: dict[str, float]) -> Floats:
+def inward(on: SimulatedSetup, mm: dict[str, float]) -> Floats:
     """(N, 3) contacts nearer to the block by so much on these faces."""
     touches = touches_on(on)
     by = np.array([mm.get(face, 0.0) for face in touches.features])

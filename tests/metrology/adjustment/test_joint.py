@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import JointCalibration, JointInputs, calibrate_joint
-from app.metrology.adjustment.core.observations import NotSeen
-from app.metrology.adjustment.planning.next_pose import held, next_poses
-from app.metrology.adjustment.planning.next_touches import next_touches, place_um
+from app.metrology.adjustment.block.calibrate import BlockCalibration, BlockInputs, calibrate_block
+from app.metrology.adjustment.core.observations import FailedPose
+from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
+from app.metrology.adjustment.planning.next_touches import next_touches, placement_uncertainty_um
 from app.metrology.limits import Limits
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
@@ -21,20 +21,20 @@ from app.workflows.calibrate import joint_inputs
 
 
 @pytest.fixture(scope="module")
-def inputs(samples: Path) -> JointInputs:
+def inputs(samples: Path) -> BlockInputs:
     return joint_inputs(read_session(samples / "many-poses"))
 
 
 @pytest.fixture(scope="module")
-def found(inputs: JointInputs) -> JointCalibration:
-    return calibrate_joint(inputs)
+def found(inputs: BlockInputs) -> BlockCalibration:
+    return calibrate_block(inputs)
 
 
-def codes(result: JointCalibration) -> set[str]:
+def codes(result: BlockCalibration) -> set[str]:
     return {finding.code for finding in result.findings}
 
 
-def test_points_lie_where_the_truth_has_them(found: JointCalibration, samples: Path) -> None:
+def test_points_lie_where_the_truth_has_them(found: BlockCalibration, samples: Path) -> None:
     truth = json.loads((samples / "many-poses/truth.json").read_text())
     points = sensor_points(found.camera, found.plane, np.array(truth["pixels"]))
     true = np.array(truth["points_sensor_frame_mm"])
@@ -50,11 +50,11 @@ def test_points_lie_where_the_truth_has_them(found: JointCalibration, samples: P
 
 
 def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
-    inputs: JointInputs,
+    inputs: BlockInputs,
 ) -> None:
     q = inputs.q_rad.copy()
     q[[2, 5]] = q[[5, 2]]
-    result = calibrate_joint(replace(inputs, q_rad=q))
+    result = calibrate_block(replace(inputs, q_rad=q))
     out = [pose for pose in result.poses if not pose.used]
     assert [pose.number for pose in out] == [2, 5]
     assert "fits the joint angles of pose 5" in out[0].reason
@@ -62,11 +62,11 @@ def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
 
 
 def test_a_pose_that_is_slightly_astray_is_left_out_too(
-    inputs: JointInputs, found: JointCalibration
+    inputs: BlockInputs, found: BlockCalibration
 ) -> None:
     q = inputs.q_rad.copy()
     q[2, 2] += np.radians(0.05)
-    result = calibrate_joint(replace(inputs, q_rad=q))
+    result = calibrate_block(replace(inputs, q_rad=q))
     (out,) = [pose for pose in result.poses if not pose.used]
     assert out.number == 2
     assert "fits the joint angles" not in out.reason
@@ -74,44 +74,46 @@ def test_a_pose_that_is_slightly_astray_is_left_out_too(
 
 
 def test_one_stray_of_few_is_left_out_though_it_draws_the_others_along(
-    inputs: JointInputs,
+    inputs: BlockInputs,
 ) -> None:
     few = replace(inputs, seen=inputs.seen[:4], q_rad=inputs.q_rad[:4].copy())
     few.q_rad[1, 2] += np.radians(0.1)
-    result = calibrate_joint(few)
+    result = calibrate_block(few)
     assert [pose.number for pose in result.poses if not pose.used] == [1]
     assert "arm-scatter" not in codes(result)
 
 
-def test_poses_that_agree_with_none_are_refused(inputs: JointInputs) -> None:
+def test_poses_that_agree_with_none_are_refused(inputs: BlockInputs) -> None:
     rng = np.random.default_rng(1)
     q = inputs.q_rad + rng.uniform(-0.05, 0.05, inputs.q_rad.shape)
-    with pytest.raises(Refusal) as caught:
-        calibrate_joint(replace(inputs, q_rad=q))
+    with pytest.raises(OperationError) as caught:
+        calibrate_block(replace(inputs, q_rad=q))
     assert caught.value.code == "poses-contradict"
 
 
-def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: JointInputs) -> None:
-    refusal = Refusal("no-contrast", "the picture shows no contrast", "", "turn up the light")
+def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: BlockInputs) -> None:
+    refusal = OperationError(
+        "no-contrast", "the picture shows no contrast", "", "turn up the light"
+    )
     some = replace(inputs, seen=inputs.seen[1:], q_rad=inputs.q_rad[1:])
-    result = calibrate_joint(replace(some, unseen=(NotSeen(inputs.seen[0].number, refusal),)))
+    result = calibrate_block(replace(some, unseen=(FailedPose(inputs.seen[0].number, refusal),)))
     (said,) = [finding for finding in result.findings if finding.code == "pose-left-out"]
     assert said.text.endswith("shows no contrast. Turn up the light.")
     assert not said.remedy
 
 
-def test_poses_all_alike_are_said_to_tell_little(inputs: JointInputs) -> None:
+def test_poses_all_alike_are_said_to_tell_little(inputs: BlockInputs) -> None:
     few = replace(inputs, seen=inputs.seen[:1] * 2, q_rad=inputs.q_rad[[0, 0]])
     few = replace(few, seen=(few.seen[0], replace(few.seen[1], number=9)))
-    assert "poses-alike" in codes(calibrate_joint(few))
+    assert "poses-alike" in codes(calibrate_block(few))
 
 
 # A tenth of a millimetre hides in the noise that it makes the arm seem to have.
 @pytest.mark.parametrize("by_mm", [-1.0, -0.1, 0.1, 1.0])
-def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: JointInputs, by_mm: float) -> None:
+def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: BlockInputs, by_mm: float) -> None:
     tip = inputs.arm.tip
     other = replace(inputs.arm, tip=replace(tip, diameter_mm=tip.diameter_mm + by_mm))
-    result = calibrate_joint(replace(inputs, arm=other))
+    result = calibrate_block(replace(inputs, arm=other))
     told = [finding for finding in result.findings if finding.code == "tip-diameter"]
     assert told
     assert told[0].remedy
@@ -122,38 +124,40 @@ def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: JointInputs, by_mm: f
     assert twice_sd_mm < 0.05
 
 
-def test_the_right_tip_is_not_doubted(found: JointCalibration) -> None:
+def test_the_right_tip_is_not_doubted(found: BlockCalibration) -> None:
     assert "tip-diameter" not in codes(found)
 
 
-def test_one_pose_is_the_special_case(inputs: JointInputs, found: JointCalibration) -> None:
-    alone = calibrate_joint(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
+def test_one_pose_is_the_special_case(inputs: BlockInputs, found: BlockCalibration) -> None:
+    alone = calibrate_block(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
     assert "one-pose" in codes(alone)
     assert alone.known.total_um > found.known.total_um
 
 
-def test_the_verdict_goes_by_the_users_limits(inputs: JointInputs) -> None:
-    strict = calibrate_joint(replace(inputs, limits=Limits(good_um=5.0, usable_um=10.0)))
+def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
+    strict = calibrate_block(replace(inputs, limits=Limits(good_um=5.0, usable_um=10.0)))
     assert strict.findings[0].quality == "bad"
     assert "the limit is 10 µm" in strict.findings[0].text
 
 
 def test_the_advised_pose_helps_more_than_the_same_again(
-    inputs: JointInputs, found: JointCalibration
+    inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    one = calibrate_joint(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
+    one = calibrate_block(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
     advice = next_poses(one.adjusted, inputs.arm, inputs.block, inputs.q_rad[:1])
     assert advice[0].total_um < advice[-1].total_um <= one.known.total_um * 1.02
     assert advice[0].total_um < 0.9 * one.known.total_um
-    move = held(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
+    move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in move.words
-    assert held(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block).words == "hold as it is"
+    assert (
+        pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block).words == "hold as it is"
+    )
 
 
 def test_touches_are_asked_for_until_the_target_is_reached(
-    inputs: JointInputs, found: JointCalibration
+    inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    now = place_um(found.alignment, inputs.features, inputs.block)
+    now = placement_uncertainty_um(found.alignment, inputs.features, inputs.block)
     advice = next_touches(found.alignment, inputs.features, inputs.block, 0.8 * now)
     assert advice.reaches
     assert advice.now_um == pytest.approx(now)
@@ -172,7 +176,7 @@ def test_a_block_of_another_size_is_told_by_the_arms_motion(samples: Path, times
         edges_x_mm=tuple(times * x for x in block.edges_x_mm),
         **{name: times * getattr(block, name) for name in lengths},
     )
-    found = calibrate_joint(joint_inputs(replace(session, block=other)))
+    found = calibrate_block(joint_inputs(replace(session, block=other)))
     (said,) = [one for one in found.findings if one.code == "object-size"]
     assert said.quality == "bad"
     percent = float(said.text.split("object is ")[1].split(" %")[0])

@@ -5,12 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.metrology.simulated import SetUp, drawn, station_of
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust, embedded
-from app.metrology.adjustment.core.linearise import normal
+from app.bench.metrology.simulated import SetUp, draw_session, draw_setup
+from app.metrology.adjustment.core.gauss_newton import (
+    AdjustmentResult,
+    free_covariance,
+    solve_adjustment,
+)
+from app.metrology.adjustment.core.linearise import assemble_normal_equations
 from app.metrology.adjustment.core.link_error_prior import FACTORS
 from app.metrology.adjustment.core.parameters import SENSOR
-from app.metrology.adjustment.core.variance_components import Scales, size_prior, usual_scales
+from app.metrology.adjustment.core.variance_components import Scales, default_scales, size_prior
 
 POOR = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
 SET_UPS = (
@@ -20,14 +24,14 @@ SET_UPS = (
 
 
 @pytest.fixture(scope="module", params=SET_UPS, ids=lambda setup: setup.name)
-def found(request: pytest.FixtureRequest) -> Adjusted:
-    draw = drawn(station_of(request.param), np.random.default_rng(1))
-    return adjust(draw.problem, draw.start)
+def found(request: pytest.FixtureRequest) -> AdjustmentResult:
+    draw = draw_session(draw_setup(request.param), np.random.default_rng(1))
+    return solve_adjustment(draw.problem, draw.start)
 
 
-def in_full(found: Adjusted) -> np.ndarray:
+def in_full(found: AdjustmentResult) -> np.ndarray:
     """The second moment of the steps to the minima of all sizes, each by its likelihood."""
-    equations, at = normal(found.linear, found.judgements), found.layout
+    equations, at = assemble_normal_equations(found.linear, found.judgements), found.layout
     links = found.state.links
     steps, logs = [], []
     held = links / found.scales.of_links(len(links) // 6) ** 2
@@ -43,7 +47,7 @@ def in_full(found: Adjusted) -> np.ndarray:
             # the gradient at the minimum comes of the change of the size alone
             g = np.zeros(at.count)
             g[at.links] = links / sd**2 - held
-            covariance = embedded(np.sum(list(parts.values()), axis=0), found.free)
+            covariance = free_covariance(np.sum(list(parts.values()), axis=0), found.free)
             own = covariance[np.ix_(found.free, found.free)]
             unit = np.sqrt(np.diag(own))
             log = np.linalg.slogdet(own / np.outer(unit, unit))[1] / 2 + np.sum(np.log(unit))
@@ -55,7 +59,7 @@ def in_full(found: Adjusted) -> np.ndarray:
     return np.asarray(off.T @ off)
 
 
-def test_the_covariance_grows_by_what_every_size_would_give(found: Adjusted) -> None:
+def test_the_covariance_grows_by_what_every_size_would_give(found: AdjustmentResult) -> None:
     sd = np.sqrt(np.diag(found.covariance))[found.free]
     both = np.ix_(found.free, found.free)
     expected = in_full(found)[both] / np.outer(sd, sd)
@@ -64,13 +68,13 @@ def test_the_covariance_grows_by_what_every_size_would_give(found: Adjusted) -> 
 
 
 def test_sizes_that_are_known_add_nothing() -> None:
-    draw = drawn(station_of(SET_UPS[0]), np.random.default_rng(1))
-    known = adjust(draw.problem, draw.start, SET_UPS[0].scales)
+    draw = draw_session(draw_setup(SET_UPS[0]), np.random.default_rng(1))
+    known = solve_adjustment(draw.problem, draw.start, SET_UPS[0].scales)
     assert not known.by_link_sizes.any()
 
 
 def test_before_anything_is_told_the_usual_size_is_likeliest() -> None:
-    usual = usual_scales(1.0)
+    usual = default_scales(1.0)
     there = size_prior(usual)
     for turn, shift in ((1.3, 1.0), (1.0, 1.3), (0.7, 0.7), (1.3, 1.3)):
         away = replace(usual, links_rad=usual.links_rad * turn, links_mm=usual.links_mm * shift)

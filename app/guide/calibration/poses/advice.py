@@ -7,8 +7,8 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from app.guide.common.view import Segment
-from app.metrology.adjustment.planning.next_pose import Hold, held
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.adjustment.planning.next_pose import PoseDelta, pose_delta
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, inverse
 
 Matrix = Sequence[Sequence[float]]
@@ -59,8 +59,8 @@ def from_payload(payload: Mapping[str, object]) -> Advice:
     return _ADAPTER.validate_python(payload)
 
 
-def remaining(advice: Advice, T_arm_flange: Floats, item: CalibrationObject) -> Hold:
+def remaining(advice: Advice, T_arm_flange: Floats, item: CalibrationTarget) -> PoseDelta:
     """What is still to be moved from the present hold to the advised one."""
     T_arm_cam = T_arm_flange @ np.array(advice.T_flange_cam)
     present = inverse(np.array(advice.T_arm_obj)) @ T_arm_cam
-    return held(np.array(advice.T_obj_cam), present, item)
+    return pose_delta(np.array(advice.T_obj_cam), present, item)

@@ -2,23 +2,23 @@
 
 from collections.abc import Sequence
 
-from app.guide.calibration.state import Capture
+from app.guide.calibration.state import PoseCapture
 from app.metrology.adjustment.board.initial_guess import FEWEST_POSES
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 
 # From straight above, then tilted to every side: a flat board tells the focal length only where
 # it is tilted, and where the sensor sits only where the arm turns about more than one axis.
 VIEWS = (
-    Hold(0.0, 0.0, 0.0, 0.0),
-    Hold(20.0, 0.0, 0.0, 0.0),
-    Hold(0.0, 20.0, 20.0, 0.0),
-    Hold(-20.0, 0.0, 0.0, 0.0),
-    Hold(0.0, -20.0, -20.0, 0.0),
+    PoseDelta(0.0, 0.0, 0.0, 0.0),
+    PoseDelta(20.0, 0.0, 0.0, 0.0),
+    PoseDelta(0.0, 20.0, 20.0, 0.0),
+    PoseDelta(-20.0, 0.0, 0.0, 0.0),
+    PoseDelta(0.0, -20.0, -20.0, 0.0),
 )
 """Each against a hold straight above the board."""
 
 
-def next_view(listed: Sequence[Capture]) -> int | None:
+def next_view(listed: Sequence[PoseCapture]) -> int | None:
     """Which of ``VIEWS`` to take after the pictures taken, those set aside among them: the next,
     or in the end one that was set aside; None once the calibration tells which helps most."""
     aside = [view for view, picture in enumerate(listed[: len(VIEWS)]) if picture.gone]
@@ -30,13 +30,13 @@ def next_view(listed: Sequence[Capture]) -> int | None:
     return aside[min(again, len(aside) - 1)]
 
 
-def planned_view(listed: Sequence[Capture]) -> Hold | None:
+def plan_view(listed: Sequence[PoseCapture]) -> PoseDelta | None:
     """How to hold the sensor for the ``next_view``."""
     view = next_view(listed)
     return None if view is None else VIEWS[view]
 
 
-def words_of(view: Hold) -> str:
+def view_instruction(view: PoseDelta) -> str:
     """How to hold the sensor, as one sentence."""
     if view == VIEWS[0]:
         return "Hold the sensor straight above the chessboard, its longer side along the picture."

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
-from app.formats.session.calibration_session import BoardSession, Session, read_any_session
+from app.errors import OperationError
+from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.guide.calibration.poses.advice import (
     ENOUGH_OF_A_BOARD,
     ENOUGH_POSES,
@@ -15,17 +15,17 @@ from app.guide.calibration.poses.advice import (
     Advice,
 )
 from app.guide.calibration.session_folder import SessionFolder
-from app.metrology.adjustment.block.calibrate import calibrate_joint
+from app.metrology.adjustment.block.calibrate import calibrate_block
 from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.parameters import pose_scene
-from app.metrology.adjustment.planning.next_pose import PoseAdvice, held, next_poses
+from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
 from app.metrology.arm.kinematics import Arm
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, inverse, rigid, vector_from_rotation
-from app.workflows.calibrate import AnySeen, board_inputs, joint_inputs
+from app.workflows.calibrate import AnyDetection, board_inputs, joint_inputs
 
 # Of advices that bring nearly as much, the one that asks for the least movement.
 NEARLY = 1.06
@@ -36,14 +36,14 @@ class _SoFar:
     """What the poses so far lead to."""
 
     arm: Arm
-    item: CalibrationObject
-    adjusted: Adjusted
+    item: CalibrationTarget
+    adjusted: AdjustmentResult
     total_um: float  # of a scanned point, k = 1
     q_rad: Floats  # (P, n) of the poses that were used
 
 
 def advise(
-    folder: SessionFolder, known: Mapping[int, AnySeen | Refusal], limits: Limits
+    folder: SessionFolder, known: Mapping[int, AnyDetection | OperationError], limits: Limits
 ) -> Advice | None:
     """The pose that would help most after those taken; None where none is to be told.
 
@@ -52,7 +52,7 @@ def advise(
     """
     so_far = _so_far(read_any_session(folder.path), known, limits)
     found, state = so_far.adjusted, so_far.adjusted.state
-    best = _chosen(so_far)
+    best = _choose_pose(so_far)
     if best is None:
         return None
     on_board = isinstance(so_far.item, Chessboard)
@@ -60,7 +60,7 @@ def advise(
         poses=len(found.problem.views),
         now_um=so_far.total_um,
         then_um=best.total_um,
-        words=held(best.T_obj_cam, _newest(found), so_far.item).words,
+        words=pose_delta(best.T_obj_cam, _newest(found), so_far.item).words,
         outline=[(*a, *b) for a, b in best.outline_px],
         q_rad=best.q_rad.tolist(),
         T_obj_cam=best.T_obj_cam.tolist(),
@@ -72,44 +72,46 @@ def advise(
 
 
 def _so_far(
-    session: Session | BoardSession, known: Mapping[int, AnySeen | Refusal], limits: Limits
+    session: BlockSession | BoardSession,
+    known: Mapping[int, AnyDetection | OperationError],
+    limits: Limits,
 ) -> _SoFar:
     if isinstance(session, BoardSession):
         of_board = board_inputs(session, limits, known=known)
         assert isinstance(of_board.arm, Arm)  # a station's own arm has joints
         on_board = calibrate_board(of_board)
         numbers = [pose.number for pose in of_board.seen]
-        q_rad = _of_used(numbers, of_board.readings, on_board.adjusted)
+        q_rad = _select_used(numbers, of_board.readings, on_board.adjusted)
         return _SoFar(
             of_board.arm, of_board.board, on_board.adjusted, on_board.known.total_um, q_rad
         )
     of_block = joint_inputs(session, limits, known=known)
-    on_block = calibrate_joint(of_block)
+    on_block = calibrate_block(of_block)
     numbers = [pose.number for pose in of_block.seen]
-    q_rad = _of_used(numbers, of_block.q_rad, on_block.adjusted)
+    q_rad = _select_used(numbers, of_block.q_rad, on_block.adjusted)
     return _SoFar(of_block.arm, of_block.block, on_block.adjusted, on_block.known.total_um, q_rad)
 
 
-def _of_used(numbers: list[int], q_rad: Floats, found: Adjusted) -> Floats:
+def _select_used(numbers: list[int], q_rad: Floats, found: AdjustmentResult) -> Floats:
     used = set(found.problem.numbers)
     return np.asarray(q_rad[[i for i, number in enumerate(numbers) if number in used]])
 
 
-def _chosen(so_far: _SoFar) -> PoseAdvice | None:
+def _choose_pose(so_far: _SoFar) -> PoseAdvice | None:
     offered = next_poses(so_far.adjusted, so_far.arm, so_far.item, so_far.q_rad)
     if not offered:
         return None
     newest = _newest(so_far.adjusted)
     good = [one for one in offered if one.total_um <= NEARLY * offered[0].total_um]
-    return min(good, key=lambda one: _turned_rad(one.T_obj_cam, newest))
+    return min(good, key=lambda one: _rotation_angle_rad(one.T_obj_cam, newest))
 
 
-def _newest(found: Adjusted) -> Floats:
+def _newest(found: AdjustmentResult) -> Floats:
     """``T_obj_cam`` (4, 4) of the pose that was taken last."""
     last = len(found.problem.views) - 1
     camera = pose_scene(found.state, found.problem, found.layout, last).camera
     return inverse(rigid(camera.rotation, camera.translation_mm))
 
 
-def _turned_rad(T_a: Floats, T_b: Floats) -> float:
+def _rotation_angle_rad(T_a: Floats, T_b: Floats) -> float:
     return float(np.linalg.norm(vector_from_rotation(T_a[:3, :3] @ T_b[:3, :3].T)))

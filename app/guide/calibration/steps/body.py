@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from app.findings import Finding
-from app.guide.calibration.live import Live
-from app.guide.calibration.rules import why_not
+from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.rules import rejection_reason
 from app.guide.calibration.state import CalibrationState
 from app.guide.common.view import (
     Action,
@@ -17,11 +17,11 @@ from app.guide.common.view import (
     StepProgress,
 )
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 
 
 @dataclass(frozen=True)
-class Body:
+class StepView:
     """A step's own part of the view; actions of its own come first."""
 
     instruction: str
@@ -34,7 +34,7 @@ class Body:
 
 def offer(
     state: CalibrationState,
-    live: Live,
+    live: CalibrationLive,
     name: str,
     label: str,
     args: Mapping[str, object] | None = None,
@@ -42,11 +42,11 @@ def offer(
     confirm: str = "",
 ) -> Action:
     """The action, enabled or with the reason why not."""
-    reason = why_not(state, live, name, args or {})
+    reason = rejection_reason(state, live, name, args or {})
     return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
 
-def geometry(item: CalibrationObject) -> ObjectGeometry:
+def geometry(item: CalibrationTarget) -> ObjectGeometry:
     """The object for drawing."""
     if isinstance(item, Chessboard):
         return BoardGeometry(item.inner_corners, item.square_mm)
@@ -60,7 +60,7 @@ def geometry(item: CalibrationObject) -> ObjectGeometry:
     )
 
 
-def lost_devices(live: Live) -> list[Finding]:
+def device_findings(live: CalibrationLive) -> list[Finding]:
     """A device that went away while the operator is at work; nothing is lost by it."""
     return [
         Finding("bad", f"{link.title}: {link.text}", "Wait, or check it. What was taken is kept.")

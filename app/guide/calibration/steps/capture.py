@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 
 from app.findings import Finding
-from app.guide.calibration.live import Live
+from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
-from app.guide.calibration.poses.board_views import planned_view, words_of
+from app.guide.calibration.poses.board_views import plan_view, view_instruction
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import Body, lost_devices, offer
+from app.guide.calibration.steps.body import StepView, device_findings, offer
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.common.view import (
@@ -18,26 +18,26 @@ from app.guide.common.view import (
     StillPicture,
     sentence,
 )
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 
 FEWEST_CORNERS = 8
 # A hold is the advised one within these.
 NEAR_DEG, NEAR_MM = 5.0, 5.0
 
 
-def place_step(state: CalibrationState, live: Live) -> Body:
+def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Bring the sensor over the object and clamp the arm."""
     found = live.corners_seen >= FEWEST_CORNERS
-    there = live.to_move is None or reached(live.to_move)
-    planned, picture = _planned(state, live), _camera(state, live)
+    there = live.to_move is None or is_reached(live.to_move)
+    planned, picture = _plan_view(state, live), _camera(state, live)
     goal = "Hold the sensor over the object, in another way than before."
     if picture.target:
         goal = "Hold the sensor over the object so that it lies about as the dashed outline."
     if planned is not None:
-        goal = words_of(planned)
+        goal = view_instruction(planned)
     elif live.advice is not None and not there:
         goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
-    return Body(
+    return StepView(
         instruction=(
             "The object is in the picture. Hold the arm there, or clamp it."
             if found and there and planned is None
@@ -46,7 +46,7 @@ def place_step(state: CalibrationState, live: Live) -> Body:
         picture=picture,
         number=_to_go(live) or _stillness(live),
         progress=_poses(state, live),
-        findings=[*lost_devices(live), *_picture_findings(live), *_about_line(live)],
+        findings=[*device_findings(live), *_picture_findings(live), *_about_line(live)],
         actions=[
             offer(state, live, "confirm_place", "The object is in the picture", primary=True),
             *_enough(state, live),
@@ -54,14 +54,14 @@ def place_step(state: CalibrationState, live: Live) -> Body:
     )
 
 
-def capture_step(state: CalibrationState, live: Live) -> Body:
+def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Take the picture while the arm is still."""
-    return Body(
+    return StepView(
         instruction="Hold still and take the picture. The laser switches itself.",
         picture=_camera(state, live),
         number=_stillness(live),
         progress=_poses(state, live),
-        findings=[*lost_devices(live), *_picture_findings(live)],
+        findings=[*device_findings(live), *_picture_findings(live)],
         actions=[
             offer(state, live, "capture", "Take the picture", primary=True),
             *_enough(state, live),
@@ -69,7 +69,7 @@ def capture_step(state: CalibrationState, live: Live) -> Body:
     )
 
 
-def _poses(state: CalibrationState, live: Live) -> StepProgress:
+def _poses(state: CalibrationState, live: CalibrationLive) -> StepProgress:
     """How many poses there are, of as many as are asked for while they help."""
     done = len(state.pictures)
     if live.advice is not None and not live.advice.worth_it:
@@ -79,7 +79,7 @@ def _poses(state: CalibrationState, live: Live) -> StepProgress:
     return StepProgress(done, of, f"{done} of up to {of} poses")
 
 
-def _enough(state: CalibrationState, live: Live) -> list[Action]:
+def _enough(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """The way on without another pose, where there are some."""
     count = len(state.pictures)
     if not count:
@@ -88,10 +88,10 @@ def _enough(state: CalibrationState, live: Live) -> list[Action]:
     return [offer(state, live, "keep_picture", label)]
 
 
-def _camera(state: CalibrationState, live: Live) -> CameraPicture:
+def _camera(state: CalibrationState, live: CalibrationLive) -> CameraPicture:
     """With the outline to match: of the advised pose, or of a good first one."""
     item, sensor = live.chosen.object, live.chosen.sensor
-    planned = _planned(state, live)
+    planned = _plan_view(state, live)
     if item is None or sensor is None:
         return CameraPicture()
     size_px, upright = (sensor.width_px, sensor.height_px), sensor.stripe_axis == "u"
@@ -102,12 +102,12 @@ def _camera(state: CalibrationState, live: Live) -> CameraPicture:
     return CameraPicture(() if state.pictures else first_outline(item, *size_px, upright))
 
 
-def _planned(state: CalibrationState, live: Live) -> Hold | None:
+def _plan_view(state: CalibrationState, live: CalibrationLive) -> PoseDelta | None:
     """Of a chessboard the first views; there is no advice before them."""
-    return planned_view(state.listed) if live.chosen.board is not None else None
+    return plan_view(state.listed) if live.chosen.board is not None else None
 
 
-def _about_line(live: Live) -> list[Finding]:
+def _about_line(live: CalibrationLive) -> list[Finding]:
     """A block is crossed by the line wherever it is sharp; a board, only where it is held so."""
     if live.chosen.board is None or live.laser_on:
         return []
@@ -120,12 +120,12 @@ def _about_line(live: Live) -> list[Finding]:
     ]
 
 
-def _to_go(live: Live) -> LiveNumber | None:
+def _to_go(live: CalibrationLive) -> LiveNumber | None:
     """How far the present hold is from the advised one."""
     if live.to_move is None:
         return None
     left = live.to_move
-    there = reached(left)
+    there = is_reached(left)
     return LiveNumber(
         "Still to turn",
         left.largest_deg,
@@ -136,12 +136,12 @@ def _to_go(live: Live) -> LiveNumber | None:
     )
 
 
-def reached(left: Hold) -> bool:
+def is_reached(left: PoseDelta) -> bool:
     """Whether a hold is as good as the advised one."""
     return left.largest_deg < NEAR_DEG and abs(left.higher_mm) < NEAR_MM
 
 
-def solve_step(state: CalibrationState, live: Live) -> Body:
+def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Take another pose, or compute the calibration from the points and the pictures."""
     advice = live.advice
     findings = list(live.seen.findings) if live.seen else []
@@ -155,14 +155,14 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
         if not any(finding.text.endswith(text) for finding in findings):
             findings.insert(0, Finding("bad", text, sentence(remedy)))
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
-    planned = _planned(state, live)
+    planned = _plan_view(state, live)
     more = not unusable and (planned is not None or (advice is not None and advice.worth_it))
     if advice is not None and not (more or unusable):
-        findings.append(_advised(advice))
-    return Body(
+        findings.append(_advice_finding(advice))
+    return StepView(
         instruction=_solve_instruction(state, live, refused is not None, unusable, more),
-        picture=_taken(state, live),
-        number=_known(advice) if advice else None,
+        picture=_pose_gallery(state, live),
+        number=_uncertainty_number(advice) if advice else None,
         progress=_poses(state, live),
         findings=findings,
         actions=[
@@ -175,7 +175,7 @@ def solve_step(state: CalibrationState, live: Live) -> Body:
 
 
 def _solve_instruction(
-    state: CalibrationState, live: Live, refused: bool, unusable: bool, more: bool
+    state: CalibrationState, live: CalibrationLive, refused: bool, unusable: bool, more: bool
 ) -> str:
     if refused:
         return "This could not be solved. What was taken is kept."
@@ -184,7 +184,7 @@ def _solve_instruction(
         return f"This picture cannot be used. Take it anew{others}."
     count = len(state.pictures)
     taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
-    planned = _planned(state, live)
+    planned = _plan_view(state, live)
     if more and planned is not None:
         return f"{taken} Take another: {planned.words}."
     if more and live.advice is not None:
@@ -192,7 +192,7 @@ def _solve_instruction(
     return f"{taken} Compute the calibration, or take another pose."
 
 
-def _advised(advice: Advice) -> Finding:
+def _advice_finding(advice: Advice) -> Finding:
     gain = f"{advice.now_um:.0f} → {advice.then_um:.0f} µm (k = 1)"
     return Finding(
         "neutral",
@@ -201,7 +201,7 @@ def _advised(advice: Advice) -> Finding:
     )
 
 
-def _known(advice: Advice) -> LiveNumber:
+def _uncertainty_number(advice: Advice) -> LiveNumber:
     return LiveNumber(
         "Uncertainty of a scanned point so far (k = 1)",
         advice.now_um,
@@ -212,14 +212,14 @@ def _known(advice: Advice) -> LiveNumber:
     )
 
 
-def _taken(state: CalibrationState, live: Live) -> StillPicture | CameraPicture:
+def _pose_gallery(state: CalibrationState, live: CalibrationLive) -> StillPicture | CameraPicture:
     """The poses taken so far, the newest shown first."""
     if state.picture is None:
         return CameraPicture()
     return StillPicture(pose_pictures(state, live), state.picture.number)
 
 
-def _stillness(live: Live) -> LiveNumber:
+def _stillness(live: CalibrationLive) -> LiveNumber:
     still = live.stillness
     moved_um = None if still.moved_um != still.moved_um else still.moved_um
     return LiveNumber(
@@ -232,7 +232,7 @@ def _stillness(live: Live) -> LiveNumber:
     )
 
 
-def _picture_findings(live: Live) -> list[Finding]:
+def _picture_findings(live: CalibrationLive) -> list[Finding]:
     """What is to be said of the live picture, each thing once."""
     if live.corners_seen >= FEWEST_CORNERS:
         found = Finding("good", f"{live.corners_seen} corners of the object are found.")

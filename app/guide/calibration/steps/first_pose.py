@@ -5,17 +5,17 @@ from functools import lru_cache
 import numpy as np
 
 from app.guide.common.view import Segment
-from app.metrology.adjustment.planning.next_pose import Hold
+from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.detection.visibility import visible_parts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject, board_lines, middle_of, width_mm
+from app.metrology.targets.target import CalibrationTarget, board_lines, target_centre, width_mm
 from app.metrology.transforms import Floats, rotation_from_vector
 
 # A block from the front and above, so that crests, floors and the front show; and the lens of a
 # usual sensor.
 ELEVATION_RAD, FOCAL_SHARE = np.radians(55.0), 2.3
-BLOCK_VIEW = Hold(0.0, -float(90.0 - np.degrees(ELEVATION_RAD)), 0.0, 0.0)
+BLOCK_VIEW = PoseDelta(0.0, -float(90.0 - np.degrees(ELEVATION_RAD)), 0.0, 0.0)
 # So much of the picture the object takes.
 FILLS = 0.68
 STRAIGHT_DOWN = np.diag([1.0, -1.0, -1.0])
@@ -25,11 +25,11 @@ ON_ITS_SIDE = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 @lru_cache(maxsize=16)
 def first_outline(
-    item: CalibrationObject,
+    item: CalibrationTarget,
     width_px: int,
     height_px: int,
     upright: bool = True,
-    view: Hold = BLOCK_VIEW,
+    view: PoseDelta = BLOCK_VIEW,
 ) -> tuple[Segment, ...]:
     """The object's outline in the middle of the picture, seen as ``view`` is from straight above.
 
@@ -46,36 +46,36 @@ def first_outline(
     elif not upright:
         rotation = ON_ITS_SIDE @ rotation
     for _ in range(3):
-        ends = _seen(item, away, width_px, height_px, rotation).reshape(-1, 2)
+        ends = _project_outline(item, away, width_px, height_px, rotation).reshape(-1, 2)
         spread = (ends.max(axis=0) - ends.min(axis=0)) / (width_px, height_px)
         away *= float(spread.max()) / FILLS
-    lines = _seen(item, away, width_px, height_px, rotation)
+    lines = _project_outline(item, away, width_px, height_px, rotation)
     ends = lines.reshape(-1, 2)
     shift = np.array([width_px, height_px]) / 2 - (ends.max(axis=0) + ends.min(axis=0)) / 2
     moved = (lines + shift).round(1).tolist()
     return tuple((u0, v0, u1, v1) for (u0, v0), (u1, v1) in moved)
 
 
-def _rotation(view: Hold) -> Floats:
+def _rotation(view: PoseDelta) -> Floats:
     """(3, 3) from the object to a camera that was swung from straight above."""
     turns = np.radians([-view.tilt_back_deg, view.tilt_right_deg, view.turn_deg])
     return np.asarray(STRAIGHT_DOWN @ rotation_from_vector(turns).T)
 
 
-def _seen(
-    item: CalibrationObject, away_mm: float, width_px: int, height_px: int, rotation: Floats
+def _project_outline(
+    item: CalibrationTarget, away_mm: float, width_px: int, height_px: int, rotation: Floats
 ) -> Floats:
     """(N, 2, 2) ends of the lines that are seen from a distance, in pixels."""
     focal = FOCAL_SHARE * width_px
     matrix = np.array(
         [[focal, 0, (width_px - 1) / 2], [0, focal, (height_px - 1) / 2], [0, 0, 1.0]]
     )
-    translation = -rotation @ middle_of(item) + [0.0, 0.0, away_mm]
+    translation = -rotation @ target_centre(item) + [0.0, 0.0, away_mm]
     camera = Camera(matrix, rotation, translation, width_px, height_px)
     return project(camera, _lines(item, camera).reshape(-1, 3)).reshape(-1, 2, 2)
 
 
-def _lines(item: CalibrationObject, camera: Camera) -> Floats:
+def _lines(item: CalibrationTarget, camera: Camera) -> Floats:
     """(N, 2, 3) ends of what is drawn: hidden edges of a block are not."""
     if isinstance(item, Chessboard):
         return board_lines(item)

@@ -3,16 +3,16 @@
 from collections.abc import Mapping
 from typing import Literal
 
-from app.guide.calibration.live import Live
-from app.guide.calibration.outcome import Outcome, PoseDrawing
-from app.guide.calibration.state import CalibrationState, Capture
+from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.outcome import CalibrationOutcome, PoseDrawing
+from app.guide.calibration.state import CalibrationState, PoseCapture
 from app.guide.calibration.steps.body import offer
 from app.guide.common.result_view import CalibrationResult, PoseRow
 from app.guide.common.view import Action, PosePicture
 
 
 def pose_pictures(
-    state: CalibrationState, live: Live, solved: Outcome | None = None
+    state: CalibrationState, live: CalibrationLive, solved: CalibrationOutcome | None = None
 ) -> list[PosePicture]:
     """All poses that were taken for what is chosen, those set aside too.
 
@@ -34,8 +34,11 @@ def pose_pictures(
     ]
 
 
-def recorded_poses(
-    state: CalibrationState, looked_at: Mapping[int, Outcome], solved: Outcome, image_url: str
+def past_pose_pictures(
+    state: CalibrationState,
+    looked_at: Mapping[int, CalibrationOutcome],
+    solved: CalibrationOutcome,
+    image_url: str,
 ) -> list[PosePicture]:
     """The same of a session that is over, whose pictures are at ``image_url``."""
     rows = {row.number: row for row in _rows(solved.result)}
@@ -58,9 +61,9 @@ def _rows(result: CalibrationResult | None) -> tuple[PoseRow, ...]:
 
 
 def _pose(
-    capture: Capture,
+    capture: PoseCapture,
     image_url: str,
-    looked_at: Outcome | None,
+    looked_at: CalibrationOutcome | None,
     row: PoseRow | None,
     drawing: PoseDrawing | None,
     action: Action | None,
@@ -86,7 +89,9 @@ def _pose(
     )
 
 
-def _state(capture: Capture, row: PoseRow | None) -> Literal["taken", "used", "left_out", "aside"]:
+def _state(
+    capture: PoseCapture, row: PoseRow | None
+) -> Literal["taken", "used", "left_out", "aside"]:
     if capture.gone:
         return "aside"
     if row is None:
@@ -94,7 +99,7 @@ def _state(capture: Capture, row: PoseRow | None) -> Literal["taken", "used", "l
     return "used" if row.used else "left_out"
 
 
-def _note(capture: Capture, row: PoseRow | None, looked_at: Outcome | None) -> str:
+def _note(capture: PoseCapture, row: PoseRow | None, looked_at: CalibrationOutcome | None) -> str:
     """Why the pose, or its laser line, does not count; empty where both do."""
     if capture.gone:
         return "Set aside"
@@ -106,7 +111,7 @@ def _note(capture: Capture, row: PoseRow | None, looked_at: Outcome | None) -> s
     return f"Not usable: {looked_at.fault}" if looked_at.fault else "Not usable"
 
 
-def _action(state: CalibrationState, live: Live, capture: Capture) -> Action:
+def _action(state: CalibrationState, live: CalibrationLive, capture: PoseCapture) -> Action:
     args = {"number": capture.number}
     if capture.gone:
         return offer(state, live, "restore_pose", "Take it back", args)

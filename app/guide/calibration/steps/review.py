@@ -1,23 +1,23 @@
 """The step 'review': how good the calibration is, and the decision. Pure."""
 
 from app.findings import Finding
-from app.guide.calibration.live import Live
-from app.guide.calibration.outcome import Outcome
+from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.outcome import CalibrationOutcome
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import Body, geometry, offer
+from app.guide.calibration.steps.body import StepView, geometry, offer
 from app.guide.calibration.steps.capture import solve_step
 from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.view import Action, LiveNumber, ResultPicture
 
 
-def review_step(state: CalibrationState, live: Live) -> Body:
+def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """The numbers, the verdict with its reasons, and accept or repeat."""
     seen, item = live.seen, live.chosen.object
     if seen is None or seen.result is None or item is None:
         return solve_step(state, live)
     result, stale = seen.result, state.outcome is None
-    return Body(
+    return StepView(
         instruction=_instruction(state, result, stale),
         picture=ResultPicture(
             result=result,
@@ -34,12 +34,12 @@ def review_step(state: CalibrationState, live: Live) -> Body:
             "neutral" if stale else result.verdict,
             "Of before: the poses were changed since." if stale else result.verdict_text,
         ),
-        findings=[*_changes(state, result), *_beside_the_number(seen)] if stale else seen.findings,
+        findings=[*_changes(state, result), *_other_findings(seen)] if stale else seen.findings,
         actions=_actions(state, live, result, stale),
     )
 
 
-def _beside_the_number(seen: Outcome) -> list[Finding]:
+def _other_findings(seen: CalibrationOutcome) -> list[Finding]:
     """Those that are not about the number, which is of before."""
     text = seen.result.verdict_text if seen.result else ""
     return [finding for finding in seen.findings if not text.startswith(finding.text)]
@@ -67,7 +67,7 @@ def _changes(state: CalibrationState, result: CalibrationResult) -> list[Finding
 
 
 def _actions(
-    state: CalibrationState, live: Live, result: CalibrationResult, stale: bool
+    state: CalibrationState, live: CalibrationLive, result: CalibrationResult, stale: bool
 ) -> list[Action]:
     if state.ended:
         return [offer(state, live, "repeat", "Start a new calibration", primary=True)]

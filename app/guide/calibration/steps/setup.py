@@ -1,13 +1,13 @@
 """The steps 'devices' and 'setup'. Pure."""
 
 from app.findings import Quality
-from app.guide.calibration.live import Live
+from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.rules import other_devices
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import Body, geometry, offer
+from app.guide.calibration.steps.body import StepView, geometry, offer
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
 
 QUALITY: dict[str, Quality] = {
@@ -18,11 +18,11 @@ QUALITY: dict[str, Quality] = {
 }
 
 
-def devices_step(state: CalibrationState, live: Live) -> Body:
+def devices_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Are the arm and the sensor there?"""
     links = (live.arm_link, live.sensor_link)
     ready = all(link.state == "connected" for link in links)
-    return Body(
+    return StepView(
         instruction=(
             "Both devices answer. Go on."
             if ready
@@ -40,10 +40,10 @@ def _line(link: DeviceState) -> DeviceLine:
     return DeviceLine(link.title, QUALITY[link.state], text)
 
 
-def setup_step(state: CalibrationState, live: Live) -> Body:
+def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Which arm, which object, which sensor?"""
     item = live.chosen.object
-    return Body(
+    return StepView(
         instruction="Check that the arm with its tip, the object and the sensor are those in use.",
         picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
         actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
@@ -55,7 +55,7 @@ def setup_step(state: CalibrationState, live: Live) -> Body:
     )
 
 
-def _choices(state: CalibrationState, live: Live) -> list[Choice]:
+def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
     library = live.library
     arms = [
         ChoiceOption(
@@ -89,7 +89,7 @@ def _choices(state: CalibrationState, live: Live) -> list[Choice]:
     ]
 
 
-def _object_detail(item: CalibrationObject) -> str:
+def _object_detail(item: CalibrationTarget) -> str:
     if isinstance(item, Chessboard):
         return _board_detail(item)
     size = (

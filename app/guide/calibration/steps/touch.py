@@ -1,9 +1,9 @@
 """The step 'touch': contact points on the object's faces. Pure."""
 
 from app.findings import Finding, Quality
-from app.guide.calibration.live import Live
+from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import Body, geometry, lost_devices, offer
+from app.guide.calibration.steps.body import StepView, device_findings, geometry, offer
 from app.guide.calibration.touch.block import TITLES
 from app.guide.calibration.touch.report import face_in_use, face_progress, next_face
 from app.guide.calibration.touch.touch_report import TouchReport
@@ -14,11 +14,11 @@ from app.metrology.targets.chessboard import Chessboard
 LISTED_SUSPECTS, LISTED_FACES = 3, 3
 
 
-def touch_step(state: CalibrationState, live: Live) -> Body:
+def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Where to touch, how many points there are, and how well they agree."""
     item, touch = live.chosen.object, live.touch
     if item is None or touch is None:
-        return Body(
+        return StepView(
             instruction="The arm or the object that was chosen cannot be read any more.",
             picture=DevicesPicture([]),
             actions=[],
@@ -30,17 +30,19 @@ def touch_step(state: CalibrationState, live: Live) -> Body:
     faces = face_progress(touch, selected, item)
     done = sum(min(face.taken, face.wanted) for face in faces)
     wanted = sum(face.wanted for face in faces)
-    return Body(
+    return StepView(
         instruction=_instruction(faces, selected, done >= wanted, touch),
         picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),
-        findings=[*lost_devices(live)[:1], *touch.findings, *_advice(touch)],
+        findings=[*device_findings(live)[:1], *touch.findings, *_advice(touch)],
         actions=_actions(state, live, touch, done >= wanted),
     )
 
 
-def _on_board(state: CalibrationState, live: Live, touch: TouchReport, board: Chessboard) -> Body:
+def _on_board(
+    state: CalibrationState, live: CalibrationLive, touch: TouchReport, board: Chessboard
+) -> StepView:
     """A board need not be touched: touches check its squares' size, and where it lies."""
     (face,) = face_progress(touch, state.face, board)
     wanted = face.wanted
@@ -59,17 +61,17 @@ def _on_board(state: CalibrationState, live: Live, touch: TouchReport, board: Ch
         instruction = f"Touch the printed side {left} more times, spread wide. Or go on."
     else:
         instruction = "All points are there. Go on to the pictures."
-    return Body(
+    return StepView(
         instruction=instruction,
         picture=ObjectPicture(geometry(board), [face], touch.points),
         progress=Progress(done, wanted, f"{done} of {wanted} points"),
-        findings=[*lost_devices(live)[:1], *touch.findings],
+        findings=[*device_findings(live)[:1], *touch.findings],
         actions=_actions(state, live, touch, done == 0 or left <= 0),
     )
 
 
 def _actions(
-    state: CalibrationState, live: Live, touch: TouchReport, complete: bool
+    state: CalibrationState, live: CalibrationLive, touch: TouchReport, complete: bool
 ) -> list[Action]:
     suspects = touch.suspects[:LISTED_SUSPECTS]
     return [

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, sentence, signed_um
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, format_signed_um, sentence
 from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.probing.alignment import Alignment, align, other_face
-from app.metrology.probing.contacts import what_is_missing
+from app.metrology.probing.contacts import missing_contacts
 from app.metrology.targets.crenellated_block import FACES, Crenellated
 from app.metrology.transforms import Floats
 
@@ -40,7 +40,7 @@ def block_report(
     ``target_um`` is how well the object's place is wanted, k = 1.
     """
     faces = [contact.face for contact in contacts]
-    missing = what_is_missing(faces)
+    missing = missing_contacts(faces)
     unplaced = tuple(TouchedPoint(c.index, c.face, None, None, False) for c in contacts)
     if missing:
         return TouchReport(unplaced, None, missing, (), ())
@@ -53,7 +53,7 @@ def block_report(
             block,
             tip_covariances(arm, q_rad),
         )
-    except Refusal as refusal:
+    except OperationError as refusal:
         text = refusal.what + (f": {refusal.why}" if refusal.why else "")
         finding = Finding("bad", sentence(text), sentence(refusal.remedy))
         return TouchReport(unplaced, None, sentence(refusal.remedy), (finding,), ())
@@ -87,7 +87,7 @@ def _outlier_finding(
         )
     return Finding(
         "attention",
-        f"{name} is {signed_um(point.residual_um)} off the {point.face} face; "
+        f"{name} is {format_signed_um(point.residual_um)} off the {point.face} face; "
         f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
         "Remove it and touch there again, at rest and clear of the edge.",
     )
@@ -96,7 +96,7 @@ def _outlier_finding(
 def block_faces(report: TouchReport, selected: str, block: Crenellated) -> list[FaceProgress]:
     """Every face of the block: what was taken, what is wanted, where to touch."""
     taken = {face: sum(p.face == face for p in report.points) for face in FACES}
-    wanted = wanted_on(taken)
+    wanted = points_wanted(taken)
     return [
         FaceProgress(
             face=face,
@@ -105,13 +105,13 @@ def block_faces(report: TouchReport, selected: str, block: Crenellated) -> list[
             wanted=wanted[face],
             selected=face == selected,
             rms_um=report.face_rms_um(face),
-            suggested_mm=suggested_places(block, face),
+            suggested_mm=suggest_places(block, face),
         )
         for face in FACES
     ]
 
 
-def wanted_on(taken: dict[str, int]) -> dict[str, int]:
+def points_wanted(taken: dict[str, int]) -> dict[str, int]:
     """Points wanted on each face: the crests, and of front/back and left/right the better."""
     wanted = dict.fromkeys(FACES, 0)
     wanted["crest"] = WANTED
@@ -120,7 +120,7 @@ def wanted_on(taken: dict[str, int]) -> dict[str, int]:
     return wanted
 
 
-def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
+def suggest_places(block: Crenellated, face: str) -> list[Vec3]:
     """``WANTED`` places on a face, spread as widely as its edges allow, object frame, mm."""
     x, front, back = block.edges_x_mm, block.front_y_mm, block.back_y_mm
     if face in ("crest", "floor"):
@@ -133,7 +133,7 @@ def suggested_places(block: Crenellated, face: str) -> list[Vec3]:
         solid = _between(block.base_z_mm, block.floor_z_mm, 2)
         low = [(u, y, z) for z in solid for u in _between(x[0], x[-1], 3)]
         tall = _between(block.floor_z_mm, block.crest_z_mm, 3)[1]
-        merlons = [(x[2 * i] + x[2 * i + 1]) / 2 for i in _spread(block.merlon_count, 3)]
+        merlons = [(x[2 * i] + x[2 * i + 1]) / 2 for i in _even_indices(block.merlon_count, 3)]
         return low + [(u, y, tall) for u in merlons]
     u = x[0] if face == "left" else x[-1]
     heights = _between(block.base_z_mm, block.crest_z_mm, 3)
@@ -146,11 +146,11 @@ def _on_strips(
     """Three lines of three places, on as many strips as there are: never all in one line."""
     a_strip = -(-3 // len(strips))
     lines = [u for low, high in strips for u in _between(low, high, a_strip)]
-    chosen = [lines[i] for i in _spread(len(lines), 3)]
+    chosen = [lines[i] for i in _even_indices(len(lines), 3)]
     return [(u, v, z) for u in chosen for v in _between(*y_range, 3)]
 
 
-def _spread(count: int, wanted: int) -> list[int]:
+def _even_indices(count: int, wanted: int) -> list[int]:
     """Up to ``wanted`` indices below ``count``, evenly over the range, ends included."""
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, wanted))})
 

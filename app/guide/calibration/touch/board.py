@@ -4,14 +4,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, signed_um
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, format_signed_um
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.targets.chessboard import Chessboard, middle_of
+from app.metrology.targets.chessboard import Chessboard, pattern_centre
 
 FACE = "board"
 """The one face of a board that is touched."""
@@ -35,7 +35,7 @@ def board_report(contacts: Sequence[Contact], arm: Arm, board: Chessboard) -> To
         points,
         None,
         "",
-        tuple(_slipped(point) for point in points if point.outlier),
+        tuple(_outlier_finding(point) for point in points if point.outlier),
         tuple(point.index for point in points if point.outlier),
     )
 
@@ -49,13 +49,13 @@ def board_face(report: TouchReport, board: Chessboard) -> FaceProgress:
         wanted=WANTED,
         selected=True,
         rms_um=None,
-        suggested_mm=suggested_on_board(board),
+        suggested_mm=suggest_board_places(board),
     )
 
 
-def suggested_on_board(board: Chessboard) -> list[Vec3]:
+def suggest_board_places(board: Chessboard) -> list[Vec3]:
     """Places spread over the pattern, ``WANTED`` of them, in the board's frame, mm."""
-    (x, y), (half_x, half_y) = middle_of(board)[:2].tolist(), (board.extent_mm / 2).tolist()
+    (x, y), (half_x, half_y) = pattern_centre(board)[:2].tolist(), (board.extent_mm / 2).tolist()
     return [(x + a * half_x, y + b * half_y, 0.0) for b in (-0.8, 0.8) for a in (-0.8, 0.0, 0.8)]
 
 
@@ -67,17 +67,18 @@ def _off_plane_um(contacts: Sequence[Contact], arm: Arm) -> list[float | None]:
     tips = tip_centres(arm, np.array([contact.q_rad for contact in contacts]))
     try:
         plane = fit_plane(tips)
-    except Refusal:  # all on one line
+    except OperationError:  # all on one line
         return [None] * len(contacts)
     up = 1.0 if plane.normal[2] >= 0 else -1.0
     off_mm = up * (tips @ plane.normal - plane.offset_mm)
     return [float(1e3 * mm) for mm in off_mm]
 
 
-def _slipped(point: TouchedPoint) -> Finding:
+def _outlier_finding(point: TouchedPoint) -> Finding:
     assert point.residual_um is not None
     return Finding(
         "attention",
-        f"Point {point.index + 1} is {signed_um(point.residual_um)} off the plane of the others.",
+        f"Point {point.index + 1} is {format_signed_um(point.residual_um)} "
+        "off the plane of the others.",
         "Remove it and touch there again, at rest.",
     )

@@ -1,8 +1,8 @@
 """Taking contact points: by click, by the arm's buttons, by the hand."""
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.findings import Quality
-from app.guide.calibration.guide import Guide
+from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.touch.board import FACE as BOARD
 from app.guide.calibration.touch.report import (
     SAME_PLACE_MM,
@@ -11,10 +11,10 @@ from app.guide.calibration.touch.report import (
     next_face,
     same_place,
 )
-from app.guide.common.view import signed_um
+from app.guide.common.view import format_signed_um
 
 
-def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None) -> None:
+def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: str | None) -> None:
     """Adds the point that the tip touches now, or touched at ``until_ns``.
 
     Raises:
@@ -25,11 +25,11 @@ def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None)
         chosen = guide.sheets.chosen(state)
         arm = chosen.arm
         if arm is None or chosen.object is None:
-            raise Refusal("no-arm-model", "The arm that was chosen cannot be read any more")
+            raise OperationError("no-arm-model", "The arm that was chosen cannot be read any more")
         mean = guide.station.rig.arm.average(until_ns=until_ns)
         twin = same_place(mean.q_rad, state.counted, arm)
         if twin is not None:
-            raise Refusal(
+            raise OperationError(
                 "same-place",
                 f"This is point {twin + 1} again",
                 f"the tip lies within {SAME_PLACE_MM} mm of it",
@@ -47,11 +47,11 @@ def take_point(guide: Guide, source: str, until_ns: int | None, key: str | None)
             key,
         )
         guide.folder.keep_contacts(guide.state.counted)
-        _tell_point(guide)
+        _report_point(guide)
         _go_on(guide)
 
 
-def undo(guide: Guide, key: str | None) -> None:
+def undo(guide: CalibrationGuide, key: str | None) -> None:
     """Takes the last counted point back, and returns to its face."""
     with guide.lock:
         last = guide.state.counted[-1]
@@ -60,7 +60,7 @@ def undo(guide: Guide, key: str | None) -> None:
             guide.append("face_selected", {"face": last.face})
 
 
-def redo(guide: Guide, key: str | None) -> None:
+def redo(guide: CalibrationGuide, key: str | None) -> None:
     """Puts the point back that was taken back last, and returns to its face."""
     with guide.lock:
         index = guide.state.undone[-1]
@@ -72,7 +72,7 @@ def redo(guide: Guide, key: str | None) -> None:
             guide.append("face_selected", {"face": face})
 
 
-def void_point(guide: Guide, index: int, key: str | None) -> None:
+def void_point(guide: CalibrationGuide, index: int, key: str | None) -> None:
     """Takes one point out; it stays in the journal."""
     with guide.lock:
         guide.append("point_voided", {"index": index}, key)
@@ -80,7 +80,7 @@ def void_point(guide: Guide, index: int, key: str | None) -> None:
         guide.station.bus.event("point_voided", f"Point {index + 1} is removed.")
 
 
-def _go_on(guide: Guide) -> None:
+def _go_on(guide: CalibrationGuide) -> None:
     """Turns to the next face when this point completed its face."""
     state, item = guide.state, guide.sheets.chosen(guide.state).object
     report = guide.sheets.touch(state)
@@ -93,7 +93,7 @@ def _go_on(guide: Guide) -> None:
         guide.append("face_selected", {"face": goal})
 
 
-def _tell_point(guide: Guide) -> None:
+def _report_point(guide: CalibrationGuide) -> None:
     """Says what the new point is worth, for an operator who looks at the arm."""
     point, report = guide.state.counted[-1], guide.sheets.touch(guide.state)
     text = f"Point {point.index + 1} on the {point.face} face"
@@ -102,6 +102,6 @@ def _tell_point(guide: Guide) -> None:
     quality: Quality = "good"
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
     if judged is not None and judged.residual_um is not None:
-        text += f": {signed_um(judged.residual_um)}"
+        text += f": {format_signed_um(judged.residual_um)}"
         quality = "attention" if judged.outlier else "good"
     guide.station.bus.event("point_taken", f"{text}.", quality)

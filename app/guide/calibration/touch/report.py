@@ -11,29 +11,29 @@ from app.guide.calibration.touch import block as touching
 from app.guide.calibration.touch import board as board_touching
 from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import FaceProgress
-from app.metrology.arm.joint_plausibility import outside_limits
+from app.metrology.arm.joint_plausibility import limits_error
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES
-from app.metrology.targets.target import CalibrationObject
+from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats
 
 SAME_PLACE_MM = 0.3
 
 
-def faces_of(item: CalibrationObject) -> tuple[str, ...]:
+def face_names(item: CalibrationTarget) -> tuple[str, ...]:
     """The names of all faces that may be touched."""
     return (board_touching.FACE,) if isinstance(item, Chessboard) else FACES
 
 
-def face_in_use(selected: str, item: CalibrationObject) -> str:
+def face_in_use(selected: str, item: CalibrationTarget) -> str:
     """The selected face; the only one where the object has no other."""
-    faces = faces_of(item)
+    faces = face_names(item)
     return selected if selected in faces else faces[0]
 
 
 def touch_report(
-    contacts: Sequence[Contact], arm: Arm, item: CalibrationObject, target_um: float
+    contacts: Sequence[Contact], arm: Arm, item: CalibrationTarget, target_um: float
 ) -> TouchReport:
     """How well the points so far agree with the object.
 
@@ -45,14 +45,14 @@ def touch_report(
         if isinstance(item, Chessboard)
         else touching.block_report(contacts, arm, item, target_um)
     )
-    return _with_impossible(report, contacts, arm)
+    return _flag_impossible(report, contacts, arm)
 
 
-def _with_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
+def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
     """Names the points whose joints lie outside their limits: of before this was noticed."""
     suspects, findings = [], []
     for contact in contacts:
-        wrong = outside_limits(contact.q_rad, arm)
+        wrong = limits_error(contact.q_rad, arm)
         if wrong is not None:
             suspects.append(contact.index)
             text = f"Point {contact.index + 1} cannot be true: {wrong.what}; {wrong.why}."
@@ -64,7 +64,7 @@ def _with_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm)
 
 
 def face_progress(
-    report: TouchReport, selected: str, item: CalibrationObject
+    report: TouchReport, selected: str, item: CalibrationTarget
 ) -> list[FaceProgress]:
     """Every face of the object: what was taken, what is wanted, where to touch."""
     if isinstance(item, Chessboard):

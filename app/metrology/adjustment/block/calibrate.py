@@ -8,45 +8,57 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.adjustment.block.findings import JointEvidence, joint_findings
-from app.metrology.adjustment.block.initial_guess import common_camera, seen_from
+from app.errors import OperationError
+from app.metrology.adjustment.block.findings import BlockEvidence, block_findings
+from app.metrology.adjustment.block.initial_guess import common_camera, estimate_block_pose
 from app.metrology.adjustment.block.laser_lines import (
-    plane_of_poses,
+    fit_common_plane,
+    remove_outlier_lines,
     without_lines,
-    without_stray_lines,
 )
-from app.metrology.adjustment.block.observations import BlockView, block_papers, block_touches
+from app.metrology.adjustment.block.observations import BlockView, block_contacts, block_prior
 from app.metrology.adjustment.core.arm_errors import arm_motion
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust, unsettled
+from app.metrology.adjustment.core.gauss_newton import (
+    AdjustmentResult,
+    no_convergence_error,
+    solve_adjustment,
+)
 from app.metrology.adjustment.core.hand_eye import (
     Mounting,
     mounting_by_contacts,
     refuse_contradictions,
 )
 from app.metrology.adjustment.core.observations import (
-    NotSeen,
-    Problem,
-    SeenPose,
-    refuse_nothing_seen,
+    AdjustmentProblem,
+    BlockObservation,
+    FailedPose,
+    require_observations,
 )
-from app.metrology.adjustment.core.parameters import State
-from app.metrology.adjustment.core.uncertainty import Known, known, sensor_of
-from app.metrology.adjustment.outliers.poses import without_strays
+from app.metrology.adjustment.core.parameters import AdjustmentState
+from app.metrology.adjustment.core.uncertainty import (
+    CalibrationUncertainty,
+    estimate_uncertainty,
+    express_in_sensor_frame,
+)
+from app.metrology.adjustment.outliers.poses import remove_outlier_poses
 from app.metrology.adjustment.results.poses import (
     NO_LINE,
     PoseResult,
-    left_out,
-    line_left_out,
+    block_worst_points,
+    line_exclusion_reason,
+    outlier_pose_results,
     pose_results,
-    worst_of_all,
 )
-from app.metrology.adjustment.results.stripes import depth_range_mm, sorted_anew, stripe_rms_mm
+from app.metrology.adjustment.results.stripes import (
+    depth_range_mm,
+    reclassify_stripes,
+    stripe_rms_mm,
+)
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
-from app.metrology.calibration.findings import Finding, WorstPoint
+from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.calibration.laser_plane_fit import stripe_on_levels
 from app.metrology.detection.detect_block import detect_object
-from app.metrology.detection.image_quality import picture_findings
+from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
@@ -62,7 +74,7 @@ HOPELESS_UM = 1e6
 
 
 @dataclass(frozen=True)
-class JointInputs:
+class BlockInputs:
     """What a calibration over P poses is made from: one block that has not moved.
 
     ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses that show nothing usable.
@@ -72,37 +84,37 @@ class JointInputs:
     block: Crenellated
     features: tuple[str, ...]  # (N) the face of each contact
     contact_q_rad: Floats  # (N, n)
-    seen: tuple[SeenPose, ...]
+    seen: tuple[BlockObservation, ...]
     q_rad: Floats
-    unseen: tuple[NotSeen, ...] = ()
+    unseen: tuple[FailedPose, ...] = ()
     limits: Limits = LIMITS
 
 
 @dataclass(frozen=True)
-class JointCalibration:
+class BlockCalibration:
     """A calibration and what it rests on.
 
     The sensor frame is the object's frame as the first used pose saw it (Eq. 6): a
     choice, which lets one pose give what the paper gives.
     """
 
-    adjusted: Adjusted
+    adjusted: AdjustmentResult
     alignment: Alignment
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
     poses: tuple[PoseResult, ...]
-    known: Known
+    known: CalibrationUncertainty
     stripe_rms_um: float  # of the stripe's points to the laser plane
     depth_range_mm: tuple[float, float]
-    findings: tuple[Finding, ...]
-    worst: tuple[WorstPoint, ...]
+    findings: tuple[CalibrationFinding, ...]
+    worst: tuple[WorstResidual, ...]
 
 
-def see_pose(
+def observe_block(
     number: int, block: Crenellated, ambient: Image, laser: Image | None, axis: str
-) -> SeenPose:
+) -> BlockObservation:
     """What the pictures of one pose show, by themselves.
 
     Args:
@@ -116,10 +128,10 @@ def see_pose(
     in_the_way = extract_stripe(lit, axis) if laser is None else None
     detection = detect_object(ambient, block, in_the_way)
     stripe = stripe_on_levels(detection.camera, block, lit, axis)
-    return SeenPose(number, detection, stripe, tuple(picture_findings(ambient)))
+    return BlockObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
 
-def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> JointCalibration:
+def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> BlockCalibration:
     """Camera, laser plane and probe matrix from all poses and contacts at once.
 
     Raises:
@@ -128,20 +140,20 @@ def calibrate_joint(inputs: JointInputs, progress: Progress | None = None) -> Jo
     say = progress or (lambda _what, _share: None)
     _refuse_unusable(inputs)
     say("Fitting the contact points", 0.0)
-    alignment = _aligned(inputs)
+    alignment = _align_contacts(inputs)
     say("Finding a start", 0.1)
-    start = _start(inputs, alignment)
+    start = _initial_problem(inputs, alignment)
     say("Adjusting all poses together", 0.3)
-    found = _adjusted(start.problem, start.state)
-    found, mounting = without_strays(found, start.mounting, block_size_mm(inputs.block))
-    found, astray = without_stray_lines(found)
+    found = _adjust_twice(start.problem, start.state)
+    found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
+    found, astray = remove_outlier_lines(found)
     say("Working out the uncertainty", 0.8)
-    result = _assembled(inputs, alignment, found, mounting, start.lines_out | astray)
+    result = _assemble_result(inputs, alignment, found, mounting, start.lines_out | astray)
     say("Done", 1.0)
     return result
 
 
-def _aligned(inputs: JointInputs) -> Alignment:
+def _align_contacts(inputs: BlockInputs) -> Alignment:
     tips = tip_centres(inputs.arm, inputs.contact_q_rad)
     noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
     weighed = noise if np.any(noise) else None
@@ -155,38 +167,38 @@ class _Start:
     """What is to be adjusted, from where, and what was set aside before: poses that contradict
     the others, and laser lines by their poses' numbers, with how far off (mm) they lie."""
 
-    problem: Problem
-    state: State
+    problem: AdjustmentProblem
+    state: AdjustmentState
     mounting: Mounting
     lines_out: dict[int, float]
 
 
-def _start(inputs: JointInputs, alignment: Alignment) -> _Start:
+def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
     """All that is to agree without poses that contradict the others, and a start for it."""
     arm, block = inputs.arm, inputs.block
     camera, plane = common_camera(inputs.seen, block)
-    T_cam_obj = np.array([seen_from(camera, pose, block) for pose in inputs.seen])
-    plane, lines_out = plane_of_poses(inputs.seen, block, camera, T_cam_obj, plane)
+    T_cam_obj = np.array([estimate_block_pose(camera, pose, block) for pose in inputs.seen])
+    plane, lines_out = fit_common_plane(inputs.seen, block, camera, T_cam_obj, plane)
     moves = arm_motion(arm, inputs.q_rad)
     mounting = mounting_by_contacts(
         moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
     )
     refuse_contradictions(mounting, [pose.number for pose in inputs.seen], "object")
-    papers = block_papers(block)
+    papers = block_prior(block)
     views = tuple(
         _view(pose, block, camera, plane, T) for pose, T in zip(inputs.seen, T_cam_obj, strict=True)
     )
-    problem = Problem(
+    problem = AdjustmentProblem(
         tuple(pose.number for pose in inputs.seen),
         views,
         moves,
-        block_touches(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
+        block_contacts(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
         papers,
         camera.width_px,
         camera.height_px,
     )
     problem = without_lines(problem, lines_out).without_poses(mounting.contradicts)
-    start = State(
+    start = AdjustmentState(
         camera,
         plane,
         mounting.T_flange_cam,
@@ -211,7 +223,7 @@ def block_size_mm(block: Crenellated) -> float:
 
 
 def _view(
-    pose: SeenPose, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
+    pose: BlockObservation, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
 ) -> BlockView:
     """The pose's pictures, the stripe sorted as the pose itself saw the block."""
     found = pose.detection
@@ -219,42 +231,42 @@ def _view(
         block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
     )
     placed, in_obj = in_frame(camera, plane, inverse(T_cam_obj))
-    return view.sorted_anew(placed, in_obj, block_papers(block).coordinates)
+    return view.sorted_anew(placed, in_obj, block_prior(block).coordinates)
 
 
-def _adjusted(problem: Problem, start: State) -> Adjusted:
+def _adjust_twice(problem: AdjustmentProblem, start: AdjustmentState) -> AdjustmentResult:
     """Adjusted, the stripes sorted by the first result, and adjusted again where that differs."""
-    found = adjust(problem, start)
-    again = sorted_anew(found)
+    found = solve_adjustment(problem, start)
+    again = reclassify_stripes(found)
     same = all(
         len(a.stripe_px()) == len(b.stripe_px())
         for a, b in zip(problem.views, again.views, strict=True)
     )
-    return found if same else adjust(again, found.state)
+    return found if same else solve_adjustment(again, found.state)
 
 
-def _assembled(
-    inputs: JointInputs,
+def _assemble_result(
+    inputs: BlockInputs,
     alignment: Alignment,
-    found: Adjusted,
+    found: AdjustmentResult,
     mounting: Mounting,
     lines_out: dict[int, float],
-) -> JointCalibration:
+) -> BlockCalibration:
     state = found.state
     T_arm_flange = found.problem.motion.T_arm_flange[0]
     T_cam_sensor = inverse(T_arm_flange @ state.T_flange_cam) @ state.T_arm_obj
-    worth = known(found, T_cam_sensor)
+    worth = estimate_uncertainty(found, T_cam_sensor)
     if not worth.total_um < HOPELESS_UM:
-        raise unsettled()
-    camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
+        raise no_convergence_error()
+    camera, plane, T_flange_sensor = express_in_sensor_frame(state, T_cam_sensor)
     used = [
-        replace(pose, reason=_about_line(pose, lines_out))
+        replace(pose, reason=_line_problem(pose, lines_out))
         for pose in pose_results(found, inputs.seen, inputs.block)
     ]
-    out = left_out([pose.number for pose in inputs.seen], mounting)
+    out = outlier_pose_results([pose.number for pose in inputs.seen], mounting)
     unseen = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
-    evidence = JointEvidence(
+    evidence = BlockEvidence(
         inputs.block,
         alignment,
         inputs.features,
@@ -265,7 +277,7 @@ def _assembled(
         lines_out,
         inputs.limits,
     )
-    return JointCalibration(
+    return BlockCalibration(
         found,
         alignment,
         camera,
@@ -276,34 +288,34 @@ def _assembled(
         worth,
         1e3 * stripe_rms_mm(found),
         depth_range_mm(found),
-        joint_findings(evidence),
-        worst_of_all(found, alignment, inputs.features, used),
+        block_findings(evidence),
+        block_worst_points(found, alignment, inputs.features, used),
     )
 
 
-def _about_line(pose: PoseResult, lines_out: dict[int, float]) -> str:
+def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> str:
     """What is wrong with the laser's line of a pose that was used, if anything."""
     if pose.number in lines_out:
-        return line_left_out(lines_out[pose.number])
+        return line_exclusion_reason(lines_out[pose.number])
     return "" if pose.stripe_points else NO_LINE
 
 
-def _refuse_unusable(inputs: JointInputs) -> None:
-    refuse_nothing_seen(inputs.seen, inputs.unseen, "object")
+def _refuse_unusable(inputs: BlockInputs) -> None:
+    require_observations(inputs.seen, inputs.unseen, "object")
     joints = inputs.arm.joint_count
     for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
         if q.ndim != 2 or q.shape[1] != joints:
-            raise Refusal(
+            raise OperationError(
                 "joint-count",
                 f"{name}: {q.shape[-1]} joint angles",
                 f"the arm {inputs.arm.name} has {joints} joints",
                 "check that the session was taken with this arm",
             )
         if not np.isfinite(q).all():
-            raise Refusal("angles-not-finite", f"{name}: a joint angle is not a number")
+            raise OperationError("angles-not-finite", f"{name}: a joint angle is not a number")
     sizes = {(p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.seen}
     if len(sizes) > 1:
-        raise Refusal(
+        raise OperationError(
             "image-size",
             "the pictures are of different sizes: "
             + ", ".join(f"{width} x {height}" for width, height in sorted(sizes)),

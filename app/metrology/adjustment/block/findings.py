@@ -5,23 +5,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.observations import SeenPose
-from app.metrology.adjustment.core.uncertainty import Known
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.observations import BlockObservation
+from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
 from app.metrology.adjustment.core.variance_components import Scales
-from app.metrology.adjustment.outliers.fault_hypotheses import about_block_faults
+from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration.findings import (
     AGREEING,
     EDGE_RMS_PX,
     STRIPE_RMS_PX,
-    Finding,
-    about_contacts,
-    about_pixels,
-    about_unseen,
-    far_sensor,
-    gravest_first,
-    verdict,
+    CalibrationFinding,
+    contact_findings,
+    pixel_aspect_findings,
+    sensor_distance_findings,
+    size_coverage_findings,
+    sort_by_severity,
+    uncertainty_verdict,
 )
 from app.metrology.limits import Limits
 from app.metrology.probing.alignment import Alignment
@@ -37,44 +37,44 @@ ALIKE_DEG = 8.0
 
 
 @dataclass(frozen=True)
-class JointEvidence:
+class BlockEvidence:
     """All that a calibration over many poses can be judged by."""
 
     block: Crenellated
     alignment: Alignment
     features: Sequence[str]
-    seen: Sequence[SeenPose]
-    found: Adjusted
-    known: Known
+    seen: Sequence[BlockObservation]
+    found: AdjustmentResult
+    known: CalibrationUncertainty
     poses: Sequence[PoseResult]
     lines_out: dict[int, float]  # mm off the plane of the others, by the poses' numbers
     limits: Limits
 
 
-def joint_findings(evidence: JointEvidence) -> tuple[Finding, ...]:
+def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     state, covariance = evidence.found.state, evidence.found.covariance
     found = (
-        verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
-        *about_contacts(evidence.alignment, evidence.features, evidence.limits),
-        *about_block_faults(evidence.found, evidence.limits),
-        *_about_poses(evidence),
-        *_about_arm(evidence),
-        *_about_pictures(evidence),
-        *about_unseen([pose.detection for pose in evidence.seen]),
-        *about_pixels(state.camera, covariance[:2, :2]),
-        *_about_lines(evidence),
-        _about_stripe(evidence),
+        uncertainty_verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
+        *contact_findings(evidence.alignment, evidence.features, evidence.limits),
+        *block_fault_findings(evidence.found, evidence.limits),
+        *_pose_findings(evidence),
+        *_arm_findings(evidence),
+        *_image_findings(evidence),
+        *size_coverage_findings([pose.detection for pose in evidence.seen]),
+        *pixel_aspect_findings(state.camera, covariance[:2, :2]),
+        *_line_findings(evidence),
+        _stripe_finding(evidence),
     )
-    return gravest_first(found)
+    return sort_by_severity(found)
 
 
-def _about_poses(evidence: JointEvidence) -> list[Finding]:
+def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     out = [pose for pose in evidence.poses if not pose.used]
     seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
     found = [
-        Finding(
+        CalibrationFinding(
             "attention",
             "pose-left-out",
             f"Pose {pose.number} was left out: {pose.reason}.",
@@ -91,11 +91,14 @@ def _about_poses(evidence: JointEvidence) -> list[Finding]:
             "angles that are not the picture's, and an object moved since it was touched, do not "
             "show."
         )
-        return [*found, Finding("neutral", "one-pose", text, "Take more poses, tilted and turned.")]
+        return [
+            *found,
+            CalibrationFinding("neutral", "one-pose", text, "Take more poses, tilted and turned."),
+        ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
     found.append(
-        Finding(
+        CalibrationFinding(
             "good",
             "poses",
             f"{len(used)} poses agree on the object's place to {np.median(off):.0f} µm; pose "
@@ -106,7 +109,7 @@ def _about_poses(evidence: JointEvidence) -> list[Finding]:
     turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
         found.append(
-            Finding(
+            CalibrationFinding(
                 "attention",
                 "poses-alike",
                 f"The sensor turned by {turn:.1f}° at most between the poses (wanted: "
@@ -127,14 +130,14 @@ def largest_turn_deg(T_arm_flange: Floats) -> float:
     return float(np.degrees(max(turns, default=0.0)))
 
 
-def _about_arm(evidence: JointEvidence) -> list[Finding]:
+def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     scales: Scales = evidence.found.scales
     links_um = next(
         (row.value_um for row in evidence.known.rows if row.source == "arm geometry"), 0.0
     )
     poor = 1e3 * scales.links_mm > evidence.limits.good_um
     found = [
-        Finding(
+        CalibrationFinding(
             "attention" if poor else "neutral",
             "arm-links",
             f"The data speak for errors of the arm's links of {1e3 * scales.links_mm:.0f} µm and "
@@ -148,7 +151,7 @@ def _about_arm(evidence: JointEvidence) -> list[Finding]:
     ]
     if scales.noise > NOISY:
         found.append(
-            Finding(
+            CalibrationFinding(
                 "attention",
                 "arm-scatter",
                 f"The poses and contacts scatter {scales.noise:.1f} times more than the arm's "
@@ -157,11 +160,11 @@ def _about_arm(evidence: JointEvidence) -> list[Finding]:
             )
         )
     remedy = "Check that the pictures' joint angles are those of their poses."
-    found += far_sensor(evidence.known.pivot_mm, remedy)
+    found += sensor_distance_findings(evidence.known.pivot_mm, remedy)
     return found
 
 
-def _about_pictures(evidence: JointEvidence) -> list[Finding]:
+def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     points = sum(pose.edge_points for pose in used)
     square = sum(pose.edges_rms_px**2 * pose.edge_points for pose in used) / max(points, 1)
@@ -169,7 +172,7 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
     rms_px = float(np.sqrt(square))
     good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= WORST_POSE * EDGE_RMS_PX
     found = [
-        Finding(
+        CalibrationFinding(
             "good" if good else "attention",
             "edges",
             f"{points} points on the block's edges fit the camera to {rms_px:.2f} px rms, "
@@ -185,13 +188,15 @@ def _about_pictures(evidence: JointEvidence) -> list[Finding]:
             if item.code not in told:
                 told.add(item.code)
                 text = f"Pose {pose.number}: {item.text}"
-                found.append(Finding("attention", item.code, text, item.remedy, pose.number))
+                found.append(
+                    CalibrationFinding("attention", item.code, text, item.remedy, pose.number)
+                )
     return found
 
 
-def _about_lines(evidence: JointEvidence) -> list[Finding]:
+def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     moved = [
-        Finding(
+        CalibrationFinding(
             "attention",
             "laser-moved",
             f"The laser's line of pose {number} lies {1e3 * off_mm:.0f} µm off the plane of the "
@@ -203,7 +208,7 @@ def _about_lines(evidence: JointEvidence) -> list[Finding]:
         for number, off_mm in sorted(evidence.lines_out.items())
     ]
     missing = [
-        Finding(
+        CalibrationFinding(
             "attention",
             "line-missing",
             f"Pose {pose.number} shows no laser line on the object: used without it.",
@@ -217,7 +222,7 @@ def _about_lines(evidence: JointEvidence) -> list[Finding]:
     return [*moved, *missing]
 
 
-def _about_stripe(evidence: JointEvidence) -> Finding:
+def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
     used = [pose for pose in evidence.poses if pose.used and pose.number not in evidence.lines_out]
     points = sum(pose.stripe_points for pose in used)
     square = sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1)
@@ -232,7 +237,7 @@ def _about_stripe(evidence: JointEvidence) -> Finding:
         )
     elif share < AGREEING:
         remedy = "Keep reflections out of the grooves: matt spray, lower exposure."
-    return Finding(
+    return CalibrationFinding(
         "attention" if remedy else "good",
         "laser-plane",
         f"{points} stripe points fit one laser plane to {rms_px:.2f} px rms (limit "

@@ -6,9 +6,9 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.adjustment.core.observations import SeenPose
-from app.metrology.calibration.camera_refinement import CameraFit, Observations, fit_camera
+from app.errors import OperationError
+from app.metrology.adjustment.core.observations import BlockObservation
+from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -18,43 +18,45 @@ from app.metrology.transforms import Floats, rigid
 FEWEST_CORNERS = 6
 
 
-def common_camera(seen: Sequence[SeenPose], block: Crenellated) -> tuple[Camera, LaserPlane]:
+def common_camera(
+    seen: Sequence[BlockObservation], block: Crenellated
+) -> tuple[Camera, LaserPlane]:
     """Camera (its own frame as sensor frame) and plane in it, from the pose that tells most.
 
     Raises:
         Refusal: of the best pose, where none tells.
     """
-    refusal: Refusal | None = None
-    for pose in sorted(seen, key=_told, reverse=True):
+    refusal: OperationError | None = None
+    for pose in sorted(seen, key=_observation_weight, reverse=True):
         try:
             fit = _fit(pose, block)
-            return in_own_frame(fit.camera, fit.plane)
-        except Refusal as declined:
+            return express_in_camera_frame(fit.camera, fit.plane)
+        except OperationError as declined:
             refusal = refusal or declined
     assert refusal is not None
     raise refusal
 
 
-def _told(pose: SeenPose) -> float:
+def _observation_weight(pose: BlockObservation) -> float:
     edges = sum(len(edge.uv_px) for edge in pose.detection.edges)
     return float(edges + len(pose.detection.corners)) * min(1.0, len(pose.stripe.u) / 200)
 
 
-def _fit(pose: SeenPose, block: Crenellated) -> CameraFit:
+def _fit(pose: BlockObservation, block: Crenellated) -> CameraFit:
     found = pose.detection
     levels = fit_laser_plane(found.camera, block, pose.stripe)
     return fit_camera(
-        found.camera, block, Observations(found.edges, found.corners, pose.stripe, levels)
+        found.camera, block, ImageObservations(found.edges, found.corners, pose.stripe, levels)
     )
 
 
-def in_own_frame(camera: Camera, plane: LaserPlane) -> tuple[Camera, LaserPlane]:
+def express_in_camera_frame(camera: Camera, plane: LaserPlane) -> tuple[Camera, LaserPlane]:
     """The camera with no rotation and no translation, and the plane as it sees it."""
     own = replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))
     return own, plane.in_frame(rigid(camera.rotation, camera.translation_mm))
 
 
-def seen_from(camera: Camera, pose: SeenPose, block: Crenellated) -> Floats:
+def estimate_block_pose(camera: Camera, pose: BlockObservation, block: Crenellated) -> Floats:
     """``T_cam_obj`` (4, 4) of a pose from its corners, the camera known.
 
     Raises:
@@ -63,7 +65,7 @@ def seen_from(camera: Camera, pose: SeenPose, block: Crenellated) -> Floats:
     at = corners(block)
     found = pose.detection.corners
     if len(found) < FEWEST_CORNERS:
-        raise Refusal(
+        raise OperationError(
             "too-few-corners",
             f"pose {pose.number} shows {len(found)} corners of {block.name}",
             f"{FEWEST_CORNERS} are needed to place it",
@@ -71,16 +73,16 @@ def seen_from(camera: Camera, pose: SeenPose, block: Crenellated) -> Floats:
         )
     points = np.array([at[corner.name] for corner in found])
     uv = np.array([[corner.u, corner.v] for corner in found])
-    return placed(camera, points, uv)
+    return solve_pnp(camera, points, uv)
 
 
-def placed(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
+def solve_pnp(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
     """``T_cam_obj`` (4, 4) from points (N, 3) of an object and their pixels (N, 2)."""
     found, turn, shift = cv2.solvePnP(
         points_mm, uv_px, camera.matrix, camera.distortion, flags=cv2.SOLVEPNP_SQPNP
     )
     if not found:
-        raise Refusal("object-not-placed", "the object's points do not fit on their pixels")
+        raise OperationError("object-not-placed", "the object's points do not fit on their pixels")
     turn, shift = cv2.solvePnPRefineLM(
         points_mm, uv_px, camera.matrix, camera.distortion, turn, shift
     )

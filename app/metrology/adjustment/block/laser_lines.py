@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.adjustment.block.initial_guess import in_own_frame
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
-from app.metrology.adjustment.core.observations import Problem, SeenPose
-from app.metrology.adjustment.outliers.poses import worst_astray
+from app.errors import OperationError
+from app.metrology.adjustment.block.initial_guess import express_in_camera_frame
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
+from app.metrology.adjustment.core.observations import AdjustmentProblem, BlockObservation
+from app.metrology.adjustment.outliers.poses import find_worst_outlier
 from app.metrology.adjustment.results.stripes import off_plane_mm
 from app.metrology.calibration.findings import AGREEING
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
@@ -19,14 +19,14 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, apply
 
 # A line that lies less far off than this is never astray.
-ASTRAY_MM = 0.05
+OUTLIER_LINE_MM = 0.05
 FEWEST_LINES = 3
 # Lines that lie so far off the plane that suits them best are of no one plane.
 HOPELESS_MM = 0.5
 
 
-def plane_of_poses(
-    seen: Sequence[SeenPose],
+def fit_common_plane(
+    seen: Sequence[BlockObservation],
     block: Crenellated,
     camera: Camera,
     T_cam_obj: Floats,
@@ -50,19 +50,19 @@ def plane_of_poses(
         Refusal: ``lines-contradict``: there is no such plane.
     """
     lines = {
-        pose.number: _line_of(pose, block, camera, T)
+        pose.number: _fit_line(pose, block, camera, T)
         for pose, T in zip(seen, T_cam_obj, strict=True)
     }
     shown = {number: line for number, line in lines.items() if line is not None}
     if len(shown) < 2:
         return plane, {}
     telling = {number: line for number, line in shown.items() if line.share >= AGREEING} or shown
-    plane = min((line.plane for line in telling.values()), key=lambda k: _against(telling, k))
+    plane = min((line.plane for line in telling.values()), key=lambda k: _score_plane(telling, k))
     off_mm = {number: line.off_mm(plane) for number, line in shown.items()}
     far = {number: off for number, off in off_mm.items() if off > HOPELESS_MM}
     if len(telling) > 1 and 2 * len(telling.keys() & far) >= len(telling):
         most_mm = max(off_mm[number] for number in telling)
-        raise Refusal(
+        raise OperationError(
             "lines-contradict",
             f"the laser's lines of poses {', '.join(map(str, telling))} lie up to"
             f" {most_mm:.1f} mm off one plane",
@@ -74,7 +74,7 @@ def plane_of_poses(
 
 
 @dataclass(frozen=True)
-class _Line:
+class _LaserLine:
     """A line by itself: its points (N, 3), its plane, and the share of it that lies in that."""
 
     in_cam: Floats
@@ -86,49 +86,53 @@ class _Line:
         return float(np.sqrt(np.mean((self.in_cam @ plane.normal - plane.offset_mm) ** 2)))
 
 
-def _against(lines: Mapping[int, _Line], plane: LaserPlane) -> tuple[int, float]:
+def _score_plane(lines: Mapping[int, _LaserLine], plane: LaserPlane) -> tuple[int, float]:
     """How many lines lie far off a plane, and how far (mm) the others do, together."""
     off = np.array([line.off_mm(plane) for line in lines.values()])
     near = off[off <= HOPELESS_MM]
     return len(off) - len(near), float(np.sum(near))
 
 
-def _line_of(pose: SeenPose, block: Crenellated, camera: Camera, T: Floats) -> _Line | None:
+def _fit_line(
+    pose: BlockObservation, block: Crenellated, camera: Camera, T: Floats
+) -> _LaserLine | None:
     placed = replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3])
     try:
         fit = fit_laser_plane(placed, block, pose.stripe)
-    except Refusal:
+    except OperationError:
         return None
     share = float(fit.used.sum() / max(int((fit.level != "").sum()), 1))
-    return _Line(apply(T, fit.points_mm[fit.used]), in_own_frame(placed, fit.plane)[1], share)
+    return _LaserLine(
+        apply(T, fit.points_mm[fit.used]), express_in_camera_frame(placed, fit.plane)[1], share
+    )
 
 
-def lines_off_mm(found: Adjusted) -> Floats:
+def line_offsets_mm(found: AdjustmentResult) -> Floats:
     """(P,) how far the line of each pose lies off the laser plane, NaN where there is none."""
     off = [off_plane_mm(stripe) for _, stripe in found.linear.rows]
     return np.array([abs(np.nanmedian(one)) if np.isfinite(one).any() else np.nan for one in off])
 
 
-def without_stray_lines(found: Adjusted) -> tuple[Adjusted, dict[int, float]]:
+def remove_outlier_lines(found: AdjustmentResult) -> tuple[AdjustmentResult, dict[int, float]]:
     """Adjusted without the lines that lie off the plane of the others, worst first.
 
     Fewer than half of all lines are left out; their poses stay. Beside it, by the numbers of
     these poses, how far off (mm) their lines are.
     """
     astray: dict[int, float] = {}
-    off_mm = lines_off_mm(found)
+    off_mm = line_offsets_mm(found)
     total = int(np.isfinite(off_mm).sum())
     while np.isfinite(off_mm).sum() >= FEWEST_LINES and 2 * (len(astray) + 1) < total:
-        worst = worst_astray(off_mm, ASTRAY_MM)
+        worst = find_worst_outlier(off_mm, OUTLIER_LINE_MM)
         if worst is None:
             break
         astray[found.problem.numbers[worst]] = float(off_mm[worst])
-        found = adjust(without_lines(found.problem, astray), found.state)
-        off_mm = lines_off_mm(found)
+        found = solve_adjustment(without_lines(found.problem, astray), found.state)
+        off_mm = line_offsets_mm(found)
     return found, astray
 
 
-def without_lines(problem: Problem, numbers: Collection[int]) -> Problem:
+def without_lines(problem: AdjustmentProblem, numbers: Collection[int]) -> AdjustmentProblem:
     """The same without the laser's lines of the poses of these numbers; the poses stay."""
     views = tuple(
         view.without_line() if number in numbers else view

@@ -7,17 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.core.arm_errors import arm_motion, tip_shift
-from app.metrology.adjustment.core.observations import Papers, Touches
-from app.metrology.adjustment.core.robust_weights import Judgement, as_they_are, merged_points
+from app.metrology.adjustment.core.observations import ContactObservations, TargetPrior
+from app.metrology.adjustment.core.robust_weights import RobustWeights, bin_neighbours, unit_weights
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.calibration.laser_plane_fit import agreeing_levels
 from app.metrology.calibration.observation_model import (
     Rows,
-    Scene,
+    SceneModel,
     coordinates,
     corner_rows,
     edge_rows,
-    no_rows,
+    empty_rows,
     stripe_rows,
     with_coordinates,
 )
@@ -45,13 +45,13 @@ class BlockView:
     level: NDArray[np.str_]  # of each stripe point that counts; empty of others
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
-        scene = Scene(camera, plane, with_coordinates(self.block, coordinates))
+        scene = SceneModel(camera, plane, with_coordinates(self.block, coordinates))
         if self.edges:
             shape = edge_rows(scene, self.edges)
         elif self.corners:
             shape = corner_rows(scene, self.corners)
         else:
-            shape = no_rows(scene)
+            shape = empty_rows(scene)
         return shape, stripe_rows(scene, self.stripe, self.level)
 
     def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BlockView":
@@ -59,23 +59,23 @@ class BlockView:
         return replace(self, level=agreeing_levels(camera, block, self.stripe, plane))
 
     def merged(
-        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
-    ) -> tuple["BlockView", tuple[Judgement, Judgement]]:
+        self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
+    ) -> tuple["BlockView", tuple[RobustWeights, RobustWeights]]:
         shape, stripe = self.edges, self.stripe
         as_shape = judged[0]
         if self.edges:
             shape = self._merged_edges(rows[0], judged[0])
-            as_shape = as_they_are(sum(len(edge.uv_px) for edge in shape))
+            as_shape = unit_weights(sum(len(edge.uv_px) for edge in shape))
         used = np.flatnonzero(self.level != "")
-        few = merged_points(rows[1].places, stripe.sigma_px[used], rows[1].line, judged[1])
+        few = bin_neighbours(rows[1].places, stripe.sigma_px[used], rows[1].line, judged[1])
         level = self.level[used][few.first]
         u, v = few.uv_px.T
         fewer = Stripe(u, v, stripe.intensity[used][few.first], few.sigma_px, stripe.axis)
         view = replace(self, edges=shape, stripe=fewer, level=level)
-        return view, (as_shape, as_they_are(len(level)))
+        return view, (as_shape, unit_weights(len(level)))
 
-    def _merged_edges(self, rows: Rows, judged: Judgement) -> tuple[EdgePoints, ...]:
-        few = merged_points(rows.places, rows.sigma, rows.line, judged)
+    def _merged_edges(self, rows: Rows, judged: RobustWeights) -> tuple[EdgePoints, ...]:
+        few = bin_neighbours(rows.places, rows.sigma, rows.line, judged)
         normal = np.concatenate([edge.normal for edge in self.edges])[few.first]
         line = rows.line[few.first]
         return tuple(
@@ -91,27 +91,27 @@ class BlockView:
         return replace(self, stripe=empty_stripe(self.stripe.axis), level=np.zeros(0, "<U5"))
 
 
-def block_papers(block: Crenellated) -> Papers:
+def block_prior(block: Crenellated) -> TargetPrior:
     """The certificate: every coordinate known to its standard uncertainty."""
     count = len(block.edges_x_mm)
     names = tuple(f"edge_x:{i}" for i in range(count))
     names += ("front_y", "back_y", "crest_z", "floor_z", "base_z")
     sd = max(block.standard_uncertainty_mm, LEAST_CERTIFICATE_MM)
-    return Papers(names, coordinates(block), np.full(len(names), sd))
+    return TargetPrior(names, coordinates(block), np.full(len(names), sd))
 
 
-def block_touches(
+def block_contacts(
     arm: Arm,
     block: Crenellated,
     features: Sequence[str],
     q_rad: Floats,
     kept: NDArray[np.bool_],
-) -> Touches:
+) -> ContactObservations:
     """Contacts (N) on the block's faces at encoder angles (N, n)."""
     moves = arm_motion(arm, q_rad)
     values = coordinates(block)
     faces = {face: _face(block, face, values) for face in set(features)}
-    return Touches(
+    return ContactObservations(
         tuple(features),
         np.array([faces[face][0] for face in features]),
         np.array([faces[face][1] for face in features]),

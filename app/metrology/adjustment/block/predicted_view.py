@@ -23,7 +23,7 @@ END_PX = 4.0
 
 
 @dataclass(frozen=True)
-class Seeing:
+class ObservationNoise:
     """How well pictures are measured: standard deviations of one edge point, one
     corner of a chessboard, and one stripe point.
 
@@ -43,8 +43,8 @@ class Seeing:
         return float(self.merged**-0.5)
 
 
-def expected_view(
-    camera: Camera, plane: LaserPlane, block: Crenellated, seeing: Seeing
+def predict_view(
+    camera: Camera, plane: LaserPlane, block: Crenellated, seeing: ObservationNoise
 ) -> BlockView:
     """Edge and stripe points of the block as a camera would measure them.
 
@@ -55,13 +55,15 @@ def expected_view(
         points
         for part in visible_parts(block, camera.centre_mm)
         if part.regions[0] != part.regions[1]
-        and len((points := _along(camera, part.edge, part.start_mm, part.end_mm, seeing)).uv_px)
+        and len(
+            (points := _predict_edge(camera, part.edge, part.start_mm, part.end_mm, seeing)).uv_px
+        )
     ]
-    stripe, level = _stripe(camera, plane, block, seeing)
-    return BlockView(block, tuple(_joined(edges)), (), stripe, level)
+    stripe, level = _predict_stripe(camera, plane, block, seeing)
+    return BlockView(block, tuple(_join_parts(edges)), (), stripe, level)
 
 
-def in_view(camera: Camera, block: Crenellated) -> float:
+def visible_share(camera: Camera, block: Crenellated) -> float:
     """Share of the block's eight outer corners that lie in the picture."""
     box = np.array(
         [
@@ -74,8 +76,8 @@ def in_view(camera: Camera, block: Crenellated) -> float:
     return float(np.mean(inside(camera, project(camera, box), 0.0)))
 
 
-def _along(
-    camera: Camera, name: str, start_mm: Floats, end_mm: Floats, seeing: Seeing
+def _predict_edge(
+    camera: Camera, name: str, start_mm: Floats, end_mm: Floats, seeing: ObservationNoise
 ) -> EdgePoints:
     ends = project(camera, np.array([start_mm, end_mm]))
     length = float(np.linalg.norm(ends[1] - ends[0]))
@@ -89,7 +91,7 @@ def _along(
     return EdgePoints(name, uv, np.broadcast_to(across, uv.shape), sigma)
 
 
-def _joined(parts: Sequence[EdgePoints]) -> list[EdgePoints]:
+def _join_parts(parts: Sequence[EdgePoints]) -> list[EdgePoints]:
     """The parts of one edge as one."""
     by_name: dict[str, list[EdgePoints]] = {}
     for part in parts:
@@ -105,8 +107,8 @@ def _joined(parts: Sequence[EdgePoints]) -> list[EdgePoints]:
     ]
 
 
-def _stripe(
-    camera: Camera, plane: LaserPlane, block: Crenellated, seeing: Seeing
+def _predict_stripe(
+    camera: Camera, plane: LaserPlane, block: Crenellated, seeing: ObservationNoise
 ) -> tuple[Stripe, np.ndarray[tuple[int, ...], np.dtype[np.str_]]]:
     """The stripe on crests and floors, where the camera sees it."""
     x = np.asarray(block.edges_x_mm)

@@ -9,22 +9,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.adjustment.board.surface import board_papers, groups_of
-from app.metrology.adjustment.core.linearise import usual_camera
-from app.metrology.adjustment.core.observations import Papers
+from app.metrology.adjustment.board.surface import board_prior, coordinate_groups
+from app.metrology.adjustment.core.linearise import camera_prior
+from app.metrology.adjustment.core.observations import TargetPrior
 from app.metrology.calibration.observation_model import BLOCK
 from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.projection import COUNT, stepped
+from app.metrology.sensor.projection import COUNT, step_camera
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
 # Of ``PARAMETERS``: what all pictures have in common (fx, fy, u0, v0, k1, k2), what each has
 # of its own, and what of the common ones' prior counts here.
 COMMON = np.array([0, 1, 2, 3, 10, 11])
-OWN = np.arange(4, 10)
+PER_POSE = np.arange(4, 10)
 OF_PRIOR = np.array([0, 1, 2, 3, 4, 5])
 ROUNDS = 12
-SETTLED_PX = 1e-3
+CONVERGED_PX = 1e-3
 # Corners scatter by this at least; and those beyond so many deviations do not count.
 LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
 
@@ -37,7 +37,7 @@ class Bundle:
     ``T_cam_obj``."""
 
     cameras: tuple[Camera, ...]
-    sheet: Papers
+    sheet: TargetPrior
     scatter_px: Floats
     covariance: Floats
 
@@ -46,28 +46,28 @@ class Bundle:
         return self.sheet.coordinates
 
 
-def bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
+def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
     """The most likely lens, places and sheet for the corners of all views.
 
     Args:
         cameras: a start, one for each view, alike but for their places.
     """
-    papers = board_papers(views[0].board)
+    papers = board_prior(views[0].board)
     none = np.zeros(len(views))
     found = Bundle(tuple(cameras), papers, none + np.inf, np.diag(np.tile(none, 6)))
     for _ in range(ROUNDS):
-        before, found = found, _stepped(views, found, papers)
-        if np.max(np.abs(found.scatter_px - before.scatter_px)) < SETTLED_PX:
+        before, found = found, _gauss_newton_step(views, found, papers)
+        if np.max(np.abs(found.scatter_px - before.scatter_px)) < CONVERGED_PX:
             break
     return found
 
 
-def _stepped(views: Sequence[BoardView], at: Bundle, papers: Papers) -> Bundle:
+def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPrior) -> Bundle:
     """One round of Gauss-Newton; the sheet's deviations are told anew."""
     certified, sd, board = papers.coordinates, at.sheet.sd, views[0].board
     shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
     sheet = np.arange(len(COMMON), shared)
-    count = shared + len(OWN) * len(views)
+    count = shared + len(PER_POSE) * len(views)
     N, g = np.zeros((count, count)), np.zeros(count)
     normed, scatter = [], np.zeros(len(views))
     for p, (view, camera) in enumerate(zip(views, at.cameras, strict=True)):
@@ -75,13 +75,13 @@ def _stepped(views: Sequence[BoardView], at: Bundle, papers: Papers) -> Bundle:
         J, r = np.zeros((len(rows.residuals), count)), rows.residuals
         J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
         J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
-        J[:, _own(shared, p)] = rows.jacobian[:, OWN]
+        J[:, _pose_slice(shared, p)] = rows.jacobian[:, PER_POSE]
         scatter[p] = max(float(np.median(np.abs(r))) / 0.6745, LEAST_SCATTER_PX)
         kept = np.abs(r) < OUTLIER_SIGMAS * scatter[p]
         N += J[kept].T @ J[kept] / scatter[p] ** 2
         g += J[kept].T @ r[kept] / scatter[p] ** 2
         normed.append(r[kept] / scatter[p])
-    prior, pull = usual_camera(at.cameras[0])
+    prior, pull = camera_prior(at.cameras[0])
     N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
     g[common] += pull[OF_PRIOR]
     N[sheet, sheet] += sd**-2.0
@@ -92,29 +92,29 @@ def _stepped(views: Sequence[BoardView], at: Bundle, papers: Papers) -> Bundle:
     # of the sheet's unknowns, what the pictures and not its certificate determined
     told = float(np.sum(1 - np.diag(C)[sheet] / sd**2))
     r = np.concatenate(normed)
-    degrees = max(len(r) - len(COMMON) - len(OWN) * len(views) - told, 1)
+    degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - told, 1)
     factor = float(np.sqrt(r @ r / degrees))
     coordinates = at.sheet.coordinates + step[sheet]
     variances = np.minimum(factor**2 * np.diag(C)[sheet], sd**2)
     return Bundle(
-        tuple(_moved(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
+        tuple(_step_camera(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
         replace(
             papers,
             coordinates=coordinates,
-            sd=_told(board, coordinates - certified, variances, papers.sd, sd),
+            sd=_estimate_surface_sd(board, coordinates - certified, variances, papers.sd, sd),
         ),
         np.maximum(factor * scatter, LEAST_SCATTER_PX),
         factor**2 * C[shared:, shared:],
     )
 
 
-def _told(
+def _estimate_surface_sd(
     board: Chessboard, off: Floats, variances: Floats, certified: Floats, sd: Floats
 ) -> Floats:
     """Deviations (B,) of the sheet's coordinates: of each group those of its certificate, unless
     the pictures tell that it is worse (Foerstner)."""
     told = certified.copy()
-    for group in groups_of(board):
+    for group in coordinate_groups(board):
         least, now = certified[group], float(sd[group][0])
         determined = float(np.sum(1 - variances[group] / now**2))
         square = float(off[group] @ off[group] + least[0] ** 2)
@@ -122,18 +122,18 @@ def _told(
     return told
 
 
-def _own(shared: int, pose: int) -> slice:
+def _pose_slice(shared: int, pose: int) -> slice:
     """Where the unknowns of one pose stand, after those that all share."""
-    return slice(shared + len(OWN) * pose, shared + len(OWN) * (pose + 1))
+    return slice(shared + len(PER_POSE) * pose, shared + len(PER_POSE) * (pose + 1))
 
 
-def _moved(camera: Camera, step: Floats, shared: int, pose: int) -> Camera:
+def _step_camera(camera: Camera, step: Floats, shared: int, pose: int) -> Camera:
     own_step = np.zeros(COUNT)
     own_step[COMMON] = step[: len(COMMON)]
-    own_step[OWN] = step[_own(shared, pose)]
-    return stepped(camera, own_step)
+    own_step[PER_POSE] = step[_pose_slice(shared, pose)]
+    return step_camera(camera, own_step)
 
 
-def unplaced(camera: Camera) -> Camera:
+def with_identity_pose(camera: Camera) -> Camera:
     """The camera with its own frame as sensor frame."""
     return replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))

@@ -9,28 +9,44 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.board.findings import ROBOT_ROW, BoardEvidence, board_findings
-from app.metrology.adjustment.board.initial_guess import SeenBoard
-from app.metrology.adjustment.board.laser_lines import line_scatter, scatter_told, with_line_scatter
+from app.metrology.adjustment.board.initial_guess import BoardObservation
+from app.metrology.adjustment.board.laser_lines import (
+    estimate_line_scatter,
+    line_scatter,
+    with_line_scatter,
+)
 from app.metrology.adjustment.board.problem import BoardInputs, BoardStart, board_problem
 from app.metrology.adjustment.board.results import (
     BoardContacts,
     board_contacts,
     board_pose_results,
-    board_worst,
+    board_worst_points,
 )
 from app.metrology.adjustment.board.surface import corners_at
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.hand_eye import Mounting
-from app.metrology.adjustment.core.observations import refuse_nothing_seen
-from app.metrology.adjustment.core.uncertainty import Known, known, sensor_of
-from app.metrology.adjustment.outliers.contacts import without_stray_contacts
-from app.metrology.adjustment.outliers.poses import without_strays
-from app.metrology.adjustment.results.poses import PoseResult, left_out, line_left_out
-from app.metrology.adjustment.results.stripes import depth_range_mm, sorted_anew, stripe_rms_mm
+from app.metrology.adjustment.core.observations import require_observations
+from app.metrology.adjustment.core.uncertainty import (
+    CalibrationUncertainty,
+    estimate_uncertainty,
+    express_in_sensor_frame,
+)
+from app.metrology.adjustment.outliers.contacts import remove_outlier_contacts
+from app.metrology.adjustment.outliers.poses import remove_outlier_poses
+from app.metrology.adjustment.results.poses import (
+    PoseResult,
+    line_exclusion_reason,
+    outlier_pose_results,
+)
+from app.metrology.adjustment.results.stripes import (
+    depth_range_mm,
+    reclassify_stripes,
+    stripe_rms_mm,
+)
 from app.metrology.arm.kinematics import Arm, RobotArm
-from app.metrology.calibration.findings import Finding, WorstPoint
-from app.metrology.chessboard.detect_board import detect_board, outshining
-from app.metrology.detection.image_quality import picture_findings
+from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
+from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, refuse_edge_on
@@ -41,7 +57,7 @@ from app.metrology.transforms import Floats, inverse
 Progress = Callable[[str, float], None]
 
 # How far whole lines lie off their plane is told anew until it is told the same within this.
-SCATTER_SETTLED, SCATTER_ROUNDS = 1.2, 5
+SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
 
 
 @dataclass(frozen=True)
@@ -51,24 +67,24 @@ class BoardCalibration:
     The sensor frame is the board's frame as the first used pose saw it.
     """
 
-    adjusted: Adjusted
+    adjusted: AdjustmentResult
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
     corners_mm: Floats  # (N, 3) where they truly are, in the board's frame
     poses: tuple[PoseResult, ...]
-    known: Known
+    known: CalibrationUncertainty
     contacts: BoardContacts | None
     stripe_rms_um: float  # of the line's points to the laser plane
     depth_range_mm: tuple[float, float]
-    findings: tuple[Finding, ...]
-    worst: tuple[WorstPoint, ...]
+    findings: tuple[CalibrationFinding, ...]
+    worst: tuple[WorstResidual, ...]
 
 
-def see_board(
+def observe_board(
     number: int, board: Chessboard, ambient: Image, laser: Image | None, axis: str
-) -> SeenBoard:
+) -> BoardObservation:
     """What the pictures of one pose show, by themselves.
 
     Args:
@@ -80,9 +96,9 @@ def see_board(
     """
     stripe = extract_stripe(ambient if laser is None else laser, axis)
     if laser is None:
-        stripe = outshining(ambient, stripe)
+        stripe = drop_faint_stripe(ambient, stripe)
     detection = detect_board(ambient, board, stripe if laser is None else None)
-    return SeenBoard(number, detection, stripe, tuple(picture_findings(ambient)))
+    return BoardObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
 
 def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> BoardCalibration:
@@ -92,44 +108,46 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
         Refusal: whatever makes the calibration impossible, by its reason.
     """
     say = progress or (lambda _what, _share: None)
-    refuse_nothing_seen(inputs.seen, inputs.unseen, "board")
+    require_observations(inputs.seen, inputs.unseen, "board")
     say("Finding a start", 0.0)
     start = board_problem(inputs)
     say("Adjusting all poses together", 0.3)
-    found, mounting = _adjusted(inputs, start)
+    found, mounting = _adjust_robustly(inputs, start)
     say("Working out the uncertainty", 0.8)
-    result = _assembled(inputs, found, replace(start, mounting=mounting))
+    result = _assemble_result(inputs, found, replace(start, mounting=mounting))
     say("Done", 1.0)
     return result
 
 
-def _adjusted(inputs: BoardInputs, start: BoardStart) -> tuple[Adjusted, Mounting]:
+def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[AdjustmentResult, Mounting]:
     """Adjusted twice: poses and contacts that are astray, the lines' points and how much they
     count, all weights and the lens terms that are significant are told by the first result, as
     the start was too coarse."""
-    found = adjust(start.problem, start.state)
-    found, mounting = without_strays(found, start.mounting, inputs.board.size_mm)
-    found = without_stray_contacts(found)
-    again = sorted_anew(found)
+    found = solve_adjustment(start.problem, start.state)
+    found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
+    found = remove_outlier_contacts(found)
+    again = reclassify_stripes(found)
     if start.moved:
-        return adjust(again, found.state), mounting
+        return solve_adjustment(again, found.state), mounting
     # The start's lines can lie so far off that nothing is made of them at first.
     for _ in range(SCATTER_ROUNDS):
-        before, now = line_scatter(found), scatter_told(found)
-        found = adjust(with_line_scatter(again, now), found.state)
-        if np.all(np.abs(np.log(now / before)) < np.log(SCATTER_SETTLED)):
+        before, now = line_scatter(found), estimate_line_scatter(found)
+        found = solve_adjustment(with_line_scatter(again, now), found.state)
+        if np.all(np.abs(np.log(now / before)) < np.log(SCATTER_CONVERGED)):
             break
     return found, mounting
 
 
-def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> BoardCalibration:
+def _assemble_result(
+    inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
+) -> BoardCalibration:
     state = found.state
     stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
     refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
     T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
     T_cam_sensor = T_cam_sensor @ state.T_arm_obj
-    worth = _budget_of(inputs, known(found, T_cam_sensor))
-    camera, plane, T_flange_sensor = sensor_of(state, T_cam_sensor)
+    worth = _uncertainty_budget(inputs, estimate_uncertainty(found, T_cam_sensor))
+    camera, plane, T_flange_sensor = express_in_sensor_frame(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
     contacts = board_contacts(found)
     evidence = BoardEvidence(
@@ -156,11 +174,13 @@ def _assembled(inputs: BoardInputs, found: Adjusted, start: BoardStart) -> Board
         1e3 * stripe_rms_mm(found),
         depth_range_mm(found),
         board_findings(evidence),
-        board_worst(found, poses, contacts),
+        board_worst_points(found, poses, contacts),
     )
 
 
-def _budget_of(inputs: BoardInputs, worth: Known) -> Known:
+def _uncertainty_budget(
+    inputs: BoardInputs, worth: CalibrationUncertainty
+) -> CalibrationUncertainty:
     """The budget without what there was not, and with a robot's own share by its name."""
     robot = isinstance(inputs.arm, RobotArm)
     touched = inputs.contact_readings is not None and len(inputs.contact_readings) > 0
@@ -174,22 +194,22 @@ def _budget_of(inputs: BoardInputs, worth: Known) -> Known:
 
 
 def _pose_results(
-    inputs: BoardInputs, found: Adjusted, start: BoardStart
+    inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
 ) -> tuple[PoseResult, ...]:
     """Of the poses used, of those that contradict, and of those that show no board."""
     results = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
     numbers = [pose.number for pose in inputs.seen]
     readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
-    results += left_out(numbers, start.mounting, readings)
+    results += outlier_pose_results(numbers, start.mounting, readings)
     for pose in board_pose_results(found, inputs.seen, inputs.board):
-        results.append(replace(pose, reason=_about_line(pose.number, start)))
+        results.append(replace(pose, reason=_line_problem(pose.number, start)))
     return tuple(sorted(results, key=lambda pose: pose.number))
 
 
-def _about_line(number: int, start: BoardStart) -> str:
+def _line_problem(number: int, start: BoardStart) -> str:
     """What is wrong with the laser's line of a pose that was used, if anything."""
     if number in start.lines_out:
-        return line_left_out(start.lines_out[number])
+        return line_exclusion_reason(start.lines_out[number])
     if number in start.apart:
         return f"its laser line lies {start.apart[number]:.1f} mm off the plane of the others"
     return ""

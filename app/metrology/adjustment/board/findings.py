@@ -6,19 +6,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.metrology.adjustment.block.findings import ALIKE_DEG, largest_turn_deg
-from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
-from app.metrology.adjustment.board.surface import groups_of, surface
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.uncertainty import Known
-from app.metrology.adjustment.outliers.fault_hypotheses import about_board_faults
+from app.metrology.adjustment.board.surface import coordinate_groups, evaluate_surface
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
+from app.metrology.adjustment.outliers.fault_hypotheses import board_fault_findings
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration.findings import (
-    Finding,
-    about_pixels,
-    contacts_left_out,
-    gravest_first,
-    verdict,
+    CalibrationFinding,
+    contact_outlier_findings,
+    pixel_aspect_findings,
+    sort_by_severity,
+    uncertainty_verdict,
 )
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard, corner_points
@@ -51,9 +51,9 @@ class BoardEvidence:
     """All that a calibration on a board can be judged by."""
 
     board: Chessboard
-    seen: Sequence[SeenBoard]
-    found: Adjusted
-    known: Known
+    seen: Sequence[BoardObservation]
+    found: AdjustmentResult
+    known: CalibrationUncertainty
     poses: Sequence[PoseResult]
     limits: Limits
     lines_before: dict[int, float]  # mm by pose number: of a laser that moved, left out
@@ -61,26 +61,26 @@ class BoardEvidence:
     contacts: BoardContacts | None
 
 
-def board_findings(evidence: BoardEvidence) -> tuple[Finding, ...]:
+def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     found = evidence.found
     told = (
         _verdict(evidence),
-        *_about_contacts(evidence),
-        *about_board_faults(found, evidence.board.square_mm, evidence.limits),
-        *_about_print(evidence),
-        _about_bend(evidence),
-        *_about_poses(evidence),
-        *_about_rocking(found),
-        *_about_pictures(evidence.seen),
-        *about_pixels(found.state.camera, found.covariance[:2, :2]),
-        *_about_lines(evidence),
-        _about_stripe(evidence),
+        *_contact_findings(evidence),
+        *board_fault_findings(found, evidence.board.square_mm, evidence.limits),
+        *_print_findings(evidence),
+        _bend_finding(evidence),
+        *_pose_findings(evidence),
+        *_rocking_findings(found),
+        *_image_findings(evidence.seen),
+        *pixel_aspect_findings(found.state.camera, found.covariance[:2, :2]),
+        *_line_findings(evidence),
+        _stripe_finding(evidence),
     )
-    return gravest_first(told)
+    return sort_by_severity(told)
 
 
-def _verdict(evidence: BoardEvidence) -> Finding:
+def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
     """By the user's limits; what helps is more pictures, or a laser that stays."""
     known, limits = evidence.known, evidence.limits
     poses = len(evidence.found.problem.views)
@@ -100,16 +100,16 @@ def _verdict(evidence: BoardEvidence) -> Finding:
     }
     if evidence.lines_before or evidence.lines_apart:
         remedies["stripe"] = "Let the laser come to rest, and take the pictures again."
-    return verdict(known.total_um, known.rows, limits, remedies)
+    return uncertainty_verdict(known.total_um, known.rows, limits, remedies)
 
 
-def _about_contacts(evidence: BoardEvidence) -> list[Finding]:
+def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     contacts, touches, limits = evidence.contacts, evidence.found.problem.touches, evidence.limits
     if contacts is None or touches is None:
         return []
     count, rms_um = int((~contacts.left_out).sum()), contacts.rms_um
     text = f"{count} contacts lie on the board to {rms_um:.0f} µm rms."
-    found = [Finding("good", "contacts", text)]
+    found = [CalibrationFinding("good", "contacts", text)]
     if rms_um > limits.good_um:
         text = (
             f"{count} contacts lie on the board to {rms_um:.0f} µm rms; up to "
@@ -118,19 +118,19 @@ def _about_contacts(evidence: BoardEvidence) -> list[Finding]:
         remedy = (
             "Check that the tip is the one of the arm's file, and that board and arm stood firm."
         )
-        found = [Finding("attention", "contacts", text, remedy)]
-    left_out = contacts_left_out(touches.features, contacts.residuals_um, contacts.left_out)
+        found = [CalibrationFinding("attention", "contacts", text, remedy)]
+    left_out = contact_outlier_findings(touches.features, contacts.residuals_um, contacts.left_out)
     return [*found, *left_out]
 
 
-def _about_print(evidence: BoardEvidence) -> list[Finding]:
+def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """The corners' places one by one against the certificate, which may be silent on them."""
     board, papers = evidence.board, evidence.found.problem.papers
-    told_mm = float(papers.sd[groups_of(board)[1]][0])
+    told_mm = float(papers.sd[coordinate_groups(board)[1]][0])
     if told_mm < PRINT_TIMES * board.standard_uncertainty_mm:
         return []
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             "board-print",
             f"The corners lie {1e3 * told_mm:.0f} µm off a regular pattern, by the certificate "
@@ -140,12 +140,12 @@ def _about_print(evidence: BoardEvidence) -> list[Finding]:
     ]
 
 
-def _about_bend(evidence: BoardEvidence) -> Finding:
+def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
     found, board = evidence.found, evidence.board
-    bend = surface(board, found.state.coordinates, corner_points(board)[:, :2]).height_mm
+    bend = evaluate_surface(board, found.state.coordinates, corner_points(board)[:, :2]).height_mm
     rms_mm = float(np.sqrt(np.mean(bend**2)))
     if rms_mm > BENT_TIMES * max(board.flatness_mm, FLATTEST_MM):
-        return Finding(
+        return CalibrationFinding(
             "attention",
             "board-bent",
             f"The sheet bends by {np.ptp(bend):.2f} mm over the pattern; flat to "
@@ -153,15 +153,15 @@ def _about_bend(evidence: BoardEvidence) -> Finding:
             "Fix the board to a flat plate.",
         )
     text = f"The sheet bends by {1e3 * np.ptp(bend):.0f} µm over the pattern: allowed for."
-    return Finding("neutral", "board-bend", text)
+    return CalibrationFinding("neutral", "board-bend", text)
 
 
-def _about_poses(evidence: BoardEvidence) -> list[Finding]:
+def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
     about_lines = evidence.lines_before | evidence.lines_apart  # are told with the lines
     said = [
-        Finding(
+        CalibrationFinding(
             "attention",
             "pose-left-out",
             f"Pose {pose.number}: {pose.reason}.",
@@ -176,7 +176,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
     said.append(
-        Finding(
+        CalibrationFinding(
             "attention" if len(used) < FEW_POSES else "good",
             "poses",
             f"{len(used)} poses agree on the board's place to {np.median(off):.0f} µm; pose "
@@ -187,7 +187,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
         said.append(
-            Finding(
+            CalibrationFinding(
                 "attention",
                 "poses-alike",
                 f"The sensor turned by {turn:.1f}° at most between the poses (wanted: "
@@ -198,7 +198,7 @@ def _about_poses(evidence: BoardEvidence) -> list[Finding]:
     return said
 
 
-def _about_rocking(found: Adjusted) -> list[Finding]:
+def _rocking_findings(found: AdjustmentResult) -> list[CalibrationFinding]:
     """A robot's poses that agree on the board's place better than on its tilt."""
     sd = found.scales.noise * found.problem.motion.noise_sd
     if len(sd) != TURNS_SHIFTS_TILTS or len(found.problem.views) < FEW_POSES:
@@ -207,7 +207,7 @@ def _about_rocking(found: Adjusted) -> list[Finding]:
     if tilt < max(ROCKING_RAD, ROCKING_TIMES * turn):
         return []
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             "board-rocks",
             f"Robot and pictures agree on the board's place, but on its tilt only to "
@@ -217,11 +217,11 @@ def _about_rocking(found: Adjusted) -> list[Finding]:
     ]
 
 
-def _about_pictures(seen: Sequence[SeenBoard]) -> list[Finding]:
+def _image_findings(seen: Sequence[BoardObservation]) -> list[CalibrationFinding]:
     """What a single picture suffers from, each kind once, by the first pose that shows it."""
     first = {item.code: (pose.number, item) for pose in reversed(seen) for item in pose.picture}
     return [
-        Finding(
+        CalibrationFinding(
             "attention",
             code,
             f"Pose {number}: {item.text}.",
@@ -231,32 +231,32 @@ def _about_pictures(seen: Sequence[SeenBoard]) -> list[Finding]:
     ]
 
 
-def _about_lines(evidence: BoardEvidence) -> list[Finding]:
+def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """Lines that contradict the others, and are too many to be mistakes."""
     before, apart = evidence.lines_before, evidence.lines_apart
     remedy = "Let the laser warm up, check its mount, and take the pictures again."
     if before:
         text = (
-            f"The laser's lines of poses {_listed(before)} lie {max(before.values()):.1f} mm off"
-            " the plane of the others: the laser moved against the camera, and these lines were"
-            " left out."
+            f"The laser's lines of poses {_join_numbers(before)} lie "
+            f"{max(before.values()):.1f} mm off the plane of the others: "
+            "the laser moved against the camera, and these lines were left out."
         )
-        return [Finding("attention", "laser-moved", text, remedy)]
+        return [CalibrationFinding("attention", "laser-moved", text, remedy)]
     if apart:
         text = (
-            f"The laser's lines of poses {_listed(apart)} lie {max(apart.values()):.1f} mm off the"
-            " plane of the others: the laser moved against the camera, and all lines were made to"
-            " count."
+            f"The laser's lines of poses {_join_numbers(apart)} lie "
+            f"{max(apart.values()):.1f} mm off the plane of the others: "
+            "the laser moved against the camera, and all lines were made to count."
         )
-        return [Finding("bad", "laser-moved", text, remedy)]
+        return [CalibrationFinding("bad", "laser-moved", text, remedy)]
     return []
 
 
-def _listed(numbers: Iterable[int]) -> str:
+def _join_numbers(numbers: Iterable[int]) -> str:
     return ", ".join(map(str, numbers))
 
 
-def _about_stripe(evidence: BoardEvidence) -> Finding:
+def _stripe_finding(evidence: BoardEvidence) -> CalibrationFinding:
     used = [pose for pose in evidence.poses if pose.used]
     points = sum(pose.stripe_points for pose in used)
     without = [str(pose.number) for pose in used if not pose.stripe_points]
@@ -264,4 +264,4 @@ def _about_stripe(evidence: BoardEvidence) -> Finding:
     text = f"{points} points of the laser's line lie on the board, {rms:.2f} px rms off the plane."
     if without:
         text += f" Pose{'s' if len(without) > 1 else ''} {', '.join(without)} show none."
-    return Finding("good" if not without else "neutral", "stripe", text)
+    return CalibrationFinding("good" if not without else "neutral", "stripe", text)

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.adjustment.block.initial_guess import placed
+from app.errors import OperationError
+from app.metrology.adjustment.block.initial_guess import solve_pnp
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.chessboard.detect_board import BoardDetection
-from app.metrology.detection.image_quality import PictureFinding
+from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard, corner_points
@@ -27,17 +27,17 @@ TURN_DEG = 3.0
 
 
 @dataclass(frozen=True)
-class SeenBoard:
+class BoardObservation:
     """What the picture of one pose showed, by itself."""
 
     number: int
     detection: BoardDetection
     stripe: Stripe
-    picture: tuple[PictureFinding, ...] = ()
+    picture: tuple[ImageFinding, ...] = ()
 
 
 def board_camera(
-    seen: Sequence[SeenBoard], board: Chessboard, size_px: tuple[int, int]
+    seen: Sequence[BoardObservation], board: Chessboard, size_px: tuple[int, int]
 ) -> tuple[Camera, Floats]:
     """The camera (its own frame as sensor frame), and ``T_cam_obj`` (P, 4, 4).
 
@@ -45,7 +45,7 @@ def board_camera(
         Refusal: too few pictures, or all from straight above.
     """
     if len(seen) < FEWEST_POSES:
-        raise Refusal(
+        raise OperationError(
             "too-few-images",
             f"{len(seen)} pictures show {board.name}",
             f"a flat board tells the camera's focal length from {FEWEST_POSES} pictures on,"
@@ -53,15 +53,15 @@ def board_camera(
             "take more pictures, 8 or more of them, tilted by 20° and more",
         )
     points = corner_points(board)
-    K, distortion = _calibrated(seen, points, size_px)
+    K, distortion = _calibrate_camera(seen, points, size_px)
     camera = Camera(K, np.eye(3), np.zeros(3), *size_px, distortion)
     T = np.array(
-        [placed(camera, points[pose.detection.number], pose.detection.uv_px) for pose in seen]
+        [solve_pnp(camera, points[pose.detection.number], pose.detection.uv_px) for pose in seen]
     )
     normals = T[:, :3, 2]
     apart = np.degrees(np.arccos(np.clip(np.abs(normals @ normals.T), 0, 1)))
     if apart.max() < LEAST_TILT_DEG:
-        raise Refusal(
+        raise OperationError(
             "boards-parallel",
             f"the board is tilted by {apart.max():.1f}° at most between the {len(seen)} pictures",
             "pictures of a flat board from one direction do not tell the focal length",
@@ -70,8 +70,8 @@ def board_camera(
     return camera, T
 
 
-def _calibrated(
-    seen: Sequence[SeenBoard], points: Floats, size_px: tuple[int, int]
+def _calibrate_camera(
+    seen: Sequence[BoardObservation], points: Floats, size_px: tuple[int, int]
 ) -> tuple[Floats, Floats]:
     """Camera matrix (3, 3), and distortion (5,) of which k1 alone is told."""
     flags = (
@@ -90,9 +90,9 @@ def _calibrated(
     return np.asarray(found[1], np.float64), np.asarray(found[2], np.float64).ravel()[:5]
 
 
-def numbered(
-    seen: Sequence[SeenBoard], board: Chessboard, camera: Camera, T_arm_flange: Floats
-) -> tuple[SeenBoard, ...]:
+def number_corners(
+    seen: Sequence[BoardObservation], board: Chessboard, camera: Camera, T_arm_flange: Floats
+) -> tuple[BoardObservation, ...]:
     """Each picture numbered like the first, where the colours alone leave a choice.
 
     The board must turn before the camera by as much as the flange turns.
@@ -104,17 +104,17 @@ def numbered(
         return tuple(seen)
     points = corner_points(board)
     chosen = [seen[0]]
-    first = placed(camera, points[seen[0].detection.number], seen[0].detection.uv_px)
+    first = solve_pnp(camera, points[seen[0].detection.number], seen[0].detection.uv_px)
     for pose, T in zip(seen[1:], T_arm_flange[1:], strict=True):
         wanted = _angle_deg(inverse(T_arm_flange[0]) @ T)
         ways = (pose.detection.number, *pose.detection.other_numbers)
         off = []
         for number in ways:
-            here = placed(camera, points[number], pose.detection.uv_px)
+            here = solve_pnp(camera, points[number], pose.detection.uv_px)
             off.append(abs(_angle_deg(first @ inverse(here)) - wanted))
         order = np.argsort(off)
         if off[order[0]] > TURN_DEG or off[order[1]] < 2 * TURN_DEG:
-            raise Refusal(
+            raise OperationError(
                 "board-ambiguous",
                 f"pose {pose.number}: {board.name} looks the same turned round",
                 "neither its colours nor the arm's poses tell which corner is the first",
@@ -155,7 +155,7 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
     sd = float(np.sqrt(variance * np.linalg.pinv(rows.T @ rows)[6, 6]))
     scale = float(found[6])
     if scale <= 0:
-        raise Refusal(
+        raise OperationError(
             "poses-reversed",
             f"by the arm's motion {board.name} moves the other way than in the pictures",
             "no size of its squares makes them agree",
@@ -163,7 +163,7 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             " in the arm's frame, in mm, with qw last, and not their inverse",
         )
     if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
-        raise Refusal(
+        raise OperationError(
             "square-size",
             f"by the arm's motion the squares of {board.name} are"
             f" {scale * board.square_mm:.2f} mm wide",

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.adjustment.board.bundle import Bundle
-from app.metrology.adjustment.board.observations import BoardView, on_sheet
+from app.metrology.adjustment.board.observations import BoardView, intersect_surface
 from app.metrology.adjustment.board.surface import around_pattern
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.observations import Problem
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.transforms import Floats
 
@@ -37,7 +37,7 @@ LEAST_SPREAD = 0.02
 
 
 @dataclass(frozen=True)
-class Lines:
+class LaserLines:
     """What the lines of P poses say of the laser's plane before the adjustment.
 
     ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
@@ -58,29 +58,31 @@ class Lines:
     scatter_rad: float
 
 
-def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) -> Lines:
+def fit_laser_lines(
+    views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]
+) -> LaserLines:
     """The lines where the pictures put the sheet.
 
     Raises:
         Refusal: fewer than two lines on the board, none that most agree on, all in one
             place, or the laser's plane along the board.
     """
-    in_cam = [_points(view, found, p) for p, view in enumerate(views)]
+    in_cam = [_line_points(view, found, p) for p, view in enumerate(views)]
     enough = [p for p, points in enumerate(in_cam) if len(points) >= FEWEST_STRIPE_POINTS]
     if len(enough) < 2:
-        raise Refusal(
+        raise OperationError(
             "stripe-not-found",
             f"the laser's line lies on the board in {len(enough)} of {len(views)} pictures",
             "one line alone does not fix the laser's plane",
             "let the line cross the board in every picture",
         )
-    plane = plane_of_most([in_cam[p] for p in enough])
+    plane = fit_majority_plane([in_cam[p] for p in enough])
     _refuse_one_line([in_cam[p] for p in enough], plane)
     _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
     off = _offsets(in_cam, enough, plane)
     usual = float(np.median(np.abs(off[enough])))
     if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
-        raise Refusal(
+        raise OperationError(
             "lines-contradict",
             f"the laser's lines of poses {', '.join(map(str, numbers))} lie {usual:.1f} mm off the"
             " plane that suits them best",
@@ -88,14 +90,14 @@ def lines_of(views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]) 
             "check that the laser was not moved against the camera, and that the line seen is"
             " its own and not a reflection",
         )
-    off, out, apart = _contradicting(in_cam, enough, plane, views[0].board.flatness_mm)
+    off, out, apart = _find_contradictions(in_cam, enough, plane, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
-    moved = not _few([*out, *apart], enough)
-    plane, (scatter_mm, scatter_rad) = _through([in_cam[p] for p in counting], moved)
-    return Lines(plane, off, out, apart, moved, scatter_mm, scatter_rad)
+    moved = not _is_minority([*out, *apart], enough)
+    plane, (scatter_mm, scatter_rad) = _fit_plane_and_scatter([in_cam[p] for p in counting], moved)
+    return LaserLines(plane, off, out, apart, moved, scatter_mm, scatter_rad)
 
 
-def _few(far: Sequence[int], seen: Sequence[int]) -> bool:
+def _is_minority(far: Sequence[int], seen: Sequence[int]) -> bool:
     """Whether lines are so few of all that they are mistakes."""
     return len(far) <= MISTAKES_SHARE * len(seen)
 
@@ -108,7 +110,7 @@ def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) 
     return off
 
 
-def _contradicting(
+def _find_contradictions(
     in_cam: Sequence[Floats], seen: Sequence[int], plane: LaserPlane, flatness_mm: float
 ) -> tuple[Floats, tuple[int, ...], tuple[int, ...]]:
     """How far each line lies off the plane of those that agree (P,), and the lines that cannot
@@ -124,7 +126,7 @@ def _contradicting(
     for _ in range(AGREEING_ROUNDS):
         before = set(agreeing)
         through = [in_cam[p] for p in agreeing]
-        plane = _of_least_squares(through)
+        plane = _least_squares_plane(through)
         off = _offsets(in_cam, seen, plane)
         free = max(2 * len(agreeing) - 3, 1)
         square = float(np.sum((_off_plane(through, plane)[0] / USUAL_SCATTER) ** 2))
@@ -134,16 +136,18 @@ def _contradicting(
         if set(agreeing) == before:
             break
     far = tuple(p for p in seen if p not in agreeing)
-    if _few(far, seen):
+    if _is_minority(far, seen):
         return off, far, ()
-    expected = usual * _foreseen(through, [in_cam[p] for p in far], plane)
+    expected = usual * _prediction_factors(through, [in_cam[p] for p in far], plane)
     clear = np.abs(off[list(far)]) > stdtrit(free, 1 - CHANCE / 2) * expected
     last = far == tuple(seen[-len(far) :])  # the laser may still be where these have it
     left_out = 2 * len(far) < len(seen) and bool(clear.all()) and not last
     return (off, far, ()) if left_out else (off, (), far)
 
 
-def _foreseen(agreeing: Sequence[Floats], others: Sequence[Floats], plane: LaserPlane) -> Floats:
+def _prediction_factors(
+    agreeing: Sequence[Floats], others: Sequence[Floats], plane: LaserPlane
+) -> Floats:
     """(K,) how well the place of each of the other lines is foreseen by a plane through those that
     agree: its deviation as a multiple of theirs."""
     by_plane = _off_plane(agreeing, plane)[1] * (USUAL_SCATTER[0] / USUAL_SCATTER)[:, None]
@@ -152,22 +156,22 @@ def _foreseen(agreeing: Sequence[Floats], others: Sequence[Floats], plane: Laser
     return np.asarray(np.sqrt(1 + np.einsum("li,ij,lj->l", place, C, place)))
 
 
-def _points(view: BoardView, found: Bundle, pose: int) -> Floats:
+def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
     """(N, 3) where a view's line lies on the sheet, in the camera's frame."""
     camera = found.cameras[pose]
-    points = on_sheet(view.board, camera, found.coordinates, view.stripe.uv_px)
+    points = intersect_surface(view.board, camera, found.coordinates, view.stripe.uv_px)
     points = points[around_pattern(view.board, points)]
     return np.asarray(points @ camera.rotation.T + camera.translation_mm)
 
 
-def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
+def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
     """The plane that suits all lines best, each with an offset and a turn of its own, and the
     standard deviations of these (mm, rad), which the lines themselves tell.
 
     A laser that ``moved`` turned as well, by so much that its lines' ends are off like their
     middles: no direction is then trusted more than the places.
     """
-    plane = _of_least_squares(per_pose)
+    plane = _least_squares_plane(per_pose)
     scatter = USUAL_SCATTER
     half_mm = float(np.median([_half_length(points) for points in per_pose]))
     for _ in range(THROUGH_ROUNDS):
@@ -177,20 +181,20 @@ def _through(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Float
         step = -C @ np.einsum("lki,k,lk->i", by_plane, weight, off)
         left = off + by_plane @ step
         fitted = np.einsum("lki,ij,lkj->k", by_plane, C, by_plane) * weight
-        scatter = _scatter(np.sum(left**2, axis=0), len(off) - fitted)
+        scatter = _estimate_scatter(np.sum(left**2, axis=0), len(off) - fitted)
         if moved:
             scatter[1] = max(scatter[1], scatter[0] / half_mm)
         plane = plane.stepped(step)
     return plane, scatter
 
 
-def line_scatter(found: Adjusted) -> Floats:
+def line_scatter(found: AdjustmentResult) -> Floats:
     """By how much (mm, rad) whole lines were taken to lie off their plane."""
     view = next(view for view in found.problem.views if isinstance(view, BoardView))
     return np.array([view.line_off_mm, view.line_off_rad])
 
 
-def with_line_scatter(problem: Problem, scatter: Floats) -> Problem:
+def with_line_scatter(problem: AdjustmentProblem, scatter: Floats) -> AdjustmentProblem:
     """The problem with lines that lie off their plane by so much (mm, rad)."""
     off_mm, off_rad = scatter.tolist()
     views = [
@@ -201,7 +205,7 @@ def with_line_scatter(problem: Problem, scatter: Floats) -> Problem:
     return replace(problem, views=tuple(views))
 
 
-def scatter_told(found: Adjusted) -> Floats:
+def estimate_line_scatter(found: AdjustmentResult) -> Floats:
     """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
     in how the sheet bends: what each line's offset and turn left over, against what of them
     the adjustment did not determine (Foerstner)."""
@@ -216,10 +220,10 @@ def scatter_told(found: Adjusted) -> Floats:
         J = own @ rows.jacobian[kept] @ scene.by_unknowns
         square += (own @ rows.residuals[kept]) ** 2
         free += np.maximum(1 - np.einsum("ku,uw,kw->k", J, found.covariance, J), 0.0)
-    return _scatter(square * line_scatter(found) ** 2, free)
+    return _estimate_scatter(square * line_scatter(found) ** 2, free)
 
 
-def _scatter(squares: Floats, free: Floats) -> Floats:
+def _estimate_scatter(squares: Floats, free: Floats) -> Floats:
     """The standard deviation (mm, rad) of values that sum up to ``squares`` (2,), of which so many
     are ``free`` (2,).
 
@@ -253,7 +257,7 @@ def _off_plane(per_pose: Sequence[Floats], plane: LaserPlane) -> tuple[Floats, F
     return np.array(off), np.array(by_plane)
 
 
-def _of_least_squares(per_pose: Sequence[Floats]) -> LaserPlane:
+def _least_squares_plane(per_pose: Sequence[Floats]) -> LaserPlane:
     """Each picture counts alike."""
     centre = np.mean([points.mean(axis=0) for points in per_pose], axis=0)
     spread = np.sum([(p - centre).T @ (p - centre) / len(p) for p in per_pose], axis=0)
@@ -262,7 +266,7 @@ def _of_least_squares(per_pose: Sequence[Floats]) -> LaserPlane:
     return LaserPlane(normal, float(normal @ centre))
 
 
-def plane_of_most(per_pose: Sequence[Floats]) -> LaserPlane:
+def fit_majority_plane(per_pose: Sequence[Floats]) -> LaserPlane:
     """The plane of least median distance, of many drawn from three points of two pictures; each
     picture counts alike."""
     rng = np.random.default_rng(0)
@@ -295,7 +299,7 @@ def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
     flat = every - every.mean(axis=0)
     spread = np.linalg.svd(flat - np.outer(flat @ plane.normal, plane.normal), compute_uv=False)
     if spread[1] < LEAST_SPREAD * spread[0]:
-        raise Refusal(
+        raise OperationError(
             "stripe-one-line",
             "the laser's line lies at one place of its plane in all pictures",
             "one line alone does not fix the laser's plane",
@@ -308,7 +312,7 @@ def _refuse_parallel(uprights: Sequence[Floats], plane: LaserPlane) -> None:
     cosines = np.abs(np.array(uprights) @ plane.normal)
     angle = float(np.median(np.degrees(np.arccos(np.clip(cosines, 0, 1)))))
     if angle < LEAST_LASER_ANGLE_DEG:
-        raise Refusal(
+        raise OperationError(
             "laser-along-board",
             f"the laser's plane stands {angle:.1f}° to the board (limit"
             f" {LEAST_LASER_ANGLE_DEG:.0f}°)",

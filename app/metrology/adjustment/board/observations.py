@@ -7,19 +7,19 @@ from numpy.typing import NDArray
 
 from app.metrology.adjustment.board.surface import (
     around_pattern,
-    bend_of,
+    bend_slice,
     corners_at,
-    height_of,
-    surface,
+    evaluate_surface,
+    surface_height_mm,
 )
-from app.metrology.adjustment.core.robust_weights import Judgement, as_they_are, merged_points
+from app.metrology.adjustment.core.robust_weights import RobustWeights, bin_neighbours, unit_weights
 from app.metrology.calibration.observation_model import BLOCK, PLANE, Rows
 from app.metrology.chessboard.detect_board import BoardDetection
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.sensor.projection import COUNT, project_with_jacobian
 from app.metrology.stripe import Stripe, empty_stripe
-from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.transforms import Floats
 
 # Points of a line are used where they lie no further off it, across the laser's plane, than
@@ -55,7 +55,7 @@ class BoardView:
         )
 
     def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BoardView":
-        points = on_sheet(self.board, camera, coordinates, self.stripe.uv_px)
+        points = intersect_surface(self.board, camera, coordinates, self.stripe.uv_px)
         near = around_pattern(self.board, points)
         off = np.full(len(points), np.inf)
         off[near] = points[near] @ plane.normal - plane.offset_mm
@@ -65,16 +65,16 @@ class BoardView:
         return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
 
     def merged(
-        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
-    ) -> tuple["BoardView", tuple[Judgement, Judgement]]:
+        self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
+    ) -> tuple["BoardView", tuple[RobustWeights, RobustWeights]]:
         used = np.flatnonzero(self.used)
         own = self.stripe.sigma_px[used]
-        few = merged_points(rows[1].places, own, rows[1].line, judged[1])
+        few = bin_neighbours(rows[1].places, own, rows[1].line, judged[1])
         u, v = few.uv_px.T
         intensity = self.stripe.intensity[used][few.first]
         stripe = Stripe(u, v, intensity, few.sigma_px, self.stripe.axis)
         view = replace(self, stripe=stripe, used=np.ones(len(u), dtype=np.bool_))
-        return view, (judged[0], as_they_are(len(u)))
+        return view, (judged[0], unit_weights(len(u)))
 
     def stripe_px(self) -> Floats:
         return np.asarray(self.stripe.uv_px[self.used])
@@ -85,20 +85,20 @@ class BoardView:
         )
 
     def _bends(self) -> slice:
-        own = bend_of(self.board)
+        own = bend_slice(self.board)
         return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
 
     def corner_rows(self, camera: Camera, coordinates: Floats) -> Rows:
         """Observation equations of the corners: two a corner, along the axes of its covariance."""
         board, seen = self.board, self.detection
-        count = len(grid(board))
+        count = len(corner_grid(board))
         at = corners_at(board, coordinates)[seen.number]
         uv, by_camera, by_point = project_with_jacobian(camera, at)
         J = np.zeros((len(at), 2, BLOCK.start + len(coordinates)))
         J[:, :, :COUNT] = by_camera
-        bent = surface(board, coordinates, at[:, :2])
+        bent = evaluate_surface(board, coordinates, at[:, :2])
         own = by_point[:, :, :2] + by_point[:, :, 2:] * bent.slope[:, None, :]  # by x and y
-        share = (grid(board) / (np.array(board.inner_corners) - 1))[seen.number]
+        share = (corner_grid(board) / (np.array(board.inner_corners) - 1))[seen.number]
         J[:, :, BLOCK.start : BLOCK.start + 2] = own * share[:, None, :]
         bends = self._bends()
         J[:, :, bends] = by_point[:, :, 2:] * bent.by_bend[:, None, :]
@@ -124,8 +124,8 @@ class BoardView:
         At each point the sheet is taken as its tangent plane, the curve as a straight line.
         """
         uv, sigma = self.stripe.uv_px[self.used], self.stripe.sigma_px[self.used]
-        on = on_sheet(self.board, camera, coordinates, uv)
-        bent = surface(self.board, coordinates, on[:, :2])
+        on = intersect_surface(self.board, camera, coordinates, uv)
+        bent = evaluate_surface(self.board, coordinates, on[:, :2])
         upright = np.column_stack([-bent.slope, np.ones(len(on))])
         upright /= np.linalg.norm(upright, axis=1, keepdims=True)
         n = plane.normal
@@ -167,7 +167,9 @@ class BoardView:
         return np.asarray(px_per_mm[:, None] * np.column_stack(ways))
 
 
-def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats) -> Floats:
+def intersect_surface(
+    board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats
+) -> Floats:
     """Where the rays of pixels (N, 2) meet the bent sheet: (N, 3) in the board's frame."""
     origin, along = rays(camera, uv_px)
     height = np.zeros(len(uv_px))
@@ -175,5 +177,5 @@ def on_sheet(board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floa
     for _ in range(BENT_ROUNDS):
         points = origin + ((height - origin[2]) / along[:, 2])[:, None] * along
         near = np.clip(points[:, :2], -board.size_mm, 2 * board.size_mm)
-        height = height_of(board, coordinates, near)
+        height = surface_height_mm(board, coordinates, near)
     return np.asarray(points)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.metrology.adjustment.block.predicted_view import STRIPE_STEP_PX, Seeing, inside
+from app.metrology.adjustment.block.predicted_view import STRIPE_STEP_PX, ObservationNoise, inside
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.chessboard.detect_board import BoardDetection
 from app.metrology.sensor.camera import Camera, project
@@ -20,15 +20,15 @@ BORDER_PX = 4.0
 PLACES = 400
 
 
-def whole_in_view(camera: Camera, board: Chessboard) -> bool:
+def is_fully_visible(camera: Camera, board: Chessboard) -> bool:
     """Whether the whole pattern lies in the picture, seen from its printed side."""
     uv = project(camera, board_lines(board).reshape(-1, 3))
     in_front = float(camera.centre_mm[2]) > 0
     return in_front and bool(inside(camera, uv, BORDER_PX).all())
 
 
-def expected_board_view(
-    camera: Camera, plane: LaserPlane, like: BoardView, seeing: Seeing
+def predict_board_view(
+    camera: Camera, plane: LaserPlane, like: BoardView, seeing: ObservationNoise
 ) -> BoardView:
     """Corners and the laser's line as a camera would measure them.
 
@@ -40,7 +40,7 @@ def expected_board_view(
     uv = project(camera, corner_points(board))
     number = np.flatnonzero(inside(camera, uv, BORDER_PX))
     covariance = np.tile(seeing.corner_px**2 * np.eye(2), (len(number), 1, 1))
-    line = _line(camera, plane, board, seeing)
+    line = _predict_line(camera, plane, board, seeing)
     sigma = np.full(len(line), seeing.stripe_px * seeing.share)
     return replace(
         like,
@@ -50,7 +50,9 @@ def expected_board_view(
     )
 
 
-def _line(camera: Camera, plane: LaserPlane, board: Chessboard, seeing: Seeing) -> Floats:
+def _predict_line(
+    camera: Camera, plane: LaserPlane, board: Chessboard, seeing: ObservationNoise
+) -> Floats:
     """(N, 2) pixels in which the laser's plane meets the pattern."""
     n = plane.normal
     side = int(np.argmax(np.abs(n[:2])))  # solved for the coordinate that the plane cuts steeply

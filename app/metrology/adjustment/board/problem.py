@@ -4,44 +4,48 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.adjustment.board.bundle import Bundle, bundle, unplaced
+from app.errors import OperationError
+from app.metrology.adjustment.board.bundle import Bundle, adjust_bundle, with_identity_pose
 from app.metrology.adjustment.board.initial_guess import (
-    SeenBoard,
+    BoardObservation,
     board_camera,
-    numbered,
+    number_corners,
     refuse_other_size,
 )
-from app.metrology.adjustment.board.laser_lines import Lines, lines_of
+from app.metrology.adjustment.board.laser_lines import LaserLines, fit_laser_lines
 from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.adjustment.board.surface import bend_of, board_papers, shapes
+from app.metrology.adjustment.board.surface import bend_modes, bend_slice, board_prior
 from app.metrology.adjustment.core.arm_errors import FlangeMotion
-from app.metrology.adjustment.core.arm_readings import motion_of, plane_touches
+from app.metrology.adjustment.core.arm_readings import flange_motion, plane_contacts
 from app.metrology.adjustment.core.hand_eye import (
     Mounting,
     mounting_by_motion,
     refuse_alike,
     refuse_contradictions,
 )
-from app.metrology.adjustment.core.observations import NotSeen, Problem, Touches
-from app.metrology.adjustment.core.parameters import State
+from app.metrology.adjustment.core.observations import (
+    AdjustmentProblem,
+    ContactObservations,
+    FailedPose,
+)
+from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.robot_noise import (
-    PosesSeen,
+    PosePairs,
     RobotNoise,
-    astray,
-    robot_noise,
+    estimate_robot_noise,
+    find_robot_outlier,
     with_noise,
 )
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.limits import LIMITS, Limits
-from app.metrology.targets.chessboard import Chessboard, middle_of
+from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
 # The one feature that is touched: the plane of the sheet.
 FEATURE = "board"
 # Contacts may lie so far off the board of the pictures before these have been adjusted, and
 # single ones so far off the others.
-CONTACTS_OFF_MM, CONTACT_STRAY_MM = 3.0, 1.0
+CONTACTS_OFF_MM, CONTACT_OUTLIER_MM = 3.0, 1.0
 
 
 @dataclass(frozen=True)
@@ -54,11 +58,11 @@ class BoardInputs:
 
     arm: Arm | RobotArm
     board: Chessboard
-    seen: tuple[SeenBoard, ...]
+    seen: tuple[BoardObservation, ...]
     readings: Floats
     size_px: tuple[int, int]
     contact_readings: Floats | None = None
-    unseen: tuple[NotSeen, ...] = ()
+    unseen: tuple[FailedPose, ...] = ()
     limits: Limits = LIMITS
 
 
@@ -70,8 +74,8 @@ class BoardStart:
     ``apart`` the same of those that contradict but count; where these are too many to be
     mistakes the laser ``moved``."""
 
-    problem: Problem
-    state: State
+    problem: AdjustmentProblem
+    state: AdjustmentState
     mounting: Mounting
     lines_out: dict[int, float]
     apart: dict[int, float]
@@ -85,29 +89,29 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
         Refusal: the poses, the pictures or the lines do not tell enough, or contradict.
     """
     board, arm = inputs.board, inputs.arm
-    moves = motion_of(arm, inputs.readings)
+    moves = flange_motion(arm, inputs.readings)
     numbers = tuple(pose.number for pose in inputs.seen)
-    views, found = _bundled(inputs, moves)
+    views, found = _bundle_views(inputs, moves)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_other_size(mounting, board)
     refuse_contradictions(mounting, numbers, "board")
-    lines = lines_of(views, found, numbers)
+    lines = fit_laser_lines(views, found, numbers)
     noise = None
     if isinstance(arm, RobotArm):
         mounting, noise = _robot_noise(found, mounting, board)
-        moves = with_noise(moves, noise, mounting.T_arm_obj, middle_of(board))
-    papers = replace(board_papers(board), sd=found.sheet.sd)
-    problem = Problem(
+        moves = with_noise(moves, noise, mounting.T_arm_obj, pattern_centre(board))
+    papers = replace(board_prior(board), sd=found.sheet.sd)
+    problem = AdjustmentProblem(
         numbers,
         tuple(_with_line(view, found, p, lines) for p, view in enumerate(views)),
         moves,
-        _touches(inputs, mounting.T_arm_obj, len(papers.names), noise),
+        _contact_observations(inputs, mounting.T_arm_obj, len(papers.names), noise),
         papers,
         *inputs.size_px,
     ).without_poses(mounting.contradicts)
-    state = State(
-        unplaced(found.cameras[0]),
+    state = AdjustmentState(
+        with_identity_pose(found.cameras[0]),
         lines.plane,
         mounting.T_flange_cam,
         mounting.T_arm_obj,
@@ -120,15 +124,15 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     return BoardStart(problem, state, mounting, lines_out, apart, lines.moved)
 
 
-def _bundled(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:
+def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:
     """The corners of all pictures adjusted by themselves."""
     board = inputs.board
     refuse_alike(moves.T_arm_flange)
     camera, _ = board_camera(inputs.seen, board, inputs.size_px)
-    seen = numbered(inputs.seen, board, camera, moves.T_arm_flange)
+    seen = number_corners(inputs.seen, board, camera, moves.T_arm_flange)
     camera, T_cam_obj = board_camera(seen, board, inputs.size_px)
     views = [_view(pose, board) for pose in seen]
-    found = bundle(
+    found = adjust_bundle(
         views,
         [replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3]) for T in T_cam_obj],
     )
@@ -141,21 +145,23 @@ def _robot_noise(
 ) -> tuple[Mounting, RobotNoise]:
     """A robot's noise, told by the poses that do not contradict; those astray do not either."""
     start = mounting.T_flange_cam, mounting.T_arm_obj
-    every = PosesSeen(mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, middle_of(board))
+    every = PosePairs(
+        mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, pattern_centre(board)
+    )
     while True:
         agree = np.flatnonzero(~mounting.contradicts)
         seen = every.only(agree)
-        stray = astray(seen, *start)
+        stray = find_robot_outlier(seen, *start)
         if stray is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
-            return mounting, robot_noise(seen, *start)
+            return mounting, estimate_robot_noise(seen, *start)
         contradicts = mounting.contradicts.copy()
         contradicts[agree[stray]] = True
         mounting = replace(mounting, contradicts=contradicts)
 
 
-def _touches(
+def _contact_observations(
     inputs: BoardInputs, T_arm_obj: Floats, coordinates: int, noise: RobotNoise | None
-) -> Touches | None:
+) -> ContactObservations | None:
     """Contacts on the bent sheet, where the pictures put it.
 
     Args:
@@ -166,29 +172,29 @@ def _touches(
     """
     if inputs.contact_readings is None or not len(inputs.contact_readings):
         return None
-    touches = plane_touches(inputs.arm, FEATURE, inputs.contact_readings, coordinates, noise)
+    touches = plane_contacts(inputs.arm, FEATURE, inputs.contact_readings, coordinates, noise)
     in_obj = apply(inverse(T_arm_obj), touches.tips_mm)
     off_mm = in_obj[:, 2] - touches.radius_mm
     usual = float(np.median(off_mm))
     if abs(usual) > CONTACTS_OFF_MM:
-        raise Refusal(
+        raise OperationError(
             "contacts-off-board",
             f"the {len(touches)} contacts lie {usual:+.1f} mm off the board that the pictures show",
             f"the limit is {CONTACTS_OFF_MM:g} mm",
             "check square_mm, the tip in arm.json, and that the board was not moved",
         )
     by_bend = np.zeros((len(touches), coordinates))
-    by_bend[:, bend_of(inputs.board)] = shapes(inputs.board).by_strength(in_obj[:, :2])
-    kept = np.abs(off_mm - usual) < CONTACT_STRAY_MM
+    by_bend[:, bend_slice(inputs.board)] = bend_modes(inputs.board).by_strength(in_obj[:, :2])
+    kept = np.abs(off_mm - usual) < CONTACT_OUTLIER_MM
     return replace(touches, offset_by_coordinates=by_bend, kept=kept)
 
 
-def _view(pose: SeenBoard, board: Chessboard) -> BoardView:
+def _view(pose: BoardObservation, board: Chessboard) -> BoardView:
     none = np.zeros(len(pose.stripe.u), dtype=np.bool_)
     return BoardView(board, pose.detection, pose.stripe, none)
 
 
-def _with_line(view: BoardView, found: Bundle, pose: int, lines: Lines) -> BoardView:
+def _with_line(view: BoardView, found: Bundle, pose: int, lines: LaserLines) -> BoardView:
     """With the line's points judged by their plane, or without a line that is left out."""
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.left_out:

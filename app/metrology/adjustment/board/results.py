@@ -6,20 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.board.initial_guess import SeenBoard
+from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.surface import corners_at
-from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.parameters import pose_scene
 from app.metrology.adjustment.results.poses import (
     PoseResult,
-    off_um,
+    pose_offset_um,
     rms,
-    stripe_off,
-    worst_in_pictures,
+    stripe_residuals,
+    worst_image_points,
 )
-from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstResidual
 from app.metrology.sensor.camera import project
-from app.metrology.targets.chessboard import Chessboard, grid
+from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.transforms import Floats
 
 
@@ -37,7 +37,7 @@ class BoardContacts:
 
 
 def board_pose_results(
-    found: Adjusted, seen: Sequence[SeenBoard], board: Chessboard
+    found: AdjustmentResult, seen: Sequence[BoardObservation], board: Chessboard
 ) -> list[PoseResult]:
     """Of the poses that were used."""
     by_number = {pose.number: pose for pose in seen}
@@ -54,40 +54,42 @@ def board_pose_results(
                 int(kept_corners.sum()) // 2,
                 rms(stripe.residuals[kept_stripe]),
                 int(kept_stripe.sum()),
-                off_um(found, p),
-                _corners(found, p, by_number[number], board),
-                _measured(by_number[number], board),
-                stripe_off(stripe, kept_stripe),
+                pose_offset_um(found, p),
+                _corner_residuals(found, p, by_number[number], board),
+                _corner_positions(by_number[number], board),
+                stripe_residuals(stripe, kept_stripe),
             )
         )
     return results
 
 
-def _corners(
-    found: Adjusted, pose: int, seen: SeenBoard, board: Chessboard
+def _corner_residuals(
+    found: AdjustmentResult, pose: int, seen: BoardObservation, board: Chessboard
 ) -> tuple[tuple[str, float, float], ...]:
     """Measured less projected, by column and row on the board."""
     scene = pose_scene(found.state, found.problem, found.layout, pose)
     at = corners_at(board, found.state.coordinates)[seen.detection.number]
     off = seen.detection.uv_px - project(scene.camera, at)
-    return _named(seen, board, off)
+    return _label_corners(seen, board, off)
 
 
-def _measured(seen: SeenBoard, board: Chessboard) -> tuple[tuple[str, float, float], ...]:
-    return _named(seen, board, seen.detection.uv_px)
-
-
-def _named(
-    seen: SeenBoard, board: Chessboard, values: Floats
+def _corner_positions(
+    seen: BoardObservation, board: Chessboard
 ) -> tuple[tuple[str, float, float], ...]:
-    places = grid(board)[seen.detection.number]
+    return _label_corners(seen, board, seen.detection.uv_px)
+
+
+def _label_corners(
+    seen: BoardObservation, board: Chessboard, values: Floats
+) -> tuple[tuple[str, float, float], ...]:
+    places = corner_grid(board)[seen.detection.number]
     return tuple(
         (f"corner {column},{row}", float(u), float(v))
         for (column, row), (u, v) in zip(places.tolist(), values, strict=True)
     )
 
 
-def board_contacts(found: Adjusted) -> BoardContacts | None:
+def board_contacts(found: AdjustmentResult) -> BoardContacts | None:
     """Of a session in which the board was touched."""
     rows, touches = found.linear.contact_rows, found.problem.touches
     if rows is None or touches is None:
@@ -95,16 +97,16 @@ def board_contacts(found: Adjusted) -> BoardContacts | None:
     return BoardContacts(1e3 * rows.residuals_mm, ~touches.kept)
 
 
-def board_worst(
-    found: Adjusted, poses: Sequence[PoseResult], contacts: BoardContacts | None
-) -> tuple[WorstPoint, ...]:
+def board_worst_points(
+    found: AdjustmentResult, poses: Sequence[PoseResult], contacts: BoardContacts | None
+) -> tuple[WorstResidual, ...]:
     """The few worst contacts, corners and points of the laser's line over all poses."""
-    worst: list[WorstPoint] = []
+    worst: list[WorstResidual] = []
     if contacts is not None:
         off_um = np.abs(contacts.residuals_um)
         worst += [
-            WorstPoint("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
+            WorstResidual("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
             for i in np.argsort(-off_um)[:WORST_OF_A_KIND]
         ]
-    worst += worst_in_pictures(found, poses)
+    worst += worst_image_points(found, poses)
     return tuple(worst)

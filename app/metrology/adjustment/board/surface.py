@@ -16,8 +16,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.observations import Papers
-from app.metrology.targets.chessboard import Chessboard, corner_points, grid
+from app.metrology.adjustment.core.observations import TargetPrior
+from app.metrology.targets.chessboard import Chessboard, corner_grid, corner_points
 from app.metrology.transforms import Floats
 
 EXTENT = slice(0, 2)
@@ -27,13 +27,13 @@ LEAST_MM = 1e-6
 AROUND_SQUARES = 4.0
 SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
 # Shapes are kept until they make up this share of the variance.
-KEPT_SHARE = 0.995
+VARIANCE_SHARE = 0.995
 # Dents from corner to corner are as deep as this share of the smooth bend.
 DENTS_SHARE = 0.25
 
 
 @dataclass(frozen=True)
-class Shapes:
+class BendModes:
     """K smooth shapes: ``exp(-d^2 / 2 l^2)`` about the nodes of a grid, X within Y, summed by
     ``weights`` (M, K), less a plane (3, K) over 1, x and y."""
 
@@ -73,7 +73,7 @@ class Shapes:
 
 
 @dataclass(frozen=True)
-class Surface:
+class SurfacePoints:
     """The sheet at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
     follow the strengths of the shapes (N, K)."""
 
@@ -83,7 +83,7 @@ class Surface:
 
 
 @lru_cache(maxsize=8)
-def shapes(board: Chessboard) -> Shapes:
+def bend_modes(board: Chessboard) -> BendModes:
     """In what shapes the sheet of a board may bend, each of variance 1 at its strongest."""
     length = SMOOTH_SHARE * board.size_mm
     margin = AROUND_SQUARES * board.square_mm
@@ -94,30 +94,30 @@ def shapes(board: Chessboard) -> Shapes:
     apart = np.sum((nodes[:, None] - nodes) ** 2, axis=2) / length**2
     variances, principal = np.linalg.eigh(np.exp(-0.5 * apart))
     variances, principal = variances[::-1], principal[:, ::-1]
-    count = int(np.searchsorted(np.cumsum(variances), KEPT_SHARE * variances.sum())) + 1
+    count = int(np.searchsorted(np.cumsum(variances), VARIANCE_SHARE * variances.sum())) + 1
     weights = np.asarray(principal[:, :count] / np.sqrt(variances[:count]), np.float64)
-    plain = Shapes(x, y, length, weights, np.zeros((3, count)))
+    plain = BendModes(x, y, length, weights, np.zeros((3, count)))
     corners = corner_points(board)[:, :2]
     terms = np.column_stack([np.ones(len(corners)), corners])
     planes = np.asarray(np.linalg.pinv(terms) @ plain.by_strength(corners), np.float64)
-    return Shapes(x, y, length, weights, planes)
+    return BendModes(x, y, length, weights, planes)
 
 
-def bend_of(board: Chessboard) -> slice:
+def bend_slice(board: Chessboard) -> slice:
     """Where the strengths of the shapes stand among the coordinates."""
-    return slice(EXTENT.stop, EXTENT.stop + shapes(board).weights.shape[1])
+    return slice(EXTENT.stop, EXTENT.stop + bend_modes(board).weights.shape[1])
 
 
-def groups_of(board: Chessboard) -> tuple[slice, slice, slice]:
+def coordinate_groups(board: Chessboard) -> tuple[slice, slice, slice]:
     """Where the bend, the misprints and the dents stand: each group is of one deviation."""
-    count, bend = len(grid(board)), bend_of(board)
+    count, bend = len(corner_grid(board)), bend_slice(board)
     prints = slice(bend.stop, bend.stop + 2 * count)
     return bend, prints, slice(prints.stop, prints.stop + count)
 
 
-def board_papers(board: Chessboard) -> Papers:
+def board_prior(board: Chessboard) -> TargetPrior:
     """The certificate: extents and corners to its standard uncertainty, flat to its flatness."""
-    count, bend = len(grid(board)), bend_of(board)
+    count, bend = len(corner_grid(board)), bend_slice(board)
     names = ("extent_x", "extent_y", *(f"bend:{k}" for k in range(bend.stop - bend.start)))
     names += tuple(f"print_x:{k}" for k in range(count))
     names += tuple(f"print_y:{k}" for k in range(count))
@@ -127,27 +127,27 @@ def board_papers(board: Chessboard) -> Papers:
     sd = np.full(len(names), max(board.standard_uncertainty_mm, LEAST_MM))
     sd[bend] = max(board.flatness_mm, LEAST_MM)
     sd[-count:] = max(DENTS_SHARE * board.flatness_mm, LEAST_MM)
-    return Papers(names, values, sd)
+    return TargetPrior(names, values, sd)
 
 
-def surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Surface:
+def evaluate_surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> SurfacePoints:
     """The bent sheet at places (N, 2) of the board's frame."""
-    own = shapes(board)
-    height, slope = own.summed(coordinates[bend_of(board)], xy_mm)
-    return Surface(height, slope, own.by_strength(xy_mm))
+    own = bend_modes(board)
+    height, slope = own.summed(coordinates[bend_slice(board)], xy_mm)
+    return SurfacePoints(height, slope, own.by_strength(xy_mm))
 
 
-def height_of(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
+def surface_height_mm(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
     """Heights (N,) of the bent sheet at places (N, 2) of the board's frame."""
-    return shapes(board).summed(coordinates[bend_of(board)], xy_mm)[0]
+    return bend_modes(board).summed(coordinates[bend_slice(board)], xy_mm)[0]
 
 
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
     """(N, 3) where every corner truly is, in the board's frame."""
-    share = grid(board) / (np.array(board.inner_corners) - 1)
-    print_x, print_y, dent = coordinates[bend_of(board).stop :].reshape(3, len(share))
+    share = corner_grid(board) / (np.array(board.inner_corners) - 1)
+    print_x, print_y, dent = coordinates[bend_slice(board).stop :].reshape(3, len(share))
     xy = share * coordinates[EXTENT] + np.column_stack([print_x, print_y])
-    return np.column_stack([xy, height_of(board, coordinates, xy) + dent])
+    return np.column_stack([xy, surface_height_mm(board, coordinates, xy) + dent])
 
 
 def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.adjustment.core.se3 import carried
+from app.metrology.adjustment.core.se3 import adjoint
 from app.metrology.arm.kinematics import Arm, link_transforms
 from app.metrology.transforms import Floats
 
@@ -42,7 +42,7 @@ class FlangeMotion:
 def arm_motion(arm: Arm, q_rad: Floats) -> FlangeMotion:
     """The motion of a jointed arm at encoder angles (P, n)."""
     q = np.asarray(q_rad, dtype=np.float64)
-    T, by_links, by_encoders = _by_errors(arm, q)
+    T, by_links, by_encoders = _error_jacobians(arm, q)
     return FlangeMotion(
         T,
         by_links,
@@ -57,12 +57,12 @@ def robot_motion(T_arm_flange: Floats) -> FlangeMotion:
     Noise is counted in mm; turns are about the flange's origin, a lever's length apart.
     """
     own = np.diag(np.repeat([1 / LEVER_MM, 1.0], 3))
-    by_noise = np.array([carried(T) @ own for T in T_arm_flange]).reshape(-1, 6, 6)
+    by_noise = np.array([adjoint(T) @ own for T in T_arm_flange]).reshape(-1, 6, 6)
     unseen = np.zeros((len(T_arm_flange), 6, 0))
     return FlangeMotion(T_arm_flange, unseen, by_noise, np.ones(6), USUAL_ROBOT_MM, LEAST_ROBOT_MM)
 
 
-def _by_errors(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
+def _error_jacobians(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
     """Flange poses (P, 4, 4), and left twists by 6n link errors and by n encoders."""
     links = link_transforms(arm, q)
     n, count = arm.joint_count, len(q)
@@ -71,10 +71,10 @@ def _by_errors(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
     for i, joint in enumerate(arm.joints):
         axis = np.array([0.0, 0.0, joint.sign, 0.0, 0.0, 0.0])
         for p in range(count):
-            by_encoders[p, :, i] = carried(T[p]) @ axis
+            by_encoders[p, :, i] = adjoint(T[p]) @ axis
         T = T @ links[i]
         for p in range(count):
-            by_links[p, :, 6 * i : 6 * i + 6] = carried(T[p])
+            by_links[p, :, 6 * i : 6 * i + 6] = adjoint(T[p])
     return np.asarray(T), by_links, by_encoders
 
 

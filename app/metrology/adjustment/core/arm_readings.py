@@ -6,20 +6,20 @@ of a ``RobotArm``.
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.adjustment.core.arm_errors import (
     FlangeMotion,
     arm_motion,
     robot_motion,
     tip_shift,
 )
-from app.metrology.adjustment.core.observations import Touches
+from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.core.robot_noise import RobotNoise, with_flange_noise
 from app.metrology.arm.kinematics import Arm, RobotArm, tip_covariances
 from app.metrology.transforms import Floats
 
 
-def motion_of(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
+def flange_motion(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
     """The flange's poses, and how small errors move it.
 
     Raises:
@@ -27,24 +27,26 @@ def motion_of(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
     """
     wanted = (arm.joint_count,) if isinstance(arm, Arm) else (4, 4)
     if readings.shape[1:] != wanted:
-        raise Refusal(
+        raise OperationError(
             "joint-count",
             f"readings of shape {readings.shape[1:]} for the arm {arm.name}",
             f"{wanted} is expected",
             "check that the session was taken with this arm",
         )
     if not np.isfinite(readings).all():
-        raise Refusal("angles-not-finite", f"a reading of the arm {arm.name} is not a number")
+        raise OperationError(
+            "angles-not-finite", f"a reading of the arm {arm.name} is not a number"
+        )
     return arm_motion(arm, readings) if isinstance(arm, Arm) else robot_motion(readings)
 
 
-def plane_touches(
+def plane_contacts(
     arm: Arm | RobotArm,
     feature: str,
     readings: Floats,
     coordinates: int,
     noise: RobotNoise | None = None,
-) -> Touches:
+) -> ContactObservations:
     """Contacts (N) on a plane z = 0 of the object, which has so many coordinates.
 
     Args:
@@ -54,13 +56,13 @@ def plane_touches(
         Refusal: the arm has no tip.
     """
     if arm.tip is None:
-        raise Refusal(
+        raise OperationError(
             "tip-missing",
             f"{len(readings)} contacts, and the arm {arm.name} has no tip",
             "contacts are of a tip's sphere",
             "give the tip in arm.json, or leave out probing.csv",
         )
-    moves = motion_of(arm, readings)
+    moves = flange_motion(arm, readings)
     if noise is not None:
         moves = with_flange_noise(moves, noise)
     T, count = moves.T_arm_flange, len(readings)
@@ -71,7 +73,7 @@ def plane_touches(
         if isinstance(arm, Arm)
         else by_noise @ by_noise.transpose(0, 2, 1)
     )
-    return Touches(
+    return ContactObservations(
         (feature,) * count,
         np.tile([0.0, 0.0, 1.0], (count, 1)),
         np.zeros((count, coordinates)),

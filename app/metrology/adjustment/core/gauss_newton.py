@@ -6,19 +6,30 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
-from app.metrology.adjustment.core.linearise import Judgements, Linear, Normal, linearise, normal
-from app.metrology.adjustment.core.link_error_prior import by_link_sizes
-from app.metrology.adjustment.core.observations import Problem
-from app.metrology.adjustment.core.parameters import LENS, Layout, State, layout_of
-from app.metrology.adjustment.core.robust_weights import judged
+from app.errors import OperationError
+from app.metrology.adjustment.core.linearise import (
+    Linearisation,
+    NormalEquations,
+    PoseWeights,
+    assemble_normal_equations,
+    linearise,
+)
+from app.metrology.adjustment.core.link_error_prior import estimate_link_size_covariance
+from app.metrology.adjustment.core.observations import AdjustmentProblem
+from app.metrology.adjustment.core.parameters import (
+    LENS,
+    AdjustmentState,
+    ParameterLayout,
+    parameter_layout,
+)
+from app.metrology.adjustment.core.robust_weights import robust_weights
 from app.metrology.adjustment.core.variance_components import (
     Scales,
-    links_told,
-    settled,
-    told_by,
-    touch_told,
-    usual_scales,
+    default_scales,
+    estimate_contact_sd,
+    estimate_link_errors,
+    estimate_noise_factor,
+    iterate_scales,
 )
 from app.metrology.transforms import Floats
 
@@ -26,17 +37,17 @@ from app.metrology.transforms import Floats
 # those that lenses seldom need, which are tried first.
 LENS_TERMS = (((2, 3), 5.0), ((1,), 3.0), ((0,), 2.0))
 # Points are judged anew after the adjustment, so often at most.
-MOST_JUDGEMENTS = 4
+MOST_REWEIGHTINGS = 4
 # Judgements are alike where so few points changed sides, and weights by so little.
-KEPT_ALIKE, WEIGHED_ALIKE = 0.003, 0.05
+SAME_POINTS, SAME_WEIGHTS = 0.003, 0.05
 # Scales are told in the first rounds only, so that the rest converge.
 ROUNDS_OF_SCALES = 4
 MOST_ROUNDS = 30
-SETTLED = 1e-3  # a step this small against every standard deviation
+CONVERGED = 1e-3  # a step this small against every standard deviation
 
 
 @dataclass(frozen=True)
-class Adjusted:
+class AdjustmentResult:
     """The most likely state, its covariance (U, U) for the scales told, and how well all agrees
     with it.
 
@@ -45,25 +56,25 @@ class Adjusted:
     ``scales_told`` is whether the data told the scales; they were known before otherwise.
     """
 
-    linear: Linear
+    linear: Linearisation
     scales: Scales
     free: NDArray[np.bool_]
     covariance: Floats
     parts: dict[str, Floats]
-    judgements: Judgements
+    judgements: PoseWeights
     rounds: int
     scales_told: bool
 
     @property
-    def problem(self) -> Problem:
+    def problem(self) -> AdjustmentProblem:
         return self.linear.problem
 
     @property
-    def state(self) -> State:
+    def state(self) -> AdjustmentState:
         return self.linear.state
 
     @property
-    def layout(self) -> Layout:
+    def layout(self) -> ParameterLayout:
         return self.linear.at
 
     @cached_property
@@ -71,7 +82,9 @@ class Adjusted:
         """(U, U) what comes beside of not knowing how large the links' errors are."""
         if not (self.scales_told and len(self.state.links)):
             return np.zeros_like(self.covariance)
-        return by_link_sizes(normal(self.linear, self.judgements), self.scales, self.free)
+        return estimate_link_size_covariance(
+            assemble_normal_equations(self.linear, self.judgements), self.scales, self.free
+        )
 
     @property
     def uncertainty(self) -> Floats:
@@ -79,7 +92,9 @@ class Adjusted:
         return np.asarray(self.covariance + self.by_link_sizes)
 
 
-def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjusted:
+def solve_adjustment(
+    problem: AdjustmentProblem, start: AdjustmentState, known: Scales | None = None
+) -> AdjustmentResult:
     """The most likely state for all that was seen, touched and certified.
 
     Lens terms that do not exceed their deviation clearly are held at zero, one group
@@ -89,45 +104,47 @@ def adjust(problem: Problem, start: State, known: Scales | None = None) -> Adjus
     Raises:
         Refusal: fewer observations than unknowns, or no minimum found.
     """
-    at = layout_of(problem)
+    at = parameter_layout(problem)
     free = np.ones(at.count, dtype=np.bool_)
-    scales = known or usual_scales(problem.motion.usual_factor)
+    scales = known or default_scales(problem.motion.usual_factor)
     rounds = 0 if known else ROUNDS_OF_SCALES
     linear = linearise(problem, at, start)
-    judgements = _judged(linear)
-    for _ in range(MOST_JUDGEMENTS):
-        found = _settled(*_merged(linear, judgements), scales, free, rounds)
-        found = _lens_chosen(found, rounds)
+    judgements = _weigh_observations(linear)
+    for _ in range(MOST_REWEIGHTINGS):
+        found = _iterate(*_bin_views(linear, judgements), scales, free, rounds)
+        found = _drop_lens_terms(found, rounds)
         scales, free = found.scales, found.free
         # With every point, not the few that were made of them.
         linear = linearise(problem, at, found.state)
-        again = _judged(linear)
+        again = _weigh_observations(linear)
         if _alike(again, judgements):
             break
         judgements = again
     return replace(found, linear=linear, judgements=judgements)
 
 
-def _judged(linear: Linear) -> Judgements:
-    judgements = tuple((judged(shape), judged(stripe)) for shape, stripe in linear.rows)
+def _weigh_observations(linear: Linearisation) -> PoseWeights:
+    judgements = tuple(
+        (robust_weights(shape), robust_weights(stripe)) for shape, stripe in linear.rows
+    )
     _require_enough(judgements, linear.problem)
     return judgements
 
 
-def _alike(a: Judgements, b: Judgements) -> bool:
+def _alike(a: PoseWeights, b: PoseWeights) -> bool:
     """Whether nearly the same points count, for nearly as much."""
     for ours, theirs in zip(a, b, strict=True):
         for one, other in zip(ours, theirs, strict=True):
             if not len(one.kept):
                 continue
-            if np.mean(one.kept != other.kept) > KEPT_ALIKE:
+            if np.mean(one.kept != other.kept) > SAME_POINTS:
                 return False
-            if np.mean(np.abs(np.log(one.inflation / other.inflation))) > WEIGHED_ALIKE:
+            if np.mean(np.abs(np.log(one.inflation / other.inflation))) > SAME_WEIGHTS:
                 return False
     return True
 
 
-def _lens_chosen(found: Adjusted, rounds_of_scales: int) -> Adjusted:
+def _drop_lens_terms(found: AdjustmentResult, rounds_of_scales: int) -> AdjustmentResult:
     """Adjusted again without the lens terms that are not significant.
 
     Each is judged with those before it held at zero, which is linear in so small values.
@@ -149,17 +166,17 @@ def _lens_chosen(found: Adjusted, rounds_of_scales: int) -> Adjusted:
     if np.array_equal(free, found.free):
         return found
     linear = linearise(found.problem, found.layout, _without_lens(state, free))
-    return _settled(linear, found.judgements, found.scales, free, rounds_of_scales)
+    return _iterate(linear, found.judgements, found.scales, free, rounds_of_scales)
 
 
-def _without_lens(state: State, free: NDArray[np.bool_]) -> State:
+def _without_lens(state: AdjustmentState, free: NDArray[np.bool_]) -> AdjustmentState:
     """With exactly zero for the lens terms that are held."""
     distortion = state.camera.distortion.copy()
     distortion[:4][~free[LENS]] = 0.0
     return replace(state, camera=replace(state.camera, distortion=distortion))
 
 
-def _merged(linear: Linear, judgements: Judgements) -> tuple[Linear, Judgements]:
+def _bin_views(linear: Linearisation, judgements: PoseWeights) -> tuple[Linearisation, PoseWeights]:
     """The same with neighbouring points put together, for the rounds of the adjustment."""
     problem = linear.problem
     few = [
@@ -171,38 +188,40 @@ def _merged(linear: Linear, judgements: Judgements) -> tuple[Linear, Judgements]
 
 
 @np.errstate(over="ignore", invalid="ignore")
-def _settled(
-    linear: Linear,
-    judgements: Judgements,
+def _iterate(
+    linear: Linearisation,
+    judgements: PoseWeights,
     scales: Scales,
     free: NDArray[np.bool_],
     rounds_of_scales: int,
-) -> Adjusted:
+) -> AdjustmentResult:
     """Gauss-Newton with points and weights as they were judged, the scales told on the way.
 
     Where it runs away, it is refused, so that numbers too large need no word of their own.
     """
     at = linear.at
     for turn in range(MOST_ROUNDS):
-        equations = normal(linear, judgements)
+        equations = assemble_normal_equations(linear, judgements)
         if turn < rounds_of_scales:
-            scales = settled(scales, partial(_told, equations, free))
+            scales = iterate_scales(scales, partial(_update_scales, equations, free))
         parts, g = equations.with_scales(scales)
-        covariance = embedded(np.sum(list(parts.values()), axis=0), free)
+        covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
         step = -covariance @ g
         if not (np.isfinite(step).all() and (np.diag(covariance)[free] > 0).all()):
             break
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
-        if largest < SETTLED and turn > 0:
+        if largest < CONVERGED and turn > 0:
             told = rounds_of_scales > 0
-            return Adjusted(linear, scales, free, covariance, parts, judgements, turn + 1, told)
+            return AdjustmentResult(
+                linear, scales, free, covariance, parts, judgements, turn + 1, told
+            )
         linear = linearise(linear.problem, at, linear.state.moved(step, at))
-    raise unsettled()
+    raise no_convergence_error()
 
 
-def unsettled() -> Refusal:
+def no_convergence_error() -> OperationError:
     """The refusal where no minimum is found, or one that says nothing."""
-    return Refusal(
+    return OperationError(
         "adjustment-failed",
         "the calibration's unknowns did not settle on what was seen and touched",
         "the pictures, the contacts and the certificate contradict each other",
@@ -211,11 +230,11 @@ def unsettled() -> Refusal:
     )
 
 
-def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:
+def _update_scales(equations: NormalEquations, free: NDArray[np.bool_], scales: Scales) -> Scales:
     """The scales that the residuals after this round's step speak for."""
     linear, at = equations.linear, equations.linear.at
     parts, g = equations.with_scales(scales)
-    covariance = embedded(np.sum(list(parts.values()), axis=0), free)
+    covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
     step = -covariance @ g
     own = np.diag(covariance)
     moves = linear.problem.motion
@@ -225,25 +244,25 @@ def _told(equations: Normal, free: NDArray[np.bool_], scales: Scales) -> Scales:
     contacts = linear.contacts
     if contacts is not None:
         J = contacts.jacobian
-        touch = touch_told(
+        touch = estimate_contact_sd(
             contacts.residuals_mm + J @ step,
             scales.noise**2 * contacts.noise_mm2,
             np.einsum("nu,nu->n", J @ covariance, J),
             scales,
         )
-    factor = told_by(noise, own[at.noise] / sd**2, scales.noise, moves.usual_factor)
+    factor = estimate_noise_factor(noise, own[at.noise] / sd**2, scales.noise, moves.usual_factor)
     return Scales(
-        *links_told(linear.state.links + step[at.links], own[at.links], scales),
+        *estimate_link_errors(linear.state.links + step[at.links], own[at.links], scales),
         max(factor, moves.least_factor),
         touch,
     )
 
 
-def _require_enough(judgements: Judgements, problem: Problem) -> None:
+def _require_enough(judgements: PoseWeights, problem: AdjustmentProblem) -> None:
     found = sum(int(np.sum(one.kept)) for pair in judgements for one in pair)
     wanted = 11 + 6 * len(problem.views)
     if found < wanted + 4:
-        raise Refusal(
+        raise OperationError(
             "too-few-edges",
             f"{found} usable edge and stripe points in {len(problem.views)} poses",
             "they do not determine the camera",
@@ -251,7 +270,7 @@ def _require_enough(judgements: Judgements, problem: Problem) -> None:
         )
 
 
-def embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
+def free_covariance(N: Floats, free: NDArray[np.bool_]) -> Floats:
     """The covariance (U, U) of the free unknowns, with zeros for those that are held.
 
     Raises:
@@ -259,12 +278,12 @@ def embedded(N: Floats, free: NDArray[np.bool_]) -> Floats:
     """
     own = N[np.ix_(free, free)]
     if not (np.diag(own) > 0).all():
-        raise unsettled()
+        raise no_convergence_error()
     scale = 1 / np.sqrt(np.diag(own))
     covariance = np.zeros_like(N)
     try:
         inverted = np.linalg.inv(own * np.outer(scale, scale)) * np.outer(scale, scale)
     except np.linalg.LinAlgError:
-        raise unsettled() from None
+        raise no_convergence_error() from None
     covariance[np.ix_(free, free)] = inverted
     return covariance

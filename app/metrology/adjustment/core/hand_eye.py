@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
 
 # Poses disagree with the others beyond this and this many times what is usual among them.
@@ -46,12 +46,12 @@ def mounting_by_contacts(
         reach_mm: the object's size, which turns angles into lengths.
     """
     each = inverse(T_arm_flange) @ T_arm_obj @ inverse(T_cam_obj)
-    off = np.array([off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
+    off = np.array([pose_offsets_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
     best = each[int(np.argmin(np.median(off, axis=1)))]
-    off_mm = off_place_mm(T_arm_flange, T_cam_obj, best, T_arm_obj, reach_mm)
-    contradicts = contradicting(off_mm)
-    X = mean_of(each[~contradicts])
-    off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
+    off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, best, T_arm_obj, reach_mm)
+    contradicts = find_contradictions(off_mm)
+    X = mean_transform(each[~contradicts])
+    off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm)
     return Mounting(X, T_arm_obj, T_arm_flange, T_cam_obj, off_mm, contradicts)
 
 
@@ -73,15 +73,15 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
     best: Mounting | None = None
     for draw in draws:
         X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
-        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
         if best is None or np.median(off_mm) < np.median(best.off_mm):
-            best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
+            best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
     assert best is not None
     kept = ~best.contradicts
     if kept.sum() >= 3:
         X, Z = _hand_eye(T_arm_flange[kept], T_cam_obj[kept])
-        off_mm = off_place_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
-        best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, contradicting(off_mm))
+        off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+        best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
     return best
 
 
@@ -93,7 +93,7 @@ def refuse_alike(T_arm_flange: Floats) -> None:
     """
     count = len(T_arm_flange)
     if count < 3:
-        raise Refusal(
+        raise OperationError(
             "too-few-poses",
             f"{count} poses without contact points",
             "how the sensor sits on the flange shows only when the flange turns: three poses"
@@ -110,7 +110,7 @@ def refuse_alike(T_arm_flange: Floats) -> None:
     _, size, axes = np.linalg.svd(turns, full_matrices=False)
     largest = float(np.max(np.linalg.norm(turns, axis=1)))
     if largest < LEAST_TURN_RAD:
-        raise Refusal(
+        raise OperationError(
             "poses-alike",
             f"the flange turned by {np.degrees(largest):.1f}° at most between the {count} poses",
             "poses all alike do not tell where the sensor sits on the flange, in any direction",
@@ -118,7 +118,7 @@ def refuse_alike(T_arm_flange: Floats) -> None:
         )
     if size[1] < LEAST_SECOND_AXIS * size[0]:
         x, y, z = axes[0]
-        raise Refusal(
+        raise OperationError(
             "poses-about-one-axis",
             f"all {count} poses turn the flange about one axis, ({x:+.2f} {y:+.2f} {z:+.2f}) in"
             " its own frame",
@@ -141,7 +141,7 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str
     some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM
     if some or len(out) < 2:
         return
-    raise Refusal(
+    raise OperationError(
         "poses-contradict",
         f"poses {', '.join(map(str, numbers))} put the {thing} up to"
         f" {mounting.off_mm.max():.1f} mm apart",
@@ -151,18 +151,18 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str
     )
 
 
-def mean_of(T: Floats) -> Floats:
+def mean_transform(T: Floats) -> Floats:
     """The mean (4, 4) of transforms (P, 4, 4) that are close to one another."""
     return rigid(nearest_rotation(T[:, :3, :3].mean(axis=0)), T[:, :3, 3].mean(axis=0))
 
 
-def contradicting(off_mm: Floats) -> NDArray[np.bool_]:
+def find_contradictions(off_mm: Floats) -> NDArray[np.bool_]:
     """Which poses (P,) are further off than the scatter of the better half explains."""
     usual = float(np.median(off_mm))
     return np.asarray(off_mm > max(CONTRADICTS_MM, CONTRADICTS_TIMES * usual))
 
 
-def off_place_mm(
+def pose_offsets_mm(
     T_arm_flange: Floats, T_cam_obj: Floats, X: Floats, Z: Floats, reach_mm: float
 ) -> Floats:
     """(P,) mm between the object as seen in each pose and its place ``Z``."""

@@ -4,17 +4,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.adjustment.core.observations import ContactRows, Problem, contact_rows
+from app.metrology.adjustment.core.observations import AdjustmentProblem, ContactRows, contact_rows
 from app.metrology.adjustment.core.parameters import (
     CAMERA,
     LENS,
     PLACE,
-    Layout,
+    AdjustmentState,
+    ParameterLayout,
     PoseScene,
-    State,
     pose_scene,
 )
-from app.metrology.adjustment.core.robust_weights import Judgement, normal_equations
+from app.metrology.adjustment.core.robust_weights import RobustWeights, normal_equations
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.calibration.observation_model import BLOCK, Rows
 from app.metrology.sensor.camera import Camera
@@ -29,11 +29,11 @@ LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
 SOURCES = ("edges", "stripe", "contacts", "encoders", "links", "certificate", "camera")
 
 # Of each pose: the object's shape, and the stripe.
-Judgements = tuple[tuple[Judgement, Judgement], ...]
+PoseWeights = tuple[tuple[RobustWeights, RobustWeights], ...]
 
 
 @dataclass(frozen=True)
-class Contacts:
+class ContactEquations:
     """The contact rows that count, by all unknowns."""
 
     residuals_mm: Floats  # (N,)
@@ -46,23 +46,23 @@ class Contacts:
 
 
 @dataclass(frozen=True)
-class Linear:
+class Linearisation:
     """Rows of all kinds at one state."""
 
-    problem: Problem
-    at: Layout
-    state: State
+    problem: AdjustmentProblem
+    at: ParameterLayout
+    state: AdjustmentState
     scenes: tuple[PoseScene, ...]
     rows: tuple[tuple[Rows, Rows], ...]  # shape and stripe of each pose
     contact_rows: ContactRows | None
-    contacts: Contacts | None
+    contacts: ContactEquations | None
 
 
 @dataclass(frozen=True)
-class Normal:
+class NormalEquations:
     """``J' W J`` (U, U) by ``SOURCES`` and ``J' W r`` (U,); scales may still change."""
 
-    linear: Linear
+    linear: Linearisation
     pictures: dict[str, Floats]
     gradient: Floats
 
@@ -73,7 +73,7 @@ class Normal:
         g = self.gradient.copy()
         if linear.contacts is not None:
             _add_contacts(parts, g, linear.contacts, scales)
-        for source, where, sd, off in known_beforehand(linear, scales):
+        for source, where, sd, off in prior_information(linear, scales):
             index = np.arange(at.count)[where]
             part = parts[source].copy()
             part[index, index] += sd**-2.0
@@ -82,7 +82,9 @@ class Normal:
         return parts, g
 
 
-def linearise(problem: Problem, at: Layout, state: State) -> Linear:
+def linearise(
+    problem: AdjustmentProblem, at: ParameterLayout, state: AdjustmentState
+) -> Linearisation:
     """Residuals of everything at one state, and their derivatives."""
     scenes = tuple(pose_scene(state, problem, at, p) for p in range(len(problem.views)))
     rows = tuple(
@@ -91,18 +93,18 @@ def linearise(problem: Problem, at: Layout, state: State) -> Linear:
     )
     touches = problem.touches
     if touches is None:
-        return Linear(problem, at, state, scenes, rows, None, None)
+        return Linearisation(problem, at, state, scenes, rows, None, None)
     told = contact_rows(touches, state.T_arm_obj, state.coordinates, state.links)
     J = np.zeros((len(touches), at.count))
     J[:, PLACE] = told.by_place
     J[:, at.links] = told.by_links
     J[:, at.coordinates] = told.by_coordinates
     kept = touches.kept
-    contacts = Contacts(told.residuals_mm[kept], J[kept], told.noise_mm2[kept])
-    return Linear(problem, at, state, scenes, rows, told, contacts)
+    contacts = ContactEquations(told.residuals_mm[kept], J[kept], told.noise_mm2[kept])
+    return Linearisation(problem, at, state, scenes, rows, told, contacts)
 
 
-def normal(linear: Linear, judgements: Judgements) -> Normal:
+def assemble_normal_equations(linear: Linearisation, judgements: PoseWeights) -> NormalEquations:
     """The pictures' part of the normal equations."""
     count = linear.at.count
     pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
@@ -111,15 +113,21 @@ def normal(linear: Linear, judgements: Judgements) -> Normal:
     for pose, (scene, groups, by_kind) in enumerate(kinds):
         for source, rows, judgement in zip(("edges", "stripe"), groups, by_kind, strict=True):
             N, pull = normal_equations(rows, judgement)
-            _add_picture(pictures[source], g, N, pull, scene, linear.at, pose)
-    N, pull = usual_camera(linear.state.camera)
+            _add_image(pictures[source], g, N, pull, scene, linear.at, pose)
+    N, pull = camera_prior(linear.state.camera)
     pictures["camera"][CAMERA, CAMERA] += N
     g[CAMERA] += pull
-    return Normal(linear, pictures, g)
+    return NormalEquations(linear, pictures, g)
 
 
-def _add_picture(
-    part: Floats, g: Floats, N: Floats, pull: Floats, scene: PoseScene, at: Layout, pose: int
+def _add_image(
+    part: Floats,
+    g: Floats,
+    N: Floats,
+    pull: Floats,
+    scene: PoseScene,
+    at: ParameterLayout,
+    pose: int,
 ) -> None:
     """Adds to part (U, U) and g (U,) what one pose's equations of its own parameters say.
 
@@ -141,7 +149,9 @@ def _add_picture(
         g[to] += along[of]
 
 
-def _add_contacts(parts: dict[str, Floats], g: Floats, contacts: Contacts, scales: Scales) -> None:
+def _add_contacts(
+    parts: dict[str, Floats], g: Floats, contacts: ContactEquations, scales: Scales
+) -> None:
     """What contacts bring, split by whether touch or encoders make them uncertain."""
     J, variance = contacts.jacobian, contacts.variances(scales)
     touch = np.full(len(variance), scales.touch_mm**2)
@@ -150,7 +160,9 @@ def _add_contacts(parts: dict[str, Floats], g: Floats, contacts: Contacts, scale
     g += J.T @ (contacts.residuals_mm / variance)
 
 
-def known_beforehand(linear: Linear, scales: Scales) -> list[tuple[str, slice, Floats, Floats]]:
+def prior_information(
+    linear: Linearisation, scales: Scales
+) -> list[tuple[str, slice, Floats, Floats]]:
     """Source, unknowns, their standard deviations and how far they are off: the certificate,
     the errors of the arm's links, the noise of its readings."""
     problem, at, state = linear.problem, linear.at, linear.state
@@ -163,7 +175,7 @@ def known_beforehand(linear: Linear, scales: Scales) -> list[tuple[str, slice, F
     ]
 
 
-def usual_camera(camera: Camera) -> tuple[Floats, Floats]:
+def camera_prior(camera: Camera) -> tuple[Floats, Floats]:
     """Square pixels, an axis near the middle, a mild lens: matrix (8, 8) and gradient (8,)."""
     N, g = np.zeros((8, 8)), np.zeros(8)
     K = camera.matrix

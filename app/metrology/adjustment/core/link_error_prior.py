@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.linearise import Normal
+from app.metrology.adjustment.core.linearise import NormalEquations
 from app.metrology.adjustment.core.variance_components import Scales, size_prior
 from app.metrology.transforms import Floats
 
@@ -20,7 +20,9 @@ from app.metrology.transforms import Floats
 FACTORS = np.exp(np.linspace(-1.5, 1.5, 7))
 
 
-def by_link_sizes(equations: Normal, scales: Scales, free: NDArray[np.bool_]) -> Floats:
+def estimate_link_size_covariance(
+    equations: NormalEquations, scales: Scales, free: NDArray[np.bool_]
+) -> Floats:
     """What not knowing the sizes of the links' errors adds to the state's covariance (U, U).
 
     Args:
@@ -47,7 +49,7 @@ def by_link_sizes(equations: Normal, scales: Scales, free: NDArray[np.bool_]) ->
     ]
     # At the minimum the data pull the links as hard as the size told holds them back.
     pull = -start / scales.of_links(len(start) // 6) ** 2
-    found = [likely_links(S, pull, start, size.of_links(len(start) // 6)) for size in sizes]
+    found = [link_likelihood(S, pull, start, size.of_links(len(start) // 6)) for size in sizes]
     log = np.array([one + size_prior(size) for (one, *_), size in zip(found, sizes, strict=True)])
     weight = np.exp(log - log.max())
     steps = np.array([step for _, step, _ in found]) * np.sqrt(weight / weight.sum())[:, None]
@@ -57,7 +59,7 @@ def by_link_sizes(equations: Normal, scales: Scales, free: NDArray[np.bool_]) ->
     return np.asarray(moves @ moves.T)
 
 
-def likely_links(
+def link_likelihood(
     S: Floats, pull: Floats, start: Floats, sd: Floats
 ) -> tuple[float, Floats, Floats]:
     """How likely it is that links (and what else is unknown beside them) err by so much: the

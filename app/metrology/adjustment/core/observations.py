@@ -7,12 +7,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.adjustment.core.arm_errors import FlangeMotion
-from app.metrology.adjustment.core.robust_weights import Judgement
+from app.metrology.adjustment.core.robust_weights import RobustWeights
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.detection.detect_block import ObjectDetection
-from app.metrology.detection.image_quality import PictureFinding
+from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import Stripe
@@ -28,7 +28,7 @@ class PoseView(Protocol):
         Args:
             camera: with the object's frame as its sensor frame.
             plane: the laser plane in the object's frame.
-            coordinates: (B,) the object's own, as in its ``Papers``.
+            coordinates: (B,) the object's own, as in its ``TargetPrior``.
 
         Returns:
             rows whose parameters are the camera's (``projection.PARAMETERS``), the
@@ -41,8 +41,8 @@ class PoseView(Protocol):
         ...
 
     def merged(
-        self, rows: tuple[Rows, Rows], judged: tuple[Judgement, Judgement]
-    ) -> tuple["PoseView", tuple[Judgement, Judgement]]:
+        self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
+    ) -> tuple["PoseView", tuple[RobustWeights, RobustWeights]]:
         """Fewer points that tell as much, by what was judged of the ``rows`` of these, and
         how those count; a view of few points may give itself."""
         ...
@@ -57,7 +57,7 @@ class PoseView(Protocol):
 
 
 @dataclass(frozen=True)
-class Papers:
+class TargetPrior:
     """The object's coordinates by its certificate, each known to a standard deviation (mm)."""
 
     names: tuple[str, ...]
@@ -66,7 +66,7 @@ class Papers:
 
 
 @dataclass(frozen=True)
-class Touches:
+class ContactObservations:
     """N contact points: the tip's centre lies one radius outside the face that was touched.
 
     In the object's frame a face has the normal ``normals`` (N, 3) and the offset
@@ -92,18 +92,18 @@ class Touches:
 
 
 @dataclass(frozen=True)
-class Problem:
+class AdjustmentProblem:
     """All that is to agree: P poses seen, contacts (perhaps none), and the papers."""
 
     numbers: tuple[int, ...]
     views: tuple[PoseView, ...]
     motion: FlangeMotion
-    touches: Touches | None
-    papers: Papers
+    touches: ContactObservations | None
+    papers: TargetPrior
     width_px: int
     height_px: int
 
-    def without_poses(self, left_out: NDArray[np.bool_]) -> "Problem":
+    def without_poses(self, left_out: NDArray[np.bool_]) -> "AdjustmentProblem":
         """The same without the poses marked (P,)."""
         keep = np.flatnonzero(~left_out)
         motion = self.motion
@@ -132,7 +132,7 @@ class ContactRows:
 
 
 def contact_rows(
-    touches: Touches, T_arm_obj: Floats, coordinates: Floats, links: Floats
+    touches: ContactObservations, T_arm_obj: Floats, coordinates: Floats, links: Floats
 ) -> ContactRows:
     """How the tips lie on their faces, for a place of the object and errors of the links (6n,)."""
     tips = touches.tips_mm + touches.by_links @ links
@@ -150,14 +150,14 @@ def contact_rows(
 
 
 @dataclass(frozen=True)
-class NotSeen:
+class FailedPose:
     """A pose whose pictures could not be used, and why."""
 
     number: int
-    refusal: Refusal
+    refusal: OperationError
 
 
-def refuse_nothing_seen(seen: Sequence[object], unseen: Sequence[NotSeen], thing: str) -> None:
+def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], thing: str) -> None:
     """Refuses where no picture shows the ``thing``, with the reason of the first.
 
     Raises:
@@ -167,14 +167,14 @@ def refuse_nothing_seen(seen: Sequence[object], unseen: Sequence[NotSeen], thing
         return
     if unseen:
         raise unseen[0].refusal
-    raise Refusal("no-images", "no pose was given", "", f"take a picture of the {thing}")
+    raise OperationError("no-images", "no pose was given", "", f"take a picture of the {thing}")
 
 
 @dataclass(frozen=True)
-class SeenPose:
+class BlockObservation:
     """What the pictures of one pose showed, each by itself."""
 
     number: int
     detection: ObjectDetection
     stripe: Stripe
-    picture: tuple[PictureFinding, ...] = ()
+    picture: tuple[ImageFinding, ...] = ()

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.metrology.adjustment.core.observations import Problem
-from app.metrology.adjustment.core.se3 import carried_back, motion
+from app.metrology.adjustment.core.observations import AdjustmentProblem
+from app.metrology.adjustment.core.se3 import adjoint_inverse, se3_exp
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.sensor.projection import COUNT
@@ -25,7 +25,7 @@ SENSOR = slice(0, 17)  # camera, plane and mounting: all that a reconstructed po
 
 
 @dataclass(frozen=True)
-class Layout:
+class ParameterLayout:
     """Where each unknown stands: after the first 23 the object, the links, the noise."""
 
     coordinates: slice
@@ -39,13 +39,13 @@ class Layout:
         return slice(start, start + self.noise_per_pose)
 
 
-def layout_of(problem: Problem) -> Layout:
+def parameter_layout(problem: AdjustmentProblem) -> ParameterLayout:
     first = PLACE.stop
     after_object = first + len(problem.papers.names)
     after_links = after_object + problem.motion.by_links.shape[2]
     per_pose = problem.motion.by_noise.shape[2]
     end = after_links + per_pose * len(problem.views)
-    return Layout(
+    return ParameterLayout(
         slice(first, after_object),
         slice(after_object, after_links),
         slice(after_links, end),
@@ -55,7 +55,7 @@ def layout_of(problem: Problem) -> Layout:
 
 
 @dataclass(frozen=True)
-class State:
+class AdjustmentState:
     """Values of all unknowns.
 
     ``camera`` has its own frame as sensor frame (no rotation, no translation), and
@@ -71,18 +71,18 @@ class State:
     links: Floats
     noise: Floats
 
-    def moved(self, step: Floats, at: Layout) -> "State":
+    def moved(self, step: Floats, at: ParameterLayout) -> "AdjustmentState":
         """After a step of all unknowns: the mounting moves by a right twist, in the camera's
         frame; the object's place by a left one, in the arm's."""
         return replace(
             self.sensor_moved(step[SENSOR]),
-            T_arm_obj=_rigid(motion(step[PLACE]) @ self.T_arm_obj),
+            T_arm_obj=_orthonormalise(se3_exp(step[PLACE]) @ self.T_arm_obj),
             coordinates=self.coordinates + step[at.coordinates],
             links=self.links + step[at.links],
             noise=self.noise + step[at.noise].reshape(self.noise.shape),
         )
 
-    def sensor_moved(self, step: Floats) -> "State":
+    def sensor_moved(self, step: Floats) -> "AdjustmentState":
         """After a step (17,) of camera, plane and mounting alone."""
         camera = self.camera
         matrix, distortion = camera.matrix.copy(), camera.distortion.copy()
@@ -94,11 +94,11 @@ class State:
             self,
             camera=replace(camera, matrix=matrix, distortion=distortion),
             plane=self.plane.stepped(step[PLANE]),
-            T_flange_cam=_rigid(self.T_flange_cam @ motion(step[MOUNT])),
+            T_flange_cam=_orthonormalise(self.T_flange_cam @ se3_exp(step[MOUNT])),
         )
 
 
-def _rigid(T: Floats) -> Floats:
+def _orthonormalise(T: Floats) -> Floats:
     T = T.copy()
     T[:3, :3] = nearest_rotation(T[:3, :3])
     return T
@@ -117,15 +117,17 @@ class PoseScene:
     by_unknowns: Floats
 
 
-def pose_scene(state: State, problem: Problem, at: Layout, pose: int) -> PoseScene:
+def pose_scene(
+    state: AdjustmentState, problem: AdjustmentProblem, at: ParameterLayout, pose: int
+) -> PoseScene:
     """Camera and plane in the object's frame for one pose (Eq. 6-8), with derivatives."""
     moves = problem.motion
     off = moves.by_links[pose] @ state.links + moves.by_noise[pose] @ state.noise[pose]
-    T_arm_cam = motion(off) @ moves.T_arm_flange[pose] @ state.T_flange_cam
+    T_arm_cam = se3_exp(off) @ moves.T_arm_flange[pose] @ state.T_flange_cam
     T_cam_obj = inverse(T_arm_cam) @ state.T_arm_obj
     camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_obj))
 
-    seen_from_cam = carried_back(T_arm_cam)
+    seen_from_cam = adjoint_inverse(T_arm_cam)
     twist = np.zeros((6, at.count))  # of T_cam_obj, from the left
     twist[:, MOUNT] = -np.eye(6)
     twist[:, PLACE] = seen_from_cam

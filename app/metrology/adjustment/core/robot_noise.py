@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.core.arm_errors import FlangeMotion
-from app.metrology.adjustment.core.se3 import about, carried, motion
+from app.metrology.adjustment.core.se3 import adjoint, pivot_adjoint, se3_exp
 from app.metrology.transforms import Floats, apply, inverse, vector_from_rotation
 
 # What is usual where the poses tell little: turn (rad), shift (mm) and tilt (rad), known to
@@ -26,7 +26,7 @@ ROUNDS = 3
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
 # A pose is astray where chance alone would put one so far off so rarely.
-ASTRAY_CHANCE = 1e-5
+OUTLIER_CHANCE = 1e-5
 FEWEST_OTHERS = 4
 
 ByNoise = list[tuple[Floats, Floats, Floats]]
@@ -43,7 +43,7 @@ class RobotNoise:
 
 
 @dataclass(frozen=True)
-class PosesSeen:
+class PosePairs:
     """P poses of a robot and what the pictures say of them.
 
     ``T_arm_flange`` and ``T_cam_obj`` (P, 4, 4) are by the robot and by the pictures, and
@@ -56,7 +56,7 @@ class PosesSeen:
     covariance: Floats
     middle_mm: Floats
 
-    def only(self, kept: NDArray[np.int64]) -> "PosesSeen":
+    def only(self, kept: NDArray[np.int64]) -> "PosePairs":
         own = (6 * kept[:, None] + np.arange(6)).ravel()
         return replace(
             self,
@@ -67,7 +67,7 @@ class PosesSeen:
 
 
 @dataclass(frozen=True)
-class _Told:
+class _NoiseEstimate:
     """The noise (log of standard deviations), and where sensor and object then are."""
 
     log_sd: Floats
@@ -75,13 +75,13 @@ class _Told:
     Z: Floats
 
 
-def robot_noise(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
+def estimate_robot_noise(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
     """The most likely noise of P poses, from a start (4, 4) of the sensor and the object."""
-    told = _told(seen, T_flange_cam, T_arm_obj)
+    told = _fit_noise(seen, T_flange_cam, T_arm_obj)
     return RobotNoise(*map(float, np.exp(told.log_sd)))
 
 
-def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
+def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
     """The pose that is furthest off, where the noise of the others does not explain that.
 
     It is judged by a fit without it (Fisher's test), which it cannot spoil.
@@ -91,36 +91,39 @@ def astray(seen: PosesSeen, T_flange_cam: Floats, T_arm_obj: Floats) -> int | No
     count = len(seen.T_arm_flange)
     if count <= FEWEST_OTHERS:
         return None
-    told = _told(seen, T_flange_cam, T_arm_obj)
-    squares = [_square(seen, told, p, with_fit=False) for p in range(count)]
+    told = _fit_noise(seen, T_flange_cam, T_arm_obj)
+    squares = [_mahalanobis_square(seen, told, p, with_fit=False) for p in range(count)]
     worst = int(np.argmax(squares))
     others = np.delete(np.arange(count), worst)
-    told = _told(seen.only(others), T_flange_cam, T_arm_obj)
+    told = _fit_noise(seen.only(others), T_flange_cam, T_arm_obj)
     freedom = 6 * len(others) - 12
-    limit = 6 * float(fdtri(6, freedom, 1 - ASTRAY_CHANCE))
-    return worst if _square(seen, told, worst, with_fit=True) > limit else None
+    limit = 6 * float(fdtri(6, freedom, 1 - OUTLIER_CHANCE))
+    return worst if _mahalanobis_square(seen, told, worst, with_fit=True) > limit else None
 
 
-def _told(seen: PosesSeen, X: Floats, Z: Floats) -> _Told:
+def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
     from scipy.optimize import minimize  # slow to load, and needed for robots alone
 
     noise = np.log(USUAL)
     for _ in range(ROUNDS):
-        residuals, J, G = _linearised(seen, X, Z)
+        residuals, J, G = _linearise(seen, X, Z)
         found = minimize(
-            _unlikely, noise, args=(residuals, J, G, seen.covariance), method="Nelder-Mead"
+            _negative_log_likelihood,
+            noise,
+            args=(residuals, J, G, seen.covariance),
+            method="Nelder-Mead",
         )
         noise = np.maximum(found.x, np.log(LEAST))
         W = np.linalg.inv(_covariance(noise, G, seen.covariance))
         step = -np.asarray(np.linalg.solve(J.T @ W @ J, J.T @ W @ residuals), np.float64)
-        X, Z = np.asarray(X @ motion(step[:6])), np.asarray(motion(step[6:]) @ Z)
-    return _Told(noise, X, Z)
+        X, Z = np.asarray(X @ se3_exp(step[:6])), np.asarray(se3_exp(step[6:]) @ Z)
+    return _NoiseEstimate(noise, X, Z)
 
 
-def _square(seen: PosesSeen, told: _Told, pose: int, with_fit: bool) -> float:
+def _mahalanobis_square(seen: PosePairs, told: _NoiseEstimate, pose: int, with_fit: bool) -> float:
     """Squared deviation of one pose, of 6 degrees of freedom; ``with_fit`` counts how well the
     others fix what it is compared with."""
-    residuals, J, G = _linearised(seen, told.X, told.Z)
+    residuals, J, G = _linearise(seen, told.X, told.Z)
     V = _covariance(told.log_sd, G, seen.covariance)
     own = slice(6 * pose, 6 * pose + 6)
     variance = V[own, own]
@@ -131,7 +134,7 @@ def _square(seen: PosesSeen, told: _Told, pose: int, with_fit: bool) -> float:
     return float(residuals[own] @ np.linalg.solve(variance, residuals[own]))
 
 
-def _linearised(seen: PosesSeen, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
+def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
     """Residuals (6P,), twists of the object in the camera's frame by which the pictures put it
     elsewhere than the robot does; by ``X`` from the right and ``Z`` from the left (6P, 12); and
     by turn (6, 3), shift (6, 3) and tilt (6, 2) of each pose."""
@@ -141,9 +144,9 @@ def _linearised(seen: PosesSeen, X: Floats, Z: Floats) -> tuple[Floats, Floats, 
         T_cam_arm = inverse(one @ X)
         off = pictured @ inverse(T_cam_arm @ Z)
         residuals.append(np.concatenate([vector_from_rotation(off[:3, :3]), off[:3, 3]]))
-        in_cam = carried(T_cam_arm)
+        in_cam = adjoint(T_cam_arm)
         rows.append(np.hstack([np.eye(6), -in_cam]))
-        of_flange = in_cam @ carried(one)
+        of_flange = in_cam @ adjoint(one)
         tilt = in_cam @ _tilts(Z, centre)
         by_noise.append((of_flange[:, :3], of_flange[:, 3:], tilt))
     return np.concatenate(residuals), np.concatenate(rows), by_noise
@@ -151,7 +154,7 @@ def _linearised(seen: PosesSeen, X: Floats, Z: Floats) -> tuple[Floats, Floats, 
 
 def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
     """(6, 2) twists in the arm's frame that tilt the object, about its own x and y."""
-    return np.asarray(about(centre_mm)[:, :3] @ T_arm_obj[:3, :2])
+    return np.asarray(pivot_adjoint(centre_mm)[:, :3] @ T_arm_obj[:3, :2])
 
 
 def _covariance(log_sd: Floats, by_noise: ByNoise, covariance: Floats) -> Floats:
@@ -163,7 +166,7 @@ def _covariance(log_sd: Floats, by_noise: ByNoise, covariance: Floats) -> Floats
     return V
 
 
-def _unlikely(
+def _negative_log_likelihood(
     log_sd: Floats, residuals: Floats, J: Floats, by_noise: ByNoise, covariance: Floats
 ) -> float:
     """Minus the logarithm of the restricted likelihood, and of what is usual."""
@@ -181,7 +184,7 @@ def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
     """The robot's motion with its flange's noise in these proportions."""
     return replace(
         moves,
-        by_noise=np.array([carried(T) for T in moves.T_arm_flange]).reshape(-1, 6, 6),
+        by_noise=np.array([adjoint(T) for T in moves.T_arm_flange]).reshape(-1, 6, 6),
         noise_sd=np.repeat([noise.turn_rad, noise.shift_mm], 3),
         usual_factor=USUAL_FACTOR,
         least_factor=LEAST_FACTOR,

@@ -12,32 +12,32 @@ from app.metrology.transforms import Floats
 OUTLIER_SIGMAS = 4.5
 FEWEST_TO_JUDGE = 12
 # Neighbours put into one point, unless they lie further apart than this.
-MERGED, APART_PX = 8, 12.0
+BIN_SIZE, APART_PX = 8, 12.0
 
 
 @dataclass(frozen=True)
-class Judgement:
+class RobustWeights:
     """Which rows (N,) of a kind agree, and the factors (N,) on their standard deviations."""
 
     kept: NDArray[np.bool_]
     inflation: Floats
 
 
-def judged(rows: Rows) -> Judgement:
+def robust_weights(rows: Rows) -> RobustWeights:
     """Rows against their own scatter; each line's deviations raised where it scatters more
     than it says, and where neighbouring points are alike (speckle)."""
     off = rows.residuals / rows.sigma
     spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
     kept = np.abs(off) < OUTLIER_SIGMAS * spread
     if rows.shared is not None:
-        return Judgement(kept, _beside_shared(rows, rows.shared, off, kept))
+        return RobustWeights(kept, _line_inflation(rows, rows.shared, off, kept))
     # what all points of a line share is an error of its own, no scatter
     about_mean = rows.shared_px > 0.0
     variances = variances_of_lines(off, rows.line, kept, rows.places, about_mean, FEWEST_TO_JUDGE)
-    return Judgement(kept, np.sqrt(variances))
+    return RobustWeights(kept, np.sqrt(variances))
 
 
-def _beside_shared(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bool_]) -> Floats:
+def _line_inflation(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bool_]) -> Floats:
     """Inflation (N,) of rows whose lines' points follow errors that they have in common."""
     inflation = np.ones(len(off))
     for number in np.unique(rows.line):
@@ -53,7 +53,7 @@ def _beside_shared(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.boo
 
 
 @dataclass(frozen=True)
-class Merged:
+class BinnedPoints:
     """Neighbouring points put into few: pixels (M, 2), deviations (M,), and how many each.
 
     ``first`` (M,) is where each group begins among the points, ``kept`` in front.
@@ -64,10 +64,10 @@ class Merged:
     first: NDArray[np.int64]
 
 
-def merged_points(
-    uv_px: Floats, sigma_px: Floats, line: NDArray[np.int64], judgement: Judgement
-) -> Merged:
-    """Points (N, 2) that count, up to ``MERGED`` neighbours of one line put into one.
+def bin_neighbours(
+    uv_px: Floats, sigma_px: Floats, line: NDArray[np.int64], judgement: RobustWeights
+) -> BinnedPoints:
+    """Points (N, 2) that count, up to ``BIN_SIZE`` neighbours of one line put into one.
 
     A line's image bends by far less than a point's deviation over so few points, so
     that their weighted mean tells as much as they do.
@@ -80,20 +80,20 @@ def merged_points(
     run = np.cumsum(new_line | apart)
     begins = np.flatnonzero(np.diff(run, prepend=0))
     within = np.arange(len(uv)) - begins[run - 1] if len(uv) else np.zeros(0, np.int64)
-    first = np.flatnonzero(within % MERGED == 0)
+    first = np.flatnonzero(within % BIN_SIZE == 0)
     if not len(first):
-        return Merged(np.zeros((0, 2)), np.zeros(0), kept)
+        return BinnedPoints(np.zeros((0, 2)), np.zeros(0), kept)
     total = np.add.reduceat(weight, first)
     mean = np.add.reduceat(uv * weight[:, None], first, axis=0) / total[:, None]
-    return Merged(mean, total**-0.5, kept[first])
+    return BinnedPoints(mean, total**-0.5, kept[first])
 
 
-def as_they_are(count: int) -> Judgement:
+def unit_weights(count: int) -> RobustWeights:
     """Of points that were judged and weighed before."""
-    return Judgement(np.ones(count, np.bool_), np.ones(count))
+    return RobustWeights(np.ones(count, np.bool_), np.ones(count))
 
 
-def normal_equations(rows: Rows, judgement: Judgement) -> tuple[Floats, Floats]:
+def normal_equations(rows: Rows, judgement: RobustWeights) -> tuple[Floats, Floats]:
     """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines have an error in common.
 
     Each line's covariance is that of its points plus ``shared_px`` squared for every

@@ -9,12 +9,12 @@ import numpy as np
 from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector, skew
 
 
-def motion(twist: Floats) -> Floats:
+def se3_exp(twist: Floats) -> Floats:
     """The (4, 4) transform of a twist (6,)."""
     return rigid(rotation_from_vector(twist[:3]), twist[3:])
 
 
-def carried(T_ab: Floats) -> Floats:
+def adjoint(T_ab: Floats) -> Floats:
     """(6, 6): a small twist given in frame b, as seen in frame a (the adjoint of ``T_ab``)."""
     R = T_ab[:3, :3]
     matrix = np.zeros((6, 6))
@@ -23,12 +23,12 @@ def carried(T_ab: Floats) -> Floats:
     return matrix
 
 
-def carried_back(T_ab: Floats) -> Floats:
+def adjoint_inverse(T_ab: Floats) -> Floats:
     """(6, 6): a small twist given in frame a, as seen in frame b."""
-    return carried(inverse(T_ab))
+    return adjoint(inverse(T_ab))
 
 
-def about(pivot_mm: Floats) -> Floats:
+def pivot_adjoint(pivot_mm: Floats) -> Floats:
     """(6, 6): a twist that turns about a pivot (3,), as one that turns about the origin."""
     matrix = np.eye(6)
     matrix[3:, :3] = skew(pivot_mm)

@@ -9,10 +9,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted, embedded
-from app.metrology.adjustment.core.parameters import INTRINSIC, LENS, MOUNT, PLANE, SENSOR, State
-from app.metrology.adjustment.core.se3 import about, carried
-from app.metrology.calibration.uncertainty_budget import PROBE_NAMES, BudgetRow
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, free_covariance
+from app.metrology.adjustment.core.parameters import (
+    INTRINSIC,
+    LENS,
+    MOUNT,
+    PLANE,
+    SENSOR,
+    AdjustmentState,
+)
+from app.metrology.adjustment.core.se3 import adjoint, pivot_adjoint
+from app.metrology.calibration.uncertainty_budget import PROBE_NAMES, BudgetContribution
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.sensor.projection import PARAMETERS
@@ -67,7 +74,7 @@ class PlaneUncertainty:
 
 
 @dataclass(frozen=True)
-class Known:
+class CalibrationUncertainty:
     """What an adjustment is worth.
 
     ``covariance`` (23, 23) belongs to ``NAMES``: camera and laser plane in the sensor
@@ -75,7 +82,7 @@ class Known:
     the flange frame. The camera's pose in the sensor frame is a choice, without error.
     """
 
-    rows: tuple[BudgetRow, ...]
+    rows: tuple[BudgetContribution, ...]
     total_um: float
     volume: Volume
     volume_um: Floats  # (G,)
@@ -85,34 +92,36 @@ class Known:
     pivot_mm: Floats
 
 
-def known(found: Adjusted, T_cam_sensor: Floats) -> Known:
+def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> CalibrationUncertainty:
     """Budget, map and covariance of an adjustment.
 
     Args:
         T_cam_sensor: (4, 4) where the sensor frame was chosen to be.
     """
     volume = measuring_volume(found)
-    J = by_sensor(found.state, volume.uv_px)
-    squares = {source: _squares(J, C[SENSOR, SENSOR]) for source, C in sources(found).items()}
+    J = sensor_jacobian(found.state, volume.uv_px)
+    squares = {
+        source: _squares(J, C[SENSOR, SENSOR]) for source, C in covariance_by_source(found).items()
+    }
     total = np.sum(list(squares.values()), axis=0)
     rows = tuple(
-        BudgetRow(source, 1e3 * float(np.sqrt(np.mean(square))))
+        BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
         for source, square in squares.items()
     )
     pivot = volume.points_flange_mm.mean(axis=0)
-    return Known(
+    return CalibrationUncertainty(
         rows,
         1e3 * float(np.sqrt(np.mean(total))),
         volume,
         1e3 * np.sqrt(total),
         uncertainty_map(found, T_cam_sensor),
         plane_uncertainty(found, volume),
-        _by_names(found, T_cam_sensor, pivot),
+        _covariance_by_name(found, T_cam_sensor, pivot),
         pivot,
     )
 
 
-def measuring_volume(found: Adjusted) -> Volume:
+def measuring_volume(found: AdjustmentResult) -> Volume:
     """The part of the laser plane that the stripes of all poses covered, as a grid."""
     seen = np.concatenate([view.stripe_px() for view in found.problem.views])
     low, high = seen.min(axis=0), seen.max(axis=0)
@@ -123,7 +132,7 @@ def measuring_volume(found: Adjusted) -> Volume:
     return Volume(uv[there], points[there])
 
 
-def sources(found: Adjusted) -> dict[str, Floats]:
+def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
     """The covariance (U, U) split by what caused it.
 
     Each kind of observation causes ``C N C`` of it, N its part of the normal matrix;
@@ -133,7 +142,7 @@ def sources(found: Adjusted) -> dict[str, Floats]:
     N = np.sum(list(found.parts.values()), axis=0)
     known_lens = found.free.copy()
     known_lens[LENS] = False
-    C = embedded(N, known_lens)
+    C = free_covariance(N, known_lens)
     split = {
         source: C @ np.sum([found.parts[name] for name in names], axis=0) @ C
         for source, names in BUDGET
@@ -143,7 +152,7 @@ def sources(found: Adjusted) -> dict[str, Floats]:
     return split
 
 
-def by_sensor(state: State, uv_px: Floats) -> Floats:
+def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
     """(G, 3, 17): how points in the flange frame follow camera, plane and mounting."""
     in_cam = _points(state, uv_px)
     R = state.T_flange_cam[:3, :3]
@@ -159,7 +168,7 @@ def by_sensor(state: State, uv_px: Floats) -> Floats:
     return J
 
 
-def uncertainty_map(found: Adjusted, T_cam_sensor: Floats) -> UncertaintyMap:
+def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> UncertaintyMap:
     """All over the picture, wherever its rays meet the laser plane at a usable depth."""
     state, camera = found.state, found.state.camera
     u = np.linspace(0, camera.width_px - 1, MAP[0])
@@ -173,16 +182,16 @@ def uncertainty_map(found: Adjusted, T_cam_sensor: Floats) -> UncertaintyMap:
     usable = np.isfinite(in_cam).all(axis=1)
     usable &= (in_cam[:, 2] > near - margin) & (in_cam[:, 2] < far + margin)
     uv, in_cam = uv[usable], in_cam[usable]
-    J = by_sensor(state, uv)
+    J = sensor_jacobian(state, uv)
     u_um = 1e3 * np.sqrt(_squares(J, found.uncertainty[SENSOR, SENSOR]))
     calibrated = (in_cam[:, 2] >= near) & (in_cam[:, 2] <= far)
     return UncertaintyMap(uv, apply(inverse(T_cam_sensor), in_cam), u_um, calibrated)
 
 
-def plane_uncertainty(found: Adjusted, volume: Volume) -> PlaneUncertainty:
+def plane_uncertainty(found: AdjustmentResult, volume: Volume) -> PlaneUncertainty:
     """Angle and offset of a plane across the sensor's view, from one straight sweep."""
-    across = plane_of(found.state, volume)
-    J = np.einsum("i,gik->gk", across.normal, by_sensor(found.state, volume.uv_px))
+    across = plane_across_view(found.state, volume)
+    J = np.einsum("i,gik->gk", across.normal, sensor_jacobian(found.state, volume.uv_px))
     line = across.line @ J  # (2, 17)
     C = line @ found.uncertainty[SENSOR, SENSOR] @ line.T
     return PlaneUncertainty(
@@ -191,7 +200,7 @@ def plane_uncertainty(found: Adjusted, volume: Volume) -> PlaneUncertainty:
 
 
 @dataclass(frozen=True)
-class AcrossView:
+class FacingPlane:
     """A plane in the middle of a volume: its normal (3,), flange frame, and how heights of
     the volume's points (G,) over it make its offset (mm) and slope (rad): ``line`` (2, G)."""
 
@@ -199,7 +208,7 @@ class AcrossView:
     line: Floats
 
 
-def plane_of(state: State, volume: Volume) -> AcrossView:
+def plane_across_view(state: AdjustmentState, volume: Volume) -> FacingPlane:
     """The plane that faces the sensor: along the stripe, in the middle of the depths."""
     points = volume.points_flange_mm
     middle = points.mean(axis=0)
@@ -211,16 +220,18 @@ def plane_of(state: State, volume: Volume) -> AcrossView:
     x = ((points - middle) @ along)[level]
     line = np.zeros((2, len(points)))
     line[:, level] = np.linalg.pinv(np.column_stack([np.ones(len(x)), x]))
-    return AcrossView(normal, line)
+    return FacingPlane(normal, line)
 
 
-def sensor_of(state: State, T_cam_sensor: Floats) -> tuple[Camera, LaserPlane, Floats]:
+def express_in_sensor_frame(
+    state: AdjustmentState, T_cam_sensor: Floats
+) -> tuple[Camera, LaserPlane, Floats]:
     """Camera, laser plane and ``T_flange_sensor`` with the sensor frame where it was chosen."""
     camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_sensor))
     return camera, plane, state.T_flange_cam @ T_cam_sensor
 
 
-def _points(state: State, uv_px: Floats) -> Floats:
+def _points(state: AdjustmentState, uv_px: Floats) -> Floats:
     return sensor_points(state.camera, state.plane, uv_px)
 
 
@@ -229,7 +240,7 @@ def _squares(J: Floats, covariance: Floats) -> Floats:
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
 
-def _by_names(found: Adjusted, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
+def _covariance_by_name(found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
     """The covariance (23, 23) of ``NAMES``."""
     state = found.state
     R, t = T_cam_sensor[:3, :3], T_cam_sensor[:3, 3]
@@ -242,6 +253,6 @@ def _by_names(found: Adjusted, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats
     M[at : at + 2, PLANE.start : PLANE.start + 2] = in_sensor @ tangents(n).T
     M[at + 2, PLANE.start : PLANE.start + 2] = -tangents(n) @ t
     M[at + 2, PLANE.start + 2] = 1.0
-    probe = np.linalg.inv(about(pivot_mm)) @ carried(state.T_flange_cam)
+    probe = np.linalg.inv(pivot_adjoint(pivot_mm)) @ adjoint(state.T_flange_cam)
     M[at + 3 :, MOUNT] = probe
     return np.asarray(M @ found.uncertainty[SENSOR, SENSOR] @ M.T)

@@ -15,13 +15,13 @@ from app.metrology.transforms import Floats
 # What is usual where nothing tells; counted like one observation, so that it settles. Links
 # as those of an arm whose tip is off by some 20 µm rms: a link's turn moves the next about as
 # far as its shift does.
-USUAL_LINKS_MM, USUAL_TOUCH_MM = 0.003, 0.003
+USUAL_LINKS_MM, USUAL_CONTACT_MM = 0.003, 0.003
 USUAL_LINKS_RAD = USUAL_LINKS_MM / LEVER_MM
 USUAL_COUNT = 1.0
 # What is usual of links counts a little more, and that turns and shifts go together more
 # still: their likelihood alone can run away along the one or the other.
 USUAL_LINKS_COUNT, TOGETHER_COUNT = 2.0, 3.0
-SETTLED = 0.01
+CONVERGED = 0.01
 MOST_ROUNDS = 15
 
 
@@ -43,11 +43,11 @@ class Scales:
         return np.tile(np.repeat([self.links_rad, self.links_mm], 3), count)
 
 
-def usual_scales(noise_factor: float) -> Scales:
-    return Scales(USUAL_LINKS_RAD, USUAL_LINKS_MM, noise_factor, USUAL_TOUCH_MM)
+def default_scales(noise_factor: float) -> Scales:
+    return Scales(USUAL_LINKS_RAD, USUAL_LINKS_MM, noise_factor, USUAL_CONTACT_MM)
 
 
-def told_by(values: Floats, variances: Floats, scale: float, usual: float) -> float:
+def estimate_noise_factor(values: Floats, variances: Floats, scale: float, usual: float) -> float:
     """The scale of values (N,) that are known to ``variances`` (N,) with ``scale`` assumed."""
     if not len(values):
         return scale
@@ -56,7 +56,7 @@ def told_by(values: Floats, variances: Floats, scale: float, usual: float) -> fl
     return float(np.sqrt(squares / (determined + USUAL_COUNT)))
 
 
-def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
+def estimate_link_errors(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
     """The scales of turns (rad) and of shifts (mm), from all links' errors (6n,).
 
     An arm that is poor in the one is taken to be poor in the other where that is not told:
@@ -76,7 +76,7 @@ def links_told(links: Floats, variances: Floats, scales: Scales) -> tuple[float,
 
 def size_prior(scales: Scales) -> float:
     """Logarithm of the density of the links' sizes (of their logarithms) before anything is
-    told, but for a constant; the counts are as in ``links_told``."""
+    told, but for a constant; the counts are as in ``estimate_link_errors``."""
     turns = np.log(scales.links_rad / USUAL_LINKS_RAD)
     shifts = np.log(scales.links_mm / USUAL_LINKS_MM)
     common = (turns + shifts) / 2
@@ -84,7 +84,7 @@ def size_prior(scales: Scales) -> float:
     return float(usual - TOGETHER_COUNT * np.log(np.cosh(turns - shifts)))
 
 
-def touch_told(
+def estimate_contact_sd(
     residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
 ) -> float:
     """Of one touch, from contact residuals (N,) after the fit.
@@ -94,21 +94,21 @@ def touch_told(
     """
     variance = scales.touch_mm**2 + noise_mm2
     weight = scales.touch_mm**2 / variance
-    squares = float(np.sum((weight * residuals_mm) ** 2)) + USUAL_COUNT * USUAL_TOUCH_MM**2
+    squares = float(np.sum((weight * residuals_mm) ** 2)) + USUAL_COUNT * USUAL_CONTACT_MM**2
     determined = float(np.sum(weight * np.maximum(1 - fitted_mm2 / variance, 0.0)))
     return float(np.sqrt(squares / (determined + USUAL_COUNT)))
 
 
-def settled(scales: Scales, told: Callable[[Scales], Scales]) -> Scales:
+def iterate_scales(scales: Scales, told: Callable[[Scales], Scales]) -> Scales:
     """Where ``told`` changes the scales no more, or nearly so."""
     for _ in range(MOST_ROUNDS):
         before, scales = scales, told(scales)
-        if difference(before, scales) < SETTLED:
+        if largest_change(before, scales) < CONVERGED:
             break
     return scales
 
 
-def difference(a: Scales, b: Scales) -> float:
+def largest_change(a: Scales, b: Scales) -> float:
     """Largest relative change of any scale."""
     pairs = (
         (a.links_rad, b.links_rad),

@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.linearise import known_beforehand, normal
-from app.metrology.adjustment.core.link_error_prior import likely_links
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.linearise import assemble_normal_equations, prior_information
+from app.metrology.adjustment.core.link_error_prior import link_likelihood
 from app.metrology.adjustment.core.variance_components import USUAL_COUNT, Scales, size_prior
 from app.metrology.transforms import Floats
 
@@ -28,7 +28,7 @@ NOISE_STEP, MOST_NOISES = 1.5, 6
 
 
 @dataclass(frozen=True)
-class Suspect:
+class FaultHypothesis:
     """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
     how far the object's coordinates (B,) are off their papers by ``by_papers`` (B, K), for each
     unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each as
@@ -40,7 +40,7 @@ class Suspect:
 
 
 @dataclass(frozen=True)
-class Told:
+class FaultEstimate:
     """Sizes (K,) of a fault, their covariance (K, K), and twice the logarithm of how much
     likelier it is than none."""
 
@@ -50,7 +50,7 @@ class Told:
 
 
 @dataclass(frozen=True)
-class _Reduced:
+class _ReducedSystem:
     """What is told of links and all suspects' sizes (L + K), the other unknowns following them,
     at one noise: matrix, gradient, and the logarithm of all that does not change with them."""
 
@@ -60,7 +60,7 @@ class _Reduced:
 
 
 @dataclass(frozen=True)
-class _Likely:
+class _ConditionalEstimate:
     """Sizes (K,) of a fault with one noise and one size of the links' errors, their covariance
     (K, K), and the logarithm of how likely that is."""
 
@@ -69,49 +69,55 @@ class _Likely:
     covariance: Floats
 
 
-def evidence_of(found: Adjusted, suspects: Sequence[Suspect]) -> list[Told]:
+def estimate_faults(
+    found: AdjustmentResult, suspects: Sequence[FaultHypothesis]
+) -> list[FaultEstimate]:
     """Of each suspect by itself, all else taken as linear at the minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in suspects])
     by_papers = np.hstack([one.by_papers for one in suspects])
     ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
     own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
-    none: list[_Likely] = []
-    each: list[list[_Likely]] = [[] for _ in suspects]
-    for noise in _noises(found):
-        reduced = _reduced(found, by, by_papers, replace(scales, noise=noise))
-        for size in _sizes(scales):
+    none: list[_ConditionalEstimate] = []
+    each: list[list[_ConditionalEstimate]] = [[] for _ in suspects]
+    for noise in _noise_levels(found):
+        reduced = _reduce_system(found, by, by_papers, replace(scales, noise=noise))
+        for size in _link_scales(scales):
             prior, sd = size_prior(size), size.of_links(len(start) // 6)
-            none.append(_likely(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
+            none.append(_estimate_conditional(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
             for told, suspect, columns in zip(each, suspects, own, strict=True):
                 told += [
-                    _likely(reduced, start, sd, prior - np.log(len(suspect.sds)), columns, sds)
+                    _estimate_conditional(
+                        reduced, start, sd, prior - np.log(len(suspect.sds)), columns, sds
+                    )
                     for sds in suspect.sds
                 ]
-    return [_averaged(told, none) for told in each]
+    return [_average_estimates(told, none) for told in each]
 
 
-def _likely(
-    reduced: _Reduced,
+def _estimate_conditional(
+    reduced: _ReducedSystem,
     start: Floats,
     sd: Floats,
     prior: float,
     columns: NDArray[np.intp],
     sds: Floats,
-) -> _Likely:
+) -> _ConditionalEstimate:
     """With a fault's ``columns`` of all that is unknown beside the links, and their sds."""
     links = len(start)
     which = np.concatenate([np.arange(links), columns])
-    log, step, covariance = likely_links(
+    log, step, covariance = link_likelihood(
         reduced.S[np.ix_(which, which)],
         reduced.pull[which],
         np.concatenate([start, np.zeros(len(columns))]),
         np.concatenate([sd, sds]),
     )
-    return _Likely(reduced.log + prior + log, step[links:], covariance[links:, links:])
+    return _ConditionalEstimate(reduced.log + prior + log, step[links:], covariance[links:, links:])
 
 
-def _averaged(told: Sequence[_Likely], none: Sequence[_Likely]) -> Told:
+def _average_estimates(
+    told: Sequence[_ConditionalEstimate], none: Sequence[_ConditionalEstimate]
+) -> FaultEstimate:
     logs = np.array([one.log for one in told])
     weight = np.exp(logs - logs.max())
     weight /= weight.sum()
@@ -120,17 +126,19 @@ def _averaged(told: Sequence[_Likely], none: Sequence[_Likely]) -> Told:
     covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in told]))
     covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
     without = np.logaddexp.reduce([one.log for one in none])
-    return Told(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
+    return FaultEstimate(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
 
 
-def _reduced(found: Adjusted, by: Floats, by_papers: Floats, scales: Scales) -> _Reduced:
-    equations = normal(found.linear, found.judgements)
+def _reduce_system(
+    found: AdjustmentResult, by: Floats, by_papers: Floats, scales: Scales
+) -> _ReducedSystem:
+    equations = assemble_normal_equations(found.linear, found.judgements)
     at, start = equations.linear.at, equations.linear.state.links
     parts, g = equations.with_scales(scales)
     N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
     links = np.arange(at.count)[at.links]
     others = np.setdiff1d(np.flatnonzero(found.free), links)
-    across, among, pull, log = _of_suspects(found, by, by_papers, scales)
+    across, among, pull, log = _hypothesis_terms(found, by, by_papers, scales)
     # what the data pull the links with, without what holds these back
     pull = np.concatenate([g[links] - start / scales.of_links(len(start) // 6) ** 2, pull])
     scale = 1 / np.sqrt(np.diag(N)[others])
@@ -140,11 +148,11 @@ def _reduced(found: Adjusted, by: Floats, by_papers: Floats, scales: Scales) -> 
     S = np.block([[N[np.ix_(links, links)], across[links]], [across[links].T, among]])
     log += 0.5 * float((g[others] * scale) @ solved[:, -1]) + float(np.sum(np.log(scale)))
     log -= 0.5 * float(np.linalg.slogdet(A)[1])
-    return _Reduced(S - B.T @ solved[:, :-1], pull - B.T @ solved[:, -1], log)
+    return _ReducedSystem(S - B.T @ solved[:, :-1], pull - B.T @ solved[:, -1], log)
 
 
-def _of_suspects(
-    found: Adjusted, by: Floats, by_papers: Floats, scales: Scales
+def _hypothesis_terms(
+    found: AdjustmentResult, by: Floats, by_papers: Floats, scales: Scales
 ) -> tuple[Floats, Floats, Floats, float]:
     """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
     likely contacts and noise are as they are, without them."""
@@ -166,24 +174,24 @@ def _of_suspects(
     return across, among, pull, log
 
 
-def _noise_log(found: Adjusted, scales: Scales) -> float:
+def _noise_log(found: AdjustmentResult, scales: Scales) -> float:
     """How likely the readings' noise is at one size of it, with that size itself."""
     ((_, _, sd, off),) = (
-        known for known in known_beforehand(found.linear, scales) if known[0] == "encoders"
+        known for known in prior_information(found.linear, scales) if known[0] == "encoders"
     )
     usual = found.problem.motion.usual_factor / scales.noise
     prior = USUAL_COUNT * (np.log(usual) - usual**2 / 2)
     return float(prior - np.sum(np.log(sd)) - 0.5 * np.sum((off / sd) ** 2))
 
 
-def _noises(found: Adjusted) -> Floats:
+def _noise_levels(found: AdjustmentResult) -> Floats:
     told, usual = found.scales.noise, found.problem.motion.usual_factor
     least = max(min(usual, told), found.problem.motion.least_factor)
     steps = int(np.ceil(np.log(max(told / least, 1.0)) / np.log(NOISE_STEP)))
     return np.geomspace(least, max(told, least), min(steps, MOST_NOISES) + 1)[::-1]
 
 
-def _sizes(scales: Scales) -> list[Scales]:
+def _link_scales(scales: Scales) -> list[Scales]:
     return [
         replace(scales, links_rad=scales.links_rad * turn, links_mm=scales.links_mm * shift)
         for turn in FACTORS

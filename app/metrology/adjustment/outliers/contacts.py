@@ -4,33 +4,33 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
-from app.metrology.adjustment.core.variance_components import USUAL_TOUCH_MM
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
+from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
 
 # Fewer contacts than these tell no stray among them.
 FEWEST_CONTACTS = 5
 SIGMAS = 4.0
 MEDIAN_TO_SD = 1.4826
 # Of a contact, the share that the others must tell for it to be judged.
-LEAST_TOLD = 0.05
+LEAST_REDUNDANCY = 0.05
 
 
-def without_stray_contacts(found: Adjusted) -> Adjusted:
+def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
     """Adjusted without the contacts that disagree with the others, worst first; the touches say
     which were kept. Fewer than half are set aside."""
     touches = found.problem.touches
     if touches is None:
         return found
     while 2 * (int((~touches.kept).sum()) + 1) < len(touches):
-        stray = stray_contact(found)
+        stray = find_outlier_contact(found)
         if stray is None:
             break
         touches = replace(touches, kept=touches.kept & (np.arange(len(touches)) != stray))
-        found = adjust(replace(found.problem, touches=touches), found.state)
+        found = solve_adjustment(replace(found.problem, touches=touches), found.state)
     return found
 
 
-def stray_contact(found: Adjusted) -> int | None:
+def find_outlier_contact(found: AdjustmentResult) -> int | None:
     """The row of the contact that is furthest off by what the others scatter (their median, which
     a few strays do not move), and beyond what a usual touch and the noise of the readings
     explain; None where none is."""
@@ -38,9 +38,11 @@ def stray_contact(found: Adjusted) -> int | None:
     if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
         return None
     J, variance = contacts.jacobian, contacts.variances(found.scales)
-    spare = np.maximum(1 - np.einsum("nu,uv,nv->n", J, found.covariance, J) / variance, LEAST_TOLD)
+    spare = np.maximum(
+        1 - np.einsum("nu,uv,nv->n", J, found.covariance, J) / variance, LEAST_REDUNDANCY
+    )
     off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
-    usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_TOUCH_MM)))
+    usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
     scatter_mm = max(MEDIAN_TO_SD * float(np.median(off_mm)), 1e-9)
     # few contacts tell their scatter poorly
     limit = SIGMAS * (1 + 4.0 / len(off_mm))

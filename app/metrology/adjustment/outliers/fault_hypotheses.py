@@ -12,17 +12,21 @@ from functools import partial
 
 import numpy as np
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.observations import Touches
-from app.metrology.adjustment.outliers.bayes_factors import Suspect, Told, evidence_of
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.observations import ContactObservations
+from app.metrology.adjustment.outliers.bayes_factors import (
+    FaultEstimate,
+    FaultHypothesis,
+    estimate_faults,
+)
 from app.metrology.calibration.findings import (
     OPENING_MM,
     OPPOSITE,
-    Finding,
-    grave,
-    size_agrees,
-    size_off,
-    size_unchecked,
+    CalibrationFinding,
+    offset_quality,
+    size_agreement_finding,
+    size_error_finding,
+    size_unchecked_finding,
 )
 from app.metrology.limits import Limits
 from app.metrology.transforms import Floats
@@ -40,56 +44,67 @@ SHARE_SDS = (0.003, 0.03)
 # Points are about so far from the axis of a turn, and from where a size is counted from.
 LEVER_MM = 100.0
 
-Said = Callable[[Told], Finding | None]
+DescribeFault = Callable[[FaultEstimate], CalibrationFinding | None]
 
 
 @dataclass(frozen=True)
 class _Fault:
-    suspect: Suspect
-    said: Said
+    suspect: FaultHypothesis
+    said: DescribeFault
 
 
-def about_block_faults(found: Adjusted, limits: Limits) -> list[Finding]:
+def block_fault_findings(found: AdjustmentResult, limits: Limits) -> list[CalibrationFinding]:
     """The fault that is most likely, if one is, and whether the block's size was seen."""
     touches = found.problem.touches
     assert touches is not None
     pairs = _pairs(touches)
     faces = [
         _Fault(
-            _size(found, np.isin(touches.features, pair).astype(np.float64)),
-            partial(_opening, pair, limits),
+            _size_hypothesis(found, np.isin(touches.features, pair).astype(np.float64)),
+            partial(_opening_finding, pair, limits),
         )
         for pair in pairs
     ]
-    in_all = _Fault(_in_all(found), partial(_block_size, limits))
-    named, told = _named(found, [*faces, in_all, *_of_contacts(found, touches, limits)])
+    in_all = _Fault(_scale_hypothesis(found), partial(_block_size_finding, limits))
+    named, told = _most_likely_fault(
+        found, [*faces, in_all, *_contact_faults(found, touches, limits)]
+    )
     if not pairs:
-        return [*named, size_unchecked()]
+        return [*named, size_unchecked_finding()]
     openings = {
         pair: 2 * float(one.sizes[0]) for pair, one in zip(pairs, told[: len(pairs)], strict=True)
     }
-    return named or [size_agrees(openings)]
+    return named or [size_agreement_finding(openings)]
 
 
-def about_board_faults(found: Adjusted, square_mm: float, limits: Limits) -> list[Finding]:
+def board_fault_findings(
+    found: AdjustmentResult, square_mm: float, limits: Limits
+) -> list[CalibrationFinding]:
     """The fault that is most likely, if one is; the board need not have been touched."""
     touches = found.problem.touches
-    in_all = _Fault(_in_all(found), partial(_board_size, square_mm, limits))
-    contacts = [] if touches is None else _of_contacts(found, touches, limits)
-    return _named(found, [in_all, *contacts])[0]
+    in_all = _Fault(_scale_hypothesis(found), partial(_board_size_finding, square_mm, limits))
+    contacts = [] if touches is None else _contact_faults(found, touches, limits)
+    return _most_likely_fault(found, [in_all, *contacts])[0]
 
 
-def _of_contacts(found: Adjusted, touches: Touches, limits: Limits) -> list[_Fault]:
+def _contact_faults(
+    found: AdjustmentResult, touches: ContactObservations, limits: Limits
+) -> list[_Fault]:
     return [
-        _Fault(_size(found, np.ones(len(touches))), partial(_diameter, touches, limits)),
-        _Fault(_tip_place(found, touches), partial(_place, limits)),
-        _Fault(_moved(found, touches), partial(_moved_said, limits)),
+        _Fault(
+            _size_hypothesis(found, np.ones(len(touches))),
+            partial(_diameter_finding, touches, limits),
+        ),
+        _Fault(_tip_hypothesis(found, touches), partial(_tip_finding, limits)),
+        _Fault(_motion_hypothesis(found, touches), partial(_motion_finding, limits)),
     ]
 
 
-def _named(found: Adjusted, faults: Sequence[_Fault]) -> tuple[list[Finding], list[Told]]:
+def _most_likely_fault(
+    found: AdjustmentResult, faults: Sequence[_Fault]
+) -> tuple[list[CalibrationFinding], list[FaultEstimate]]:
     """The one that stands out most, if any, and what is told of each."""
-    told = evidence_of(found, [fault.suspect for fault in faults])
+    told = estimate_faults(found, [fault.suspect for fault in faults])
     doubted = [
         (one.evidence, finding)
         for one, fault in zip(told, faults, strict=True)
@@ -98,51 +113,57 @@ def _named(found: Adjusted, faults: Sequence[_Fault]) -> tuple[list[Finding], li
     return ([max(doubted, key=lambda one: one[0])[1]] if doubted else []), told
 
 
-def _pairs(touches: Touches) -> list[tuple[str, str]]:
+def _pairs(touches: ContactObservations) -> list[tuple[str, str]]:
     labels = np.array(touches.features)[touches.kept]
     return [pair for pair in OPPOSITE if all(face in labels for face in pair)]
 
 
-def _size(found: Adjusted, outward: Floats) -> Suspect:
+def _size_hypothesis(found: AdjustmentResult, outward: Floats) -> FaultHypothesis:
     """The tip's centre further out on the faces for which ``outward`` (N,) is 1."""
-    return _by_contacts(found, -outward[:, None], tuple(np.array([sd]) for sd in SIZE_SDS_MM))
+    return _contact_hypothesis(
+        found, -outward[:, None], tuple(np.array([sd]) for sd in SIZE_SDS_MM)
+    )
 
 
-def _tip_place(found: Adjusted, touches: Touches) -> Suspect:
+def _tip_hypothesis(found: AdjustmentResult, touches: ContactObservations) -> FaultHypothesis:
     """The tip's centre elsewhere, flange frame (mm)."""
     by = np.einsum("ni,nij->nj", _normals(found, touches), touches.R_arm_flange)
-    return _by_contacts(found, by, tuple(np.full(3, sd) for sd in PLACE_SDS_MM))
+    return _contact_hypothesis(found, by, tuple(np.full(3, sd) for sd in PLACE_SDS_MM))
 
 
-def _moved(found: Adjusted, touches: Touches) -> Suspect:
+def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) -> FaultHypothesis:
     """The object elsewhere when it was touched: turned about the contacts' middle (rad) and
     shifted (mm), arm frame."""
     normals = _normals(found, touches)
     arms = touches.tips_mm - touches.tips_mm[touches.kept].mean(axis=0)
     by = -np.column_stack([np.cross(arms, normals), normals])
     sds = tuple(np.repeat(pair, 3) for pair in zip(MOVED_SDS_RAD, MOVED_SDS_MM, strict=True))
-    return _by_contacts(found, by, sds)
+    return _contact_hypothesis(found, by, sds)
 
 
-def _in_all(found: Adjusted) -> Suspect:
+def _scale_hypothesis(found: AdjustmentResult) -> FaultHypothesis:
     """The object larger than its papers say, by a share of all its lengths."""
     papers, contacts = found.problem.papers.coordinates[:, None], found.linear.contacts
     nothing = np.zeros((0 if contacts is None else len(contacts.residuals_mm), 1))
-    return Suspect(nothing, -papers, tuple(np.array([sd]) for sd in SHARE_SDS))
+    return FaultHypothesis(nothing, -papers, tuple(np.array([sd]) for sd in SHARE_SDS))
 
 
-def _by_contacts(found: Adjusted, by: Floats, sds: tuple[Floats, ...]) -> Suspect:
+def _contact_hypothesis(
+    found: AdjustmentResult, by: Floats, sds: tuple[Floats, ...]
+) -> FaultHypothesis:
     """Of a fault that changes what the contacts (N) are off by ``by`` (N, K)."""
     touches, papers = found.problem.touches, found.problem.papers
     assert touches is not None
-    return Suspect(by[touches.kept], np.zeros((len(papers.coordinates), by.shape[1])), sds)
+    return FaultHypothesis(by[touches.kept], np.zeros((len(papers.coordinates), by.shape[1])), sds)
 
 
-def _normals(found: Adjusted, touches: Touches) -> Floats:
+def _normals(found: AdjustmentResult, touches: ContactObservations) -> Floats:
     return np.asarray(touches.normals @ found.state.T_arm_obj[:3, :3].T)
 
 
-def _diameter(touches: Touches, limits: Limits, told: Told) -> Finding | None:
+def _diameter_finding(
+    touches: ContactObservations, limits: Limits, told: FaultEstimate
+) -> CalibrationFinding | None:
     outward_mm = float(told.sizes[0])
     if 2 * abs(outward_mm) < DIAMETER_MM:
         return None
@@ -154,8 +175,8 @@ def _diameter(touches: Touches, limits: Limits, told: Told) -> Finding | None:
         )
     given = 2 * touches.radius_mm
     told_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(told.covariance[0, 0]))
-    return Finding(
-        grave(outward_mm, limits),
+    return CalibrationFinding(
+        offset_quality(outward_mm, limits),
         "tip-diameter",
         f"Contacts and pictures agree better with a tip of {told_mm:.3f} mm "
         f"(± {known_mm:.3f}) than with {given:.3f} mm.",
@@ -163,21 +184,23 @@ def _diameter(touches: Touches, limits: Limits, told: Told) -> Finding | None:
     )
 
 
-def _opening(pair: tuple[str, str], limits: Limits, told: Told) -> Finding | None:
+def _opening_finding(
+    pair: tuple[str, str], limits: Limits, told: FaultEstimate
+) -> CalibrationFinding | None:
     opening_mm = 2 * float(told.sizes[0])
     if abs(opening_mm) < OPENING_MM:
         return None
-    return size_off(pair, opening_mm, OPENING_MM, limits)
+    return size_error_finding(pair, opening_mm, OPENING_MM, limits)
 
 
-def _place(limits: Limits, told: Told) -> Finding | None:
+def _tip_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
     off_mm = float(np.linalg.norm(told.sizes))
     if off_mm < LEAST_MM:
         return None
     x, y, z = told.sizes
     known_mm = 2 * float(np.sqrt(np.max(np.diag(told.covariance))))
-    return Finding(
-        grave(off_mm, limits),
+    return CalibrationFinding(
+        offset_quality(off_mm, limits),
         "tip-place",
         f"Contacts and pictures agree better with the tip's centre {off_mm:.2f} mm from where "
         f"the arm's file has it: by {x:+.2f}, {y:+.2f}, {z:+.2f} mm (± {known_mm:.2f}) in the "
@@ -187,7 +210,7 @@ def _place(limits: Limits, told: Told) -> Finding | None:
     )
 
 
-def _moved_said(limits: Limits, told: Told) -> Finding | None:
+def _motion_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
     turned_rad, off_mm = (float(np.linalg.norm(part)) for part in np.split(told.sizes, 2))
     if max(off_mm, LEVER_MM * turned_rad) < LEAST_MM:
         return None
@@ -203,8 +226,8 @@ def _moved_said(limits: Limits, told: Told) -> Finding | None:
             f"The pictures have the object turned by {turned_deg:.2f}° from how it was touched. "
             "Scanned points may be off by as much."
         )
-    return Finding(
-        grave(max(off_mm, LEVER_MM * turned_rad), limits),
+    return CalibrationFinding(
+        offset_quality(max(off_mm, LEVER_MM * turned_rad), limits),
         "object-moved",
         text,
         "Fix object and arm so that neither can move, touch the object, and take the pictures "
@@ -212,13 +235,13 @@ def _moved_said(limits: Limits, told: Told) -> Finding | None:
     )
 
 
-def _block_size(limits: Limits, told: Told) -> Finding | None:
+def _block_size_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
     share, known = float(told.sizes[0]), 200 * float(np.sqrt(told.covariance[0, 0]))
     if LEVER_MM * abs(share) < LEAST_MM:
         return None
     percent = 100 * abs(share)
-    return Finding(
-        grave(LEVER_MM * share, limits),
+    return CalibrationFinding(
+        offset_quality(LEVER_MM * share, limits),
         "object-size",
         f"By the arm's motion the object is {percent:.2f} % (± {known:.2f}) "
         f"{'larger' if share > 0 else 'smaller'} than its certificate says: all lengths would be "
@@ -227,12 +250,14 @@ def _block_size(limits: Limits, told: Told) -> Finding | None:
     )
 
 
-def _board_size(square_mm: float, limits: Limits, told: Told) -> Finding | None:
+def _board_size_finding(
+    square_mm: float, limits: Limits, told: FaultEstimate
+) -> CalibrationFinding | None:
     share, sd = float(told.sizes[0]), float(np.sqrt(told.covariance[0, 0]))
     if LEVER_MM * abs(share) < LEAST_MM:
         return None
-    return Finding(
-        grave(LEVER_MM * share, limits),
+    return CalibrationFinding(
+        offset_quality(LEVER_MM * share, limits),
         "board-size",
         f"By the arm's motion the squares are {(1 + share) * square_mm:.3f} mm wide (± "
         f"{2 * sd * square_mm:.3f}), by the certificate {square_mm:g} mm: all "

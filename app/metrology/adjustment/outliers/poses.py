@@ -4,67 +4,67 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted, adjust
-from app.metrology.adjustment.core.hand_eye import Mounting, off_place_mm
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
+from app.metrology.adjustment.core.hand_eye import Mounting, pose_offsets_mm
 from app.metrology.transforms import Floats
 
 # What is astray is so many times as far off as the others usually are.
-ASTRAY_TIMES = 5.0
+OUTLIER_TIMES = 5.0
 # A pose's noise is so many times that of the encoders' papers, too.
-ASTRAY_AT_LEAST = 4.0
+OUTLIER_AT_LEAST = 4.0
 FEWEST_POSES = 4
 # One stray of few draws the others along, so that none stands out: it is told by so many times
 # less noise in all without it.
 LESS_NOISE_TIMES = 5.0
 # Of a pose's readings, the share that its own picture must tell for it to be judged.
-LEAST_TOLD = 0.05
+LEAST_DETERMINED = 0.05
 
 
-def without_strays(
-    found: Adjusted, mounting: Mounting, reach_mm: float
-) -> tuple[Adjusted, Mounting]:
+def remove_outlier_poses(
+    found: AdjustmentResult, mounting: Mounting, reach_mm: float
+) -> tuple[AdjustmentResult, Mounting]:
     """Adjusted without the poses that are astray, worst first; they are marked in ``mounting``.
 
     Fewer than half of all poses are set aside.
     """
     total = len(mounting.contradicts)
     while 2 * (mounting.contradicts.sum() + 1) < total:
-        left = _without_stray(found)
+        left = _remove_outlier(found)
         if left is None:
             break
         stray, found = left
         contradicts = mounting.contradicts.copy()
         contradicts[np.flatnonzero(~mounting.contradicts)[stray]] = True
         X, T_arm_obj = found.state.T_flange_cam, found.state.T_arm_obj
-        off_mm = off_place_mm(mounting.T_arm_flange, mounting.T_cam_obj, X, T_arm_obj, reach_mm)
+        off_mm = pose_offsets_mm(mounting.T_arm_flange, mounting.T_cam_obj, X, T_arm_obj, reach_mm)
         mounting = replace(
             mounting, T_flange_cam=X, T_arm_obj=T_arm_obj, off_mm=off_mm, contradicts=contradicts
         )
     return found, mounting
 
 
-def _without_stray(found: Adjusted) -> tuple[int, Adjusted] | None:
+def _remove_outlier(found: AdjustmentResult) -> tuple[int, AdjustmentResult] | None:
     """The place of the pose that is astray, and the adjustment without it; None where none is."""
-    stray = stray_pose(found)
+    stray = find_outlier_pose(found)
     if stray is not None:
-        return stray, _without(found, stray)
+        return stray, _refit_without(found, stray)
     noise = pose_noise(found)
     usual = found.problem.motion.usual_factor
-    if len(noise) < FEWEST_POSES or found.scales.noise < ASTRAY_AT_LEAST * usual:
+    if len(noise) < FEWEST_POSES or found.scales.noise < OUTLIER_AT_LEAST * usual:
         return None
     suspect = int(np.argmax(noise))
-    rest = _without(found, suspect)
+    rest = _refit_without(found, suspect)
     calmer = rest.scales.noise * LESS_NOISE_TIMES < found.scales.noise
     return (suspect, rest) if calmer else None
 
 
-def _without(found: Adjusted, pose: int) -> Adjusted:
+def _refit_without(found: AdjustmentResult, pose: int) -> AdjustmentResult:
     out = np.arange(len(found.problem.views)) == pose
     start = replace(found.state, noise=found.state.noise[~out])
-    return adjust(found.problem.without_poses(out), start)
+    return solve_adjustment(found.problem.without_poses(out), start)
 
 
-def stray_pose(found: Adjusted) -> int | None:
+def find_outlier_pose(found: AdjustmentResult) -> int | None:
     """The pose whose readings are furthest off, where no noise explains that, or None.
 
     A pose's noise is the rms of its readings' errors against their standard deviation,
@@ -74,22 +74,24 @@ def stray_pose(found: Adjusted) -> int | None:
     noise = pose_noise(found)
     if len(noise) < FEWEST_POSES:
         return None
-    return worst_astray(noise, ASTRAY_AT_LEAST * found.problem.motion.usual_factor)
+    return find_worst_outlier(noise, OUTLIER_AT_LEAST * found.problem.motion.usual_factor)
 
 
-def worst_astray(off: Floats, at_least: float) -> int | None:
+def find_worst_outlier(off: Floats, at_least: float) -> int | None:
     """The place of the largest of values (N,), not all NaN, where it is beyond what the others'
     median and ``at_least`` explain; None where it is not."""
     worst = int(np.nanargmax(off))
     usual = float(np.nanmedian(np.delete(off, worst)))
-    return worst if off[worst] > max(ASTRAY_TIMES * usual, at_least) else None
+    return worst if off[worst] > max(OUTLIER_TIMES * usual, at_least) else None
 
 
-def pose_noise(found: Adjusted) -> Floats:
+def pose_noise(found: AdjustmentResult) -> Floats:
     """(P,) noise of each pose's readings, in standard deviations of one reading."""
     sd = found.problem.motion.noise_sd
     values = found.state.noise / sd
     poses, count = values.shape
     variance = np.diag(found.covariance)[found.layout.noise].reshape(poses, count) / sd**2
-    told = np.maximum(count - (variance / found.scales.noise**2).sum(axis=1), LEAST_TOLD * count)
+    told = np.maximum(
+        count - (variance / found.scales.noise**2).sum(axis=1), LEAST_DETERMINED * count
+    )
     return np.asarray(np.sqrt((values**2).sum(axis=1) / told))

@@ -13,7 +13,7 @@ DAMPING = 1e-3
 LARGEST_STEP_RAD = 0.2
 
 
-def joints_for(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats | None:
+def solve_inverse_kinematics(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats | None:
     """Encoder angles (n,) near ``q_rad`` that bring the flange to a pose; None if out of reach.
 
     Damped least squares from the angles given, held within the joints' limits.

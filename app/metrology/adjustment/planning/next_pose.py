@@ -9,21 +9,25 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.metrology.adjustment.block.predicted_view import Seeing, expected_view, in_view
+from app.metrology.adjustment.block.predicted_view import (
+    ObservationNoise,
+    predict_view,
+    visible_share,
+)
 from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.adjustment.board.predicted_view import expected_board_view, whole_in_view
+from app.metrology.adjustment.board.predicted_view import is_fully_visible, predict_board_view
 from app.metrology.adjustment.core.arm_errors import FlangeMotion, arm_motion
-from app.metrology.adjustment.core.gauss_newton import Adjusted, embedded
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, free_covariance
 from app.metrology.adjustment.core.parameters import SENSOR, pose_scene
-from app.metrology.adjustment.core.robust_weights import Judgement, normal_equations
-from app.metrology.adjustment.core.uncertainty import by_sensor, measuring_volume
-from app.metrology.adjustment.planning.inverse_kinematics import joints_for
+from app.metrology.adjustment.core.robust_weights import RobustWeights, normal_equations
+from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
+from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
 from app.metrology.arm.kinematics import Arm
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame
 from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.targets.target import CalibrationObject, Line, middle_of, outline
+from app.metrology.targets.target import CalibrationTarget, PixelSegment, outline, target_centre
 from app.metrology.transforms import (
     Floats,
     inverse,
@@ -39,7 +43,7 @@ HEIGHTS_MM = (-8.0, 0.0, 8.0)
 # Share of a block in the picture, and points of the stripe on each level, at least.
 FRAMED, STRIPE_POINTS = 0.85, 40
 # Points put into one where a picture is foretold.
-MERGED = 4
+BIN_SIZE = 4
 # Changes smaller than these are not worth a word.
 WORD_DEG, WORD_MM = 4.0, 3.0
 
@@ -48,7 +52,7 @@ RowsOf = Callable[[Camera, LaserPlane, Floats], tuple[Rows, Rows]]
 
 
 @dataclass(frozen=True)
-class Hold:
+class PoseDelta:
     """Where the sensor is held against another hold, as an operator would say it.
 
     ``tilt_right_deg``: the camera swings to the right about the object; ``tilt_back_deg``:
@@ -91,16 +95,16 @@ class PoseAdvice:
     T_obj_cam: Floats  # (4, 4)
     q_rad: Floats  # (n,) joint angles that reach it
     total_um: float  # of a point, k = 1, after this pose
-    outline_px: tuple[Line, ...]
+    outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
 
 
 def next_poses(
-    found: Adjusted,
+    found: AdjustmentResult,
     arm: Arm,
-    item: CalibrationObject,
+    item: CalibrationTarget,
     q_rad: Floats,
-    seeing: Seeing | None = None,
+    seeing: ObservationNoise | None = None,
 ) -> list[PoseAdvice]:
     """Poses that the arm can take, the most helpful first.
 
@@ -108,55 +112,55 @@ def next_poses(
         found: the adjustment of the P poses so far.
         q_rad: (P, n) their encoder angles.
     """
-    seeing = seeing or Seeing(merged=MERGED)
+    seeing = seeing or ObservationNoise(merged=BIN_SIZE)
     reference = pose_scene(found.state, found.problem, found.layout, 0)
     T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
-    volume = by_sensor(found.state, measuring_volume(found).uv_px)
+    volume = sensor_jacobian(found.state, measuring_volume(found).uv_px)
     by_sizes = found.by_link_sizes[SENSOR, SENSOR]
     advice = []
     for T_obj_cam in _candidates(inverse(T_cam_obj), item):
         q = _joints(found, arm, T_obj_cam, q_rad)
-        rows_of = _foretold(found, item, T_obj_cam, seeing)
+        rows_of = _predict_rows(found, item, T_obj_cam, seeing)
         if q is None or rows_of is None:
             continue
         # one pose more tells little of how large the links' errors are
-        covariance = _after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
+        covariance = _covariance_after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
-        camera, _ = seen_at(found, T_obj_cam)
+        camera, _ = place_sensor(found, T_obj_cam)
         advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, item)))
     return sorted(advice, key=lambda one: one.total_um)
 
 
-def _foretold(
-    found: Adjusted, item: CalibrationObject, T_obj_cam: Floats, seeing: Seeing
+def _predict_rows(
+    found: AdjustmentResult, item: CalibrationTarget, T_obj_cam: Floats, seeing: ObservationNoise
 ) -> RowsOf | None:
     """How the picture from a hold would be measured; None where it would be of no use."""
-    camera, plane = seen_at(found, T_obj_cam)
+    camera, plane = place_sensor(found, T_obj_cam)
     if isinstance(item, Crenellated):
-        if in_view(camera, item) < FRAMED:
+        if visible_share(camera, item) < FRAMED:
             return None
-        block = expected_view(camera, plane, item, seeing)
+        block = predict_view(camera, plane, item, seeing)
         on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
         return block.rows if min(on_each) * seeing.merged >= STRIPE_POINTS else None
     like = found.problem.views[0]
     assert isinstance(like, BoardView)
-    if not whole_in_view(camera, item):
+    if not is_fully_visible(camera, item):
         return None
-    board = expected_board_view(camera, plane, like, seeing)
+    board = predict_board_view(camera, plane, like, seeing)
     return board.rows if len(board.stripe.u) * seeing.merged >= STRIPE_POINTS else None
 
 
-def held(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationObject) -> Hold:
+def pose_delta(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationTarget) -> PoseDelta:
     """One hold (4, 4) of the camera over the object, against another."""
     turned = vector_from_rotation(T_obj_cam[:3, :3] @ T_obj_cam_before[:3, :3].T)
     x, y, z = np.degrees(_sides(item, T_obj_cam_before).T @ turned)
-    middle = middle_of(item)
+    middle = target_centre(item)
     apart = [float(np.linalg.norm(T[:3, 3] - middle)) for T in (T_obj_cam, T_obj_cam_before)]
     # a turn about +y swings what is above to the right, about -x to the back
-    return Hold(float(y), float(-x), float(z), apart[0] - apart[1])
+    return PoseDelta(float(y), float(-x), float(z), apart[0] - apart[1])
 
 
-def _sides(item: CalibrationObject, T_obj_cam: Floats) -> Floats:
+def _sides(item: CalibrationTarget, T_obj_cam: Floats) -> Floats:
     """(3, 3): what is right, back and up for the operator, as columns in the object's frame.
 
     A block has a front; a board lies in any way, and what is right in the picture is right.
@@ -168,14 +172,14 @@ def _sides(item: CalibrationObject, T_obj_cam: Floats) -> Floats:
     return np.column_stack([right, [-right[1], right[0], 0.0], [0.0, 0.0, 1.0]])
 
 
-def seen_at(found: Adjusted, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
+def place_sensor(found: AdjustmentResult, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
     """Camera and plane in the object's frame for the camera held at a place."""
     return in_frame(found.state.camera, found.state.plane, T_obj_cam)
 
 
-def _candidates(T_obj_cam: Floats, item: CalibrationObject) -> Sequence[Floats]:
+def _candidates(T_obj_cam: Floats, item: CalibrationTarget) -> Sequence[Floats]:
     """Holds swung about the object's middle from a first one."""
-    middle, sides = middle_of(item), _sides(item, T_obj_cam)
+    middle, sides = target_centre(item), _sides(item, T_obj_cam)
     away = T_obj_cam[:3, 3] - middle
     away /= np.linalg.norm(away)
     holds = []
@@ -190,14 +194,14 @@ def _candidates(T_obj_cam: Floats, item: CalibrationObject) -> Sequence[Floats]:
     return holds
 
 
-def _joints(found: Adjusted, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
+def _joints(found: AdjustmentResult, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
     """Joint angles for a hold, starting from the pose whose flange is nearest."""
     T_arm_flange = found.state.T_arm_obj @ T_obj_cam @ inverse(found.state.T_flange_cam)
     near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
-    return joints_for(arm, T_arm_flange, q_rad[int(np.argmin(near))])
+    return solve_inverse_kinematics(arm, T_arm_flange, q_rad[int(np.argmin(near))])
 
 
-def _after(found: Adjusted, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
+def _covariance_after(found: AdjustmentResult, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
     """Covariance (17, 17) of the sensor's unknowns with one more pose."""
     problem, state, at = found.problem, found.state, found.layout
     motion = problem.motion
@@ -222,8 +226,8 @@ def _after(found: Adjusted, moves: FlangeMotion, rows_of: RowsOf) -> Floats:
     index = np.arange(wider.count)[wider.noise_of(new)]
     N[index, index] += (found.scales.noise * motion.noise_sd) ** -2.0
     for rows in rows_of(scene.camera, scene.plane, state.coordinates):
-        everything = Judgement(np.ones(len(rows.sigma), np.bool_), np.ones(len(rows.sigma)))
+        everything = RobustWeights(np.ones(len(rows.sigma), np.bool_), np.ones(len(rows.sigma)))
         local, _ = normal_equations(rows, everything)
         N += scene.by_unknowns.T @ local @ scene.by_unknowns
     free = np.concatenate([found.free, np.ones(own, np.bool_)])
-    return embedded(N, free)[SENSOR, SENSOR]
+    return free_covariance(N, free)[SENSOR, SENSOR]

@@ -34,9 +34,11 @@ class TouchAdvice:
         return ", ".join([said[0].replace(" on", " more on", 1), *said[1:]]) if said else ""
 
 
-def place_um(alignment: Alignment, features: Sequence[str], block: Crenellated) -> float:
+def placement_uncertainty_um(
+    alignment: Alignment, features: Sequence[str], block: Crenellated
+) -> float:
     """Standard uncertainty of a point of the block in the arm, rms over its corners, k = 1."""
-    return _worth(_information(alignment, features, block), block)
+    return _point_uncertainty_um(_information(alignment, features, block), block)
 
 
 def next_touches(
@@ -48,7 +50,7 @@ def next_touches(
     or more would be asked than anyone takes.
     """
     information = _information(alignment, features, block)
-    now = then = _worth(information, block)
+    now = then = _point_uncertainty_um(information, block)
     rows = {face: _face_rows(face, block) / alignment.sigma_mm for face in FACES}
     more = dict.fromkeys(FACES, 0)
     while then > target_um and sum(more.values()) < MOST_MORE:
@@ -56,7 +58,7 @@ def next_touches(
         for face in FACES:
             row = rows[face][more[face] % len(rows[face])]
             tried[face] = information + np.outer(row, row)
-        worth = {face: _worth(one, block) for face, one in tried.items()}
+        worth = {face: _point_uncertainty_um(one, block) for face, one in tried.items()}
         best = min(FACES, key=lambda face: worth[face])
         information, then = tried[best], worth[best]
         more[best] += 1
@@ -66,11 +68,11 @@ def next_touches(
 
 def _face_rows(face: str, block: Crenellated) -> Floats:
     normal, _ = probing_face(block, face)
-    places = spread_over(face, block)
+    places = face_sample_points(face, block)
     return _rows(places, np.broadcast_to(normal, places.shape))
 
 
-def spread_over(face: str, block: Crenellated) -> Floats:
+def face_sample_points(face: str, block: Crenellated) -> Floats:
     """Places (8, 3) to touch a face, far apart first, object frame."""
     x = (block.edges_x_mm[0] + MARGIN_MM, block.edges_x_mm[-1] - MARGIN_MM)
     y = (block.front_y_mm + MARGIN_MM, block.back_y_mm - MARGIN_MM)
@@ -111,7 +113,7 @@ def _information(alignment: Alignment, features: Sequence[str], block: Crenellat
     return np.asarray(rows.T @ rows)
 
 
-def _worth(information: Floats, block: Crenellated) -> float:
+def _point_uncertainty_um(information: Floats, block: Crenellated) -> float:
     """What it makes of a point, in micrometres: rms over the block's corners."""
     covariance = np.linalg.inv(information)
     corners = np.array(

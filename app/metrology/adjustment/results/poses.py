@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.hand_eye import Mounting
-from app.metrology.adjustment.core.observations import SeenPose
+from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.parameters import pose_scene
-from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstPoint
+from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstResidual
 from app.metrology.calibration.observation_model import Rows, with_coordinates
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import project
@@ -20,7 +20,7 @@ from app.metrology.transforms import Floats, inverse
 # A pose that contradicts the others fits another's readings if it then lies so near: this
 # many times what is usual among all poses, and this.
 FITS_TIMES, FITS_MM = 5.0, 1.0
-SHOWN_STRIPE_POINTS = 60
+MOST_STRIPE_POINTS = 60
 NO_LINE = "its picture shows no laser line on the object"
 """Of a pose that was used, but for its laser line."""
 
@@ -29,7 +29,7 @@ NO_LINE = "its picture shows no laser line on the object"
 class PoseResult:
     """One pose: residuals where it was used, ``reason`` where it, or its laser line, was left out.
 
-    ``off_um`` is how far the arm's noise had to move the object for this pose to agree;
+    ``pose_offset_um`` is how far the arm's noise had to move the object for this pose to agree;
     ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` where each was
     measured; ``stripe_off_px`` are points of the stripe (u, v), evenly taken, and how far each
     lies off the adjusted line.
@@ -48,7 +48,9 @@ class PoseResult:
     stripe_off_px: tuple[tuple[float, float, float], ...] = ()
 
 
-def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) -> list[PoseResult]:
+def pose_results(
+    found: AdjustmentResult, seen: Sequence[BlockObservation], block: Crenellated
+) -> list[PoseResult]:
     """Of the poses that were used."""
     by_number = {pose.number: pose for pose in seen}
     block = with_coordinates(block, found.state.coordinates)
@@ -65,26 +67,26 @@ def pose_results(found: Adjusted, seen: Sequence[SeenPose], block: Crenellated) 
                 int(kept_shape.sum()),
                 rms(stripe.residuals[kept_stripe]),
                 int(kept_stripe.sum()),
-                off_um(found, p),
-                _corners(found, p, by_number[number], block),
+                pose_offset_um(found, p),
+                _corner_residuals(found, p, by_number[number], block),
                 tuple((c.name, c.u, c.v) for c in by_number[number].detection.corners),
-                stripe_off(stripe, kept_stripe),
+                stripe_residuals(stripe, kept_stripe),
             )
         )
     return results
 
 
-def stripe_off(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, float, float], ...]:
+def stripe_residuals(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, float, float], ...]:
     """Some of a stripe's points that counted, from one end to the other, and their residuals."""
     own = np.flatnonzero(kept)
-    own = own[:: max(1, -(-len(own) // SHOWN_STRIPE_POINTS))]
+    own = own[:: max(1, -(-len(own) // MOST_STRIPE_POINTS))]
     return tuple(
         (round(float(u), 2), round(float(v), 2), round(float(off), 4))
         for (u, v), off in zip(rows.places[own], rows.residuals[own], strict=True)
     )
 
 
-def left_out(
+def outlier_pose_results(
     numbers: Sequence[int], mounting: Mounting, readings: str = "joint angles"
 ) -> list[PoseResult]:
     """Of the poses that contradict the others, each with the pose whose readings would fit it."""
@@ -92,7 +94,7 @@ def left_out(
     usual_mm = float(np.median(mounting.off_mm))
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
-        off = _length(mounting.off_mm[p])
+        off = _format_length(mounting.off_mm[p])
         reason = f"it puts the object {off} from where the others put it"
         # the flange at which this pose's picture would agree with the others
         wanted = T_arm_flange[p] @ _correction(mounting, p)
@@ -104,33 +106,33 @@ def left_out(
     return results
 
 
-def line_left_out(off_mm: float) -> str:
+def line_exclusion_reason(off_mm: float) -> str:
     """Of a pose that was used, but for its laser line."""
-    off = _length(off_mm)
+    off = _format_length(off_mm)
     return f"its laser line was left out, {off} off the plane of the others"
 
 
-def _length(mm: float) -> str:
+def _format_length(mm: float) -> str:
     return f"{mm:.1f} mm" if mm >= 1 else f"{1e3 * mm:.0f} µm"
 
 
-def worst_of_all(
-    found: Adjusted,
+def block_worst_points(
+    found: AdjustmentResult,
     alignment: Alignment,
     features: Sequence[str],
     poses: Sequence[PoseResult],
-) -> tuple[WorstPoint, ...]:
+) -> tuple[WorstResidual, ...]:
     """The few worst contacts, corners and stripe points over all poses."""
     contacts = 1e3 * np.abs(alignment.residuals_mm)
     worst = [
-        WorstPoint("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
+        WorstResidual("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
         for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
     ]
-    worst += worst_in_pictures(found, poses)
+    worst += worst_image_points(found, poses)
     return tuple(worst)
 
 
-def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[WorstPoint]:
+def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> list[WorstResidual]:
     """The few worst corners and stripe points over all poses."""
     at_corners = [
         (float(np.hypot(u, v)), pose.number, name)
@@ -138,7 +140,7 @@ def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[Wors
         for name, u, v in pose.corners_px
     ]
     worst = [
-        WorstPoint("corner", f"pose {number} {name}", off, "px", pose=number)
+        WorstResidual("corner", f"pose {number} {name}", off, "px", pose=number)
         for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
     ]
     on_stripe = []
@@ -151,7 +153,9 @@ def worst_in_pictures(found: Adjusted, poses: Sequence[PoseResult]) -> list[Wors
             for i in np.argsort(-off_px)[:WORST_OF_A_KIND]
         ]
     worst += [
-        WorstPoint("stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v))
+        WorstResidual(
+            "stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v)
+        )
         for off, number, u, v in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
     ]
     return worst
@@ -162,7 +166,7 @@ def rms(values: Floats) -> float:
     return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
 
 
-def off_um(found: Adjusted, pose: int) -> float:
+def pose_offset_um(found: AdjustmentResult, pose: int) -> float:
     """How far the noise of a pose's readings moves the object."""
     moves, state = found.problem.motion, found.state
     twist = moves.by_noise[pose] @ state.noise[pose]
@@ -170,8 +174,8 @@ def off_um(found: Adjusted, pose: int) -> float:
     return float(1e3 * np.linalg.norm(np.cross(twist[:3], at) + twist[3:]))
 
 
-def _corners(
-    found: Adjusted, pose: int, seen: SeenPose, block: Crenellated
+def _corner_residuals(
+    found: AdjustmentResult, pose: int, seen: BlockObservation, block: Crenellated
 ) -> tuple[tuple[str, float, float], ...]:
     measured = seen.detection.corners
     if not measured:

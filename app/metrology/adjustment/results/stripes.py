@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.metrology.adjustment.core.gauss_newton import Adjusted
-from app.metrology.adjustment.core.observations import Problem
+from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
+from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.adjustment.core.parameters import pose_scene
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.sensor.projection import COUNT
@@ -16,7 +16,7 @@ from app.metrology.transforms import Floats
 OFFSET = COUNT + 2
 
 
-def sorted_anew(found: Adjusted) -> Problem:
+def reclassify_stripes(found: AdjustmentResult) -> AdjustmentProblem:
     """The problem with all stripes judged against what was found."""
     problem, state = found.problem, found.state
     views = []
@@ -35,7 +35,7 @@ def off_plane_mm(rows: Rows) -> Floats:
     return np.asarray(rows.residuals / np.where(by_offset == 0, np.nan, by_offset))
 
 
-def stripe_rms_mm(found: Adjusted) -> float:
+def stripe_rms_mm(found: AdjustmentResult) -> float:
     """Rms distance from the laser plane of the stripe's points on their levels."""
     off = np.concatenate(
         [
@@ -47,7 +47,7 @@ def stripe_rms_mm(found: Adjusted) -> float:
     return float(np.sqrt(np.mean(off**2))) if len(off) else 0.0
 
 
-def depth_range_mm(found: Adjusted) -> tuple[float, float]:
+def depth_range_mm(found: AdjustmentResult) -> tuple[float, float]:
     """How near and how far from the camera the points of all stripes lie."""
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(found.state.camera, found.state.plane, stripe)

@@ -4,16 +4,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import Refusal
-from app.metrology.arm.identification.observations import Observations, Place, Stacked
+from app.errors import OperationError
+from app.metrology.arm.identification.observations import (
+    ArmObservations,
+    ProbedPlace,
+    StackedObservations,
+)
 from app.metrology.arm.identification.parameter_selection import LENGTH_MM, candidates
 from app.metrology.arm.identification.parameters import tip_jacobian
-from app.metrology.arm.identification.robust_solve import Fit, solve
+from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
 from app.metrology.arm.identification.volumetric_error import size_uncertainty_mm
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
-LEAST_TO_SIZE, SPHERE_STEPS, STRAY = 8, 20, 5.0
+LEAST_TO_SIZE, SPHERE_STEPS, OUTLIER_SDS = 8, 20, 5.0
 """Points that tell a sphere's size by themselves; those further off than so many sd stray."""
 FREE_MM = 1e3
 """Uncertainty of a bar's length that says nothing of it."""
@@ -23,12 +27,12 @@ UNLIKELY = 5e-4
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
 
 
-def check_spheres(data: Stacked, fit: Fit) -> list[str]:
+def check_spheres(data: StackedObservations, fit: ArmFit) -> list[str]:
     """Warns of a sphere that is seen in another size than the others; refuses one far off.
 
     Each by its own points and the arm fitted, whatever the fit left out.
     """
-    found = _own_excesses(data, fit)
+    found = _sphere_excesses(data, fit)
     if len(found) < 2:
         return []
     excess, sd = np.array([own[1:] for own in found]).T
@@ -48,7 +52,7 @@ def check_spheres(data: Stacked, fit: Fit) -> list[str]:
         "diameters given"
     )
     if abs(off[worst]) > WRONG_TIP_MM:
-        raise Refusal(
+        raise OperationError(
             "sphere-diameter",
             told,
             "one diameter is not this sphere's, or the sphere was not clean",
@@ -57,21 +61,25 @@ def check_spheres(data: Stacked, fit: Fit) -> list[str]:
     return [f"{told}: check its diameter"]
 
 
-def _own_excesses(data: Stacked, fit: Fit) -> list[tuple[Place, float, float]]:
+def _sphere_excesses(
+    data: StackedObservations, fit: ArmFit
+) -> list[tuple[ProbedPlace, float, float]]:
     """Of each sphere with points enough: its radius' excess and standard deviation, mm."""
     tips = tip_jacobian(fit.at.arm, data.q_rad)[0]
-    found: list[tuple[Place, float, float]] = []
+    found: list[tuple[ProbedPlace, float, float]] = []
     for number, place in enumerate(data.places):
         if place.diameter_mm is None or place.rows.stop - place.rows.start < LEAST_TO_SIZE:
             continue
         expected = place.diameter_mm / 2 + fit.at.arm.tip.radius_mm
-        own = _sphere(tips[place.rows], fit.at.centres_mm[number], expected)
+        own = _fit_sphere_radius(tips[place.rows], fit.at.centres_mm[number], expected)
         if own is not None:
             found.append((place, own[0] - expected, own[1]))
     return found
 
 
-def _sphere(points: Floats, centre: Floats, radius_mm: float) -> tuple[float, float] | None:
+def _fit_sphere_radius(
+    points: Floats, centre: Floats, radius_mm: float
+) -> tuple[float, float] | None:
     """Radius and its standard deviation of the points (m, 3), without those that stray."""
     at = np.append(centre, radius_mm)
     kept = np.ones(len(points), bool)
@@ -84,7 +92,7 @@ def _sphere(points: Floats, centre: Floats, radius_mm: float) -> tuple[float, fl
         at = at + np.linalg.lstsq(J[kept], off[kept], rcond=None)[0]
         left = np.abs(off - np.median(off))
         sd = max(1.4826 * float(np.median(left)), 1e-6)
-        kept = left < STRAY * sd
+        kept = left < OUTLIER_SDS * sd
         if kept.sum() < LEAST_TO_SIZE:
             return None
     spare = int(kept.sum()) - 4
@@ -94,7 +102,7 @@ def _sphere(points: Floats, centre: Floats, radius_mm: float) -> tuple[float, fl
     return float(at[3]), max(sd, 1e-6) * float(np.sqrt(shape[3, 3]))
 
 
-def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
+def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[str]:
     """Warns of bars that the given arm sees otherwise; refuses lengths that contradict the rest.
 
     The rest is a fit in which every bar's length is free.
@@ -106,8 +114,8 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
         bars=tuple(replace(bar, standard_uncertainty_mm=FREE_MM) for bar in observations.bars),
     )
     try:
-        loose = solve(arm, free.stacked, candidates(arm, with_lengths=False))
-    except Refusal:  # too little is left without the lengths to contradict them
+        loose = fit_arm(arm, free.stacked, candidates(arm, with_lengths=False))
+    except OperationError:  # too little is left without the lengths to contradict them
         return []
     lengths = {bar.name: bar.length_mm for bar in observations.bars}
     seen = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
@@ -117,7 +125,7 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
         f"{lengths[worst]:.3f} mm are given"
     )
     if fit.scatter_mm > CONTRADICTION * max(loose.scatter_mm, 2e-3):
-        raise Refusal(
+        raise OperationError(
             "bar-length",
             told,
             f"with the bars' lengths the points scatter by {fit.scatter_mm * 1e3:.0f} µm, without "
@@ -125,8 +133,8 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
             f"Check length_mm of bar {worst}, and its ends",
         )
     if abs(seen[worst]) > UNLIKELY * lengths[worst]:
-        if _spheres_side_with(loose, fit):
-            raise Refusal(
+        if _spheres_contradict_bars(loose, fit):
+            raise OperationError(
                 "bar-length",
                 told,
                 "the spheres are of the size given for them by the arm's papers, and not by "
@@ -138,14 +146,14 @@ def check_bars(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
     return []
 
 
-def _spheres_side_with(loose: Fit, fit: Fit) -> bool:
+def _spheres_contradict_bars(loose: ArmFit, fit: ArmFit) -> bool:
     """Whether spheres fit their diameters as long as no bar's length tells the arm's size."""
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
     plain = abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM)
     return plain and abs(loose.at.radius_excess_mm) < 0.5 * abs(excess)
 
 
-def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
+def check_tip_diameter(arm: Arm, data: StackedObservations, fit: ArmFit) -> None:
     """Refuses a tip or spheres of evidently another diameter than stated.
 
     An arm made larger by a wrong bar sees them larger, too.
@@ -155,7 +163,7 @@ def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
     if abs(excess) > max(EXCESS_SIGMAS * sd, WRONG_TIP_MM):
         diameter = arm.tip.diameter_mm
-        raise Refusal(
+        raise OperationError(
             "tip-diameter",
             f"the spheres are seen {2e3 * excess:+.0f} µm (± {2e3 * sd:.0f}) against their "
             f"diameters with the tip's {diameter:g} mm",
@@ -165,7 +173,7 @@ def check_tip_diameter(arm: Arm, data: Stacked, fit: Fit) -> None:
         )
 
 
-def size_warnings(arm: Arm, observations: Observations, fit: Fit) -> list[str]:
+def size_warnings(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[str]:
     """What of the sizes is not known, or looks a little wrong."""
     found: list[str] = []
     if not observations.bars:

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.identification.input_checks import NO_SEAT_MM, check_swing
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
@@ -16,7 +16,7 @@ from app.metrology.transforms import Floats
 
 LEAST_POINTS = 10
 
-Verdict = Literal["pass", "fail", "none"]
+ArticulationVerdict = Literal["pass", "fail", "none"]
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Articulation:
     """(3,) what the encoders' noise alone would give."""
     swing_rad: Floats
     """(n,) how far each joint turned."""
-    verdict: Verdict
+    verdict: ArticulationVerdict
 
 
 def check_articulation(
@@ -58,16 +58,16 @@ def check_articulation(
     """
     q = np.asarray(q_rad, dtype=np.float64)
     if len(q) < LEAST_POINTS:
-        raise Refusal(
+        raise OperationError(
             "too-few-points",
             f"{label} has {len(q)} points",
             f"at least {LEAST_POINTS} are needed",
             "Take more while the arm swings",
         )
     check_swing(label, arm, q)
-    half_range, two_sigma = spread_um(tip_centres(arm, q))
+    half_range, two_sigma = tip_spread_um(tip_centres(arm, q))
     if half_range.max() > 1e3 * NO_SEAT_MM:
-        raise Refusal(
+        raise OperationError(
             "not-seated",
             f"{label}: by arm.json the tip goes {half_range.max() / 500:.0f} mm to and fro",
             "no seated tip does: points of another place are among them, or the file is another "
@@ -83,11 +83,11 @@ def check_articulation(
         two_sigma_um=two_sigma,
         encoders_two_sigma_um=2e3 * encoders,
         swing_rad=np.ptp(q, axis=0),
-        verdict=verdict_of(half_range, two_sigma, limits or ArticulationLimits()),
+        verdict=articulation_verdict(half_range, two_sigma, limits or ArticulationLimits()),
     )
 
 
-def spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
+def tip_spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
     """(max - min)/2 and 2 sigma (3,) of tips (m, 3), in µm; sigma with m - 1."""
     half_range = np.ptp(tips_mm, axis=0) / 2 * 1e3
     if len(tips_mm) < 2:
@@ -95,7 +95,9 @@ def spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
     return half_range, 2e3 * np.std(tips_mm, axis=0, ddof=1)
 
 
-def verdict_of(half_range: Floats, two_sigma: Floats, limits: ArticulationLimits) -> Verdict:
+def articulation_verdict(
+    half_range: Floats, two_sigma: Floats, limits: ArticulationLimits
+) -> ArticulationVerdict:
     """Whether every axis keeps the limits that are set."""
     found = [
         bool(np.all(values <= limit))

@@ -8,15 +8,21 @@ from numpy.typing import NDArray
 
 from app.metrology.arm.identification.least_squares import (
     Unknowns,
-    look,
+    initial_unknowns,
     mahalanobis,
+    predict_tips,
     residuals,
     settle_centres,
-    start,
 )
-from app.metrology.arm.identification.observations import Bar, Observations, Seat, Sphere, Stacked
+from app.metrology.arm.identification.observations import (
+    ArmObservations,
+    Bar,
+    Seat,
+    Sphere,
+    StackedObservations,
+)
 from app.metrology.arm.identification.parameter_selection import candidates
-from app.metrology.arm.identification.robust_solve import solve
+from app.metrology.arm.identification.robust_solve import fit_arm
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -55,7 +61,7 @@ class Validation:
 
 
 @dataclass(frozen=True)
-class _Offs:
+class _DeviationSquares:
     """Squares of deviations, to be pooled over folds."""
 
     seats: Floats
@@ -64,7 +70,7 @@ class _Offs:
     normalised: Floats
 
 
-def cross_validated(arm: Arm, observations: Observations, scatter_mm: float) -> Validation:
+def cross_validate(arm: Arm, observations: ArmObservations, scatter_mm: float) -> Validation:
     """Every k-th place held out in turn, the whole fit repeated on the rest.
 
     Raises:
@@ -72,32 +78,32 @@ def cross_validated(arm: Arm, observations: Observations, scatter_mm: float) -> 
     """
     count = observations.groups_count
     folds = min(FOLDS, count)
-    before: list[_Offs] = []
-    after: list[_Offs] = []
+    before: list[_DeviationSquares] = []
+    after: list[_DeviationSquares] = []
     for fold in range(folds):
         out = [i for i in range(count) if i % folds == fold]
         rest = observations.part([i for i in range(count) if i % folds != fold])
-        fit = solve(arm, rest.stacked, candidates(arm, bool(rest.bars)))
+        fit = fit_arm(arm, rest.stacked, candidates(arm, bool(rest.bars)))
         held_out = observations.part(out).stacked
-        before.append(_offs(arm, 0.0, held_out, scatter_mm))
-        after.append(_offs(fit.at.arm, fit.at.radius_excess_mm, held_out, scatter_mm))
-    return Validation(_pooled(before), _pooled(after), count, False)
+        before.append(_deviation_squares(arm, 0.0, held_out, scatter_mm))
+        after.append(_deviation_squares(fit.at.arm, fit.at.radius_excess_mm, held_out, scatter_mm))
+    return Validation(_pool_deviations(before), _pool_deviations(after), count, False)
 
 
-def compared(
-    before: Arm, after: Arm, radius_excess_mm: float, check: Observations, scatter_mm: float
+def compare_arms(
+    before: Arm, after: Arm, radius_excess_mm: float, check: ArmObservations, scatter_mm: float
 ) -> Validation:
     """Both arms on a separate set of places."""
     data = check.stacked
     return Validation(
-        _pooled([_offs(before, 0.0, data, scatter_mm)]),
-        _pooled([_offs(after, radius_excess_mm, data, scatter_mm)]),
+        _pool_deviations([_deviation_squares(before, 0.0, data, scatter_mm)]),
+        _pool_deviations([_deviation_squares(after, radius_excess_mm, data, scatter_mm)]),
         check.groups_count,
         True,
     )
 
 
-def without_points(observations: Observations, kept: NDArray[np.bool_]) -> Observations:
+def without_points(observations: ArmObservations, kept: NDArray[np.bool_]) -> ArmObservations:
     """The observations with only the points of a mask (N,) over ``stacked``."""
     at = 0
 
@@ -122,19 +128,23 @@ def without_points(observations: Observations, kept: NDArray[np.bool_]) -> Obser
         )
         for bar in observations.bars
     )
-    return Observations(seats, spheres, bars)
+    return ArmObservations(seats, spheres, bars)
 
 
-def placed(arm: Arm, data: Stacked, radius_excess_mm: float, scatter_mm: float) -> Unknowns:
+def fit_centres(
+    arm: Arm, data: StackedObservations, radius_excess_mm: float, scatter_mm: float
+) -> Unknowns:
     """Where an arm sees the places, by their own points alone."""
-    at = start(arm, data)
+    at = initial_unknowns(arm, data)
     at = Unknowns(arm, at.centres_mm, radius_excess_mm, at.bar_errors_mm)
     return settle_centres(data, at, np.ones(len(data.q_rad)), scatter_mm)
 
 
-def _offs(arm: Arm, radius_excess_mm: float, data: Stacked, scatter_mm: float) -> _Offs:
-    at = placed(arm, data, radius_excess_mm, scatter_mm)
-    sight = look(data, at)
+def _deviation_squares(
+    arm: Arm, radius_excess_mm: float, data: StackedObservations, scatter_mm: float
+) -> _DeviationSquares:
+    at = fit_centres(arm, data, radius_excess_mm, scatter_mm)
+    sight = predict_tips(data, at)
     counts = np.bincount(data.place_of)[data.place_of]
     # a place's own centre takes up three of its coordinates
     spare = np.where(data.on_sphere, 1 - 3.0 / counts, 1 - 1.0 / counts)
@@ -145,7 +155,7 @@ def _offs(arm: Arm, radius_excess_mm: float, data: Stacked, scatter_mm: float) -
     normalised /= np.where(data.on_sphere, 1.0, 3.0)
     sds = _length_sds(data, sight.covariances, scatter_mm)
     scale = np.where(told, 1 / np.where(told, spare, 1.0), 0.0)
-    return _Offs(
+    return _DeviationSquares(
         (squares * scale)[told & ~data.on_sphere],
         (squares * scale)[told & data.on_sphere],
         found.bars_mm**2,
@@ -153,7 +163,7 @@ def _offs(arm: Arm, radius_excess_mm: float, data: Stacked, scatter_mm: float) -
     )
 
 
-def _length_sds(data: Stacked, covariances: Floats, scatter_mm: float) -> Floats:
+def _length_sds(data: StackedObservations, covariances: Floats, scatter_mm: float) -> Floats:
     """(G,) standard deviation of each bar position's measured length."""
     by_point = np.trace(covariances, axis1=1, axis2=2) / 3 + scatter_mm**2
     sds: list[float] = []
@@ -168,7 +178,7 @@ def _length_sds(data: Stacked, covariances: Floats, scatter_mm: float) -> Floats
     return np.array(sds)
 
 
-def _pooled(parts: Sequence[_Offs]) -> Deviations:
+def _pool_deviations(parts: Sequence[_DeviationSquares]) -> Deviations:
     def rms_um(name: str) -> float | None:
         squares = np.concatenate([getattr(part, name) for part in parts])
         return 1e3 * float(np.sqrt(np.mean(squares))) if len(squares) else None

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.identification.artefact_checks import (
     check_bars,
     check_spheres,
@@ -13,24 +13,24 @@ from app.metrology.arm.identification.artefact_checks import (
 )
 from app.metrology.arm.identification.cross_validation import (
     Validation,
-    compared,
-    cross_validated,
-    placed,
+    compare_arms,
+    cross_validate,
+    fit_centres,
     without_points,
 )
 from app.metrology.arm.identification.input_checks import (
     check_arm_fits,
+    check_disjoint,
     check_enough,
-    check_places_stood_still,
+    check_places_fixed,
     check_scatter,
-    check_unseen,
-    warnings_of,
+    identification_warnings,
 )
 from app.metrology.arm.identification.least_squares import residuals
-from app.metrology.arm.identification.observations import Observations, Stacked
-from app.metrology.arm.identification.parameter_selection import REASONS, Reason, candidates
+from app.metrology.arm.identification.observations import ArmObservations, StackedObservations
+from app.metrology.arm.identification.parameter_selection import REASONS, FixedReason, candidates
 from app.metrology.arm.identification.parameters import parameter_names, parameter_values
-from app.metrology.arm.identification.robust_solve import Fit, solve
+from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
 from app.metrology.arm.identification.volumetric_error import (
     volumetric_difference_mm,
     volumetric_uncertainty_mm,
@@ -43,14 +43,14 @@ CORRELATED = 0.95
 BETTER = 1.05
 """Held-out deviations must fall at least by this factor."""
 
-STILL_OFF = 1.4
+LARGE_DEVIATION = 1.4
 """Held-out deviations, in standard deviations, beyond which more places would help."""
 
-Tell = Callable[[float, str], None]
+ProgressCallback = Callable[[float, str], None]
 
 
 @dataclass(frozen=True)
-class Moved:
+class ParameterChange:
     """A parameter that the points told: mm or rad by its name, standard uncertainty k = 1."""
 
     name: str
@@ -60,11 +60,11 @@ class Moved:
 
 
 @dataclass(frozen=True)
-class Held:
+class FixedParameter:
     """A parameter that kept its value, and why."""
 
     name: str
-    reason: Reason
+    reason: FixedReason
 
     @property
     def why(self) -> str:
@@ -95,8 +95,8 @@ class Identification:
     """The arm as identified, and what it rests on."""
 
     arm: Arm
-    moved: tuple[Moved, ...]
-    held: tuple[Held, ...]
+    moved: tuple[ParameterChange, ...]
+    held: tuple[FixedParameter, ...]
     covariance: Floats
     """(p, p) of ``moved``, mm and rad, k = 1."""
     correlated: tuple[tuple[str, str, float], ...]
@@ -127,9 +127,9 @@ class Identification:
 
 def identify(
     arm: Arm,
-    observations: Observations,
-    check: Observations | None = None,
-    tell: Tell = lambda share, text: None,
+    observations: ArmObservations,
+    check: ArmObservations | None = None,
+    tell: ProgressCallback = lambda share, text: None,
 ) -> Identification:
     """Fits D-H parameters, error terms between parallel axes, and the tip (Eq. 2-3).
 
@@ -146,31 +146,31 @@ def identify(
     check_enough(arm, observations)
     check_arm_fits(arm, observations)
     if check is not None:
-        check_unseen(observations, check)
+        check_disjoint(observations, check)
     data = observations.stacked
     tell(0.1, "Fitting the arm")
-    fit = solve(arm, data, candidates(arm, bool(observations.bars)))
+    fit = fit_arm(arm, data, candidates(arm, bool(observations.bars)))
     spheres_told = check_spheres(data, fit)
-    check_places_stood_still(data, fit)
+    check_places_fixed(data, fit)
     bars = check_bars(arm, observations, fit)
     check_scatter(fit)
     check_tip_diameter(arm, data, fit)
     tell(0.4, "Checking on places held out")
     good = without_points(observations, fit.kept)
     if check is None:
-        validation = cross_validated(arm, good, fit.scatter_mm)
+        validation = cross_validate(arm, good, fit.scatter_mm)
     else:
-        validation = compared(arm, fit.at.arm, fit.at.radius_excess_mm, check, fit.scatter_mm)
+        validation = compare_arms(arm, fit.at.arm, fit.at.radius_excess_mm, check, fit.scatter_mm)
     if validation.ratio < BETTER:
-        raise _no_better(validation)
+        raise _no_improvement_error(validation)
     tell(0.9, "")
     spheres = bool(observations.spheres)
     return Identification(
         arm=fit.at.arm,
-        moved=_moved(arm, fit),
-        held=_held(arm, fit),
+        moved=_parameter_changes(arm, fit),
+        held=_list_fixed(arm, fit),
         covariance=fit.covariance,
-        correlated=_correlated(arm, fit),
+        correlated=_correlations(arm, fit),
         scatter_mm=fit.scatter_mm,
         radius_excess_mm=fit.at.radius_excess_mm if spheres else 0.0,
         radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if spheres else None,
@@ -182,23 +182,23 @@ def identify(
         warnings=(
             *bars,
             *spheres_told,
-            *warnings_of(arm, observations, fit),
-            *_still_off(validation),
+            *identification_warnings(arm, observations, fit),
+            *_deviation_warning(validation),
         ),
     )
 
 
-def _no_better(validation: Validation) -> Refusal:
+def _no_improvement_error(validation: Validation) -> OperationError:
     before, after = validation.before.normalised, validation.after.normalised
     if before < 1.3:
-        return Refusal(
+        return OperationError(
             "identification-no-better",
             f"on places held out the arm's errors go from {before:.2f} to {after:.2f} "
             "of their noise",
             "the arm's parameters already explain the points as well as they are measured",
             "Keep the arm.json in use",
         )
-    return Refusal(
+    return OperationError(
         "identification-no-better",
         f"on places held out the arm's errors go from {before:.1f} to {after:.1f} of their noise",
         "the fit follows these points and not the arm",
@@ -206,29 +206,29 @@ def _no_better(validation: Validation) -> Refusal:
     )
 
 
-def _still_off(validation: Validation) -> tuple[str, ...]:
+def _deviation_warning(validation: Validation) -> tuple[str, ...]:
     left = validation.after.normalised
-    if left < STILL_OFF:
+    if left < LARGE_DEVIATION:
         return ()
     text = f"places held out still deviate {left:.1f} times as far as their noise explains"
     return (f"{text}: take more places, more evenly over the reach",)
 
 
-def _moved(arm: Arm, fit: Fit) -> tuple[Moved, ...]:
+def _parameter_changes(arm: Arm, fit: ArmFit) -> tuple[ParameterChange, ...]:
     names, before, after = parameter_names(arm), parameter_values(arm), parameter_values(fit.at.arm)
     sds = np.sqrt(np.diag(fit.covariance))
     return tuple(
-        Moved(names[i], float(before[i]), float(after[i]), float(sd))
+        ParameterChange(names[i], float(before[i]), float(after[i]), float(sd))
         for i, sd in zip(fit.moved, sds, strict=True)
     )
 
 
-def _held(arm: Arm, fit: Fit) -> tuple[Held, ...]:
+def _list_fixed(arm: Arm, fit: ArmFit) -> tuple[FixedParameter, ...]:
     names = parameter_names(arm)
-    return tuple(Held(names[i], fit.held[i]) for i in sorted(fit.held))
+    return tuple(FixedParameter(names[i], fit.held[i]) for i in sorted(fit.held))
 
 
-def _correlated(arm: Arm, fit: Fit) -> tuple[tuple[str, str, float], ...]:
+def _correlations(arm: Arm, fit: ArmFit) -> tuple[tuple[str, str, float], ...]:
     names = parameter_names(arm)
     sds = np.sqrt(np.diag(fit.covariance))
     rho = fit.covariance / np.outer(sds, sds)
@@ -238,7 +238,7 @@ def _correlated(arm: Arm, fit: Fit) -> tuple[tuple[str, str, float], ...]:
     return tuple(sorted(found, key=lambda pair: -abs(pair[2])))
 
 
-def _outliers(data: Stacked, fit: Fit) -> tuple[Outlier, ...]:
+def _outliers(data: StackedObservations, fit: ArmFit) -> tuple[Outlier, ...]:
     off = residuals(data, fit.at, fit.scatter_mm).distances_mm
     found: list[Outlier] = []
     for i in np.flatnonzero(~fit.kept):
@@ -247,11 +247,11 @@ def _outliers(data: Stacked, fit: Fit) -> tuple[Outlier, ...]:
     return tuple(found)
 
 
-def _places(arm: Arm, data: Stacked, fit: Fit) -> tuple[PlaceFit, ...]:
+def _places(arm: Arm, data: StackedObservations, fit: ArmFit) -> tuple[PlaceFit, ...]:
     """``data`` without the outliers; each place by its own points alone."""
     excess, scatter = fit.at.radius_excess_mm, fit.scatter_mm
-    before = residuals(data, placed(arm, data, 0.0, scatter), scatter).distances_mm
-    after = residuals(data, placed(fit.at.arm, data, excess, scatter), scatter).distances_mm
+    before = residuals(data, fit_centres(arm, data, 0.0, scatter), scatter).distances_mm
+    after = residuals(data, fit_centres(fit.at.arm, data, excess, scatter), scatter).distances_mm
 
     def rms(offs: Floats) -> float:
         return float(np.sqrt(np.mean(offs**2)))

@@ -4,17 +4,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.identification.artefact_checks import size_warnings
 from app.metrology.arm.identification.least_squares import residuals
-from app.metrology.arm.identification.observations import Bar, Observations, Stacked
-from app.metrology.arm.identification.parameter_selection import limits
+from app.metrology.arm.identification.observations import ArmObservations, Bar, StackedObservations
+from app.metrology.arm.identification.parameter_selection import parameter_limits
 from app.metrology.arm.identification.parameters import (
     parameter_names,
     parameter_values,
     tip_jacobian,
 )
-from app.metrology.arm.identification.robust_solve import Fit
+from app.metrology.arm.identification.robust_solve import ArmFit
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -39,10 +39,10 @@ FAR_LIMITS = 20.0
 """A parameter that moves by so many times what a workshop gets wrong is worth a look."""
 
 
-def check_enough(arm: Arm, observations: Observations) -> None:
+def check_enough(arm: Arm, observations: ArmObservations) -> None:
     """Refuses too few places or points, and places about which the arm hardly moved."""
     if observations.groups_count < LEAST_PLACES:
-        raise Refusal(
+        raise OperationError(
             "too-few-places",
             f"too few places were touched: {observations.groups_count}",
             f"at least {LEAST_PLACES} seats, spheres and bar positions are needed, so that some "
@@ -58,8 +58,8 @@ def check_enough(arm: Arm, observations: Observations) -> None:
             raise _too_few(f"sphere {sphere.name}", len(sphere.q_rad), LEAST_SPHERE)
 
 
-def _too_few(label: str, points: int, least: int) -> Refusal:
-    return Refusal(
+def _too_few(label: str, points: int, least: int) -> OperationError:
+    return OperationError(
         "too-few-points",
         f"{label} has {points} points",
         f"at least {least} are needed to tell the arm's errors from its own centre",
@@ -72,7 +72,7 @@ def check_swing(label: str, arm: Arm, q_rad: Floats) -> None:
     swings = np.ptp(q_rad, axis=0)
     most = int(np.argmax(swings))
     if swings[most] < LEAST_SWING_RAD:
-        raise Refusal(
+        raise OperationError(
             "arm-hardly-moved",
             f"{label}: no joint turned more than {np.rad2deg(swings[most]):.1f}° "
             f"({arm.joints[most].name})",
@@ -81,20 +81,20 @@ def check_swing(label: str, arm: Arm, q_rad: Floats) -> None:
         )
 
 
-def check_arm_fits(arm: Arm, observations: Observations) -> None:
+def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
     """Refuses an arm far from the given one, a joint that never moved, seats of two places."""
     data = observations.stacked
     still = np.ptp(data.q_rad, axis=0) < LEAST_TURN_RAD
     if still.any():
         joint = arm.joints[int(np.argmax(still))].name
-        raise Refusal(
+        raise OperationError(
             "joint-still",
             f"joint {joint} reads the same in all points",
             "it was not moved, or its encoder is not read",
             "Check the encoder; swing the arm so that every joint turns",
         )
     if len(np.unique(data.q_rad, axis=0)) < DIFFERENT * len(data.q_rad):
-        raise Refusal(
+        raise OperationError(
             "points-twice",
             "many points have the very same angles",
             "rows were copied, or the arm was held still: the same point twice tells nothing more",
@@ -104,7 +104,7 @@ def check_arm_fits(arm: Arm, observations: Observations) -> None:
     far_mm = {name: _typical_distance(points) for name, points in tips.items()}
     if len(far_mm) > 1 and float(np.median(list(far_mm.values()))) > NO_SEAT_MM:
         name = max(far_mm, key=lambda seat: far_mm[seat])
-        raise Refusal(
+        raise OperationError(
             "arm-does-not-fit",
             f"by this arm.json the tip goes far while it is in a seat: {far_mm[name]:.0f} mm from "
             f"the middle of seat {name}",
@@ -112,20 +112,20 @@ def check_arm_fits(arm: Arm, observations: Observations) -> None:
             "Check signs, lengths and the order of the joints in arm.json",
         )
     for name, points in tips.items():
-        split, gap_mm = _split(points)
+        split, gap_mm = _find_split(points)
         if gap_mm > MIXED_MM:
-            raise Refusal(
+            raise OperationError(
                 "seat-moved",
                 f"seat {name}: its points 1 to {split} and {split + 1} to {len(points)} lie "
                 f"{gap_mm:.0f} mm apart",
                 "they are of two seats, or the seat was carried elsewhere in between"
-                + _doubt_of(arm, [off for other, off in far_mm.items() if other != name]),
+                + _arm_doubt(arm, [off for other, off in far_mm.items() if other != name]),
                 "Give each seat a name of its own",
             )
     _check_bars_kind(arm, observations.bars)
 
 
-def _doubt_of(arm: Arm, far_mm: list[float]) -> str:
+def _arm_doubt(arm: Arm, far_mm: list[float]) -> str:
     """Said where the tip goes far in the other seats, too."""
     if not far_mm or float(np.median(far_mm)) < ODD_MM:
         return ""
@@ -140,7 +140,7 @@ def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
         a, b = (np.median(tip_jacobian(arm, q)[0], axis=0) for q in bar.q_rad)
         seen_mm = float(np.linalg.norm(a - b))
         if abs(seen_mm - bar.length_mm) > MIXED_MM:
-            raise Refusal(
+            raise OperationError(
                 "bar-length",
                 f"bar {bar.name}, position {bar.position}: by arm.json its ends lie "
                 f"{seen_mm:.0f} mm apart, {bar.length_mm:g} mm are given",
@@ -154,7 +154,7 @@ def _typical_distance(points: Floats) -> float:
     return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
 
 
-def check_places_stood_still(data: Stacked, fit: Fit) -> None:
+def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
     """Refuses a place whose points disagree; says so if it moved in between."""
     vectors = residuals(data, fit.at, fit.scatter_mm).vectors_mm
     sd = _typical_sd(data, fit, vectors)
@@ -163,9 +163,9 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
         points = vectors[own]
         out = int(np.sum(~fit.kept[own]))
         untrusted = out >= 3 and out > OUTLIER_SHARE * len(points)
-        split, gap_mm = _split(points) if place.diameter_mm is None else (0, 0.0)
+        split, gap_mm = _find_split(points) if place.diameter_mm is None else (0, 0.0)
         if gap_mm > max(MOVED_SIGMAS * sd, 1e-2):
-            raise Refusal(
+            raise OperationError(
                 "seat-moved",
                 f"{place.label}: its points 1 to {split} and {split + 1} to {len(points)} lie "
                 f"{gap_mm * 1e3:.0f} µm apart, while single points scatter by {sd * 1e3:.0f} µm",
@@ -173,7 +173,7 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
                 "Clamp the seat, and take this place again or delete its rows",
             )
         if untrusted:
-            raise Refusal(
+            raise OperationError(
                 "place-disagrees",
                 f"{place.label}: {out} of its {len(points)} points disagree with the rest",
                 "the tip was not seated, or the seat was loose, or points of another place are "
@@ -182,12 +182,12 @@ def check_places_stood_still(data: Stacked, fit: Fit) -> None:
             )
 
 
-def check_unseen(observations: Observations, check: Observations) -> None:
+def check_disjoint(observations: ArmObservations, check: ArmObservations) -> None:
     """Refuses to check a fit by points that it saw."""
     fitted = {row.tobytes() for row in observations.stacked.q_rad}
     seen = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
     if seen:
-        raise Refusal(
+        raise OperationError(
             "check-seen",
             f"{seen} of the {len(check.stacked.q_rad)} points to check by are among those of "
             "the fit",
@@ -196,10 +196,10 @@ def check_unseen(observations: Observations, check: Observations) -> None:
         )
 
 
-def check_scatter(fit: Fit) -> None:
+def check_scatter(fit: ArmFit) -> None:
     """Refuses a fit that explains next to nothing."""
     if fit.scatter_mm > LARGEST_SCATTER_MM:
-        raise Refusal(
+        raise OperationError(
             "identification-explains-nothing",
             f"even by the best arm the points still scatter by {fit.scatter_mm:.1f} mm",
             "they do not come from an arm of this kind, or the tip was not seated",
@@ -207,16 +207,18 @@ def check_scatter(fit: Fit) -> None:
         )
 
 
-def warnings_of(arm: Arm, observations: Observations, fit: Fit) -> tuple[str, ...]:
+def identification_warnings(
+    arm: Arm, observations: ArmObservations, fit: ArmFit
+) -> tuple[str, ...]:
     """What whoever identifies an arm should know beside the result."""
     return *size_warnings(arm, observations, fit), *_far_moves(arm, fit)
 
 
-def _far_moves(arm: Arm, fit: Fit) -> list[str]:
+def _far_moves(arm: Arm, fit: ArmFit) -> list[str]:
     before, after = parameter_values(arm), parameter_values(fit.at.arm)
     names = parameter_names(arm)
     far: list[str] = []
-    for i, limit in zip(fit.moved, limits(arm, fit.moved), strict=True):
+    for i, limit in zip(fit.moved, parameter_limits(arm, fit.moved), strict=True):
         change = float(after[i] - before[i])
         if abs(change) > FAR_LIMITS * limit:
             angle = names[i].endswith("_rad")
@@ -225,7 +227,7 @@ def _far_moves(arm: Arm, fit: Fit) -> list[str]:
     return far
 
 
-def _typical_sd(data: Stacked, fit: Fit, vectors: Floats) -> float:
+def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> float:
     """Per coordinate, how far a point in a seat typically lies from the centre, mm."""
     seated = fit.kept & ~data.on_sphere
     if not seated.any():
@@ -233,7 +235,7 @@ def _typical_sd(data: Stacked, fit: Fit, vectors: Floats) -> float:
     return float(np.sqrt(np.median(np.sum(vectors[seated] ** 2, axis=1))) / 1.5382)
 
 
-def _split(points: Floats) -> tuple[int, float]:
+def _find_split(points: Floats) -> tuple[int, float]:
     """Where a set of points (m, 3) falls apart in time into two heaps, and by how far (mm).
 
     (0, 0) where it does not: most points of each part must lie by their own heap.

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 
-from app.errors import Refusal
-from app.metrology.arm.identification.observations import Group, Stacked
+from app.errors import OperationError
+from app.metrology.arm.identification.observations import Group, StackedObservations
 from app.metrology.arm.identification.parameters import (
     encoder_covariances,
     parameter_values,
@@ -45,7 +45,7 @@ class Unknowns:
 
 
 @dataclass(frozen=True)
-class Residuals:
+class PointResiduals:
     """How far the points are off, at some unknowns."""
 
     vectors_mm: Floats
@@ -62,7 +62,7 @@ class Residuals:
 
 
 @dataclass(frozen=True)
-class Reduced:
+class ReducedSystem:
     """The system for the parameters alone: ``rows @ change = right``, in standard deviations.
 
     The first ``others`` columns belong to the spheres' radius excess and the bars'
@@ -76,7 +76,7 @@ class Reduced:
     """Of each group: the upper triangle that gives its centres back."""
 
 
-def start(arm: Arm, data: Stacked) -> Unknowns:
+def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:
     """The arm as it is, each place's centre where most of its points have it."""
     tips, _ = tip_jacobian(arm, data.q_rad)
     centres = np.empty((len(data.places), 3))
@@ -87,14 +87,16 @@ def start(arm: Arm, data: Stacked) -> Unknowns:
             continue
         try:
             centres[i] = fit_sphere(points).centre_mm
-        except Refusal as refusal:
+        except OperationError as refusal:
             what = f"{place.label}: {refusal.what}"
-            raise Refusal(refusal.code, what, refusal.why, "Touch more of the sphere") from refusal
+            raise OperationError(
+                refusal.code, what, refusal.why, "Touch more of the sphere"
+            ) from refusal
     return Unknowns(arm, centres, 0.0, np.zeros(len(data.bar_names)))
 
 
 @dataclass(frozen=True)
-class Sight:
+class TipPrediction:
     """Where an arm has the tip at every point."""
 
     tips_mm: Floats  # (N, 3)
@@ -102,19 +104,21 @@ class Sight:
     covariances: Floats  # (N, 3, 3) by the encoders' noise
 
 
-def look(data: Stacked, at: Unknowns) -> Sight:
+def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
     """The tips of all points, as the unknowns' arm has them."""
     tips, J = tip_jacobian(at.arm, data.q_rad)
-    return Sight(tips, J, encoder_covariances(at.arm, J))
+    return TipPrediction(tips, J, encoder_covariances(at.arm, J))
 
 
-def mahalanobis(data: Stacked, at: Unknowns, sight: Sight, scatter_mm: float) -> Floats:
+def mahalanobis(
+    data: StackedObservations, at: Unknowns, sight: TipPrediction, scatter_mm: float
+) -> Floats:
     """(N,) distance of each point from its place against its standard deviation."""
-    return _norms(_linearised(data, at, sight, scatter_mm).right)
+    return _norms(_linearise(data, at, sight, scatter_mm).right)
 
 
 @dataclass(frozen=True)
-class _Linear:
+class _WhitenedRows:
     """Whitened rows of every point: seats take three, spheres the first of three."""
 
     vectors_mm: Floats
@@ -122,26 +126,26 @@ class _Linear:
     by_tip: Floats  # (N, 3, 3): whitened derivative by the tip's place
 
 
-def residuals(data: Stacked, at: Unknowns, scatter_mm: float) -> Residuals:
+def residuals(data: StackedObservations, at: Unknowns, scatter_mm: float) -> PointResiduals:
     """Where every point lies against its place; ``scatter_mm`` is added to the encoders' noise."""
-    linear = _linearised(data, at, look(data, at), scatter_mm)
+    linear = _linearise(data, at, predict_tips(data, at), scatter_mm)
     bars = np.array(
-        [_bar_distance(at, group) - _true_length(data, at, group) for group in _bars_of(data)]
+        [_bar_distance(at, group) - _true_length(data, at, group) for group in _bar_groups(data)]
     )
-    return Residuals(linear.vectors_mm, np.linalg.norm(linear.right, axis=1), bars)
+    return PointResiduals(linear.vectors_mm, np.linalg.norm(linear.right, axis=1), bars)
 
 
-def reduced(
-    data: Stacked, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
-) -> Reduced:
+def reduce_system(
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+) -> ReducedSystem:
     """The linear system at some unknowns with all centres eliminated.
 
     Args:
         columns: which parameters move.
         weights: (N,) of each point, 0 to leave it out.
     """
-    sight = look(data, at)
-    linear = _linearised(data, at, sight, scatter_mm)
+    sight = predict_tips(data, at)
+    linear = _linearise(data, at, sight, scatter_mm)
     root = np.sqrt(weights)
     others = (1 if data.on_sphere.any() else 0) + len(data.bar_names)
     width = others + len(columns)
@@ -160,21 +164,23 @@ def reduced(
         unknown = 3 * len(group.places)
         back.append(triangle[:unknown])
         left.append(triangle[unknown:, unknown:])
-    left.append(_known_beforehand(data, at, width))
+    left.append(_prior_rows(data, at, width))
     rows = _triangle(np.concatenate(left))
-    return Reduced(rows[:, :width], rows[:, width], others, tuple(back))
+    return ReducedSystem(rows[:, :width], rows[:, width], others, tuple(back))
 
 
-def step(data: Stacked, at: Unknowns, columns: Indices, system: Reduced) -> tuple[Unknowns, float]:
+def step(
+    data: StackedObservations, at: Unknowns, columns: Indices, system: ReducedSystem
+) -> tuple[Unknowns, float]:
     """The unknowns after one Gauss-Newton step, and its largest move in standard deviations."""
     norms = np.maximum(np.linalg.norm(system.rows, axis=0), 1e-300)
     change, *_ = np.linalg.lstsq(system.rows / norms, system.right, rcond=1e-13)
     size = float(np.max(np.abs(change), initial=0.0))
-    return moved(data, at, columns, change / norms, system), size
+    return apply_change(data, at, columns, change / norms, system), size
 
 
-def moved(
-    data: Stacked, at: Unknowns, columns: Indices, change: Floats, system: Reduced
+def apply_change(
+    data: StackedObservations, at: Unknowns, columns: Indices, change: Floats, system: ReducedSystem
 ) -> Unknowns:
     """The unknowns after a change of parameters, each centre following."""
     centres = at.centres_mm.copy()
@@ -198,7 +204,9 @@ def moved(
     )
 
 
-def settle_centres(data: Stacked, at: Unknowns, weights: Floats, scatter_mm: float) -> Unknowns:
+def settle_centres(
+    data: StackedObservations, at: Unknowns, weights: Floats, scatter_mm: float
+) -> Unknowns:
     """The best centres with arm, radius and bars' lengths held: the places as this arm sees them.
 
     The ends of a bar are then free of each other.
@@ -209,9 +217,9 @@ def settle_centres(data: Stacked, at: Unknowns, weights: Floats, scatter_mm: flo
     bar_errors, at = at.bar_errors_mm, replace(at, bar_errors_mm=np.zeros(0))
     none = np.zeros(0, dtype=np.intp)
     for _ in range(20):
-        system = reduced(free, at, none, weights, scatter_mm)
+        system = reduce_system(free, at, none, weights, scatter_mm)
         held = np.zeros(system.others)
-        after = moved(free, at, none, held, system)
+        after = apply_change(free, at, none, held, system)
         far = float(np.max(np.abs(after.centres_mm - at.centres_mm)))
         at = after
         if far < 1e-7:
@@ -219,7 +227,9 @@ def settle_centres(data: Stacked, at: Unknowns, weights: Floats, scatter_mm: flo
     return replace(at, bar_errors_mm=bar_errors)
 
 
-def _linearised(data: Stacked, at: Unknowns, sight: Sight, scatter_mm: float) -> _Linear:
+def _linearise(
+    data: StackedObservations, at: Unknowns, sight: TipPrediction, scatter_mm: float
+) -> _WhitenedRows:
     covariances = sight.covariances + scatter_mm**2 * np.eye(3)
     off = sight.tips_mm - at.centres_mm[data.place_of]
     whiten = np.linalg.inv(np.linalg.cholesky(covariances))
@@ -235,7 +245,7 @@ def _linearised(data: Stacked, at: Unknowns, sight: Sight, scatter_mm: float) ->
         whiten[on] = 0.0
         whiten[on, 0] = outward / sds[:, None]
     right = np.einsum("nij,nj->ni", whiten, vectors)
-    return _Linear(vectors, right, whiten)
+    return _WhitenedRows(vectors, right, whiten)
 
 
 def _triangle(rows: Floats) -> Floats:
@@ -244,7 +254,7 @@ def _triangle(rows: Floats) -> Floats:
 
 
 def _group_rows(
-    data: Stacked, at: Unknowns, group: Group, by_centre: Floats, body: Floats
+    data: StackedObservations, at: Unknowns, group: Group, by_centre: Floats, body: Floats
 ) -> Floats:
     """Rows of one group: its centres' columns, then the parameters', then the right side."""
     unknown, width = 3 * len(group.places), body.shape[2]
@@ -266,7 +276,7 @@ def _group_rows(
     return np.concatenate(blocks)
 
 
-def _known_beforehand(data: Stacked, at: Unknowns, width: int) -> Floats:
+def _prior_rows(data: StackedObservations, at: Unknowns, width: int) -> Floats:
     """Rows for what is known of the bars' lengths and, loosely, of the tip's radius."""
     spheres = 1 if data.on_sphere.any() else 0
     rows = np.zeros((spheres + len(data.bar_names), width + 1))
@@ -280,17 +290,17 @@ def _known_beforehand(data: Stacked, at: Unknowns, width: int) -> Floats:
     return rows
 
 
-def _bars_of(data: Stacked) -> list[Group]:
+def _bar_groups(data: StackedObservations) -> list[Group]:
     return [group for group in data.groups if group.bar is not None]
 
 
-def _bar_column(data: Stacked, group: Group) -> int:
+def _bar_column(data: StackedObservations, group: Group) -> int:
     assert group.bar is not None
     spheres = 1 if data.on_sphere.any() else 0
     return spheres + data.bar_names.index(data.bars[group.bar].name)
 
 
-def _true_length(data: Stacked, at: Unknowns, group: Group) -> float:
+def _true_length(data: StackedObservations, at: Unknowns, group: Group) -> float:
     assert group.bar is not None
     bar = data.bars[group.bar]
     return bar.length_mm + float(at.bar_errors_mm[data.bar_names.index(bar.name)])

@@ -44,7 +44,7 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Place:
+class ProbedPlace:
     """One unknown centre and the points taken on it."""
 
     label: str
@@ -63,7 +63,7 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Observations:
+class ArmObservations:
     """All that was touched; any kind may be missing."""
 
     seats: tuple[Seat, ...] = ()
@@ -74,23 +74,23 @@ class Observations:
     def groups_count(self) -> int:
         return len(self.seats) + len(self.spheres) + len(self.bars)
 
-    def part(self, wanted: Sequence[int]) -> "Observations":
+    def part(self, wanted: Sequence[int]) -> "ArmObservations":
         """Only the groups of these numbers, counted over seats, spheres, then bars."""
         chosen, seats, spheres = set(wanted), len(self.seats), len(self.spheres)
-        return Observations(
+        return ArmObservations(
             tuple(s for i, s in enumerate(self.seats) if i in chosen),
             tuple(s for i, s in enumerate(self.spheres) if i + seats in chosen),
             tuple(b for i, b in enumerate(self.bars) if i + seats + spheres in chosen),
         )
 
     @cached_property
-    def stacked(self) -> "Stacked":
+    def stacked(self) -> "StackedObservations":
         """All points in one array."""
-        return _stacked(self)
+        return _stack_observations(self)
 
 
 @dataclass(frozen=True)
-class Stacked:
+class StackedObservations:
     """The points of all places in one array, group after group."""
 
     q_rad: Floats
@@ -99,7 +99,7 @@ class Stacked:
     """(N,) the place of each point."""
     on_sphere: NDArray[np.bool_]
     """(N,) points that were touched from outside, not seated."""
-    places: tuple[Place, ...]
+    places: tuple[ProbedPlace, ...]
     groups: tuple[Group, ...]
     bars: tuple[Bar, ...]
     """The bar of each group that has one, by the group's ``bar``."""
@@ -113,15 +113,15 @@ class Stacked:
         return np.asarray(radii[self.place_of])
 
 
-def _stacked(observations: Observations) -> Stacked:
+def _stack_observations(observations: ArmObservations) -> StackedObservations:
     blocks: list[Floats] = []
-    places: list[Place] = []
+    places: list[ProbedPlace] = []
     groups: list[Group] = []
     count = 0
 
     def add(label: str, diameter_mm: float | None, q_rad: Floats) -> int:
         nonlocal count
-        places.append(Place(label, diameter_mm, slice(count, count + len(q_rad))))
+        places.append(ProbedPlace(label, diameter_mm, slice(count, count + len(q_rad))))
         blocks.append(q_rad)
         count += len(q_rad)
         return len(places) - 1
@@ -134,7 +134,7 @@ def _stacked(observations: Observations) -> Stacked:
         label = f"bar {bar.name} {bar.position} end"
         ends = (add(f"{label} {end}", None, q) for end, q in zip(bar.ends, bar.q_rad, strict=True))
         groups.append(Group(tuple(ends), number))
-    return Stacked(
+    return StackedObservations(
         q_rad=np.concatenate(blocks),
         place_of=np.repeat(np.arange(len(places)), [len(block) for block in blocks]),
         on_sphere=np.repeat(

@@ -20,9 +20,11 @@ from app.metrology.arm.identification.parameters import (
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
-Reason = Literal["base frame", "flange frame", "error term", "redundant", "scale", "unobserved"]
+FixedReason = Literal[
+    "base frame", "flange frame", "error term", "redundant", "scale", "unobserved"
+]
 
-REASONS: dict[Reason, str] = {
+REASONS: dict[FixedReason, str] = {
     "base frame": "moving it only moves the whole arm in space",
     "flange frame": "the tip's coordinates are moved instead",
     "error term": "the Denavit-Hartenberg parameters do the same",
@@ -46,7 +48,7 @@ class Candidates:
     """Parameters that could move, those to be kept first, and those that never do."""
 
     order: NDArray[np.intp]
-    held: dict[int, Reason]
+    held: dict[int, FixedReason]
 
 
 def candidates(arm: Arm, with_lengths: bool) -> Candidates:
@@ -70,7 +72,7 @@ def candidates(arm: Arm, with_lengths: bool) -> Candidates:
     ]
     order += [parameter_index(i, A) for i in links]
     order += [parameter_index(i, D) for i in links if i > 0]
-    held: dict[int, Reason] = {
+    held: dict[int, FixedReason] = {
         parameter_index(i, term): "error term" for i in range(last) for term in range(4, TERMS)
     }
     held |= {parameter_index(last, term): "flange frame" for term in range(TERMS)}
@@ -86,7 +88,7 @@ def candidates(arm: Arm, with_lengths: bool) -> Candidates:
     return Candidates(np.array(order, dtype=np.intp), held)
 
 
-def limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
+def parameter_limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
     """(p,) standard uncertainty (mm or rad) beyond which a parameter is not worth moving."""
     term = indices % TERMS
     angles = np.isin(term, (ALPHA, THETA, ERROR_RY))
@@ -94,9 +96,9 @@ def limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
     return np.asarray(np.where(indices >= tip_index(arm), TIP_MM, found))
 
 
-def select(
+def select_parameters(
     rows: Floats, others: int, order: NDArray[np.intp], worth: Floats
-) -> tuple[NDArray[np.intp], dict[int, Reason]]:
+) -> tuple[NDArray[np.intp], dict[int, FixedReason]]:
     """The parameters to move, of those in ``order``, and the reasons to hold the rest.
 
     A parameter joins if what its effect leaves over beside those before it tells it
@@ -107,20 +109,20 @@ def select(
         rows: (r, others + p) the reduced system, in standard deviations.
         others: columns of unknowns that always move.
         order: (p,) parameters of the remaining columns.
-        worth: (p,) see ``limits``.
+        worth: (p,) see ``parameter_limits``.
     """
     scale = np.concatenate([np.ones(others), worth])
     columns = rows * scale
     basis: list[Floats] = []
     for k in range(others):
-        left = _beside(columns[:, k], basis)
+        left = _orthogonal_part(columns[:, k], basis)
         if (norm := float(np.linalg.norm(left))) > 0:
             basis.append(left / norm)
     moved: list[int] = []
-    held: dict[int, Reason] = {}
+    held: dict[int, FixedReason] = {}
     for k in range(len(order)):
         column = columns[:, others + k]
-        left = _beside(column, basis)
+        left = _orthogonal_part(column, basis)
         norm, whole = float(np.linalg.norm(left)), float(np.linalg.norm(column))
         if norm > 1.0:
             basis.append(left / norm)
@@ -138,7 +140,7 @@ def select(
     return order[np.array(moved, dtype=np.intp)], held
 
 
-def covariance_of(rows: Floats) -> Floats:
+def system_covariance(rows: Floats) -> Floats:
     """Covariance of all columns of a reduced system, in mm and rad."""
     norms = np.maximum(np.linalg.norm(rows, axis=0), 1e-300)
     return np.asarray(_covariance(rows / norms) / np.outer(norms, norms))
@@ -150,7 +152,7 @@ def _covariance(columns: Floats) -> Floats:
     return np.asarray((Vt.T / s**2) @ Vt)
 
 
-def _beside(column: Floats, basis: list[Floats]) -> Floats:
+def _orthogonal_part(column: Floats, basis: list[Floats]) -> Floats:
     """What of a column is orthogonal to a basis; twice, against rounding."""
     left = column
     for _ in range(2):

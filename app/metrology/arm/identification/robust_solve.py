@@ -5,26 +5,26 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.identification.least_squares import (
     LEAST_SCATTER_MM,
     Indices,
     Unknowns,
-    look,
+    initial_unknowns,
     mahalanobis,
-    reduced,
+    predict_tips,
+    reduce_system,
     residuals,
     settle_centres,
-    start,
     step,
 )
-from app.metrology.arm.identification.observations import Stacked
+from app.metrology.arm.identification.observations import StackedObservations
 from app.metrology.arm.identification.parameter_selection import (
     Candidates,
-    Reason,
-    covariance_of,
-    limits,
-    select,
+    FixedReason,
+    parameter_limits,
+    select_parameters,
+    system_covariance,
 )
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
@@ -41,12 +41,12 @@ BACK_AGAIN = 0.9
 
 
 @dataclass(frozen=True)
-class Fit:
+class ArmFit:
     """A solution, and what belongs to it."""
 
     at: Unknowns
     moved: Indices
-    held: dict[int, Reason]
+    held: dict[int, FixedReason]
     covariance: Floats
     """(p, p) of the parameters moved, mm and rad, k = 1."""
     others_covariance: Floats
@@ -58,7 +58,9 @@ class Fit:
     freedom: int
 
 
-def solve(arm: Arm, data: Stacked, choice: Candidates, moving: Indices | None = None) -> Fit:
+def fit_arm(
+    arm: Arm, data: StackedObservations, choice: Candidates, moving: Indices | None = None
+) -> ArmFit:
     """The best arm for the points.
 
     Args:
@@ -68,24 +70,24 @@ def solve(arm: Arm, data: Stacked, choice: Candidates, moving: Indices | None = 
     Raises:
         Refusal: too few points for the parameters, or a fit that runs away.
     """
-    at, scatter = start(arm, data), LEAST_SCATTER_MM
+    at, scatter = initial_unknowns(arm, data), LEAST_SCATTER_MM
     everything = np.ones(len(data.q_rad))
     at = settle_centres(data, at, everything, 0.1)
     columns = _first_choice(data, at, choice) if moving is None else moving
     at, scatter = _robust(data, at, columns)
     kept = residuals(data, at, scatter).whitened < _limits(data, everything > 0)
     kept = _enough_left(data, kept)
-    held: dict[int, Reason] = {}
+    held: dict[int, FixedReason] = {}
     for _ in range(2):
         if moving is None:
-            system = reduced(data, at, choice.order, kept.astype(float), scatter)
-            worth = limits(arm, choice.order)
-            columns, held = select(system.rows, system.others, choice.order, worth)
+            system = reduce_system(data, at, choice.order, kept.astype(float), scatter)
+            worth = parameter_limits(arm, choice.order)
+            columns, held = select_parameters(system.rows, system.others, choice.order, worth)
             columns = np.sort(columns)
         at, scatter, kept = _without_outliers(data, at, columns, kept, scatter)
-    system = reduced(data, at, columns, kept.astype(float), scatter)
-    covariance, others = covariance_of(system.rows), system.others
-    return Fit(
+    system = reduce_system(data, at, columns, kept.astype(float), scatter)
+    covariance, others = system_covariance(system.rows), system.others
+    return ArmFit(
         at,
         columns,
         {**choice.held, **held},
@@ -98,12 +100,12 @@ def solve(arm: Arm, data: Stacked, choice: Candidates, moving: Indices | None = 
 
 
 def descend(
-    data: Stacked, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
 ) -> Unknowns:
-    """Gauss-Newton to the end, at fixed weights; ``Refusal`` if it does not end."""
+    """Gauss-Newton to the end, at fixed weights; ``OperationError`` if it does not end."""
     start_of_search = at
     for _ in range(STEPS):
-        system = reduced(data, at, columns, weights, scatter_mm)
+        system = reduce_system(data, at, columns, weights, scatter_mm)
         at, size = step(data, at, columns, system)
         if not np.isfinite(size) or float(np.max(np.abs(at.centres_mm))) > 1e6:
             break
@@ -112,7 +114,7 @@ def descend(
     off = residuals(data, start_of_search, scatter_mm).distances_mm
     rms = [float(np.sqrt(np.mean(off[place.rows] ** 2))) for place in data.places]
     worst = int(np.argmax(rms))
-    raise Refusal(
+    raise OperationError(
         "identification-diverges",
         f"no arm near the given one explains the points; those of {data.places[worst].label} "
         f"lie {rms[worst]:.1f} mm (rms) apart",
@@ -122,32 +124,34 @@ def descend(
     )
 
 
-def _first_choice(data: Stacked, at: Unknowns, choice: Candidates) -> Indices:
+def _first_choice(data: StackedObservations, at: Unknowns, choice: Candidates) -> Indices:
     """What to move before the scatter is known: as if the encoders' noise were nearly all."""
     everything = np.ones(len(data.q_rad))
-    system = reduced(data, at, choice.order, everything, 0.02)
-    columns, _ = select(system.rows, system.others, choice.order, limits(at.arm, choice.order))
+    system = reduce_system(data, at, choice.order, everything, 0.02)
+    columns, _ = select_parameters(
+        system.rows, system.others, choice.order, parameter_limits(at.arm, choice.order)
+    )
     return columns
 
 
-def _robust(data: Stacked, at: Unknowns, columns: Indices) -> tuple[Unknowns, float]:
+def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[Unknowns, float]:
     """Huber's M-estimate with the scatter found on the way, so that outliers do not lead."""
     scatter = LEAST_SCATTER_MM
     for _ in range(ROBUST_STEPS):
         scatter = _median_scatter(data, at)
         off = residuals(data, at, scatter).whitened
         weights = np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
-        system = reduced(data, at, columns, weights, scatter)
+        system = reduce_system(data, at, columns, weights, scatter)
         at, size = step(data, at, columns, system)
         if not np.isfinite(size) or size < 0.1:
             break
     return at, _median_scatter(data, at)
 
 
-def _median_scatter(data: Stacked, at: Unknowns) -> float:
+def _median_scatter(data: StackedObservations, at: Unknowns) -> float:
     """Scatter per coordinate beyond the encoders that puts the median point at its place."""
     found = residuals(data, at, LEAST_SCATTER_MM)
-    by_encoders = np.trace(look(data, at).covariances, axis1=1, axis2=2) / 3
+    by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
     # medians of the chi distributions with one and three degrees of freedom
     typical = np.where(data.on_sphere, 0.6745, 1.5382)
     scale = float(np.median(found.distances_mm / typical))
@@ -155,7 +159,11 @@ def _median_scatter(data: Stacked, at: Unknowns) -> float:
 
 
 def _without_outliers(
-    data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.bool_], scatter: float
+    data: StackedObservations,
+    at: Unknowns,
+    columns: Indices,
+    kept: NDArray[np.bool_],
+    scatter: float,
 ) -> tuple[Unknowns, float, NDArray[np.bool_]]:
     """Least squares on the points that agree.
 
@@ -182,7 +190,7 @@ def _without_outliers(
     return at, scatter, kept
 
 
-def _limits(data: Stacked, kept: NDArray[np.bool_]) -> Floats:
+def _limits(data: StackedObservations, kept: NDArray[np.bool_]) -> Floats:
     """(N,) Mahalanobis distance beyond which a point is an outlier.
 
     A point pulls its own place's centre, the more so the fewer points are there; one
@@ -194,24 +202,26 @@ def _limits(data: Stacked, kept: NDArray[np.bool_]) -> Floats:
     return np.asarray(np.where(data.on_sphere, SPHERE_SIGMAS, SEAT_SIGMAS) * spare)
 
 
-def _enough_left(data: Stacked, kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _enough_left(data: StackedObservations, kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """No place is left without points: then all of its own count again."""
     counts = np.bincount(data.place_of[kept], minlength=len(data.places))
     return np.asarray(kept | (counts[data.place_of] == 0))
 
 
-def _freedom(data: Stacked, kept: NDArray[np.bool_], unknowns: int) -> int:
+def _freedom(data: StackedObservations, kept: NDArray[np.bool_], unknowns: int) -> int:
     """Degrees of freedom that the points leave over."""
     rows = int(np.sum(np.where(data.on_sphere[kept], 1, 3)))
     bars = sum(group.bar is not None for group in data.groups)
     return rows + bars + len(data.bar_names) - 3 * len(data.places) - unknowns
 
 
-def _scatter(data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.bool_]) -> float:
+def _scatter(
+    data: StackedObservations, at: Unknowns, columns: Indices, kept: NDArray[np.bool_]
+) -> float:
     """The scatter beyond the encoders with which the points' chi-squared is as expected."""
     freedom = _freedom(data, kept, len(columns) + 1)
     if freedom < 1:
-        raise Refusal(
+        raise OperationError(
             "too-few-points",
             f"{int(kept.sum())} points at {len(data.places)} places",
             f"they leave nothing over to check {len(columns)} parameters",
@@ -220,7 +230,7 @@ def _scatter(data: Stacked, at: Unknowns, columns: Indices, kept: NDArray[np.boo
 
     from scipy.optimize import brentq  # slow to load, and seldom needed
 
-    sight = look(data, at)
+    sight = predict_tips(data, at)
 
     def excess(scatter_mm: float) -> float:
         return float(np.sum(mahalanobis(data, at, sight, scatter_mm)[kept] ** 2)) - freedom

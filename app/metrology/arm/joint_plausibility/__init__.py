@@ -2,10 +2,16 @@
 
 from app.metrology.arm.joint_plausibility.implausible import (
     EQUAL_FROZEN,
-    Implausible,
-    Kind,
-    outside_limits,
+    ImplausibleKind,
+    ImplausibleReading,
+    limits_error,
 )
-from app.metrology.arm.joint_plausibility.judge import JointJudge
+from app.metrology.arm.joint_plausibility.judge import PlausibilityFilter
 
-__all__ = ["EQUAL_FROZEN", "Implausible", "JointJudge", "Kind", "outside_limits"]
+__all__ = [
+    "EQUAL_FROZEN",
+    "ImplausibleKind",
+    "ImplausibleReading",
+    "PlausibilityFilter",
+    "limits_error",
+]

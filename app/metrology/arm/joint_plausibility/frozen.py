@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from app.metrology.arm.joint_plausibility.implausible import EQUAL_FROZEN
 from app.metrology.arm.joint_plausibility.reach import PACE, Stop
 
-EQUAL_HELD = 2
+EQUAL_PENDING = 2
 """A joint whose noise shows reads the same twice in a row now and then: that is looked at."""
 WATCHED, REVERSALS, LARGE_STEPS = 64, 16, 1.5
 """Noise shows where among so many readings so many changes go back by more than one of the
@@ -127,7 +127,7 @@ class Standstill:
                 encoder.equal += 1
                 if encoder.equal == 1:
                     self._stopped[joint] = self._stop(joint)
-                elif encoder.equal == EQUAL_HELD:
+                elif encoder.equal == EQUAL_PENDING:
                     stop = self._stopped[joint]
                     if stop is None and encoder.noisy:  # then it need not have been fast
                         stop = (encoder.since_ns, q_rad[joint], self._speed(joint))
@@ -159,7 +159,7 @@ class Standstill:
         """Whether a joint may be frozen, and which one is."""
         suspected = False
         for joint, encoder in enumerate(self.encoders):
-            if encoder.equal < EQUAL_HELD:
+            if encoder.equal < EQUAL_PENDING:
                 continue
             if encoder.frozen:
                 return True, joint

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm
 
-Kind = Literal["number", "limits", "jump", "slip", "spike", "frozen"]
+ImplausibleKind = Literal["number", "limits", "jump", "slip", "spike", "frozen"]
 
 STOP_TOLERANCE_RAD = math.radians(0.5)
 """An arm that rests at its stop may read a little past its limit."""
@@ -17,10 +17,10 @@ EQUAL_FROZEN = 40
 
 
 @dataclass(frozen=True)
-class Implausible:
+class ImplausibleReading:
     """A reading that cannot be true."""
 
-    kind: Kind
+    kind: ImplausibleKind
     stamp_ns: int
     joint: str
     reading_rad: float
@@ -29,11 +29,11 @@ class Implausible:
     """By how much it jumped."""
 
     @property
-    def refusal(self) -> Refusal:
+    def refusal(self) -> OperationError:
         """What is said of it: the joint, the reading, what it may be, and what to do."""
         reading = f"{math.degrees(self.reading_rad):.1f}°"
         if self.kind == "number":
-            return Refusal(
+            return OperationError(
                 "joint-implausible",
                 f"joint {self.joint} reads no number",
                 "nothing is taken from such a reading",
@@ -41,7 +41,7 @@ class Implausible:
             )
         if self.kind == "limits":
             low, high = (math.degrees(limit) for limit in self.limits_rad)
-            return Refusal(
+            return OperationError(
                 "joint-implausible",
                 f"joint {self.joint} reads {reading}",
                 f"its datasheet lets it turn from {low:.1f}° to {high:.1f}°",
@@ -49,7 +49,7 @@ class Implausible:
                 "if it goes on, choose the datasheet of this arm",
             )
         if self.kind == "jump":
-            return Refusal(
+            return OperationError(
                 "joint-implausible",
                 f"joint {self.joint} reads {reading}, "
                 f"{math.degrees(abs(self.step_rad)):.1f}° from where it can be",
@@ -57,7 +57,7 @@ class Implausible:
                 "check the joint's encoder and cable, then bring the arm to its reference",
             )
         if self.kind == "slip":
-            return Refusal(
+            return OperationError(
                 "joint-implausible",
                 f"joint {self.joint} jumped by {math.degrees(abs(self.step_rad)):.1f}° "
                 "and stayed there",
@@ -65,14 +65,14 @@ class Implausible:
                 "bring the joint to its reference and switch the arm off and on",
             )
         if self.kind == "spike":
-            return Refusal(
+            return OperationError(
                 "joint-implausible",
                 f"joint {self.joint} reads {reading}, "
                 f"{math.degrees(abs(self.step_rad)):.2f}° off its readings before and after",
                 "no joint goes there and back between two readings",
                 "check the joint's encoder and cable, then bring the arm to its reference",
             )
-        return Refusal(
+        return OperationError(
             "joint-implausible",
             f"joint {self.joint} reads {reading} again and again",
             f"{EQUAL_FROZEN} readings in a row or more are equal to the last digit, "
@@ -81,10 +81,10 @@ class Implausible:
         )
 
 
-def outside_limits(q_rad: Sequence[float], arm: Arm) -> Refusal | None:
+def limits_error(q_rad: Sequence[float], arm: Arm) -> OperationError | None:
     """What is said of angles (n,) outside the arm's limits; None for those inside."""
     for joint, angle_rad in zip(arm.joints, q_rad, strict=True):
         low, high = joint.limits_rad
         if not low - STOP_TOLERANCE_RAD <= angle_rad <= high + STOP_TOLERANCE_RAD:
-            return Implausible("limits", 0, joint.name, angle_rad, joint.limits_rad).refusal
+            return ImplausibleReading("limits", 0, joint.name, angle_rad, joint.limits_rad).refusal
     return None

@@ -6,7 +6,11 @@ from collections.abc import Sequence
 from typing import Generic, Protocol, TypeVar
 
 from app.metrology.arm.joint_plausibility.frozen import Standstill
-from app.metrology.arm.joint_plausibility.implausible import STOP_TOLERANCE_RAD, Implausible, Kind
+from app.metrology.arm.joint_plausibility.implausible import (
+    STOP_TOLERANCE_RAD,
+    ImplausibleKind,
+    ImplausibleReading,
+)
 from app.metrology.arm.joint_plausibility.reach import Reach
 from app.metrology.arm.joint_plausibility.spikes import LATER, Spikes
 from app.metrology.arm.kinematics import Arm
@@ -18,7 +22,7 @@ UNKNOWN_SD_RAD = 1e-4
 """Of encoders whose noise no datasheet tells."""
 
 
-class Reading(Protocol):
+class JointReading(Protocol):
     """One sample of all encoders."""
 
     @property
@@ -29,10 +33,10 @@ class Reading(Protocol):
         """(n,)"""
 
 
-R = TypeVar("R", bound=Reading)
+R = TypeVar("R", bound=JointReading)
 
 
-class JointJudge(Generic[R]):
+class PlausibilityFilter(Generic[R]):
     """Lets plausible readings pass and keeps the others back.
 
     A reading is impossible that is no number, lies outside its joint's limits, farther from
@@ -50,8 +54,8 @@ class JointJudge(Generic[R]):
         """Readings kept back so far."""
         self.outside = 0
         """Those of the impossible that lie outside the joints' limits."""
-        self.newest: Implausible | None = None
-        self.first: Implausible | None = None
+        self.newest: ImplausibleReading | None = None
+        self.first: ImplausibleReading | None = None
         self.judged_ns: int | None = None
         """What came up to here is known to be good or bad, and nothing of it waits."""
         self._names = [f"J{i + 1}" for i in range(joint_count)]
@@ -63,7 +67,7 @@ class JointJudge(Generic[R]):
         self._count = 0
         self._held: deque[tuple[int, R]] = deque()
         """What waits, and the how many-th reading each is."""
-        self._bad: deque[tuple[int, Implausible]] = deque(maxlen=REMEMBERED)
+        self._bad: deque[tuple[int, ImplausibleReading]] = deque(maxlen=REMEMBERED)
         self.set_arm(arm)
 
     @property
@@ -89,7 +93,7 @@ class JointJudge(Generic[R]):
         self._reach.forget()
         self._spikes.forget()
 
-    def between(self, first_ns: int, last_ns: int) -> Implausible | None:
+    def between(self, first_ns: int, last_ns: int) -> ImplausibleReading | None:
         """The first reading kept back in a stretch of time; None where all were plausible."""
         return next((one for at, one in tuple(self._bad) if first_ns <= at <= last_ns), None)
 
@@ -134,21 +138,21 @@ class JointJudge(Generic[R]):
             NOISE_SDS * sd + STEPS * step for sd, step in zip(sds, steps, strict=True)
         ]
 
-    def _number_or_limits(self, stamp_ns: int, q_rad: Sequence[float]) -> Implausible | None:
+    def _number_or_limits(self, stamp_ns: int, q_rad: Sequence[float]) -> ImplausibleReading | None:
         """What is impossible in a reading by itself; None for nothing."""
         for joint, (angle_rad, (low, high)) in enumerate(zip(q_rad, self._ranges_rad, strict=True)):
             if not low <= angle_rad <= high or not math.isfinite(angle_rad):
-                kind: Kind = "limits" if math.isfinite(angle_rad) else "number"
+                kind: ImplausibleKind = "limits" if math.isfinite(angle_rad) else "number"
                 return self._implausible(kind, stamp_ns, joint, angle_rad)
         return None
 
-    def _jump(self, stamp_ns: int, q_rad: Sequence[float]) -> Implausible | None:
+    def _jump(self, stamp_ns: int, q_rad: Sequence[float]) -> ImplausibleReading | None:
         """What is impossible in a reading after the ones before; None for nothing."""
         jump = self._reach.follow(stamp_ns, q_rad, self._standstill.stops)
         self._standstill.read_on()
         if jump is None:
             return None
-        kind: Kind = "slip" if jump.stays else "jump"
+        kind: ImplausibleKind = "slip" if jump.stays else "jump"
         return self._implausible(kind, stamp_ns, jump.joint, q_rad[jump.joint], jump.step_rad)
 
     def _drop_spike(self, stamp_ns: int, q_rad: Sequence[float]) -> None:
@@ -187,11 +191,18 @@ class JointJudge(Generic[R]):
                 good.append(held.popleft()[1])
 
     def _implausible(
-        self, kind: Kind, stamp_ns: int, joint: int, angle_rad: float, step_rad: float = 0.0
-    ) -> Implausible:
+        self,
+        kind: ImplausibleKind,
+        stamp_ns: int,
+        joint: int,
+        angle_rad: float,
+        step_rad: float = 0.0,
+    ) -> ImplausibleReading:
         limits_rad = self._limits_rad[joint]
-        return Implausible(kind, stamp_ns, self._names[joint], angle_rad, limits_rad, step_rad)
+        return ImplausibleReading(
+            kind, stamp_ns, self._names[joint], angle_rad, limits_rad, step_rad
+        )
 
-    def _keep_back(self, stamp_ns: int, wrong: Implausible) -> None:
+    def _keep_back(self, stamp_ns: int, wrong: ImplausibleReading) -> None:
         self.newest, self.first = wrong, self.first or wrong
         self._bad.append((stamp_ns, wrong))

@@ -31,7 +31,7 @@ _rows = Function(
 )
 
 
-def moved(camera: Camera, step: Floats) -> Camera:
+def apply_camera_step(camera: Camera, step: Floats) -> Camera:
     """The camera after a step (12,): focal lengths (relative), principal point (of the width),
     turn (rad) and shift (of the distance) in the camera frame, k1, k2."""
     matrix = camera.matrix.copy()
@@ -52,7 +52,7 @@ def moved(camera: Camera, step: Floats) -> Camera:
     )
 
 
-def _held(camera: Camera) -> tuple[Floats, Floats]:
+def _camera_prior(camera: Camera) -> tuple[Floats, Floats]:
     """What lenses are like before any measurement: values (5,) and their standard deviations.
 
     Square pixels to a thousandth, the axis within a twentieth of the width of the
@@ -71,14 +71,14 @@ def _held(camera: Camera) -> tuple[Floats, Floats]:
     return values, np.array([0.001, 0.05, 0.05, 0.5, 1.0])
 
 
-_HELD_STEPS = (1, 2, 3, 10, 11)
+_PRIOR_STEPS = (1, 2, 3, 10, 11)
 
 
-def held_rows(camera: Camera, free: tuple[int, ...]) -> Floats:
+def prior_rows(camera: Camera, free: tuple[int, ...]) -> Floats:
     """What is held of the chosen parameters, as rows (H, P) over their standard deviations."""
-    _, deviations = _held(camera)
-    rows = np.zeros((len(_HELD_STEPS), len(free)))
-    for row, step in enumerate(_HELD_STEPS):
+    _, deviations = _camera_prior(camera)
+    rows = np.zeros((len(_PRIOR_STEPS), len(free)))
+    for row, step in enumerate(_PRIOR_STEPS):
         if step in free:
             rows[row, free.index(step)] = 1 / deviations[row]
     return rows
@@ -92,7 +92,7 @@ def residuals(camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats) 
 def residuals_with_jacobian(
     camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats
 ) -> tuple[Floats, Floats]:
-    """``residuals`` (N,) and their derivatives (N, 12) by a step of ``moved``."""
+    """``residuals`` (N,) and their derivatives (N, 12) by a step of ``apply_camera_step``."""
     K = camera.matrix
     pose = np.column_stack([camera.rotation, camera.translation_mm])
     lens = np.array([K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2], *camera.distortion])
@@ -136,13 +136,15 @@ def fit_edges(
     """
     chosen = np.array(free)
     covariance = np.zeros((_COUNT, _COUNT))
-    held = np.array([k for k in range(len(_HELD_STEPS)) if _HELD_STEPS[k] in free], dtype=np.int64)
+    held = np.array(
+        [k for k in range(len(_PRIOR_STEPS)) if _PRIOR_STEPS[k] in free], dtype=np.int64
+    )
     for _ in range(rounds):
         off, J = residuals_with_jacobian(camera, points_mm, uv_px, normal)
         normal_matrix, gradient, spread = _equations(off, J, sigma_px, chosen)
-        values, sd = _held(camera)
+        values, sd = _camera_prior(camera)
         for k in held:
-            at = int(np.flatnonzero(chosen == _HELD_STEPS[k])[0])
+            at = int(np.flatnonzero(chosen == _PRIOR_STEPS[k])[0])
             normal_matrix[at, at] += (spread / sd[k]) ** 2
             gradient[at] += values[k] * (spread / sd[k]) ** 2
         scale = 1 / np.sqrt(np.diag(normal_matrix))
@@ -151,7 +153,7 @@ def fit_edges(
         step = np.zeros(_COUNT)
         step[chosen] = -inverse @ gradient
         step[:10] *= min(1.0, 0.2 / max(float(np.abs(step[:10]).max()), 1e-12))
-        camera = moved(camera, step)
+        camera = apply_camera_step(camera, step)
         camera = replace(camera, rotation=nearest_rotation(camera.rotation))
         covariance[np.ix_(chosen, chosen)] = inverse
         if float(np.abs(step).max()) < 1e-8:

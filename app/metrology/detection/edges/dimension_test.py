@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from app.metrology.detection.edges.camera_from_edges import (
     WITH_K1,
     WITH_K2,
-    held_rows,
+    prior_rows,
     residuals_with_jacobian,
 )
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.edges.stations import Stations
-from app.metrology.detection.edges.step_fit import chosen
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.edges.stations import EdgeStations
+from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.visibility import Wireframe
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
@@ -40,7 +40,7 @@ _ENOUGH_PX, _MOST_OF_IT, _IN_PLACE_PX = 18.0, 0.6, 1.6
 
 
 @dataclass(frozen=True)
-class Shift:
+class PlaneShift:
     """How far a plane of the block seems to lie from its place in the certificate.
 
     ``axis`` and ``at_mm``: the plane; ``edges``: rows in the wireframe of those in it;
@@ -88,13 +88,13 @@ def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
     return list(lines.values())
 
 
-def moves_px_per_mm(camera: Camera, at: Stations, axis: int) -> Floats:
+def moves_px_per_mm(camera: Camera, at: EdgeStations, axis: int) -> Floats:
     """(N,) how far a shift along an axis moves each station's edge across, along its normal."""
     ahead = project(camera, at.points_mm + 0.1 * np.eye(3)[axis]) - at.uv_px
     return np.asarray(10.0 * (ahead * at.normal).sum(axis=1))
 
 
-def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
+def count_in_place(found: EdgeMeasurements, edges: tuple[int, ...], axis: int) -> int:
     """How many of a plane's edges are seen, all but whole, where the certificate puts them.
 
     Only those count that a shift of the plane would move in the picture.
@@ -104,14 +104,14 @@ def in_place(found: Survey, edges: tuple[int, ...], axis: int) -> int:
     for edge in edges:
         rows = np.flatnonzero(at.edge == edge)
         there = found.used[rows] & (np.abs(found.off_px[rows]) < _IN_PLACE_PX)
-        moves = np.abs(moves_px_per_mm(found.camera, chosen(at, rows), axis))
+        moves = np.abs(moves_px_per_mm(found.camera, select_stations(at, rows), axis))
         there &= moves * FURTHEST_MM > 2 * _IN_PLACE_PX
         enough = at.length_px[rows][there].sum() > _ENOUGH_PX
         count += bool(enough and there.sum() >= _MOST_OF_IT * len(rows))
     return count
 
 
-def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
+def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[PlaneShift]:
     """How far each plane seems shifted; none where the edges tell nothing of it.
 
     Args:
@@ -120,18 +120,18 @@ def shifts(found: Survey, certificate_mm: float) -> list[Shift]:
     """
     faces = planes(found.frame)
     free = WITH_K2 if found.camera.distortion[1] != 0.0 else WITH_K1
-    pieces = _gathered(found, faces, free, certificate_mm)
+    pieces = _gather_pieces(found, faces, free, certificate_mm)
     if len(pieces.off_px) <= len(free) + 1:
         return []
-    held = held_rows(found.camera, free)
+    held = prior_rows(found.camera, free)
     told = []
     for k, (axis, at_mm, edges) in enumerate(faces):
-        by_mm, ratio = _estimated(pieces, held, k, certificate_mm)
-        told.append(Shift(axis, at_mm, edges, by_mm, abs(ratio)))
+        by_mm, ratio = _estimate_shift(pieces, held, k, certificate_mm)
+        told.append(PlaneShift(axis, at_mm, edges, by_mm, abs(ratio)))
     return told
 
 
-def unseen(found: Survey) -> tuple[str, ...]:
+def find_unobserved_planes(found: EdgeMeasurements) -> tuple[str, ...]:
     """The block's planes, in words, that no measured edge tells the place of.
 
     Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
@@ -144,12 +144,12 @@ def unseen(found: Survey) -> tuple[str, ...]:
     hidden = []
     for (axis, _, _), points in zip(faces, telling, strict=True):
         if points < _TELLING_POINTS:
-            hidden.append(plane_in_words(axis, count[axis]))
+            hidden.append(describe_plane(axis, count[axis]))
         count[axis] += 1
     return tuple(hidden)
 
 
-def plane_in_words(axis: int, number: int) -> str:
+def describe_plane(axis: int, number: int) -> str:
     """The name of the so-manieth plane along an axis: merlons are counted from the left."""
     if axis == 0:
         return f"the {('left', 'right')[number % 2]} side of merlon {number // 2 + 1}"
@@ -158,8 +158,8 @@ def plane_in_words(axis: int, number: int) -> str:
     return f"the height of its {('base', 'floors', 'crests')[number]}"
 
 
-def _gathered(
-    found: Survey,
+def _gather_pieces(
+    found: EdgeMeasurements,
     faces: list[tuple[int, float, tuple[int, ...]]],
     free: tuple[int, ...],
     certificate_mm: float,
@@ -196,7 +196,9 @@ def _gathered(
 
 
 def _shift_effects(
-    found: Survey, rows: NDArray[np.int64], faces: list[tuple[int, float, tuple[int, ...]]]
+    found: EdgeMeasurements,
+    rows: NDArray[np.int64],
+    faces: list[tuple[int, float, tuple[int, ...]]],
 ) -> Floats:
     """What a shift of each plane by a mm does to the points' distances, (N, K) px."""
     points, normal = found.at.points_mm[rows], found.at.normal[rows]
@@ -212,7 +214,7 @@ def _shift_effects(
     )
 
 
-def _estimated(
+def _estimate_shift(
     pieces: _Pieces, held: Floats, plane: int, certificate_mm: float
 ) -> tuple[float, float]:
     """A plane's shift in mm and that over its deviation; zeros where the camera does as much.

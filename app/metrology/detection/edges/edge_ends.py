@@ -11,16 +11,16 @@ import numpy as np
 
 from app.metrology.detection.edges.dimension_test import (
     FURTHEST_MM,
-    in_place,
+    count_in_place,
     lines_along_x,
     planes,
 )
-from app.metrology.detection.edges.measure_all import Survey, stations_along_x
-from app.metrology.detection.edges.other_edges import lie_at
-from app.metrology.detection.edges.stations import Stations, profiles
-from app.metrology.detection.edges.step_fit import chosen
-from app.metrology.detection.rejection import Objection, elsewhere
-from app.metrology.detection.visibility import seen
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, stations_along_x
+from app.metrology.detection.edges.other_edges import lines_lie_at
+from app.metrology.detection.edges.stations import EdgeStations, sample_profiles
+from app.metrology.detection.edges.step_fit import select_stations
+from app.metrology.detection.rejection import RejectionReason, size_mismatch
+from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
@@ -31,7 +31,7 @@ _ENOUGH_PX = 16.0
 _NEAREST_PX, _FURTHER_PX = 5.0, 14.0
 # An edge is where its step is at least this share of its usual one, and not where it is less
 # than that; its usual one stands out so many times from what lies beside it.
-_THERE, _GONE, _OVER_BESIDE = 0.6, 0.3, 4.0
+_THERE, _GONE, _OVER_SURROUNDINGS = 0.6, 0.3, 4.0
 # Of what is followed, this share may be otherwise on the edge's side of its end, and beyond;
 # so many px must be known of either, the edge's light gathered along so many.
 _LESS, _MORE, _KNOWN_PX, _ALONG_PX = 0.1, 0.15, 6, 5
@@ -44,11 +44,11 @@ _ALIKE_PX, _ALIKE = 4.0, 0.15
 # A share of an edge that is rounding.
 _ROUNDING = 1e-6
 # Of the way to the next edge in the line, how much is the edge's own.
-_OWN_WAY = 0.6
+_SHARE_OF_GAP = 0.6
 
 
 @dataclass(frozen=True)
-class End:
+class EdgeEnd:
     """Where an edge seems to end: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
     ``at_mm``, as far as the picture is clear, to ``unclear_px``."""
 
@@ -67,7 +67,7 @@ class End:
         return self.by_px > self.unclear_px
 
 
-def ends_of(grey: Floats, found: Survey) -> list[End]:
+def measure_ends(grey: Floats, found: EdgeMeasurements) -> list[EdgeEnd]:
     """Where the edges of crests and base along X end, as far as the picture tells.
 
     Broken edges cut all of them short alike: so each is compared with the others of the block.
@@ -76,12 +76,12 @@ def ends_of(grey: Floats, found: Survey) -> list[End]:
         grey: (H, W) the picture, NaN where it must not count.
         found: the edges measured in it.
     """
-    ends = [end for way in _ways(found) if (end := _end(grey, found, way)) is not None]
+    ends = [end for way in _ways(found) if (end := _measure_end(grey, found, way)) is not None]
     usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
     return [replace(end, by_mm=end.by_mm - usual_mm) for end in ends]
 
 
-def in_place_by(ends: Sequence[End], at_mm: float, by_mm: float) -> bool:
+def ends_in_place(ends: Sequence[EdgeEnd], at_mm: float, by_mm: float) -> bool:
     """Whether edges end where they should at a plane along X, rather than ``by_mm`` further."""
     own = [end for end in ends if end.at_mm == at_mm]
     away = [abs(end.outward * by_mm - end.by_mm) * end.px_per_mm for end in own]
@@ -89,7 +89,9 @@ def in_place_by(ends: Sequence[End], at_mm: float, by_mm: float) -> bool:
     return bool(own) and all(stand)
 
 
-def ends_elsewhere(grey: Floats, found: Survey, everywhere: Sequence[End]) -> Objection | None:
+def find_misplaced_ends(
+    grey: Floats, found: EdgeMeasurements, everywhere: Sequence[EdgeEnd]
+) -> RejectionReason | None:
     """A size along X that the picture shows to be another, as edges end elsewhere, if any.
 
     One edge may be cut short by anything that lies before it. Where two edges of crests and
@@ -112,22 +114,24 @@ def ends_elsewhere(grey: Floats, found: Survey, everywhere: Sequence[End]) -> Ob
         by_mm = float(np.mean([end.by_mm for end in together]))
         # Another edge of the block may lie, by chance, where one of the plane's is drawn.
         by_chance = len(together) - 1 if by_mm > 0 else 0
-        if in_place(found, edges, axis) > by_chance:
+        if count_in_place(found, edges, axis) > by_chance:
             continue
-        if len(together) > 1 or _borne_out(grey, found, edges, together[0]):
+        if len(together) > 1 or _lines_confirm(grey, found, edges, together[0]):
             by_px = max(end.by_px for end in together)
             # What lies over two ends shortens both alike; nothing makes an edge longer.
             alone = by_mm < 0 and len(together) < 3
-            return elsewhere(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
+            return size_mismatch(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
     return None
 
 
-def _borne_out(grey: Floats, found: Survey, edges: tuple[int, ...], end: End) -> bool:
+def _lines_confirm(
+    grey: Floats, found: EdgeMeasurements, edges: tuple[int, ...], end: EdgeEnd
+) -> bool:
     """Whether lines run where the edges of an end's plane would lie, ended the plane there."""
-    return lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
+    return lines_lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
 
 
-def _alike(end: End, others: list[End]) -> list[End]:
+def _alike(end: EdgeEnd, others: list[EdgeEnd]) -> list[EdgeEnd]:
     """The ends that are moved by as much as one of them."""
     near_mm = max(_ALIKE_PX, _ALIKE * end.by_px) / end.px_per_mm
     return [one for one in others if abs(one.by_mm - end.by_mm) < near_mm]
@@ -147,10 +151,10 @@ class _Way:
     beyond_mm: float
 
 
-def _ways(found: Survey) -> Iterator[_Way]:
+def _ways(found: EdgeMeasurements) -> Iterator[_Way]:
     """Through every corner in sight of the edges of crests and base along X."""
     frame = found.frame
-    parts = seen(frame, found.camera.centre_mm)
+    parts = find_visible_edges(frame, found.camera.centre_mm)
     for line in lines_along_x(frame, ("crest", "base")):
         for k, edge in enumerate(line):
             begin, end = frame.starts_mm[edge], frame.ends_mm[edge]
@@ -160,12 +164,12 @@ def _ways(found: Survey) -> Iterator[_Way]:
             for one in np.flatnonzero(parts.edge == edge):
                 shown = (parts.end[one] - parts.start[one]) * length
                 if parts.start[one] < _ROUNDING:
-                    yield _Way(edge, begin, -1.0, shown, _OWN_WAY * before)
+                    yield _Way(edge, begin, -1.0, shown, _SHARE_OF_GAP * before)
                 if parts.end[one] > 1.0 - _ROUNDING:
-                    yield _Way(edge, end, 1.0, shown, _OWN_WAY * after)
+                    yield _Way(edge, end, 1.0, shown, _SHARE_OF_GAP * after)
 
 
-def _end(grey: Floats, found: Survey, way: _Way) -> End | None:
+def _measure_end(grey: Floats, found: EdgeMeasurements, way: _Way) -> EdgeEnd | None:
     """Where the edge ends on its way; None where the picture does not tell."""
     out = np.array([way.outward, 0.0, 0.0])
     ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
@@ -178,21 +182,24 @@ def _end(grey: Floats, found: Survey, way: _Way) -> End | None:
     at = _along(found, way, px_per_mm, int(own[0]))
     if len(at.edge) < 2 * _KNOWN_PX:
         return None
-    on_edge, _ = _contrast(grey, chosen(found.at, own), found.blur_px)
+    on_edge, _ = _contrast(grey, select_stations(found.at, own), found.blur_px)
     step, beside = _contrast(grey, at, found.blur_px)
-    usual, noise = _median(on_edge), _median(np.abs([_gathered(one) for one in beside])) / 0.6745
-    if not abs(usual) > _OVER_BESIDE * noise:
+    usual, noise = (
+        _median(on_edge),
+        _median(np.abs([_moving_average(one) for one in beside])) / 0.6745,
+    )
+    if not abs(usual) > _OVER_SURROUNDINGS * noise:
         return None
     along_px = (at.points_mm - way.corner_mm) @ out * px_per_mm
     clear_px = _CLEAR_PX + _CLEAR_BLURS * max(1.0, found.blur_px)
-    by_px = _stops(along_px, _gathered(step) / usual, clear_px, furthest_px)
+    by_px = _find_end(along_px, _moving_average(step) / usual, clear_px, furthest_px)
     if by_px is None:
         return None
     unclear_px = max(_NEAREST_PX, clear_px)
-    return End(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
+    return EdgeEnd(float(way.corner_mm[0]), way.outward, by_px / px_per_mm, px_per_mm, unclear_px)
 
 
-def _along(found: Survey, way: _Way, px_per_mm: float, row: int) -> Stations:
+def _along(found: EdgeMeasurements, way: _Way, px_per_mm: float, row: int) -> EdgeStations:
     """Stations every px along a way, as far as it is followed and in the picture.
 
     ``row``: of a station on the edge itself.
@@ -211,16 +218,16 @@ def _median(values: Floats) -> float:
     return float(np.median(known)) if len(known) else np.nan
 
 
-def _contrast(grey: Floats, at: Stations, blur_px: float) -> tuple[Floats, Floats]:
+def _contrast(grey: Floats, at: EdgeStations, blur_px: float) -> tuple[Floats, Floats]:
     """By how much it is brighter on one side of stations (N,) than on the other, grey levels,
     and the same (2, N) where no edge is looked for, to either side of them."""
     far = int(np.ceil(1.0 + blur_px))
-    levels = profiles(grey, at.uv_px, at.normal, 3 * far)[:, :: 2 * far].T
+    levels = sample_profiles(grey, at.uv_px, at.normal, 3 * far)[:, :: 2 * far].T
     steps = np.diff(levels, axis=0)
     return steps[1], steps[[0, 2]]
 
 
-def _gathered(step: Floats) -> Floats:
+def _moving_average(step: Floats) -> Floats:
     """Means (N,) over neighbours; NaN where too few are known."""
     known = np.isfinite(step)
     near = np.ones(_ALONG_PX)
@@ -229,7 +236,7 @@ def _gathered(step: Floats) -> Floats:
     return np.where(count > _ALONG_PX / 2, total / np.maximum(count, 1.0), np.nan)
 
 
-def _stops(along_px: Floats, share: Floats, clear_px: float, furthest_px: float) -> float | None:
+def _find_end(along_px: Floats, share: Floats, clear_px: float, furthest_px: float) -> float | None:
     """How far along its way an edge ends, of which there is so much (N,) at every px.
 
     The place that leaves least of it beyond, and least of it wanting before. None where

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.detection.edges.dimension_test import lines_along_x
-from app.metrology.detection.edges.measure_all import Survey, stations_along_x
-from app.metrology.detection.edges.stations import Stations
-from app.metrology.detection.edges.step_fit import chosen, measure
-from app.metrology.detection.rejection import Objection, in_words
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, stations_along_x
+from app.metrology.detection.edges.stations import EdgeStations
+from app.metrology.detection.edges.step_fit import measure_steps, select_stations
+from app.metrology.detection.rejection import RejectionReason, describe_edge
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
@@ -24,10 +24,10 @@ _BEYOND = 0.3
 _IN_A_ROW, _OF_THE_WAY, _MOST_OF_THE_WAY = 8, 0.3, 0.6
 # Where noise leaves none of them certain, so many must, but for a few.
 _IN_NOISE, _NEARLY_ALL = 24, 0.9
-_BESIDE_PX = (*range(-24, -5, 3), *range(6, 25, 3))
+_ADJACENT_PX = (*range(-24, -5, 3), *range(6, 25, 3))
 
 
-def overrun(grey: Floats, found: Survey) -> Objection | None:
+def find_overrun(grey: Floats, found: EdgeMeasurements) -> RejectionReason | None:
     """An edge that goes on beyond its certificate's end, if any.
 
     Along X an edge must end at its corners, and beyond the block's two ends nothing
@@ -51,26 +51,26 @@ def overrun(grey: Floats, found: Survey) -> Objection | None:
         for k, edge in enumerate(edges):
             ways = ((end[k], after[k], "right"), (begin[k], -before[k], "left"))
             for corner, reach_mm, side in ways:
-                beyond = _beyond(found, corner, reach_mm, row)
+                beyond = _stations_beyond(found, corner, reach_mm, row)
                 if _runs_on(grey, found, beyond, step):
-                    what = in_words(frame.names[edge])
-                    return Objection(f"{what} goes on beyond its {side} end", True, (edge,))
+                    what = describe_edge(frame.names[edge])
+                    return RejectionReason(f"{what} goes on beyond its {side} end", True, (edge,))
     return None
 
 
-def _runs_on(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+def _runs_on(grey: Floats, found: EdgeMeasurements, beyond: EdgeStations, step: float) -> bool:
     """Whether a step like an edge's own is seen at enough stations (every 2 px) in a row."""
-    seen = measure(grey, beyond, found.blur_px)
+    seen = measure_steps(grey, beyond, found.blur_px)
     straight = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
     apart = np.abs(seen.step - step)
     clear = straight & (apart < np.minimum(0.4 * abs(step), abs(step) - 6 * seen.step_sigma))
     if _in_a_row(clear, _OF_THE_WAY):
-        return _in_a_row(clear, _MOST_OF_THE_WAY) or not _marked(grey, found, beyond, step)
+        return _in_a_row(clear, _MOST_OF_THE_WAY) or not _has_tool_marks(grey, found, beyond, step)
     # Not so far apart that nothing at all would be like it.
     noisy = np.clip(2 * seen.step_sigma, 0.4 * abs(step), 0.6 * abs(step))
     faint = straight & (apart < noisy) & (3 * seen.step_sigma < abs(step))
     long = _in_a_row(faint, _OF_THE_WAY, _IN_NOISE, _NEARLY_ALL)
-    return long and not _marked(grey, found, beyond, step)
+    return long and not _has_tool_marks(grey, found, beyond, step)
 
 
 def _in_a_row(
@@ -87,11 +87,13 @@ def _in_a_row(
     return bool(streak.max() >= of_them * row)
 
 
-def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
+def _has_tool_marks(
+    grey: Floats, found: EdgeMeasurements, beyond: EdgeStations, step: float
+) -> bool:
     """Whether lines as strong as the one at some stations run beside it as well: tool marks."""
-    for away in _BESIDE_PX:
+    for away in _ADJACENT_PX:
         beside = replace(beyond, uv_px=beyond.uv_px + away * beyond.normal)
-        seen = measure(grey, beside, found.blur_px)
+        seen = measure_steps(grey, beside, found.blur_px)
         there = np.abs(seen.offset_px) < _STRAIGHT_PX / 2
         there &= np.abs(seen.step) > np.maximum(0.6 * abs(step), 2 * seen.step_sigma)
         if _in_a_row(there, _OF_THE_WAY):
@@ -99,13 +101,15 @@ def _marked(grey: Floats, found: Survey, beyond: Stations, step: float) -> bool:
     return False
 
 
-def _beyond(found: Survey, corner: Floats, reach_mm: float, row: int) -> Stations:
+def _stations_beyond(
+    found: EdgeMeasurements, corner: Floats, reach_mm: float, row: int
+) -> EdgeStations:
     """Stations every 2 px along X from beyond a corner (3,) as far as ``reach_mm``."""
     ends = project(found.camera, np.array([corner, corner + [reach_mm, 0.0, 0.0]]))
     length = float(np.hypot(*(ends[1] - ends[0])))
     clear = found.at.half_length_px + 3 * found.blur_px + 2
     if length < clear + 2 * _IN_A_ROW:
-        return chosen(found.at, np.zeros(len(found.at.edge), dtype=bool))
+        return select_stations(found.at, np.zeros(len(found.at.edge), dtype=bool))
     share = np.arange(clear, length, 2.0)[:, None] / length
     points = corner + share * np.array([reach_mm, 0.0, 0.0])
     return stations_along_x(found, points, row)

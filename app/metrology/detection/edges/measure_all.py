@@ -13,9 +13,20 @@ from app.metrology.detection.edges.camera_from_edges import (
     fit_edges,
     residuals,
 )
-from app.metrology.detection.edges.scatter import scatter
-from app.metrology.detection.edges.stations import Stations, block_ahead, search, stations
-from app.metrology.detection.edges.step_fit import Measured, chosen, joined, measure, with_room
+from app.metrology.detection.edges.scatter import estimate_scatter
+from app.metrology.detection.edges.stations import (
+    EdgeStations,
+    block_ahead,
+    place_stations,
+    search_edges,
+)
+from app.metrology.detection.edges.step_fit import (
+    StepMeasurements,
+    join_stations,
+    measure_steps,
+    select_stations,
+    with_clearance,
+)
 from app.metrology.detection.edges.tool_marks import texture
 from app.metrology.detection.visibility import Wireframe
 from app.metrology.sensor.camera import Camera, project
@@ -44,7 +55,7 @@ _SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
 
 
 @dataclass(frozen=True)
-class Survey:
+class EdgeMeasurements:
     """Measured edges and the camera fitted to them.
 
     ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
@@ -58,7 +69,7 @@ class Survey:
 
     frame: Wireframe
     camera: Camera
-    at: Stations
+    at: EdgeStations
     uv_px: Floats
     sigma_px: Floats
     own_px: Floats
@@ -70,16 +81,18 @@ class Survey:
     blur_px: float
 
 
-def softened(grey: Floats, coarse_px: float) -> Floats:
+def smooth_for_search(grey: Floats, coarse_px: float) -> Floats:
     """The picture (H, W) in which a camera that is ``coarse_px`` off finds its edges."""
     return np.asarray(cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64)
 
 
-def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) -> Camera | None:
+def align_camera_to_edges(
+    smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float
+) -> Camera | None:
     """The camera that draws the block's edges where the picture has its steepest places.
 
     Args:
-        smooth: (H, W) the picture, ``softened``.
+        smooth: (H, W) the picture, ``smooth_for_search``.
         frame: the block.
         camera: a camera for this picture that draws the edges within ``reach_px``.
         reach_px: how far off it may be.
@@ -88,8 +101,8 @@ def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) ->
         None where too few edges show, or the block is not before the camera.
     """
     for radius in (reach_px, max(0.6 * reach_px, 2.0)):
-        at = stations(frame, camera, 2 * _SPACING_PX, radius + 2)
-        offset, slope = search(smooth, at, radius)
+        at = place_stations(frame, camera, 2 * _SPACING_PX, radius + 2)
+        offset, slope = search_edges(smooth, at, radius)
         met = np.isfinite(offset)
         steep = np.abs(slope)
         if met.sum() < 30:
@@ -101,16 +114,16 @@ def pulled(smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float) ->
     return camera if block_ahead(frame, camera) else None
 
 
-def survey(
+def measure_edges(
     masked: Floats, frame: Wireframe, camera: Camera, blur_px: float, certificate_mm: float
-) -> Survey | None:
+) -> EdgeMeasurements | None:
     """Measures every visible edge of the block and fits the camera to them.
 
     Args:
         masked: (H, W) the picture, 0..255, NaN where it must not count (clipped, lit by the
             laser).
         frame: the block.
-        camera: a camera for this picture, ``pulled``.
+        camera: a camera for this picture, ``align_camera_to_edges``.
         blur_px: about the standard deviation of the picture's blur.
         certificate_mm: standard uncertainty of the block's coordinates.
 
@@ -121,23 +134,29 @@ def survey(
     # In a noisy picture each point gathers light along more of its edge.
     spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
     for _ in range(2):
-        fitted = _fitted(_measured(masked, frame, camera, blur, spacing), WITH_K1, certificate_mm)
+        fitted = _fit_camera(
+            _measure_stations(masked, frame, camera, blur, spacing), WITH_K1, certificate_mm
+        )
         if fitted is None:
             return None
         camera = fitted[0].camera
         if not block_ahead(frame, camera):
             return None
-    return _with_significant_lens(_measured(masked, frame, camera, blur, spacing), certificate_mm)
+    return _fit_significant_lens(
+        _measure_stations(masked, frame, camera, blur, spacing), certificate_mm
+    )
 
 
-def without(found: Survey, parts: list[int], certificate_mm: float) -> Survey | None:
+def refit_without(
+    found: EdgeMeasurements, parts: list[int], certificate_mm: float
+) -> EdgeMeasurements | None:
     """The survey with the camera fitted to all but some parts; None if too few are left."""
     left_out = np.isin(found.at.part, parts)
     again = replace(found, shows=found.shows & ~left_out)
-    return _with_significant_lens(again, certificate_mm)
+    return _fit_significant_lens(again, certificate_mm)
 
 
-def stations_along_x(found: Survey, points_mm: Floats, row: int) -> Stations:
+def stations_along_x(found: EdgeMeasurements, points_mm: Floats, row: int) -> EdgeStations:
     """Stations at points (N, 3) in the line of an edge along X, as far as in the picture.
 
     What else lies about them is not known. ``row``: of a station on the edge itself.
@@ -159,15 +178,15 @@ def stations_along_x(found: Survey, points_mm: Floats, row: int) -> Stations:
         room_px=np.full((count, 2), np.inf),
         length_px=np.ones(count),
     )
-    return chosen(at, np.all((uv > 0) & (uv < limit), axis=1))
+    return select_stations(at, np.all((uv > 0) & (uv < limit), axis=1))
 
 
 def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:
     """The picture's blur and its steps over its noise, from some of the stations."""
     contrast = 1.0
     for _ in range(4):
-        at = with_room(stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
-        seen = measure(masked, at, blur, free_blur=True)
+        at = with_clearance(place_stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
+        seen = measure_steps(masked, at, blur, free_blur=True)
         sound = np.isfinite(seen.offset_px) & (np.abs(seen.step) > _SHOWS * seen.step_sigma)
         if sound.sum() < 12:
             break
@@ -178,25 +197,25 @@ def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tupl
     return blur, contrast
 
 
-def _measured(
+def _measure_stations(
     masked: Floats, frame: Wireframe, camera: Camera, blur: float, spacing: float
-) -> Survey:
+) -> EdgeMeasurements:
     margin = max(4.0, 3.0 * blur)
-    at = with_room(stations(frame, camera, spacing, margin), blur)
-    seen = measure(masked, at, blur)
-    shows = _showing(at, seen)
+    at = with_clearance(place_stations(frame, camera, spacing, margin), blur)
+    seen = measure_steps(masked, at, blur)
+    shows = _find_visible(at, seen)
     # Where an edge is too faint for short pieces, long ones may show it.
     wide = min(_LONGER * spacing, _LONGEST_PX)
     faint = ~np.isin(at.part, at.part[shows])
     if faint.any():
-        long = with_room(stations(frame, camera, wide, margin), blur)
-        long = chosen(long, np.isin(long.part, at.part[faint]))
-        gathered = measure(masked, long, blur)
-        found = _showing(long, gathered)
+        long = with_clearance(place_stations(frame, camera, wide, margin), blur)
+        long = select_stations(long, np.isin(long.part, at.part[faint]))
+        gathered = measure_steps(masked, long, blur)
+        found = _find_visible(long, gathered)
         kept = ~np.isin(at.part, long.part[found])
         fresh = np.isin(long.part, long.part[found])
-        at = joined(chosen(at, kept), chosen(long, fresh))
-        seen = _one_after_the_other(seen, kept, gathered, fresh)
+        at = join_stations(select_stations(at, kept), select_stations(long, fresh))
+        seen = _concatenate(seen, kept, gathered, fresh)
         shows = np.concatenate([shows[kept], found[fresh]])
     uv = at.uv_px + np.nan_to_num(seen.offset_px)[:, None] * at.normal
     sigma = np.where(shows, seen.sigma_px, np.nan)
@@ -205,16 +224,18 @@ def _measured(
     ratio, moved = texture(masked, at, step, blur)
     # Among marks as strong as itself an edge cannot be told.
     shows &= ratio < _MARKS
-    shows &= ~_softer(masked, at, shows, blur)
-    return Survey(frame, camera, at, uv, sigma, sigma, moved, off, step, shows, shows.copy(), blur)
+    shows &= ~_find_soft_parts(masked, at, shows, blur)
+    return EdgeMeasurements(
+        frame, camera, at, uv, sigma, sigma, moved, off, step, shows, shows.copy(), blur
+    )
 
 
-def _softer(
-    masked: Floats, at: Stations, shows: NDArray[np.bool_], blur: float
+def _find_soft_parts(
+    masked: Floats, at: EdgeStations, shows: NDArray[np.bool_], blur: float
 ) -> NDArray[np.bool_]:
     """Stations (N,) of parts that are less sharp than the picture: a shadow's border runs there."""
     some = np.flatnonzero(shows)[::_EVERY]
-    seen = measure(masked, chosen(at, some), blur, free_blur=True)
+    seen = measure_steps(masked, select_stations(at, some), blur, free_blur=True)
     soft = np.zeros(len(shows), dtype=bool)
     for part in np.unique(at.part[some]):
         widths = seen.blur_px[at.part[some] == part]
@@ -224,15 +245,18 @@ def _softer(
     return soft
 
 
-def _one_after_the_other(
-    one: Measured, of_one: NDArray[np.bool_], other: Measured, of_other: NDArray[np.bool_]
-) -> Measured:
+def _concatenate(
+    one: StepMeasurements,
+    of_one: NDArray[np.bool_],
+    other: StepMeasurements,
+    of_other: NDArray[np.bool_],
+) -> StepMeasurements:
     """Some of one's values, then some of the other's."""
     rows = zip(astuple(one), astuple(other), strict=True)
-    return Measured(*(np.concatenate([a[of_one], b[of_other]]) for a, b in rows))
+    return StepMeasurements(*(np.concatenate([a[of_one], b[of_other]]) for a, b in rows))
 
 
-def _showing(at: Stations, seen: Measured) -> NDArray[np.bool_]:
+def _find_visible(at: EdgeStations, seen: StepMeasurements) -> NDArray[np.bool_]:
     """Where the picture shows an edge: by itself, or as one of a part that does."""
     there = np.isfinite(seen.offset_px) & (seen.sigma_px < _WORST_PX)
     ratio = np.where(there, seen.step / seen.step_sigma, 0.0)
@@ -245,9 +269,9 @@ def _showing(at: Stations, seen: Measured) -> NDArray[np.bool_]:
     return there & ((np.abs(ratio) > _SHOWS) | as_part)
 
 
-def _fitted(
-    found: Survey, free: tuple[int, ...], certificate_mm: float
-) -> tuple[Survey, Floats] | None:
+def _fit_camera(
+    found: EdgeMeasurements, free: tuple[int, ...], certificate_mm: float
+) -> tuple[EdgeMeasurements, Floats] | None:
     keep = found.shows
     if keep.sum() < 3 * len(free):
         return None
@@ -265,7 +289,7 @@ def _fitted(
         found.camera, at.points_mm[keep], found.uv_px[keep], at.normal[keep], sigma, free
     )
     off = residuals(camera, at.points_mm, found.uv_px, at.normal)
-    used, along, together = scatter(
+    used, along, together = estimate_scatter(
         off, at, found.shows, found.sigma_px, found.marks_px, certificate_px
     )
     return replace(
@@ -278,14 +302,16 @@ def _fitted(
     ), covariance
 
 
-def _with_significant_lens(found: Survey, certificate_mm: float) -> Survey | None:
+def _fit_significant_lens(
+    found: EdgeMeasurements, certificate_mm: float
+) -> EdgeMeasurements | None:
     """The fit with as many distortion terms as the edges support."""
     best = None
     for free, term in ((WITH_K2, 11), (WITH_K1, 10), (NO_DISTORTION, -1)):
         start = found.camera.distortion.copy()
         start[[k for k in (0, 1) if 10 + k not in free]] = 0.0
         begun = replace(found, camera=replace(found.camera, distortion=start))
-        fitted = _fitted(begun, free, certificate_mm)
+        fitted = _fit_camera(begun, free, certificate_mm)
         if fitted is None:
             return None
         best, covariance = fitted

@@ -9,20 +9,20 @@ from numpy.typing import NDArray
 
 from app.metrology.detection.edges.dimension_test import (
     FURTHEST_MM,
-    in_place,
+    count_in_place,
     moves_px_per_mm,
     planes,
 )
-from app.metrology.detection.edges.measure_all import Survey
-from app.metrology.detection.edges.stations import Stations, profiles, stations
-from app.metrology.detection.edges.step_fit import chosen
-from app.metrology.detection.rejection import Objection, elsewhere
+from app.metrology.detection.edges.measure_all import EdgeMeasurements
+from app.metrology.detection.edges.stations import EdgeStations, place_stations, sample_profiles
+from app.metrology.detection.edges.step_fit import select_stations
+from app.metrology.detection.rejection import RejectionReason, size_mismatch
 from app.metrology.transforms import Floats
 
 # What is too little to be told as another size, px.
 _NEAREST_PX = 1.6
 # Stations are so far apart; lines are followed over so many of them.
-_SPACING_PX, _AVERAGED = 3.0, 13
+_SPACING_PX, _AVERAGING = 3.0, 13
 # A line counts by its height over the edges' usual one, and over what lies beside it.
 _STEP, _OVER_NOISE = 0.1, 5.0
 # Share of the edges of a size that must show elsewhere where the size is wrong, beyond what
@@ -43,9 +43,9 @@ _STRAIGHT_PX = 1.5
 _ROOT_TWO_PI = 2.5066
 
 
-def missized(
-    grey: Floats, found: Survey, in_place_by_ends: Callable[[float, float], bool]
-) -> Objection | None:
+def find_wrong_dimension(
+    grey: Floats, found: EdgeMeasurements, in_place_by_ends: Callable[[float, float], bool]
+) -> RejectionReason | None:
     """A size of the certificate that the picture shows to be another, if any.
 
     Faces of equal brightness, shadows and things in the way hide edges, which is no
@@ -61,15 +61,20 @@ def missized(
     lines = _lines_about(grey, found)
     for axis, at_mm, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-        told = _elsewhere(found, lines, rows, axis, in_place(found, edges, axis))
+        told = _find_plane_offset(found, lines, rows, axis, count_in_place(found, edges, axis))
         if told is not None and not (axis == 0 and in_place_by_ends(at_mm, told.by_mm)):
             name = found.frame.names[lines.at.edge[rows[0]]]
-            return elsewhere(name, abs(told.by_mm), told.by_px, edges, told.alone)
+            return size_mismatch(name, abs(told.by_mm), told.by_px, edges, told.alone)
     return None
 
 
-def lie_at(
-    grey: Floats, found: Survey, edges: tuple[int, ...], axis: int, by_mm: float, off_px: float
+def lines_lie_at(
+    grey: Floats,
+    found: EdgeMeasurements,
+    edges: tuple[int, ...],
+    axis: int,
+    by_mm: float,
+    off_px: float,
 ) -> bool:
     """Whether lines run where a plane's edges would lie, were it shifted along its axis, rather
     than elsewhere.
@@ -78,13 +83,13 @@ def lie_at(
     """
     lines = _lines_about(grey, found)
     rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-    px_per_mm = moves_px_per_mm(found.camera, chosen(lines.at, rows), axis)
+    px_per_mm = moves_px_per_mm(found.camera, select_stations(lines.at, rows), axis)
     fastest = float(np.abs(px_per_mm).max(initial=0.0))
     if fastest * abs(by_mm) < _NEAREST_PX:
         return False
     steps, away = _shifts(px_per_mm)
     edge, length = lines.at.edge[rows], lines.at.length_px[rows]
-    seen, _ = _seen_at(lines, rows, away)
+    seen, _ = _lines_at(lines, rows, away)
     share = seen @ length / length.sum()
     there = np.abs(steps - by_mm) * fastest <= off_px
     best = int(np.argmax(np.where(there, share, -1.0)))
@@ -101,13 +106,13 @@ class _Lines:
     ``free``: (N, 2 reach + 1) whether no other drawn edge lies near.
     """
 
-    at: Stations
+    at: EdgeStations
     there: NDArray[np.bool_]
     free: NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class _Elsewhere:
+class _PlaneOffset:
     """Where a plane seems to lie: by how many mm along its axis, and px in the picture, from its
     place; ``alone``: one of its edges says so, and another the contrary."""
 
@@ -116,23 +121,23 @@ class _Elsewhere:
     alone: bool
 
 
-def _lines_about(grey: Floats, found: Survey) -> _Lines:
+def _lines_about(grey: Floats, found: EdgeMeasurements) -> _Lines:
     hidden = np.isnan(grey)
     smooth: Floats = np.asarray(
         cv2.GaussianBlur(np.nan_to_num(grey), (0, 0), max(1.0, found.blur_px)), dtype=np.float64
     )
     smooth[hidden] = np.nan
-    at = stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
+    at = place_stations(found.frame, found.camera, _SPACING_PX, _STRAIGHT_PX)
     depth = at.points_mm @ found.camera.rotation[2] + found.camera.translation_mm[2]
     px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth))
     reach = int(np.ceil(FURTHEST_MM * px_per_mm)) + 2
-    slope = np.gradient(profiles(smooth, at.uv_px, at.normal, reach), axis=1)
+    slope = np.gradient(sample_profiles(smooth, at.uv_px, at.normal, reach), axis=1)
     blur = float(np.hypot(found.blur_px, max(1.0, found.blur_px)))
     usual = float(np.median(np.abs(found.step[found.used]))) / (_ROOT_TWO_PI * blur)
     peak = np.zeros(slope.shape, dtype=bool)
     for part in np.unique(at.part):
         rows = at.part == part
-        along = np.abs(_averaged(slope[rows]))
+        along = np.abs(_average_along(slope[rows]))
         noise = float(np.median(along)) / 0.6745
         peak[rows] = along >= max(_STEP * usual, _OVER_NOISE * noise)
         peak[rows, 1:-1] &= (along[:, 1:-1] >= along[:, :-2]) & (along[:, 1:-1] >= along[:, 2:])
@@ -144,18 +149,18 @@ def _lines_about(grey: Floats, found: Survey) -> _Lines:
     return _Lines(at, there, free)
 
 
-def _averaged(slope: Floats) -> Floats:
+def _average_along(slope: Floats) -> Floats:
     """Slopes (N, M) averaged over neighbouring stations, which leaves of texture little."""
     known = np.isfinite(slope)
-    size = (1, min(_AVERAGED, len(slope)))
+    size = (1, min(_AVERAGING, len(slope)))
     total = cv2.boxFilter(np.where(known, slope, 0.0), -1, size, borderType=cv2.BORDER_ISOLATED)
     share = cv2.boxFilter(known.astype(np.float64), -1, size, borderType=cv2.BORDER_ISOLATED)
     return np.asarray(total / np.maximum(share, 1e-3), dtype=np.float64)
 
 
-def _elsewhere(
-    found: Survey, lines: _Lines, rows: NDArray[np.int64], axis: int, staying: int
-) -> _Elsewhere | None:
+def _find_plane_offset(
+    found: EdgeMeasurements, lines: _Lines, rows: NDArray[np.int64], axis: int, staying: int
+) -> _PlaneOffset | None:
     """How far along an axis the edges at some stations lie elsewhere; None if they do not.
 
     Every shift of their plane moves each station's edge along its normal by a known amount.
@@ -163,7 +168,7 @@ def _elsewhere(
     elsewhere, and one more.
     """
     at = lines.at
-    px_per_mm = moves_px_per_mm(found.camera, chosen(at, rows), axis)
+    px_per_mm = moves_px_per_mm(found.camera, select_stations(at, rows), axis)
     length = at.length_px[rows]
     telling = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
     if float(length[telling].sum()) < _LENGTH_PX:
@@ -172,7 +177,7 @@ def _elsewhere(
     fastest = float(np.abs(px_per_mm).max())
     reach = lines.there.shape[1] // 2
     steps, away = _shifts(px_per_mm)
-    seen, free = _seen_at(lines, rows, away)
+    seen, free = _lines_at(lines, rows, away)
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
     here = float(lines.there[rows, reach] @ length / length.sum())
@@ -193,7 +198,7 @@ def _elsewhere(
         return None
     say = shows - _shares(lines.there[rows, reach], length, edge)
     alone = bool(np.sum(say > _PART_OF_IT) < 2 and np.any(say < -_PART_OF_IT))
-    return _Elsewhere(float(steps[best]), float(np.abs(away[best]).max()), alone)
+    return _PlaneOffset(float(steps[best]), float(np.abs(away[best]).max()), alone)
 
 
 def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
@@ -202,7 +207,7 @@ def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
     return steps, np.rint(steps[:, None] * px_per_mm).astype(np.int64)
 
 
-def _seen_at(
+def _lines_at(
     lines: _Lines, rows: NDArray[np.int64], away_px: NDArray[np.int64]
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Whether a line is seen so far (..., R) away from stations (R,), and whether one might be."""

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.detection.edges.dimension_test import Shift, shifts
-from app.metrology.detection.edges.measure_all import Survey, without
-from app.metrology.detection.rejection import Objection, in_words
+from app.metrology.detection.edges.dimension_test import PlaneShift, estimate_shifts
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, refit_without
+from app.metrology.detection.rejection import RejectionReason, describe_edge
 from app.metrology.sensor.camera import project
 
 # An edge that lies this many standard deviations off is not the certificate's.
@@ -29,7 +29,7 @@ _POINTS = 4
 
 
 @dataclass(frozen=True)
-class Part:
+class EdgePart:
     """A measured part of an edge: its number and edge, how far it lies from where the camera
     draws it, and that over what image noise, certificate and camera model leave it."""
 
@@ -41,7 +41,7 @@ class Part:
     ratio: float
 
 
-def parts_of(found: Survey, certificate_mm: float) -> list[Part]:
+def measure_parts(found: EdgeMeasurements, certificate_mm: float) -> list[EdgePart]:
     """The measured parts, of enough points each.
 
     ``certificate_mm``: standard uncertainty of the block's coordinates.
@@ -60,7 +60,7 @@ def parts_of(found: Survey, certificate_mm: float) -> list[Part]:
         allowed = np.sqrt(own**2 + (certificate_mm / mm_per_px) ** 2 + model_px**2)
         edge = int(at.edge[rows[0]])
         parts.append(
-            Part(
+            EdgePart(
                 int(part),
                 edge,
                 found.frame.names[edge],
@@ -72,13 +72,13 @@ def parts_of(found: Survey, certificate_mm: float) -> list[Part]:
     return parts
 
 
-def without_odd_ones(found: Survey, certificate_mm: float) -> Survey:
+def drop_outlier_edges(found: EdgeMeasurements, certificate_mm: float) -> EdgeMeasurements:
     """The survey without the few parts that something moved each alone."""
-    parts = parts_of(found, certificate_mm)
-    displaced = _displaced(parts, _ODD)
+    parts = measure_parts(found, certificate_mm)
+    displaced = _find_displaced(parts, _ODD)
     if not displaced:
         return found
-    planes = shifts(found, certificate_mm)
+    planes = estimate_shifts(found, certificate_mm)
     odd = [
         part
         for part in displaced
@@ -87,62 +87,66 @@ def without_odd_ones(found: Survey, certificate_mm: float) -> Survey:
     rest = max((part.ratio for part in parts if part not in odd), default=0.0)
     if not odd or len(odd) > _FEW * len(parts) or rest >= _ODD:
         return found
-    return without(found, [part.number for part in odd], certificate_mm) or found
+    return refit_without(found, [part.number for part in odd], certificate_mm) or found
 
 
-def without_lone_one(found: Survey, certificate_mm: float) -> Survey:
+def drop_single_outlier(found: EdgeMeasurements, certificate_mm: float) -> EdgeMeasurements:
     """The survey without a single edge that lies a little off, where all else is in place then.
 
     Too little to be told from a shadow's border or a worn edge; what it alone tells of the
     block, the picture does not show.
     """
-    displaced = _displaced(parts_of(found, certificate_mm), _SIGMAS)
+    displaced = _find_displaced(measure_parts(found, certificate_mm), _SIGMAS)
     little = max((part.distance_px for part in displaced), default=np.inf) < _LONE_PX
-    if not little or not _alone(found, displaced, certificate_mm):
+    if not little or not _is_single_edge(found, displaced, certificate_mm):
         return found
-    return without(found, [part.number for part in displaced], certificate_mm) or found
+    return refit_without(found, [part.number for part in displaced], certificate_mm) or found
 
 
-def _planes_stay(part: Part, planes: list[Shift]) -> bool:
+def _planes_stay(part: EdgePart, planes: list[PlaneShift]) -> bool:
     """Whether all edges together leave the planes of a part's edge where they should be."""
     own = [plane.ratio for plane in planes if part.edge in plane.edges]
     return bool(own) and max(own) < _STAYS
 
 
-def astray(found: Survey, parts: list[Part], certificate_mm: float) -> Objection | None:
+def find_outlier_edges(
+    found: EdgeMeasurements, parts: list[EdgePart], certificate_mm: float
+) -> RejectionReason | None:
     """Edges that lie too far from where the certificate puts them."""
-    displaced = _displaced(parts, _SIGMAS)
+    displaced = _find_displaced(parts, _SIGMAS)
     if not displaced:
-        return _strained(found, parts)
+        return _find_strain(found, parts)
     worst = max(displaced, key=lambda part: part.ratio)
-    return Objection(
-        f"{in_words(worst.name)} lies {worst.distance_um:.0f} µm from where the certificate"
+    return RejectionReason(
+        f"{describe_edge(worst.name)} lies {worst.distance_um:.0f} µm from where the certificate"
         " puts it",
         True,
         tuple({part.edge for part in displaced}),
-        _alone(found, displaced, certificate_mm),
+        _is_single_edge(found, displaced, certificate_mm),
         max(part.distance_px for part in displaced),
     )
 
 
-def _alone(found: Survey, displaced: list[Part], certificate_mm: float) -> bool:
+def _is_single_edge(
+    found: EdgeMeasurements, displaced: list[EdgePart], certificate_mm: float
+) -> bool:
     """Whether a single edge says so: without it, its planes are where they should be."""
     if len({part.edge for part in displaced}) > 1:
         return False
-    rest = without(found, [part.number for part in displaced], certificate_mm)
-    if rest is None or _displaced(parts_of(rest, certificate_mm), _SIGMAS):
+    rest = refit_without(found, [part.number for part in displaced], certificate_mm)
+    if rest is None or _find_displaced(measure_parts(rest, certificate_mm), _SIGMAS):
         return False
-    return _planes_stay(displaced[0], shifts(rest, certificate_mm))
+    return _planes_stay(displaced[0], estimate_shifts(rest, certificate_mm))
 
 
-def _strained(found: Survey, parts: list[Part]) -> Objection | None:
+def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionReason | None:
     """All edges lie off by more than texture explains: the camera had to take up a wrong size."""
     usual_px = float(np.median([part.distance_px for part in parts])) / 0.6745
     if usual_px < _STRAIN_BLURS * max(1.0, found.blur_px):
         return None
     worst = max(parts, key=lambda part: part.distance_px)
-    return Objection(
-        f"its edges lie {usual_px:.1f} px off on average, and {in_words(worst.name)}"
+    return RejectionReason(
+        f"its edges lie {usual_px:.1f} px off on average, and {describe_edge(worst.name)}"
         f" {worst.distance_um:.0f} µm, from where the certificate puts them",
         True,
         (worst.edge,),
@@ -150,7 +154,7 @@ def _strained(found: Survey, parts: list[Part]) -> Objection | None:
     )
 
 
-def _displaced(parts: list[Part], sigmas: float) -> list[Part]:
+def _find_displaced(parts: list[EdgePart], sigmas: float) -> list[EdgePart]:
     """The parts that lie too far from where the camera draws them; all where most do."""
     # Texture along the edges moves each as a whole; one that is moved more stands out.
     spread = max(1.0, float(np.median([part.ratio for part in parts] or [0.0])) / 0.6745)
@@ -159,13 +163,13 @@ def _displaced(parts: list[Part], sigmas: float) -> list[Part]:
     return [part for part in parts if part.ratio > sigmas * spread]
 
 
-def _others_agree(found: Survey, astray: Part, parts: list[Part]) -> bool:
+def _others_agree(found: EdgeMeasurements, astray: EdgePart, parts: list[EdgePart]) -> bool:
     """Whether in both planes of a displaced edge others lie where they should.
 
     A wrong size moves all edges of its plane. Only those count that a shift of the
     plane would move at least half as far in the picture.
     """
-    displaced = {part.number for part in _displaced(parts, _ODD)}
+    displaced = {part.number for part in _find_displaced(parts, _ODD)}
     frame = found.frame
     both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
     for axis in np.flatnonzero(both[astray.edge, 0] == both[astray.edge, 1]):
@@ -183,7 +187,7 @@ def _others_agree(found: Survey, astray: Part, parts: list[Part]) -> bool:
     return True
 
 
-def _shift_px(found: Survey, part: Part, axis: int) -> float:
+def _shift_px(found: EdgeMeasurements, part: EdgePart, axis: int) -> float:
     """How far, px, a part moves across itself when its edge is shifted by 1 µm along an axis."""
     row = int(np.flatnonzero(found.at.part == part.number)[0])
     ahead = found.at.points_mm[row] + 1e-3 * np.eye(3)[axis]

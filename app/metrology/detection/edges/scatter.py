@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.transforms import Floats
 
 # Points further from their part's median, over their deviation and scatter, are none of it.
@@ -30,9 +30,9 @@ class _Mean:
     certificate: float
 
 
-def scatter(
+def estimate_scatter(
     off_px: Floats,
-    at: Stations,
+    at: EdgeStations,
     shows: NDArray[np.bool_],
     sigma_px: Floats,
     marks_px: Floats,
@@ -78,10 +78,10 @@ def scatter(
     if spreads:
         alike = float(np.clip(products / max(squares, 1e-12), 0.0, _MOST_ALIKE))
         along = float(np.sqrt(np.median(np.concatenate(spreads)) * (1 + alike) / (1 - alike)))
-    return used, along, _together(at, means, along**2)
+    return used, along, _part_factors(at, means, along**2)
 
 
-def _together(at: Stations, means: list[_Mean], scale: float) -> Floats:
+def _part_factors(at: EdgeStations, means: list[_Mean], scale: float) -> Floats:
     """Factors (N,) on the points' sigmas for what moves each edge as a whole.
 
     Marks along an edge, a shadow at its foot, rounding. ``scale``: what the variances lack

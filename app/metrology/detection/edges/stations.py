@@ -5,16 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.detection.visibility import Wireframe, seen
+from app.metrology.detection.visibility import Wireframe, find_visible_edges
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
-from app.native.arguments import F64, I64, Array, Function, Real, Whole
+from app.native.arguments import F64, I64, Array, Function, Integer, Real
 from app.native.product import CRENEL
 
 # Faces that are seen at less than this, as sines, may as well be hidden, or seen.
 _EDGE_ON = 0.004
 
-_room = Function(
+_measure_clearance = Function(
     CRENEL,
     "room_beside_edges",
     Array(F64, "n", 2),
@@ -33,7 +33,7 @@ _search = Function(
     Array(F64, "n", 2),
     Array(F64, "n", 2),
     Real(),
-    Whole(),
+    Integer(),
     Array(F64, "n", 2, written=True),
     Array(F64, 2, "line", written=True),
 )
@@ -48,7 +48,7 @@ _profiles = Function(
 
 
 @dataclass(frozen=True)
-class Stations:
+class EdgeStations:
     """Places along the visible edges at which the picture is to be measured.
 
     Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part),
@@ -82,13 +82,15 @@ def block_ahead(frame: Wireframe, camera: Camera) -> bool:
     return bool(depth.min() > 0.1 * depth.max() > 0)
 
 
-def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: float) -> Stations:
+def place_stations(
+    frame: Wireframe, camera: Camera, spacing_px: float, margin_px: float
+) -> EdgeStations:
     """Stations every ``spacing_px`` along all edges that ``camera`` sees in its picture.
 
     They keep ``margin_px`` from the ends of each visible part, where other edges meet it.
     The block lies before the camera (``block_ahead``).
     """
-    parts = seen(frame, camera.centre_mm)
+    parts = find_visible_edges(frame, camera.centre_mm)
     begin, along = frame.starts_mm[parts.edge], (frame.ends_mm - frame.starts_mm)[parts.edge]
     first = begin + parts.start[:, None] * along
     last = begin + parts.end[:, None] * along
@@ -113,8 +115,8 @@ def stations(frame: Wireframe, camera: Camera, spacing_px: float, margin_px: flo
     inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
     uv, normal, part = uv[inside], normal[inside], part[inside]
     room = np.empty((len(uv), 2))
-    _room(uv, normal, part, near, half_length, room, np.empty((4, len(near))))
-    return Stations(
+    _measure_clearance(uv, normal, part, near, half_length, room, np.empty((4, len(near))))
+    return EdgeStations(
         parts.edge[part],
         part,
         points[inside],
@@ -139,7 +141,7 @@ def _just_hidden(
     return np.flatnonzero(hidden)
 
 
-def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Floats]:
+def search_edges(image: Floats, at: EdgeStations, radius_px: float) -> tuple[Floats, Floats]:
     """Offsets (N,) in px along the normals and slopes (N,), grey levels a pixel, of the edges.
 
     The steepest place of the picture within ``radius_px`` of each station; NaN where
@@ -152,7 +154,7 @@ def search(image: Floats, at: Stations, radius_px: float) -> tuple[Floats, Float
     return found[:, 0], found[:, 1]
 
 
-def profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
+def sample_profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
     """The picture along the normals (N, 2) at places (N, 2), every pixel from -reach to reach.
 
     (N, 2 reach + 1), NaN outside of the picture.

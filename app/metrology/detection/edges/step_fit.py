@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.detection.edges.stations import Stations
+from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.transforms import Floats
-from app.native.arguments import F64, I64, Array, Function, Real, Whole
+from app.native.arguments import F64, I64, Array, Function, Integer, Real
 from app.native.product import CRENEL
 
 # The window reaches this far from the edge: so many blurs and pixels, at least three.
@@ -38,15 +38,15 @@ _measure = Function(
     Array(I64, "n"),
     Array(F64, 2, "k"),
     Real(),
-    Whole(),
+    Integer(),
     Array(F64, "n", 6, written=True),
     Array(F64, 9, "most", written=True),
 )
 
 
 @dataclass(frozen=True)
-class Measured:
-    """What ``measure`` gives per station, arrays (N,); NaN where there is no sound edge.
+class StepMeasurements:
+    """What ``measure_steps`` gives per station, arrays (N,); NaN where there is no sound edge.
 
     ``offset_px`` along the normal and its ``sigma_px``; ``step``: height in grey levels
     from the second region to the first, and its ``step_sigma``; ``blur_px``: the
@@ -62,13 +62,13 @@ class Measured:
     noise: Floats
 
 
-def with_room(at: Stations, blur_px: float) -> Stations:
+def with_clearance(at: EdgeStations, blur_px: float) -> EdgeStations:
     """The stations whose next edges are far enough for a blur of this standard deviation."""
     needed = (_NEIGHBOUR_BLURS + _NEEDED_BLURS) * blur_px + _NEEDED_PX
-    return chosen(at, at.room_px.min(axis=1) >= needed)
+    return select_stations(at, at.room_px.min(axis=1) >= needed)
 
 
-def chosen(at: Stations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Stations:
+def select_stations(at: EdgeStations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> EdgeStations:
     """Some of the stations."""
     return replace(
         at,
@@ -82,7 +82,7 @@ def chosen(at: Stations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Station
     )
 
 
-def joined(one: Stations, other: Stations) -> Stations:
+def join_stations(one: EdgeStations, other: EdgeStations) -> EdgeStations:
     """The stations of both, of the same visible parts."""
     return replace(
         one,
@@ -96,7 +96,9 @@ def joined(one: Stations, other: Stations) -> Stations:
     )
 
 
-def measure(image: Floats, at: Stations, blur_px: float, free_blur: bool = False) -> Measured:
+def measure_steps(
+    image: Floats, at: EdgeStations, blur_px: float, free_blur: bool = False
+) -> StepMeasurements:
     """Sub-pixel edges at stations that lie within about two pixels, or two blurs, of them.
 
     Least squares on the pixels themselves: nothing is interpolated, so nothing
@@ -104,7 +106,7 @@ def measure(image: Floats, at: Stations, blur_px: float, free_blur: bool = False
 
     Args:
         image: (H, W) grey levels, NaN where they must not count.
-        at: stations with room (``with_room``).
+        at: stations with room (``with_clearance``).
         blur_px: standard deviation of the picture's blur; fitted too if ``free_blur``.
     """
     reach = max(_LEAST_REACH_PX, _REACH_BLURS * blur_px + _REACH_PX)
@@ -116,4 +118,4 @@ def measure(image: Floats, at: Stations, blur_px: float, free_blur: bool = False
     found = np.empty((len(places), 6))
     unknowns = 6 if free_blur else 5
     _measure(image, places, windows, reach, _NODES, blur_px, unknowns, found, workspace)
-    return Measured(*(found[:, k] for k in range(6)))
+    return StepMeasurements(*(found[:, k] for k in range(6)))

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.detection.edges.stations import Stations, profiles
+from app.metrology.detection.edges.stations import EdgeStations, sample_profiles
 from app.metrology.transforms import Floats
 
 # The texture is taken from so many windows of the step's fit to either side of it.
@@ -15,7 +15,7 @@ _ROOT_TWO_PI = 2.5066
 
 
 def texture(
-    image: Floats, at: Stations, step: Floats, blur_px: float
+    image: Floats, at: EdgeStations, step: Floats, blur_px: float
 ) -> tuple[Floats, NDArray[np.float64]]:
     """Texture along whole parts of edges, over the edges' steps, and how far it moves them.
 
@@ -34,7 +34,7 @@ def texture(
     """
     window = int(np.ceil(2.5 * blur_px + 1.0))
     reach = (_WINDOWS + 1) * window
-    along = profiles(image, at.uv_px, at.normal, reach + window)
+    along = sample_profiles(image, at.uv_px, at.normal, reach + window)
     offset = np.arange(-reach, reach + 1)
     beside = np.abs(offset) > 2 * window
     clear = window + 2 * blur_px

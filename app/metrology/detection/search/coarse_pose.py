@@ -13,9 +13,18 @@ from app.metrology.detection.edges.camera_from_edges import (
     WITH_K1,
     fit_edges,
 )
-from app.metrology.detection.edges.stations import Stations, block_ahead, search, stations
+from app.metrology.detection.edges.stations import (
+    EdgeStations,
+    block_ahead,
+    place_stations,
+    search_edges,
+)
 from app.metrology.detection.search.line_segments import Segments, segments
-from app.metrology.detection.search.pose_hypotheses import Placing, mirrored, placings
+from app.metrology.detection.search.pose_hypotheses import (
+    PoseHypothesis,
+    mirror_block,
+    pose_hypotheses,
+)
 from app.metrology.detection.search.vanishing_points import perpendicular_directions
 from app.metrology.detection.visibility import Wireframe, wireframe
 from app.metrology.sensor.camera import Camera, project
@@ -30,11 +39,11 @@ _CONTRAST = 5.0
 _SPACING_PX = 5.0
 _MARGIN_PX = 3.0
 # So many placings are drawn and judged, and the best of them pulled onto the edges.
-_JUDGED, _PULLED = 60, 8
+_SCORED, _REFINED = 60, 8
 
 
 @dataclass(frozen=True)
-class Located:
+class CoarsePose:
     """A camera that draws the block's edges onto the picture's.
 
     ``camera`` for the picture at its working size; ``support``: how much of the drawn
@@ -47,7 +56,7 @@ class Located:
 
 
 @dataclass(frozen=True)
-class Search:
+class SearchResult:
     """What was found: the best placings, refined, best first, and what they came from.
 
     ``explained``: share of the picture's straight segments that follow three
@@ -55,7 +64,7 @@ class Search:
     the picture's middle and over its longer side.
     """
 
-    found: tuple[Located, ...]
+    found: tuple[CoarsePose, ...]
     explained: float
     segments: Floats
 
@@ -64,7 +73,7 @@ class Search:
         return len(self.segments)
 
 
-def working_picture(
+def working_image(
     grey: Floats, ignore: NDArray[np.bool_] | None, longer_px: int
 ) -> tuple[NDArray[np.uint8], NDArray[np.bool_] | None, float]:
     """The picture (0..255) made small, stretched in contrast; its mask; and the scale."""
@@ -81,7 +90,7 @@ def working_picture(
     return np.rint(stretched).astype(np.uint8), mask, scale
 
 
-def cleaned(picture: NDArray[np.uint8], cleaning: Cleaning) -> NDArray[np.uint8]:
+def remove_texture(picture: NDArray[np.uint8], cleaning: Cleaning) -> NDArray[np.uint8]:
     """The picture without noise and texture, its steps as steep as they were."""
     if cleaning == "fine":
         soft = cv2.GaussianBlur(picture, (0, 0), 1.0)
@@ -93,31 +102,31 @@ def cleaned(picture: NDArray[np.uint8], cleaning: Cleaning) -> NDArray[np.uint8]
     return np.asarray(cv2.bilateralFilter(soft, 9, 30.0, 4.0), dtype=np.uint8)
 
 
-def locate(
+def locate_block(
     picture: NDArray[np.uint8],
     ignore: NDArray[np.bool_] | None,
     block: Crenellated,
     cleaning: Cleaning = "fine",
-) -> Search:
+) -> SearchResult:
     """The block's likeliest placings in a small picture (H, W)."""
-    seen = segments(cleaned(picture, cleaning), ignore)
+    seen = segments(remove_texture(picture, cleaning), ignore)
     frames = perpendicular_directions(seen)
-    guesses: list[Placing] = []
+    guesses: list[PoseHypothesis] = []
     for axes in frames:
         best = max((one.votes for one in guesses), default=0.0)
-        guesses += placings(axes, seen, block, best)
+        guesses += pose_hypotheses(axes, seen, block, best)
     explained = max((frame.explained for frame in frames), default=0.0)
     if not guesses:
-        return Search((), explained, seen.lines)
+        return SearchResult((), explained, seen.lines)
     smooth: Floats = np.asarray(
         cv2.GaussianBlur(picture.astype(np.float64), (0, 0), 0.8), dtype=np.float64
     )
     if ignore is not None:
         smooth[ignore] = np.nan
     noise = _slope_noise(smooth)
-    forms = {False: wireframe(block), True: wireframe(mirrored(block))}
+    forms = {False: wireframe(block), True: wireframe(mirror_block(block))}
     judged = []
-    for guess in _different(sorted(guesses, key=lambda one: -one.votes)):
+    for guess in _distinct_hypotheses(sorted(guesses, key=lambda one: -one.votes)):
         camera = _camera(guess, picture.shape)
         frame = forms[guess.mirrored]
         if not block_ahead(frame, camera):
@@ -125,19 +134,19 @@ def locate(
         judged.append((_support(smooth, frame, camera, 6.0, noise, seen), guess, camera))
     judged.sort(key=lambda one: -one[0])
     found = []
-    for _, guess, camera in judged[:_PULLED]:
+    for _, guess, camera in judged[:_REFINED]:
         frame = forms[guess.mirrored]
-        pulled = _pulled(smooth, frame, camera, noise)
+        pulled = _refine_camera(smooth, frame, camera, noise)
         if pulled is not None:
             support = _support(smooth, frame, pulled, 2.0, noise, seen)
-            found.append(Located(pulled, guess.mirrored, support))
+            found.append(CoarsePose(pulled, guess.mirrored, support))
     found.sort(key=lambda one: -one.support)
-    return Search(tuple(found), explained, seen.lines)
+    return SearchResult(tuple(found), explained, seen.lines)
 
 
-def _different(guesses: list[Placing]) -> list[Placing]:
+def _distinct_hypotheses(guesses: list[PoseHypothesis]) -> list[PoseHypothesis]:
     """The first placings that differ by more than a hundredth of the distance, or in sense."""
-    kept: list[Placing] = []
+    kept: list[PoseHypothesis] = []
     for guess in guesses:
         reach = 0.01 * float(np.linalg.norm(guess.centre_mm))
         if not any(
@@ -148,12 +157,12 @@ def _different(guesses: list[Placing]) -> list[Placing]:
             for one in kept
         ):
             kept.append(guess)
-        if len(kept) == _JUDGED:
+        if len(kept) == _SCORED:
             break
     return kept
 
 
-def _camera(guess: Placing, shape: tuple[int, ...]) -> Camera:
+def _camera(guess: PoseHypothesis, shape: tuple[int, ...]) -> Camera:
     height, width = shape[:2]
     focal = guess.focal * max(height, width)
     K = np.array([[focal, 0, (width - 1) / 2], [0, focal, (height - 1) / 2], [0, 0, 1.0]])
@@ -174,20 +183,20 @@ def _support(
     A counterpart at the search's limit counts for nothing, nor does what is seen beside
     the block.
     """
-    at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
+    at = place_stations(frame, camera, _SPACING_PX, _MARGIN_PX)
     if len(at.edge) == 0:
         return 0.0
-    offset, slope = search(smooth, at, radius)
+    offset, slope = search_edges(smooth, at, radius)
     met = np.abs(slope) > _CONTRAST * noise
     near = 1.0 - (offset[met] / (radius + 0.5)) ** 2
     return (
         2
         * float(at.length_px[met] @ near)
-        / (float(at.length_px.sum()) + _seen_within_px(frame, camera, seen))
+        / (float(at.length_px.sum()) + _segments_within_px(frame, camera, seen))
     )
 
 
-def _seen_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> float:
+def _segments_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> float:
     """Weight, px, of the segments whose middles lie within the block's outline."""
     longer = max(camera.width_px, camera.height_px)
     corners = project(camera, np.vstack([frame.starts_mm, frame.ends_mm])).astype(np.float32)
@@ -202,7 +211,7 @@ def _seen_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> float:
     return float(seen.weight[within].sum()) * longer
 
 
-def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:
+def _refine_camera(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:
     """The camera pulled onto the steepest places near the drawn edges, ever nearer."""
     for radius, free in (
         (8.0, FOCAL_AND_POSE),
@@ -211,8 +220,8 @@ def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> C
         (3.0, WITH_K1),
         (2.0, WITH_K1),
     ):
-        at = stations(frame, camera, _SPACING_PX, _MARGIN_PX)
-        offset, slope = search(smooth, at, radius)
+        at = place_stations(frame, camera, _SPACING_PX, _MARGIN_PX)
+        offset, slope = search_edges(smooth, at, radius)
         met = np.isfinite(offset) & (np.abs(slope) > _CONTRAST * noise)
         if met.sum() < 3 * len(free):
             return None
@@ -223,7 +232,7 @@ def _pulled(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> C
 
 
 def _refit(
-    camera: Camera, at: Stations, offset: Floats, met: NDArray[np.bool_], free: tuple[int, ...]
+    camera: Camera, at: EdgeStations, offset: Floats, met: NDArray[np.bool_], free: tuple[int, ...]
 ) -> Camera:
     uv = at.uv_px[met] + offset[met, None] * at.normal[met]
     sigma = np.full(int(met.sum()), 0.5)

@@ -17,7 +17,12 @@ from itertools import permutations
 import numpy as np
 
 from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_voting import EndOn, View, centres_voted, merged
+from app.metrology.detection.search.pose_voting import (
+    EndOn,
+    ViewConstraints,
+    merge_bearings,
+    vote_for_centres,
+)
 from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -28,13 +33,13 @@ _NEAR = 0.008
 _LONG = 0.15
 # How far the block's middle may lie from the picture's, and the block's size, over the
 # picture's longer side; and how far along the camera's axis its X or Y may point wrongly.
-_ASIDE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
+_OFF_CENTRE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
 # The same of its size, while only two of the camera's three coordinates are known.
 _NEARER, _FURTHER = 0.11, 4.3
 
 
 @dataclass(frozen=True)
-class Placing:
+class PoseHypothesis:
     """A guess of how the block stands before the camera.
 
     ``x_cam = rotation @ (x_obj - centre_mm)``; ``focal`` over the picture's longer side.
@@ -47,14 +52,14 @@ class Placing:
     votes: float
 
 
-def mirrored(block: Crenellated) -> Crenellated:
+def mirror_block(block: Crenellated) -> Crenellated:
     """The block's mirror image, which is also how the block reads from its back."""
     return replace(block, edges_x_mm=tuple(-x for x in reversed(block.edges_x_mm)))
 
 
-def placings(
+def pose_hypotheses(
     directions: Directions, seen: Segments, block: Crenellated, best: float = 0.0, most: int = 24
-) -> list[Placing]:
+) -> list[PoseHypothesis]:
     """Placings of the block and of its mirror image, most votes first.
 
     Args:
@@ -68,17 +73,17 @@ def placings(
     normals = _normals(directions, seen)
     # A long edge of a table has no more to say than one of the block's.
     weight = np.minimum(seen.weight, _LONG)
-    found: list[Placing] = []
+    found: list[PoseHypothesis] = []
     labellings = list(_labellings(directions.rotation))
-    read = merged(normals, weight, directions.family, labellings, _NEAR / focal)
+    read = merge_bearings(normals, weight, directions.family, labellings, _NEAR / focal)
     for (rotation, _), bearings in zip(labellings, read, strict=True):
         for reverse in (False, True):
-            form = mirrored(block) if reverse else block
+            form = mirror_block(block) if reverse else block
             view = _view(form, rotation[2], focal)
-            centres, votes = centres_voted(bearings, _end_on(form), view, _NEAR / focal, best)
+            centres, votes = vote_for_centres(bearings, _end_on(form), view, _NEAR / focal, best)
             for centre, voted in zip(centres, votes, strict=True):
-                if _shown(centre, rotation, form, focal):
-                    found.append(Placing(rotation, centre, focal, reverse, float(voted)))
+                if _is_visible(centre, rotation, form, focal):
+                    found.append(PoseHypothesis(rotation, centre, focal, reverse, float(voted)))
                     best = max(best, float(voted))
     found.sort(key=lambda one: -one.votes)
     return found[:most]
@@ -96,16 +101,16 @@ def _normals(directions: Directions, seen: Segments) -> Floats:
     return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
 
 
-def _view(block: Crenellated, axis: Floats, focal: float) -> View:
+def _view(block: Crenellated, axis: Floats, focal: float) -> ViewConstraints:
     """What a camera has that sees the block; ``axis``: its own, in the object frame."""
     middle, size = _extent(block)
     low = np.array([-np.inf, -np.inf, block.crest_z_mm])
     high = np.array([np.inf, block.front_y_mm, np.inf])
-    reach = np.array([_ASIDE / focal, size * focal / _FURTHER, size * focal / _NEARER])
-    return View(middle, axis, low, high, reach)
+    reach = np.array([_OFF_CENTRE / focal, size * focal / _FURTHER, size * focal / _NEARER])
+    return ViewConstraints(middle, axis, low, high, reach)
 
 
-def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
+def _is_visible(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
     """Whether a camera there has the block before it, in the picture, and large enough."""
     if centre_mm[1] >= block.front_y_mm or centre_mm[2] <= block.crest_z_mm:
         return False
@@ -114,7 +119,7 @@ def _shown(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float
     if at[2] <= 0:
         return False
     off_axis = np.hypot(at[0], at[1]) / at[2]
-    return bool(off_axis * focal < _ASIDE and _SMALLEST < size / at[2] * focal < _LARGEST)
+    return bool(off_axis * focal < _OFF_CENTRE and _SMALLEST < size / at[2] * focal < _LARGEST)
 
 
 @lru_cache(maxsize=32)

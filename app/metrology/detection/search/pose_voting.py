@@ -59,7 +59,7 @@ class Bearings:
 
 
 @dataclass(frozen=True)
-class View:
+class ViewConstraints:
     """What is known of a camera that has the block before it, object frame, three values each.
 
     ``middle_mm``: of the block; ``axis``: the camera's; ``low_mm``, ``high_mm``: where a camera
@@ -85,7 +85,7 @@ class EndOn:
     first: NDArray[np.int64]
 
 
-def merged(
+def merge_bearings(
     normals: Floats,
     weight: Floats,
     family: NDArray[np.int64],
@@ -115,8 +115,8 @@ def merged(
     return [Bearings(*one) for one in zip(found, summed, counts, strict=True)]
 
 
-def centres_voted(
-    bearings: Bearings, edges: EndOn, view: View, near_rad: float, best: float
+def vote_for_centres(
+    bearings: Bearings, edges: EndOn, view: ViewConstraints, near_rad: float, best: float
 ) -> tuple[Floats, Floats]:
     """Camera centres (K, 3), object frame, and the weight (K,) of the bearings that agree.
 

@@ -22,7 +22,7 @@ _TRIALS = 900
 _CANDIDATES, _REFINED = 1000, 40
 # Limits of the focal length, and how weakly it is held, per segment.
 _LOG_FOCAL = (float(np.log(0.4)), float(np.log(14.0)))
-_HELD_FOCAL = 0.02
+_FOCAL_PRIOR = 0.02
 _ALIKE = float(np.cos(np.deg2rad(3.0)))
 # A segment follows a direction when it points at its vanishing point this closely.
 _TOLERANCE_RAD = float(np.deg2rad(2.0))
@@ -85,7 +85,7 @@ def perpendicular_directions(seen: Segments, most: int = 16) -> list[Directions]
     axes, focals = axes[chosen], focals[chosen]
     family = np.empty((len(chosen), len(lines)), np.int64)
     off = np.empty(family.shape)
-    limits = np.array([_TOLERANCE_RAD, _HELD_FOCAL, *_LOG_FOCAL])
+    limits = np.array([_TOLERANCE_RAD, _FOCAL_PRIOR, *_LOG_FOCAL])
     _refine(axes, focals, lines, weight, limits, family, off)
     close = np.where(family >= 0, 1 - (off / _TOLERANCE_RAD) ** 2, 0.0)
     explained = close @ share

@@ -7,11 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.detection import acceptance
-from app.metrology.detection.edges.measure_all import Survey, pulled, softened, survey
+from app.metrology.detection.edges.measure_all import (
+    EdgeMeasurements,
+    align_camera_to_edges,
+    measure_edges,
+    smooth_for_search,
+)
 from app.metrology.detection.image_quality import edge_blur_px
-from app.metrology.detection.rejection import Objection
-from app.metrology.detection.search.coarse_pose import Located, Search
-from app.metrology.detection.search.pose_hypotheses import mirrored
+from app.metrology.detection.rejection import RejectionReason
+from app.metrology.detection.search.coarse_pose import CoarsePose, SearchResult
+from app.metrology.detection.search.pose_hypotheses import mirror_block
 from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
@@ -35,7 +40,7 @@ _USUAL_BLUR_PX = 1.5
 
 
 @dataclass(frozen=True)
-class Placed:
+class CameraHypothesis:
     """A placing: its camera for the full picture, and whether it shows the block mirrored.
 
     ``shown_px``: length of its edges that the picture shows, where it was measured.
@@ -47,33 +52,33 @@ class Placed:
 
 
 @dataclass(frozen=True)
-class Tried:
+class AttemptResult:
     """One attempt: the placings that the picture bears out, best first, or, where there are
     none, the one that it does most (``nearest``) and what speaks against it.
 
     ``doubted``: whether the block may as well stand the other way round.
     """
 
-    found: Search
-    good: list[tuple[Located, Survey]]
-    nearest: Survey | None = None
-    against: Objection | None = None
+    found: SearchResult
+    good: list[tuple[CoarsePose, EdgeMeasurements]]
+    nearest: EdgeMeasurements | None = None
+    against: RejectionReason | None = None
     doubted: bool = False
 
     @property
-    def measured(self) -> Survey | None:
+    def measured(self) -> EdgeMeasurements | None:
         """The best placing, borne out or not."""
         return self.good[0][1] if self.good else self.nearest
 
     @property
     def shown_px(self) -> float:
         """Length of its edges that the picture shows."""
-        return _shown_px(self.measured) if self.measured is not None else 0.0
+        return _visible_length_px(self.measured) if self.measured is not None else 0.0
 
     @property
     def borne_out_px(self) -> float:
         """The same, where the picture bears a placing out."""
-        return _shown_px(self.good[0][1]) if self.good else 0.0
+        return _visible_length_px(self.good[0][1]) if self.good else 0.0
 
     @property
     def share_shown(self) -> float:
@@ -101,39 +106,39 @@ class Tried:
         return self.good[0][0].mirrored or self.more_than_one_way
 
 
-NOT_TRIED = Tried(Search((), 0.0, np.empty((0, 4))), [])
+NO_ATTEMPT = AttemptResult(SearchResult((), 0.0, np.empty((0, 4))), [])
 
 
-def try_placings(
+def verify_hypotheses(
     grey: Floats,
     hidden: NDArray[np.bool_],
-    found: Search,
+    found: SearchResult,
     scale: float,
     block: Crenellated,
-    declined: list[Placed],
-) -> Tried:
+    declined: list[CameraHypothesis],
+) -> AttemptResult:
     """Measures the likeliest placings but those ``declined`` before, to which it adds."""
     if not found.found or found.found[0].support < _LEAST_SUPPORT:
-        return Tried(found, [])
+        return AttemptResult(found, [])
     best = found.found[0].support
-    looks = _Looks(grey, hidden, scale, block, declined)
+    looks = _HypothesisVerifier(grey, hidden, scale, block, declined)
     for rank, rival in enumerate(found.found):
         # The other way round may be drawn as well by one that comes late.
         if rival.support >= (_RIVAL if rank < _RIVALS else _DOUBTFUL) * best:
             looks.at(rival)
-    good = sorted(looks.good, key=lambda one: -_shown_px(one[1]))
+    good = sorted(looks.good, key=lambda one: -_visible_length_px(one[1]))
     if good:
-        enough_px = _MORE * _shown_px(good[0][1])
-        rivals = [one for one in good if _shown_px(one[1]) >= enough_px]
-        return Tried(found, rivals, doubted=looks.doubted(good[0][0], enough_px))
+        enough_px = _MORE * _visible_length_px(good[0][1])
+        rivals = [one for one in good if _visible_length_px(one[1]) >= enough_px]
+        return AttemptResult(found, rivals, doubted=looks.doubted(good[0][0], enough_px))
     # What hardly looks like the block says nothing against it either.
     if best < acceptance.LEAST_SUPPORT:
-        return Tried(found, [])
-    nearest = max(looks.rejected, key=lambda one: _shown_px(one[0]), default=(None, None))
-    return Tried(found, [], *nearest)
+        return AttemptResult(found, [])
+    nearest = max(looks.rejected, key=lambda one: _visible_length_px(one[0]), default=(None, None))
+    return AttemptResult(found, [], *nearest)
 
 
-class _Looks:
+class _HypothesisVerifier:
     """The placings of one try as the full picture shows them: ``good``, or ``rejected``."""
 
     def __init__(
@@ -142,51 +147,51 @@ class _Looks:
         hidden: NDArray[np.bool_],
         scale: float,
         block: Crenellated,
-        declined: list[Placed],
+        declined: list[CameraHypothesis],
     ) -> None:
         self._coarse_px = max(3.0, 2.0 / scale)
         blur_px = edge_blur_px(grey)
         # Of a picture with hardly an edge out of its noise it is not known; a start must be.
         self._blur_px = blur_px if np.isfinite(blur_px) else _USUAL_BLUR_PX
         self._masked = np.where(hidden, np.nan, grey)
-        self._smooth = softened(grey, self._coarse_px)
+        self._smooth = smooth_for_search(grey, self._coarse_px)
         self._scale, self._block, self._declined = scale, block, declined
-        self._others: list[tuple[Located, float]] = []
-        self.good: list[tuple[Located, Survey]] = []
-        self.rejected: list[tuple[Survey, Objection]] = []
+        self._others: list[tuple[CoarsePose, float]] = []
+        self.good: list[tuple[CoarsePose, EdgeMeasurements]] = []
+        self.rejected: list[tuple[EdgeMeasurements, RejectionReason]] = []
 
-    def at(self, rival: Located) -> None:
+    def at(self, rival: CoarsePose) -> None:
         """Measures a placing, unless it was before."""
         block, reverse = self._block, rival.mirrored
-        known = [Placed(found.camera, located.mirrored) for located, found in self.good]
-        start = _enlarged(rival.camera, self._scale, self._masked.shape)
-        if _like(start, reverse, known, block, _SAME):
+        known = [CameraHypothesis(found.camera, located.mirrored) for located, found in self.good]
+        start = _scale_camera(rival.camera, self._scale, self._masked.shape)
+        if _find_same(start, reverse, known, block, _SAME):
             return
-        form = wireframe(mirrored(block) if reverse else block)
-        camera = pulled(self._smooth, form, start, self._coarse_px)
+        form = wireframe(mirror_block(block) if reverse else block)
+        camera = align_camera_to_edges(self._smooth, form, start, self._coarse_px)
         if camera is None:
             self._others.append((rival, np.inf))
             return
         # Several starts may lead to one placing; it is measured once.
-        before = _like(camera, reverse, self._declined, block, _VERY_SAME)
+        before = _find_same(camera, reverse, self._declined, block, _VERY_SAME)
         if before is not None:
             self._others.append((rival, before.shown_px))
-        if before is not None or _like(camera, reverse, known, block, _SAME):
+        if before is not None or _find_same(camera, reverse, known, block, _SAME):
             return
         made_mm = block.standard_uncertainty_mm
-        measured = survey(self._masked, form, camera, self._blur_px, made_mm)
+        measured = measure_edges(self._masked, form, camera, self._blur_px, made_mm)
         if measured is None:
             self._others.append((rival, np.inf))
             return
-        measured, against = acceptance.judged(self._masked, measured, made_mm)
+        measured, against = acceptance.check_measurements(self._masked, measured, made_mm)
         if against is not None:
             self.rejected.append((measured, against))
-            self._declined.append(Placed(camera, reverse, _shown_px(measured)))
-            self._others.append((rival, _shown_px(measured)))
-        elif not _like(measured.camera, reverse, known, block, _SAME):
+            self._declined.append(CameraHypothesis(camera, reverse, _visible_length_px(measured)))
+            self._others.append((rival, _visible_length_px(measured)))
+        elif not _find_same(measured.camera, reverse, known, block, _SAME):
             self.good.append((rival, measured))
 
-    def doubted(self, best: Located, enough_px: float) -> bool:
+    def doubted(self, best: CoarsePose, enough_px: float) -> bool:
         """Whether the other way round is drawn about as well, and the full picture does not
         show that it explains less: it could not be measured, or as much of it shows."""
         return any(
@@ -197,14 +202,18 @@ class _Looks:
         )
 
 
-def _shown_px(measured: Survey) -> float:
+def _visible_length_px(measured: EdgeMeasurements) -> float:
     """Length, px, of the edges that the picture shows where they are drawn."""
     return float(measured.at.length_px[measured.used].sum())
 
 
-def _like(
-    camera: Camera, reverse: bool, placings: list[Placed], block: Crenellated, share: float
-) -> Placed | None:
+def _find_same(
+    camera: Camera,
+    reverse: bool,
+    placings: list[CameraHypothesis],
+    block: Crenellated,
+    share: float,
+) -> CameraHypothesis | None:
     """The placing that draws the crests where another does, to a share of the longer side."""
     points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
     for other in placings:
@@ -216,7 +225,7 @@ def _like(
     return None
 
 
-def _enlarged(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
+def _scale_camera(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
     """The camera of the small picture for the full one; pixels' centres are whole numbers."""
     height, width = shape[:2]
     K = camera.matrix.copy()
