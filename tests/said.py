@@ -47,7 +47,7 @@ class MessageCollector:
         for text in _texts(value):
             self.text(text)
 
-    def unknown(self) -> list[str]:
+    def untranslated(self) -> list[str]:
         """What some language does not know, each with what of it."""
         found = []
         for language in languages()[1:]:

@@ -68,7 +68,7 @@ def remove(name: Name, request: Request, context: TheContext) -> None:
 @router.get("/walls")
 def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
     """Every wall-screen link."""
-    found = context.store.sign_ins.walls()
+    found = context.store.login_sessions.kiosk_links()
     return [KioskLinkSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
 
 
@@ -78,16 +78,16 @@ def add_kiosk_link(
 ) -> KioskLinkSummary:
     """A new wall-screen link; its token is told this once."""
     request.state.detail = asked.name
-    link, token = context.store.sign_ins.add_wall(asked.name, visitor.name)
+    link, token = context.store.login_sessions.add_kiosk_link(asked.name, visitor.name)
     return KioskLinkSummary(link.id, link.name, link.made_by, link.made_at, token)
 
 
 @router.delete("/walls/{wall_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_kiosk_link(wall_id: str, context: TheContext) -> None:
     """A wall-screen link that shows nothing from now on."""
-    if all(link.id != wall_id for link in context.store.sign_ins.walls()):
+    if all(link.id != wall_id for link in context.store.login_sessions.kiosk_links()):
         raise NotFoundError(f"There is no wall-screen link {wall_id}.")
-    context.store.sign_ins.remove_wall(wall_id)
+    context.store.login_sessions.remove_kiosk_link(wall_id)
 
 
 @router.get("/audit")
@@ -112,7 +112,7 @@ def _account(context: Context, name: str) -> Account:
 
 def _sign_out(context: Context, account: Account) -> None:
     """Everywhere, and out of control."""
-    context.store.sign_ins.end_all(account.name)
+    context.store.login_sessions.end_all(account.name)
     context.lease.leave_all(account.name)
 
 

@@ -57,7 +57,7 @@ def sign_in(
     asked: SignIn, request: Request, response: Response, context: TheContext
 ) -> SignInState:
     """Signs this browser in."""
-    account = context.entrance.sign_in(
+    account = context.authenticator.sign_in(
         asked.name, asked.password, address_of(request), browser_token(request)
     )
     if account is None:
@@ -77,7 +77,7 @@ def sign_in_guest(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
     """Lets the guest of a demonstration in."""
-    guest = context.entrance.enter(asked.code, address_of(request))
+    guest = context.authenticator.guest_by_code(asked.code, address_of(request))
     if guest is None:
         raise _wrong_code(context, request, "entered by the console's code")
     return _begin(guest, request, response, context)
@@ -88,7 +88,7 @@ def first_admin(
     asked: FirstAdmin, request: Request, response: Response, context: TheContext
 ) -> SignInState:
     """Makes the first administrator, and signs this browser in."""
-    account = context.entrance.make_admin(
+    account = context.authenticator.make_admin(
         asked.code, asked.name, asked.password, address_of(request)
     )
     if account is None:
@@ -102,7 +102,7 @@ def sign_in_kiosk(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
     """Makes this browser a wall screen."""
-    visitor = context.entrance.wall(asked.code, address_of(request))
+    visitor = context.authenticator.kiosk_by_link(asked.code, address_of(request))
     if visitor is None:
         raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
@@ -121,7 +121,7 @@ def sign_out(request: Request, response: Response, context: TheContext) -> SignI
     visitor, token = visitor_of(request), token_of(request)
     if visitor is not None:
         context.lease.leave(visitor.id)
-        context.store.sign_ins.end(token)
+        context.store.login_sessions.end(token)
         context.store.audit.note(visitor.name, address_of(request), "signed out")
     set_cookie(response, request, "", wall=False)
     return _session(context, None)
@@ -137,12 +137,12 @@ def change_password(
 ) -> SignInState:
     """Changes the own password; every other browser of this person is signed out."""
     address, browser = address_of(request), browser_token(request)
-    if context.entrance.sign_in(visitor.name, asked.old, address, browser) is None:
+    if context.authenticator.sign_in(visitor.name, asked.old, address, browser) is None:
         raise AccessDeniedError(
             HTTPStatus.FORBIDDEN, "wrong-password", "The old password is wrong.", "Try again"
         )
     context.store.accounts.set_password(visitor.name, asked.new)
-    context.store.sign_ins.end_all(visitor.name)
+    context.store.login_sessions.end_all(visitor.name)
     context.lease.leave_all(visitor.name)
     return _begin(visitor.name, request, response, context)
 
@@ -182,25 +182,27 @@ def current_user(visitor: Principal | None) -> CurrentUser | None:
     """A visitor as their own browser knows them."""
     if visitor is None:
         return None
-    return CurrentUser(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.wall)
+    return CurrentUser(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.kiosk)
 
 
 def _begin(name: str, request: Request, response: Response, context: Context) -> SignInState:
-    token = context.store.sign_ins.begin(name, request.headers.get("user-agent", ""))
+    token = context.store.login_sessions.begin(name, request.headers.get("user-agent", ""))
     set_cookie(response, request, token, wall=False)
     context.store.audit.note(name, address_of(request), "signed in")
-    return _session(context, context.store.sign_ins.visitor(token))
+    return _session(context, context.store.login_sessions.principal(token))
 
 
 def _trust_browser(name: str, request: Request, response: Response, context: Context) -> None:
     """Whoever knows a password is kept out by nobody's guesses at this browser any more."""
     before = browser_token(request)
-    if not context.store.sign_ins.knows(before, name):
-        set_browser_token(response, request, context.store.sign_ins.know(before, name))
+    if not context.store.login_sessions.is_known_browser(before, name):
+        set_browser_token(
+            response, request, context.store.login_sessions.remember_browser(before, name)
+        )
 
 
 def _session(context: Context, visitor: Principal | None) -> SignInState:
-    entrance = context.entrance
+    entrance = context.authenticator
     return SignInState(
         context.station.name, current_user(visitor), entrance.first_start, entrance.by_code
     )

@@ -85,9 +85,9 @@ def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | No
         denied = AccessDeniedError(
             HTTPStatus.UNAUTHORIZED, "signed-out", "Nobody is signed in here.", "Sign in, and go on"
         )
-    elif has_right(rule.right, visitor.role, visitor.wall):
+    elif has_right(rule.right, visitor.role, visitor.kiosk):
         return visitor
-    elif visitor.wall:
+    elif visitor.kiosk:
         denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
@@ -116,7 +116,9 @@ def _has_metrics_token(connection: HTTPConnection) -> bool:
     kind, _, token = connection.headers.get("authorization", "").partition(" ")
     if kind.lower() != "bearer":
         return False
-    return context_of(connection).entrance.scraper(token.strip(), address_of(connection))
+    return context_of(connection).authenticator.check_metrics_token(
+        token.strip(), address_of(connection)
+    )
 
 
 def token_of(connection: HTTPConnection) -> str:
@@ -127,7 +129,7 @@ def token_of(connection: HTTPConnection) -> str:
 def visitor_of(connection: HTTPConnection) -> Principal | None:
     """Who is signed in at this browser."""
     token = token_of(connection)
-    return context_of(connection).store.sign_ins.visitor(token) if token else None
+    return context_of(connection).store.login_sessions.principal(token) if token else None
 
 
 def current_visitor(connection: HTTPConnection) -> Principal:

@@ -44,7 +44,7 @@ class HealthView:
 @router.get("/health")
 def health(context: TheContext) -> HealthView:
     """Every check with what was found, why it matters, and what to do."""
-    looked = context.watch.health or HealthChecker(context).look()
+    looked = context.monitoring.health or HealthChecker(context).look()
     return HealthView(looked, _backup(context))
 
 
@@ -59,7 +59,7 @@ def logs(
 
     They are sought as written, and as the reader's language has them.
     """
-    return context.watch.logs.read(level, words, LINES, translator(lang))
+    return context.monitoring.logs.read(level, words, LINES, translator(lang))
 
 
 @router.get("/support.zip")
@@ -83,12 +83,12 @@ def support(context: TheContext) -> Response:
 @router.post("/backup")
 def start_backup(context: TheContext) -> BackupState:
     """Begins a copy of everything, while the station runs on."""
-    context.watch.backups.start()
+    context.monitoring.backups.start()
     return _backup(context)
 
 
 def _backup(context: Context) -> BackupState:
-    backups = context.watch.backups
+    backups = context.monitoring.backups
     last = backups.last
     if last is not None:
         last = replace(last, folder=display_backup(last.folder))

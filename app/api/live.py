@@ -41,11 +41,11 @@ async def live(socket: WebSocket) -> None:
     await socket.accept()
     with context.bus.subscribe(without={"preview", "stations"}) as subscription:
         tab = _Tab(context, socket, subscription, current_visitor(socket))
-        context.watch.tabs += 1
+        context.monitoring.tabs += 1
         try:
             await tab.run()
         finally:
-            context.watch.tabs -= 1
+            context.monitoring.tabs -= 1
             tab.close()
 
 
@@ -99,7 +99,7 @@ class _Tab:
             if isinstance(value, PreviewImage):
                 # the next one only once this was acknowledged
                 self._subscription.want("preview", False)
-                await self._socket.send_bytes(value.packed())
+                await self._socket.send_bytes(value.to_bytes())
                 continue
             shown = self._context.scan_state(value) if isinstance(value, ScanState) else value
             await self._topic(name, shown)
@@ -130,13 +130,13 @@ class _Tab:
             try:
                 if text is None or len(text) > LONGEST_REQUEST:
                     raise ValueError
-                self._obey(REQUEST.validate_json(text))
+                self._handle(REQUEST.validate_json(text))
             except (ValidationError, ValueError):
                 await self._socket.close(POLICY_VIOLATION, "not a message of this protocol")
                 return
 
-    def _obey(self, request: LiveRequest) -> None:
-        if not has_right(MESSAGES[request.type], self._visitor.role, self._visitor.wall):
+    def _handle(self, request: LiveRequest) -> None:
+        if not has_right(MESSAGES[request.type], self._visitor.role, self._visitor.kiosk):
             raise ValueError
         if isinstance(request, Heartbeat):
             self._context.lease.beat(self._visitor.id)

@@ -52,7 +52,7 @@ class _StationCollector(Collector):
         yield InfoMetricFamily(
             "crenel_build", "What runs here", value={"version": context.station.version}
         )
-        yield _gauge("start_time_seconds", "When the station was started", self._started())
+        yield _gauge("start_time_seconds", "When the station was started", self._start_time_s())
         yield from self._devices()
         yield from self._scans()
         yield from self._calibration()
@@ -60,8 +60,8 @@ class _StationCollector(Collector):
         yield from self._jobs()
         yield from self._others()
 
-    def _started(self) -> float:
-        return time.time() - (time.monotonic() - self._context.watch.started_s)
+    def _start_time_s(self) -> float:
+        return time.time() - (time.monotonic() - self._context.monitoring.started_s)
 
     def _devices(self) -> Iterator[Metric]:
         rig = self._context.rig
@@ -89,7 +89,7 @@ class _StationCollector(Collector):
         yield _gauge("laser_on", "Whether the laser is on", rig.sensor.laser_on)
 
     def _scans(self) -> Iterator[Metric]:
-        watch, scan = self._context.watch, self._context.scanner.state()
+        watch, scan = self._context.monitoring, self._context.scanner.state()
         load = self._context.scanner.load()
         running = load is not None
         now = (scan.points, scan.frames, scan.lost_frames) if running else (0, 0, 0)
@@ -132,7 +132,7 @@ class _StationCollector(Collector):
         )
 
     def _program(self) -> Iterator[Metric]:
-        context, watch = self._context, self._context.watch
+        context, watch = self._context, self._context.monitoring
         disk = shutil.disk_usage(context.store.folder)
         stalls = watch.watchdog.stalls
         yield _gauge("disk_free_bytes", "Free on the disk of the data folder", disk.free)
@@ -143,7 +143,7 @@ class _StationCollector(Collector):
         yield _counter("events", "Events told to the browsers", watch.events)
         clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
         clients.add_metric(["live"], watch.tabs)
-        clients.add_metric(["view"], context.viewing.pages)
+        clients.add_metric(["view"], context.view_controller.pages)
         yield clients
         yield _gauge("control_held", "Whether somebody has control", _has_holder(context))
         findings = _family(GaugeMetricFamily, "health_checks", "Health checks", "quality")
@@ -156,7 +156,7 @@ class _StationCollector(Collector):
         family = HistogramMetricFamily(
             "crenel_job_duration_seconds", "How long jobs took", labels=["job"]
         )
-        for title, times in sorted(self._context.watch.job_times.items()):
+        for title, times in sorted(self._context.monitoring.job_times.items()):
             buckets, total = [], 0
             for bound, count in zip((*BUCKETS_S, None), times.buckets, strict=True):
                 total += count
@@ -165,7 +165,7 @@ class _StationCollector(Collector):
         yield family
 
     def _others(self) -> Iterator[Metric]:
-        watch = self._context.watch
+        watch = self._context.monitoring
         celsius = watch.temperature.now.celsius
         if celsius is not None:
             yield _gauge("temperature_celsius", "Of the room", celsius)

@@ -66,7 +66,7 @@ def notifications(context: TheContext) -> Notifications:
 @router.post("/notifications")
 def change(asked: NotificationsChange, context: TheContext) -> Notifications:
     """Sets where they go; another address needs its secret given anew."""
-    watch, before = context.watch, context.watch.webhook.settings
+    watch, before = context.monitoring, context.monitoring.webhook.settings
     settings = WebhookSettings(
         url=asked.url,
         secret=asked.secret or "",
@@ -76,7 +76,7 @@ def change(asked: NotificationsChange, context: TheContext) -> Notifications:
     )
     if asked.secret is None and settings.url == before.url:
         settings = settings.model_copy(update={"secret": before.secret})
-    watch.webhooks.keep(settings)
+    watch.webhooks.save(settings)
     watch.webhook.settings = settings
     watch.webhook.trouble = ""
     return _notifications(context)
@@ -85,16 +85,16 @@ def change(asked: NotificationsChange, context: TheContext) -> Notifications:
 @router.post("/notifications/test")
 async def send_test(context: TheContext) -> Notifications:
     """Sends one; how it fared shows a moment later."""
-    if not context.watch.webhook.settings.url:
+    if not context.monitoring.webhook.settings.url:
         raise OperationError("no-webhook", "There is no address yet", remedy="Give one first")
-    context.watch.tell("test", f"{context.station.name} says hello.")
+    context.monitoring.notify("test", f"{context.station.name} says hello.")
     return _notifications(context)
 
 
 @router.get("/scrapers")
 def api_tokens(context: TheContext) -> list[ApiTokenSummary]:
     """Every token for the metrics."""
-    found = context.store.scrapers.all()
+    found = context.store.api_tokens.all()
     return [ApiTokenSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
 
 
@@ -104,20 +104,20 @@ def add_api_token(
 ) -> ApiTokenSummary:
     """A new token, which is told this once."""
     request.state.detail = asked.name
-    one, token = context.store.scrapers.add(asked.name, visitor.name)
+    one, token = context.store.api_tokens.add(asked.name, visitor.name)
     return ApiTokenSummary(one.id, one.name, one.made_by, one.made_at, token)
 
 
 @router.delete("/scrapers/{scraper_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_api_token(scraper_id: str, context: TheContext) -> None:
     """A token that is good for nothing from now on."""
-    if all(one.id != scraper_id for one in context.store.scrapers.all()):
+    if all(one.id != scraper_id for one in context.store.api_tokens.all()):
         raise NotFoundError(f"There is no token {scraper_id}.")
-    context.store.scrapers.remove(scraper_id)
+    context.store.api_tokens.remove(scraper_id)
 
 
 def _notifications(context: Context) -> Notifications:
-    webhook = context.watch.webhook
+    webhook = context.monitoring.webhook
     settings = webhook.settings
     return Notifications(
         url=settings.url,

@@ -47,7 +47,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
             frames=scan.frames,
             seconds=scan.seconds,
             calibration_id=scan.calibration_id,
-            note=context.recovery.note_of(scan),
+            note=context.recovery.scan_note(scan),
         )
         for scan in context.store.scans.all()
     ]

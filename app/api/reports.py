@@ -63,7 +63,7 @@ def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:
     Raises:
         NotFound: none of this kind has this number.
     """
-    past = context.arm_guide.past
+    past = context.arm_guide.history
     finished: dict[ArmRecordKind, tuple[Callable[[], Sequence[Finished]], str]] = {
         "checks": (past.checks, f"There is no check of the arm {record_id}."),
         "tips": (past.tip_checks, f"There is no check of the tip {record_id}."),

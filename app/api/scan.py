@@ -33,7 +33,7 @@ def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatu
 @router.post("/scan/stop")
 def stop_scan(context: TheContext) -> ScanStatus:
     """Stops the scan and saves it; nothing happens when none runs."""
-    context.scan_hand.stop()
+    context.simulated_scan.stop()
     context.scanner.stop()
     return context.scan_state()
 
@@ -42,9 +42,9 @@ def stop_scan(context: TheContext) -> ScanStatus:
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
     """Lets the twin's hand move the sensor over the parts, or stops it."""
     if asked.on:
-        context.scan_hand.start()
+        context.simulated_scan.start()
     else:
-        context.scan_hand.stop()
+        context.simulated_scan.stop()
     return context.scan_state()
 
 
@@ -79,7 +79,7 @@ def stop(context: TheContext) -> None:
 def stop_everything(context: Context) -> None:
     """In the order of danger; what was scanned is saved."""
     context.rig.sensor.laser_off()
-    context.scan_hand.stop()
+    context.simulated_scan.stop()
     for guide in (context.guide, context.arm_guide, context.verify_guide):
         stop_simulation(guide)
     context.scanner.stop()

@@ -24,41 +24,41 @@ ScanId = Annotated[str, Path(max_length=128)]
 @router.get("/view")
 def view(context: TheContext) -> ViewState:
     """What the 3D view shows."""
-    return context.viewing.state()
+    return context.view_controller.state()
 
 
 @router.post("/view/colours")
 def colours(asked: Colouring, context: TheContext) -> ViewState:
     """Colours the clouds by something else, or within other limits."""
     limits = None if asked.low is None or asked.high is None else (asked.low, asked.high)
-    context.viewing.colour_by(asked.measure, limits)
-    return context.viewing.state()
+    context.view_controller.colour_by(asked.measure, limits)
+    return context.view_controller.state()
 
 
 @router.post("/view/fits")
 def fit(asked: Region, context: TheContext) -> ViewState:
     """Begins to fit a shape to what a page shows in a rectangle."""
     rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
-    context.viewing.fit(asked.view, rectangle, asked.shape)
-    return context.viewing.state()
+    context.view_controller.fit(asked.view, rectangle, asked.shape)
+    return context.view_controller.state()
 
 
 @router.delete("/view/fits/{fit_id}")
 def remove_fit(fit_id: int, context: TheContext) -> ViewState:
     """Takes a fitted shape away; nothing happens when it is gone already."""
-    context.viewing.remove_fit(fit_id)
-    return context.viewing.state()
+    context.view_controller.remove_fit(fit_id)
+    return context.view_controller.state()
 
 
 @router.post("/scans/{scan_id}/shown")
 def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
     """Puts a scan into the picture, or takes it out; its files stay."""
     if asked.on:
-        context.viewing.show(_as_stored_scan(_scan(scan_id, context)))
+        context.view_controller.show(_as_stored_scan(_scan(scan_id, context)))
     else:
         _refuse_running(scan_id, context, "It cannot be hidden now")
-        context.viewing.hide(scan_id)
-    return context.viewing.state()
+        context.view_controller.hide(scan_id)
+    return context.view_controller.state()
 
 
 @router.post("/scans/{scan_id}/name", status_code=HTTP_204_NO_CONTENT)
@@ -69,7 +69,7 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
     if not name:
         raise OperationError("no-name", "A scan needs a name", remedy="write one")
     context.store.scans.rename(scan.id, name)
-    context.viewing.note_records()
+    context.view_controller.note_records()
 
 
 @router.delete("/scans/{scan_id}", status_code=HTTP_204_NO_CONTENT)
@@ -77,7 +77,7 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
     """Deletes a finished scan: recording, cloud, and its place in the list."""
     _refuse_running(scan_id, context, "It cannot be deleted now")
     scan = _scan(scan_id, context)
-    context.viewing.hide(scan.id)
+    context.view_controller.hide(scan.id)
     context.scanner.forget(scan.id)
     # under another name first: killed in between, no half of it is taken for a scan
     doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
@@ -85,7 +85,7 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
         if scan.folder.exists():
             scan.folder.rename(doomed)
         context.store.scans.delete(scan.id)
-        context.viewing.note_records()
+        context.view_controller.note_records()
         # with what a mains failure has left of earlier ones
         for left in scan.folder.parent.glob(f"{DELETED}*"):
             with contextlib.suppress(FileNotFoundError):  # another request is at it

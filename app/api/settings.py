@@ -70,7 +70,7 @@ def _take_pass(context: Context) -> PassRecord:
     """A scan that the hand has just taken."""
     context.scanner.start("Pass over the plate")
     try:
-        whole = context.scan_hand.pass_over_plate()
+        whole = context.simulated_scan.pass_over_plate()
     finally:
         result = context.scanner.stop()
     if not whole or result is None:

@@ -63,7 +63,7 @@ def bundle(context: Context) -> bytes:
         "audit.jsonl": lambda: _lines(redactor, _audit(context)),
         "threads.txt": lambda: redactor.text(_threads()),
     }
-    for path in context.watch.logs.files():
+    for path in context.monitoring.logs.files():
         parts[f"logs/{path.name}"] = partial(_log, redactor, path)
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -83,14 +83,14 @@ def _made(redactor: Redactor, make: Callable[[], str]) -> str:
 
 
 def _health(context: Context) -> Health:
-    return context.watch.health or HealthChecker(context).look()
+    return context.monitoring.health or HealthChecker(context).look()
 
 
 def _settings(context: Context) -> dict[str, object]:
-    watch = context.watch
+    watch = context.monitoring
     webhook = watch.webhook.settings
     return {
-        "station": dict(watch.settings.told),
+        "station": dict(watch.settings.effective_settings),
         "scans": context.settings.view(),
         "notifications": {
             "host": webhook.host,
@@ -109,16 +109,16 @@ def _audit(context: Context) -> list[dict[str, str]]:
 
 
 def _redactor(context: Context) -> Redactor:
-    watch, store = context.watch, context.store
+    watch, store = context.monitoring, context.store
     webhook = watch.webhook.settings
-    secrets = [webhook.secret, *address_secrets(webhook.url), context.entrance.code or ""]
-    secrets += secrets_in(dict(watch.settings.told))
+    secrets = [webhook.secret, *address_secrets(webhook.url), context.authenticator.code or ""]
+    secrets += secrets_in(dict(watch.settings.effective_settings))
     if watch.settings.mqtt is not None:
         with suppress(OperationError):  # what cannot be read cannot have leaked
             secrets.append(watch.settings.mqtt.password() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}
-    people |= {wall.made_by for wall in store.sign_ins.walls()}
+    people |= {wall.made_by for wall in store.login_sessions.kiosk_links()}
     return Redactor(secrets, people, {"DATA": store.folder, "HOME": Path.home()})
 
 

@@ -248,13 +248,13 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
 def memory_use(used: Memory) -> HealthItem:
     """Whether memory suffices."""
     short = used.free is not None and used.free < MEMORY_FREE_BYTES
-    much = used.own > PROCESS_MEMORY_BYTES
+    much = used.process > PROCESS_MEMORY_BYTES
     free = "" if used.free is None else f"; {used.free / 1e9:.1f} GB are free"
     return HealthItem(
         "memory",
         "Memory",
         "attention" if short or much else "good",
-        f"The station uses {used.own / 1e6:.0f} MB{free}.",
+        f"The station uses {used.process / 1e6:.0f} MB{free}.",
         "Without free memory the whole machine slows down, and frames are lost.",
         "Close other programs, or restart the station between two scans." if short or much else "",
     )

@@ -144,24 +144,24 @@ class _SearchWords:
     """Words, in small letters, that lines are sought by."""
 
     def __init__(self, words: Sequence[str], say: Translate | None) -> None:
-        self._words, self._say = words, say
-        self._retold: dict[str, str] = {}
+        self._words, self._translator = words, say
+        self._translations: dict[str, str] = {}
 
     def is_in(self, line: LogLine) -> bool:
         """Whether all of them stand in a line, as it was written or as it is said."""
         hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
         missing = [word for word in self._words if word not in hay]
-        if not missing or self._say is None:
+        if not missing or self._translator is None:
             return not missing
-        said = self._said(line.text, self._say)
+        said = self._translate(line.text, self._translator)
         return all(word in said for word in missing)
 
-    def _said(self, text: str, say: Translate) -> str:
+    def _translate(self, text: str, say: Translate) -> str:
         """Lines that differ in their numbers only are put into the language once."""
         alike = NUMBER.sub("#", text)
-        if alike not in self._retold and len(self._retold) < MAX_TRANSLATED:
-            self._retold[alike] = say(alike).lower()
-        return self._retold.get(alike, "")
+        if alike not in self._translations and len(self._translations) < MAX_TRANSLATED:
+            self._translations[alike] = say(alike).lower()
+        return self._translations.get(alike, "")
 
 
 class _ErrorCounter(logging.Filter):

@@ -28,7 +28,7 @@ _Key = tuple[str, int, str]
 class _RepeatCount:
     count: int
     began: float
-    seen_s: float
+    last_s: float
     written_s: float
 
 
@@ -55,7 +55,7 @@ class RepeatFilter(logging.Filter):
             key = _kind(record)
             if key not in self._kinds and self._alike(key) >= MOST_ALIKE:
                 key = (*key[:2], "")
-            kind = self._counted(key, record.created)
+            kind = self._count(key, record.created)
             count, late = kind.count, self._clock() - kind.written_s > FORGOTTEN_S
             if count > FIRST and not late and not _is_power_of_ten(count):
                 return False
@@ -69,14 +69,14 @@ class RepeatFilter(logging.Filter):
         """Kinds of the same line in the program that are remembered."""
         soon_s = self._clock() - FORGOTTEN_S
         return sum(
-            known[:2] == key[:2] and kind.seen_s > soon_s for known, kind in self._kinds.items()
+            known[:2] == key[:2] and kind.last_s > soon_s for known, kind in self._kinds.items()
         )
 
-    def _counted(self, key: _Key, now: float) -> _RepeatCount:
+    def _count(self, key: _Key, now: float) -> _RepeatCount:
         known, now_s = self._kinds.pop(key, None), self._clock()
-        if known is None or now_s - known.seen_s > FORGOTTEN_S:
+        if known is None or now_s - known.last_s > FORGOTTEN_S:
             known = _RepeatCount(0, now, now_s, now_s)
-        known.count, known.seen_s = known.count + 1, now_s
+        known.count, known.last_s = known.count + 1, now_s
         self._kinds[key] = known
         while len(self._kinds) > MOST_KINDS:
             self._kinds.popitem(last=False)

@@ -79,12 +79,12 @@ class LoopWatchdog:
             except RuntimeError:  # the loop was closed
                 return
             if not answered.wait(self._limit_s):
-                self._held_up(asked_s, answered, watched)
+                self._note_stall(asked_s, answered, watched)
             woke_s = time.monotonic()
             self._stopping.wait(PERIOD_S)
             self._note_pause(time.monotonic() - woke_s - PERIOD_S)
 
-    def _held_up(self, asked_s: float, answered: threading.Event, watched: int) -> None:
+    def _note_stall(self, asked_s: float, answered: threading.Event, watched: int) -> None:
         late_s = time.monotonic() - asked_s - self._limit_s
         if late_s > PAUSE_S:
             self._note_pause(late_s)

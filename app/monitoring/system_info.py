@@ -16,7 +16,7 @@ JUMP_S = 1.0
 class Memory:
     """In bytes; null where the system does not tell."""
 
-    own: int
+    process: int
     free: int | None
 
 

@@ -125,10 +125,10 @@ class Function:
                 passed.append(ctypes.byref(value))
             else:
                 passed.append(value)
-        call = self._variants.get(self._library.variant) or self._bound()
+        call = self._variants.get(self._library.variant) or self._bind()
         return call(*sizes.values(), *passed)
 
-    def _bound(self) -> Callable[..., Any]:
+    def _bind(self) -> Callable[..., Any]:
         variant = self._library.variant
         found = self._library.symbol(self.name, variant)
         kinds: list[Any] = [ctypes.c_int64] * len(self._sizes)

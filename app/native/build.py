@@ -58,7 +58,7 @@ def build(
         BuildError: no compiler is here, or it failed; the message holds its output.
     """
     target = target or BuildTarget.here()
-    output = output or source.built(target.system)
+    output = output or source.library_path(target.system)
     compiler, zig = _compiler(target)
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
         environment = (_zig_caches(cache or Path(folder)) if zig else {}) | os.environ
@@ -179,7 +179,7 @@ def main() -> None:
     chosen = parser.parse_args()
     target = _parse_target(chosen.target) if chosen.target else BuildTarget.here()
     for source in LIBRARIES:
-        output = chosen.output / source.built(target.system).name if chosen.output else None
+        output = chosen.output / source.library_path(target.system).name if chosen.output else None
         try:
             print(build(source, target, output, tuple(shlex.split(chosen.flags))))
         except BuildError as error:

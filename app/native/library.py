@@ -33,7 +33,7 @@ class NativeLibrary:
     def variant(self) -> str:
         """The variant whose functions are called: v1, v3 or v4."""
         if not self._variant:
-            self._variant = self._chosen()
+            self._variant = self._choose_variant()
         return self._variant
 
     @property
@@ -47,7 +47,7 @@ class NativeLibrary:
     def using(self, variant: str) -> Iterator[None]:
         """Calls the functions of another variant meanwhile, in all threads: for tests, benches."""
         before = self.variant
-        self._variant = self._checked(variant)
+        self._variant = self._check_variant(variant)
         try:
             yield
         finally:
@@ -65,7 +65,7 @@ class NativeLibrary:
 
     @cached_property
     def _loaded(self) -> ctypes.CDLL:
-        path = self._source.built()
+        path = self._source.library_path()
         if not path.is_file():
             raise LibraryError(f"{path} is not built. Build it: {REBUILD}")
         try:
@@ -79,11 +79,11 @@ class NativeLibrary:
             raise LibraryError(f"{path} is older than its C sources. Build it: {REBUILD}")
         return library
 
-    def _chosen(self) -> str:
+    def _choose_variant(self) -> str:
         named = os.environ.get(VARIANT_SETTING)
-        return self._checked(named) if named else self.variants[-1]
+        return self._check_variant(named) if named else self.variants[-1]
 
-    def _checked(self, variant: str) -> str:
+    def _check_variant(self, variant: str) -> str:
         if variant not in self.variants:
             able = ", ".join(self.variants)
             raise LibraryError(

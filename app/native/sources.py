@@ -53,7 +53,7 @@ class LibrarySource:
             path for path in (self.folder / "c").rglob("*") if path.suffix in (".c", ".h")
         )
 
-    def built(self, system: str = sys.platform) -> Path:
+    def library_path(self, system: str = sys.platform) -> Path:
         """Where the compiled library is."""
         return self.folder / f"{self.name}{SUFFIXES.get(system, '.so')}"
 

@@ -39,17 +39,17 @@ class Context:
     preview: Preview
     scene: Scene
     scanner: Scanner
-    viewing: ViewController
+    view_controller: ViewController
     jobs: Jobs
     store: Store
     guide: CalibrationGuide
-    scan_hand: SimulatedScan
+    simulated_scan: SimulatedScan
     arm_guide: ArmGuide
     verify_guide: VerifyGuide
     settings: OperatorSettings
     lease: Lease
-    entrance: Authenticator
-    watch: MonitoringServices
+    authenticator: Authenticator
+    monitoring: MonitoringServices
     recovery: Recovery
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
@@ -59,7 +59,7 @@ class Context:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()
         values = {**asdict(known), "findings": known.findings}
-        return ScanStatus(**values, hand_running=self.scan_hand.running)
+        return ScanStatus(**values, hand_running=self.simulated_scan.running)
 
 
 def context_of(connection: HTTPConnection) -> Context:

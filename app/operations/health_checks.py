@@ -38,7 +38,7 @@ class HealthChecker:
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._kept: dict[str, tuple[float, object]] = {}
+        self._cached: dict[str, tuple[float, object]] = {}
 
     def look(self) -> Health:
         """All checks as of now; one that fails is a finding, and the others go on."""
@@ -70,7 +70,7 @@ class HealthChecker:
             "loop": self._loop,
             "memory": lambda: [health.memory_use(memory())],
             "log": self._log,
-            "network": lambda: [health.network(self._context.watch.settings.network)],
+            "network": lambda: [health.network(self._context.monitoring.settings.network)],
             "software": lambda: [health.software(software(self._context))],
             "broker": self._broker,
             "webhook": self._webhook,
@@ -79,16 +79,16 @@ class HealthChecker:
     def _device(self, name: str, side: StationArm | StationSensor) -> list[HealthItem]:
         state = side.link()
         counts = (state.received, state.lost, state.corrupt)
-        window = self._context.watch.losses[name]
+        window = self._context.monitoring.losses[name]
         window.note(*counts)
         return [health.device(state), health.losses(state.title, window.over(*counts))]
 
     def _readings(self) -> list[HealthItem]:
         arm = self._context.rig.arm
-        return [health.readings(arm.kept_back, arm.newest_kept_back, arm.kept_back_ago_s)]
+        return [health.readings(arm.rejected_count, arm.newest_rejection, arm.rejection_age_s)]
 
     def _room(self) -> list[HealthItem]:
-        temperature = self._context.watch.temperature
+        temperature = self._context.monitoring.temperature
         return [health.temperature(temperature.now, self._warmer_c())] if temperature.there else []
 
     def _warmer_c(self) -> float | None:
@@ -117,11 +117,11 @@ class HealthChecker:
         return [health.records(aside)]
 
     def _recordings(self) -> list[HealthItem]:
-        damaged = self._context.recovery.damaged
+        damaged = self._context.recovery.find_damage
         return [health.recordings(self._every(DATABASE_EVERY_S, "damaged", damaged))]
 
     def _backup(self) -> list[HealthItem]:
-        backups = self._context.watch.backups
+        backups = self._context.monitoring.backups
         backups.look()
         last = backups.last
         days = None if last is None else age_days(last.at, datetime.now(UTC))
@@ -129,17 +129,17 @@ class HealthChecker:
         return [health.backup(days, place, backups.same_disk, backups.trouble)]
 
     def _clock(self) -> list[HealthItem]:
-        clock = self._context.watch.clock
+        clock = self._context.monitoring.clock
         clock.look()
         ahead_days = self._every(RECORDS_EVERY_S, "ahead", self._ahead_days)
         return [health.clock(clock.jumps, clock.last_jump_s, ahead_days)]
 
     def _every(self, period_s: float, name: str, look: Callable[[], T]) -> T:
         """What was seen the last time, looked at again after the period."""
-        known = self._kept.get(name)
+        known = self._cached.get(name)
         if known is None or time.monotonic() - known[0] > period_s:
             known = (time.monotonic(), look())
-            self._kept[name] = known
+            self._cached[name] = known
         return cast(T, known[1])
 
     def _ahead_days(self) -> float:
@@ -154,15 +154,15 @@ class HealthChecker:
         return ahead_s / SECONDS_A_DAY if ahead_s > AHEAD_S else 0.0
 
     def _loop(self) -> list[HealthItem]:
-        watchdog = self._context.watch.watchdog
+        watchdog = self._context.monitoring.watchdog
         return [health.event_loop(watchdog.stalls, watchdog.limit_s)]
 
     def _log(self) -> list[HealthItem]:
-        errors = self._context.watch.logs.errors_since(time.time() - AN_HOUR_S)
+        errors = self._context.monitoring.logs.errors_since(time.time() - AN_HOUR_S)
         return [health.log_errors(errors)]
 
     def _broker(self) -> list[HealthItem]:
-        watch = self._context.watch
+        watch = self._context.monitoring
         if watch.broker is None:
             return []
         state, doubled_at_s = watch.broker.state, watch.broker.doubled_at_s
@@ -175,7 +175,7 @@ class HealthChecker:
         ]
 
     def _webhook(self) -> list[HealthItem]:
-        webhook = self._context.watch.webhook
+        webhook = self._context.monitoring.webhook
         if not webhook.settings.url:
             return []
         return [health.webhook(webhook.settings.host, webhook.failed, webhook.trouble)]
@@ -183,7 +183,7 @@ class HealthChecker:
 
 def software(context: Context) -> dict[str, str]:
     """Versions of what runs, and the drivers in use."""
-    drivers = context.watch.settings.told.get("drivers", {})
+    drivers = context.monitoring.settings.effective_settings.get("drivers", {})
     told = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
     return {"Crenel": SOFTWARE.version, **versions(), **told}
 

@@ -53,8 +53,8 @@ def build_home(context: Context) -> Home:
 def validity_inputs(context: Context, record: CalibrationRecord | None) -> ValidityInputs:
     """What the station remembers of all that must be in order."""
     store, arm_guide = context.store, context.arm_guide
-    verified = store.verifications.newest_of(record.id) if record else None
-    tip, arm = arm_guide.past.last_tip_check(), arm_guide.past.last_check()
+    verified = store.verifications.newest_for(record.id) if record else None
+    tip, arm = arm_guide.history.last_tip_check(), arm_guide.history.last_check()
     return ValidityInputs(
         calibration=_calibration(record, context.scanner.trouble),
         verification=None
@@ -83,7 +83,7 @@ def _calibration(
 
 def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
     """What the last check of the tip says to who is about to touch with it."""
-    tip = arm_guide.past.last_tip_check()
+    tip = arm_guide.history.last_tip_check()
     found = None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text)
     known = ValidityInputs(None, None, False, found, None, None)
     lines = check_validity(known, datetime.now(UTC), limits)

@@ -24,7 +24,7 @@ END_S = 1.5
 
 async def observe(context: Context) -> None:
     """Runs until cancelled; then other stations are told that this one has ended."""
-    watch = context.watch
+    watch = context.monitoring
     watch.watchdog.start(asyncio.get_running_loop())
     works: list[Coroutine[object, object, None]] = [
         _reports(context),
@@ -59,8 +59,8 @@ async def _reports(context: Context) -> None:
         try:
             report = await asyncio.to_thread(build_report, context)
             context.bus.publish("report", report)
-            if context.watch.broker is not None:
-                context.watch.broker.report(report)
+            if context.monitoring.broker is not None:
+                context.monitoring.broker.report(report)
             due = _notify_due(context, due)
         except OperationError as refusal:  # of a damaged database or its disk; Health tells of it
             log.warning("the station's report could not be made: %s", refusal.line)
@@ -78,7 +78,7 @@ def _notify_due(context: Context, told: set[tuple[str, str | None]]) -> set[tupl
     for key in due.keys() - told:
         line = due[key]
         text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]} {line.action}."
-        context.watch.tell("due", text[:400])
+        context.monitoring.notify("due", text[:400])
     return set(due)
 
 
@@ -86,7 +86,7 @@ async def _stations(context: Context) -> None:
     """The other stations, when something of them has changed; how long one is silent is no news."""
     told: object = None
     while True:
-        shown = context.watch.fleet.shown()
+        shown = context.monitoring.fleet.stations()
         news = [one.model_copy(update={"silent_s": None}) for one in shown]
         if news != told:
             told = news
@@ -109,7 +109,7 @@ def _topics(context: Context) -> set[str]:
 
 
 def _pass_on(context: Context, event: Event) -> None:
-    watch = context.watch
+    watch = context.monitoring
     watch.events += 1
     # an error is a fault of the program; a lost device and a refusal are none
     warns = event.quality in ("bad", "attention") and watch.warned.is_new(event.kind, event.text)
@@ -129,14 +129,14 @@ def _pass_on(context: Context, event: Event) -> None:
         )
     kind = notice_kind(event)
     if kind is not None:
-        watch.tell(kind, event.text[:400])
+        watch.notify(kind, event.text[:400])
 
 
 async def _health(context: Context) -> None:
     examiner = HealthChecker(context)
     while True:
         try:
-            context.watch.health = await asyncio.to_thread(examiner.look)
+            context.monitoring.health = await asyncio.to_thread(examiner.look)
         except OperationError as refusal:
             log.warning("the station's health could not be looked at: %s", refusal.line)
         except Exception:
@@ -145,9 +145,9 @@ async def _health(context: Context) -> None:
 
 
 async def _temperature(context: Context) -> None:
-    while context.watch.temperature.there:
+    while context.monitoring.temperature.there:
         try:
-            await asyncio.to_thread(context.watch.temperature.read)
+            await asyncio.to_thread(context.monitoring.temperature.read)
         except OperationError as refusal:
             log.warning("the temperature could not be kept: %s", refusal.line)
         except Exception:

@@ -66,7 +66,7 @@ class Recovery:
         self._note_records = note_records
         self._scans = store.folder / "scans"
         self._folders = ScanFolders(self._scans)
-        self._refused: dict[str, OperationError] = {}
+        self._errors: dict[str, OperationError] = {}
         self._hashed: dict[tuple[Path, int], str] = {}
         self._not_before_s = 0.0
         self._ending = threading.Event()
@@ -85,12 +85,12 @@ class Recovery:
             return
         for folder in found:
             try:
-                self._settle(folder, folder in listed)
+                self._list_recording(folder, folder in listed)
             except (OSError, OperationError) as error:
                 text = error.line if isinstance(error, OperationError) else str(error)
                 log.warning("%s is left as it is: %s", folder, text)
 
-    def _settle(self, folder: Path, listed: bool) -> None:
+    def _list_recording(self, folder: Path, listed: bool) -> None:
         if folder.is_symlink() or not folder.is_dir():
             return
         if folder.name.startswith(DELETED):
@@ -104,7 +104,7 @@ class Recovery:
         if not recording.stat().st_size:
             _remove_empty(folder)
             return
-        scan = _scan_record(folder, open_recording(recording).told())
+        scan = _scan_record(folder, open_recording(recording).station_metadata())
         for path in (recording, folder / CLOUD):
             if path.is_file():
                 sync_file(path)
@@ -127,7 +127,7 @@ class Recovery:
             self._not_before_s = now_s + RETRY_S
             return
         scan = next(iter(self._without_cloud()), None)
-        if scan is None or self._folders.no_room_to_start() is not None:
+        if scan is None or self._folders.start_space_error() is not None:
             self._not_before_s = now_s + RETRY_S / 4
             return
         self._thread = threading.Thread(
@@ -145,8 +145,8 @@ class Recovery:
         return self._scanner.recording() is not None or self._jobs.current is not None
 
     def _without_cloud(self) -> Iterator[ScanRecord]:
-        for scan in self._store.scans.interrupted():
-            if scan.id not in self._refused and not (scan.folder / CLOUD).exists():
+        for scan in self._store.scans.list_interrupted():
+            if scan.id not in self._errors and not (scan.folder / CLOUD).exists():
                 yield scan
 
     def _make_cloud(self, scan: ScanRecord) -> None:
@@ -159,13 +159,11 @@ class Recovery:
             if refusal.code in ("disk-full", "not-kept"):
                 self._not_before_s = time.monotonic() + RETRY_S
                 return
-            self._refused[scan.id] = refusal
+            self._errors[scan.id] = refusal
             log.warning("no cloud for scan %s: %s", scan.id, refusal.line)
         except Exception as error:  # the station lives on
             log.exception("the cloud of scan %s cannot be made", scan.id)
-            self._refused[scan.id] = OperationError(
-                "failed", "the program failed at it", f"{error}"
-            )
+            self._errors[scan.id] = OperationError("failed", "the program failed at it", f"{error}")
         self._note_records()
 
     def _rebuild(self, scan: ScanRecord) -> int:
@@ -189,7 +187,7 @@ class Recovery:
 
     # -- what is told --------------------------------------------------------
 
-    def note_of(self, scan: ScanRecord) -> str:
+    def scan_note(self, scan: ScanRecord) -> str:
         """What is wrong with a scan's recording, or why it ended early; mostly empty."""
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
@@ -198,13 +196,13 @@ class Recovery:
             return ""
         if (scan.folder / CLOUD).exists():
             return f"{scan.interrupted} What was recorded is kept."
-        refusal = self._refused.get(scan.id)
+        refusal = self._errors.get(scan.id)
         if refusal is None:
             return f"{scan.interrupted} Its points are made when there is room and no scan runs."
         why = refusal.what if refusal.why == "" else refusal.why
         return f"{scan.interrupted} No points can be made of it: {why}."
 
-    def damaged(self) -> list[str]:
+    def find_damage(self) -> list[str]:
         """The recordings of scans and verifications that are not what they were, in words."""
         found = []
         for scan in self._store.scans.all():
@@ -213,11 +211,11 @@ class Recovery:
         for verification in self._store.verifications.all():
             for name, sha256 in _recording_hashes(verification.folder):
                 path = verification.folder / name
-                if (damage := find_damage(path)) and not self._is_as_hashed(path, sha256):
+                if (damage := find_damage(path)) and not self._matches_hash(path, sha256):
                     found.append(f"{verification.id}, {name}: {damage}")
         return found
 
-    def _is_as_hashed(self, path: Path, sha256: str) -> bool:
+    def _matches_hash(self, path: Path, sha256: str) -> bool:
         """Whether a recording that has no end was accepted so, as after a killed process."""
         try:
             key = path, path.stat().st_size

@@ -45,7 +45,7 @@ class MonitoringSettings:
     mqtt: BrokerSettings | None = None
     thermometer: Thermometer | None = None
     network: Network = "here"
-    told: Mapping[str, object] = field(default_factory=dict)
+    effective_settings: Mapping[str, object] = field(default_factory=dict)
     """The settings as they are in use, for the support bundle."""
 
 
@@ -133,7 +133,7 @@ class MonitoringServices:
         )
         self.losses = {"arm": LossWindow(), "sensor": LossWindow()}
         self.fleet = Fleet()
-        self.broker = None if mqtt is None else self._broker_of(mqtt)
+        self.broker = None if mqtt is None else self._make_broker(mqtt)
         self.webhooks = WebhookStore(store.folder)
         self.webhook = Webhook(self.webhooks.read())
         self.backups = Backups(bus, store.folder, settings.backups)
@@ -151,7 +151,7 @@ class MonitoringServices:
         self.warned = NoticeDeduplicator()
         """Events that the log warns of: what is repeated, like Stop, is only told there."""
 
-    def _broker_of(self, settings: BrokerSettings) -> "Broker":
+    def _make_broker(self, settings: BrokerSettings) -> "Broker":
         # most stations have none, and need not load its protocol
         from app.supervision.broker import Broker
 
@@ -164,7 +164,7 @@ class MonitoringServices:
         self.frames += result.frames
         self.frames_lost += result.lost_frames
 
-    def tell(self, kind: NoticeKind, text: str) -> None:
+    def notify(self, kind: NoticeKind, text: str) -> None:
         """Tells whoever is away, and the browsers that asked for it."""
         if kind != "test" and not self._repeats.is_new(kind, text):
             return

@@ -26,7 +26,7 @@ LONGEST = 400
 
 def build_report(context: Context) -> StationReport:
     """Everything of this station as of now."""
-    watch, home = context.watch, context.bus.latest("home")
+    watch, home = context.monitoring, context.bus.latest("home")
     devices = context.rig.devices()
     holder = context.lease.control.holder
     known = home if isinstance(home, Home) else None
@@ -103,8 +103,8 @@ def _activity(context: Context) -> ActivityReport:
 
 def _celsius(context: Context, home: Home | None) -> float | None:
     """What the thermometer reads, or what somebody told lately."""
-    if context.watch.temperature.there:
-        return context.watch.temperature.now.celsius
+    if context.monitoring.temperature.there:
+        return context.monitoring.temperature.now.celsius
     return home.temperature_c if home else None
 
 
@@ -116,7 +116,7 @@ def _line(home: Home | None, name: str) -> Validity | None:
 def _verification(home: Home | None, context: Context) -> VerificationReport | None:
     """The newest of the calibration in use."""
     calibration, line = home.calibration if home else None, _line(home, "verification")
-    record = context.store.verifications.newest_of(calibration.id) if calibration else None
+    record = context.store.verifications.newest_for(calibration.id) if calibration else None
     if record is None or line is None:
         return None
     return VerificationReport(
@@ -158,7 +158,7 @@ def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
         for finding in scan.findings:
             if finding.quality in ("bad", "attention"):
                 found.setdefault(finding.text, (finding.quality, finding.remedy))
-    health = context.watch.health
+    health = context.monitoring.health
     for item in health.items if health else ():
         # a device that is lost is told by Home, and a missing backup is no alarm
         if item.quality == "bad" and not item.id.startswith("device-"):

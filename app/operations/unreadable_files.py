@@ -14,7 +14,7 @@ from app.operations.context import Context
 def list_unreadable(context: Context) -> list[str]:
     """Each a sentence. It reads every record, which may take seconds."""
     store, sessions = context.store, (context.guide, context.arm_guide, context.verify_guide)
-    found = [session.aside for session in sessions if session.aside]
+    found = [session.unreadable_reason for session in sessions if session.unreadable_reason]
     rows = store.unreadable_rows()
     if rows:
         found.append(f"The journal has {len(rows)} rows that cannot be read, first row {rows[0]}.")

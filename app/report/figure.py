@@ -95,7 +95,7 @@ class Figure:
         px, py = -0.5 * head * dy, 0.5 * head * dx
         self.line((bx + px, by + py), end, (bx - px, by - py), stroke=stroke, width=width)
 
-    def words(
+    def label(
         self,
         at: Point,
         text: str,

@@ -103,7 +103,7 @@ def _font_faces() -> str:
 def html_page(report: Report) -> bytes:
     """The whole file, UTF-8."""
     notes = "".join(f'<p class="note">{escape(note)}</p>' for note in report.notes)
-    verdict, say = report.verdict, load_sentences(report.language).said
+    verdict, say = report.verdict, load_sentences(report.language).translate
     of = f"<b>{escape(report.station)}</b><br>{escape(report.number)}<br>{escape(report.date)}"
     text = f"""<!doctype html>
 <html lang="{report.language}">

@@ -69,7 +69,7 @@ def pdf_document(report: Report) -> bytes:
 
 def _lay_out(report: Report, sheets: int) -> tuple[bytes, int]:
     """The file, each sheet saying that there are so many, and how many there are."""
-    whole, say = io.BytesIO(), load_sentences(report.language).said
+    whole, say = io.BytesIO(), load_sentences(report.language).translate
     document = SimpleDocTemplate(
         whole,
         pagesize=A4,

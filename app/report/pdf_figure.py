@@ -39,7 +39,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
                 picture = ImageReader(io.BytesIO(item.jpeg))
                 canvas.drawImage(picture, x, y - item.height, item.width, item.height)
             else:
-                self._words(canvas, item)
+                self._label(canvas, item)
         canvas.restoreState()
 
     def _up(self, at: tuple[float, float]) -> tuple[float, float]:
@@ -58,7 +58,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         canvas.drawPath(path, int(bool(shape.stroke)), filled)
         canvas.setDash([])
 
-    def _words(self, canvas: Canvas, words: Label) -> None:
+    def _label(self, canvas: Canvas, words: Label) -> None:
         canvas.setFont(BOLD if words.bold else PLAIN, words.size)
         canvas.setFillColor(HexColor(words.colour))
         draw = {

@@ -38,7 +38,7 @@ def translate_report(report: Report, language: str) -> Report:
         )
     if language == ENGLISH:
         return report
-    return replace(apply_translation(report, load_sentences(language).said), language=language)
+    return replace(apply_translation(report, load_sentences(language).translate), language=language)
 
 
 def apply_translation(report: Report, say: Translate) -> Report:

@@ -62,16 +62,16 @@ class Authenticator:
         """
         plain = plain_name(name).lower()
         with self._lock:
-            if self._sign_ins.knows(browser, plain):
+            if self._sign_ins.is_known_browser(browser, plain):
                 keys: tuple[str, ...] = (f"browser {browser}",)
             else:
                 keys = (f"name {plain}", address_key(address))
-            self._let_try(*keys)
-            account = self._accounts.matching(name, password)
+            self._check_throttle(*keys)
+            account = self._accounts.authenticate(name, password)
             self._note(account is not None, *keys)
         return account
 
-    def enter(self, code: str, address: str) -> str | None:
+    def guest_by_code(self, code: str, address: str) -> str | None:
         """The guest's account by the console's code; None for a wrong one."""
         with self._lock:
             return self._guest if self.by_code and self._matches(code, address) else None
@@ -93,40 +93,40 @@ class Authenticator:
                 return None
             return self._accounts.add(name, Role.admin, password)
 
-    def wall(self, token: str, address: str) -> Principal | None:
+    def kiosk_by_link(self, token: str, address: str) -> Principal | None:
         """The wall screen whose link this is."""
         key = address_key(address)
         with self._lock:
-            self._let_try(key)
-            visitor = self._sign_ins.visitor(token)
-            found = visitor if visitor is not None and visitor.wall else None
+            self._check_throttle(key)
+            visitor = self._sign_ins.principal(token)
+            found = visitor if visitor is not None and visitor.kiosk else None
             self._note(found is not None, key)
         return found
 
-    def scraper(self, token: str, address: str) -> bool:
+    def check_metrics_token(self, token: str, address: str) -> bool:
         """Whether a program may read the metrics by this token."""
         key = f"scraper {address_key(address)}"
         with self._lock:
-            self._let_try(key)
-            good = self._scrapers.good(token)
+            self._check_throttle(key)
+            good = self._scrapers.is_valid(token)
             self._note(good, key)
         return good
 
     def _matches(self, code: str, address: str) -> bool:
         key = address_key(address)
-        self._let_try(key)
+        self._check_throttle(key)
         plain = "".join(code.upper().replace("-", "").split())
         good = compare_digest(plain.encode(), self._code.encode())
         self._note(good, key)
         return good
 
-    def _let_try(self, *keys: str) -> None:
+    def _check_throttle(self, *keys: str) -> None:
         wait_s = self._throttle.wait_s(*keys)
         if wait_s > 0:
             raise TooManyAttemptsError(wait_s)
 
     def _note(self, good: bool, *keys: str) -> None:
         if good:
-            self._throttle.succeeded(*keys)
+            self._throttle.note_success(*keys)
         else:
-            self._throttle.failed(*keys)
+            self._throttle.note_failure(*keys)

@@ -22,9 +22,9 @@ class Throttle:
     def wait_s(self, *keys: str) -> float:
         """Seconds until another try is allowed."""
         with self._lock:
-            return max(self._left_s(key) for key in keys)
+            return max(self._key_wait_s(key) for key in keys)
 
-    def failed(self, *keys: str) -> None:
+    def note_failure(self, *keys: str) -> None:
         """Notes a failure."""
         now = self._clock()
         with self._lock:
@@ -35,13 +35,13 @@ class Throttle:
                 count, at = self._failures.get(key, (0, now))
                 self._failures[key] = (1 if now - at > FORGOTTEN_S else count + 1, now)
 
-    def succeeded(self, *keys: str) -> None:
+    def note_success(self, *keys: str) -> None:
         """Forgets the failures."""
         with self._lock:
             for key in keys:
                 self._failures.pop(key, None)
 
-    def _left_s(self, key: str) -> float:
+    def _key_wait_s(self, key: str) -> float:
         count, at = self._failures.get(key, (0, 0.0))
         if count < FREE_TRIES:
             return 0.0

@@ -94,6 +94,6 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
             await asyncio.sleep(0)
             context.bus.detach()
             context.store.close()
-            context.watch.close()
+            context.monitoring.close()
 
     return lifespan

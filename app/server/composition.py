@@ -61,7 +61,7 @@ class StationParts:
     arm: Callable[[], ArmDriver]
     sensor: Callable[[], SensorDriver]
     hosts: tuple[str, ...] = ()
-    hand: SimulatedOperator | None = None
+    simulated_operator: SimulatedOperator | None = None
     """Of the simulated station."""
     limits: Limits = LIMITS
     """What the verdict on a calibration goes by."""
@@ -73,7 +73,7 @@ class StationParts:
     """The account that a link on the console enters, of a demonstration or a replay."""
     code: str = field(default_factory=new_code)
     """What the console shows."""
-    watching: MonitoringSettings = field(default_factory=MonitoringSettings)
+    monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
     """Who is told of the station, and what else is looked at."""
 
 
@@ -99,15 +99,15 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     viewing = ViewController(bus, scene, store.folder / "scans", scanner.distance)
     preview = Preview(bus, rig.arm, rig.sensor)
     jobs = Jobs(bus)
-    watch = MonitoringServices(parts.watching, parts.name, bus, store, jobs)
+    watch = MonitoringServices(parts.monitoring, parts.name, bus, store, jobs)
     settings = OperatorSettings(
-        bus, rig, scanner, preview, store.settings.read(), store.settings.keep
+        bus, rig, scanner, preview, store.settings.read(), store.settings.save
     )
     if store.settings.trouble is not None:
         bus.event("refused", f"The settings are lost: {store.settings.trouble.line}", "attention")
 
     lease = Lease(bus)
-    simulated = parts.hand is not None
+    simulated = parts.simulated_operator is not None
 
     def celsius_now() -> float | None:
         reading = store.temperatures.newest()
@@ -120,7 +120,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
 
     use_active()  # an open session then puts its own choice over it
     guide = CalibrationGuide(
-        GuidedStation(bus, rig, preview, scene, jobs, parts.hand),
+        GuidedStation(bus, rig, preview, scene, jobs, parts.simulated_operator),
         store.journal,
         store.calibrations,
         store.folder,
@@ -130,13 +130,15 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     )
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
-    scan_hand = SimulatedScan(parts.hand, jobs, bus, lambda: bus.publish("scan", scanner.state()))
+    scan_hand = SimulatedScan(
+        parts.simulated_operator, jobs, bus, lambda: bus.publish("scan", scanner.state())
+    )
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
-    arm_station = ArmServices(bus, rig, jobs, parts.hand)
+    arm_station = ArmServices(bus, rig, jobs, parts.simulated_operator)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
     guide.tip = lambda: last_tip_finding(arm_guide, parts.due)
     verify_guide = VerifyGuide(
-        VerificationServices(bus, rig, jobs, scanner, scene, parts.hand),
+        VerificationServices(bus, rig, jobs, scanner, scene, parts.simulated_operator),
         store.journal,
         store.calibrations,
         store.verifications,
@@ -165,7 +167,9 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         verify_guide,
         settings,
         lease,
-        Authenticator(store.accounts, store.sign_ins, store.scrapers, parts.guest, parts.code),
+        Authenticator(
+            store.accounts, store.login_sessions, store.api_tokens, parts.guest, parts.code
+        ),
         watch,
         recovery,
         parts.due,
@@ -180,7 +184,7 @@ def close_context(context: Context) -> None:
     context.scanner.close()
     context.preview.stop()
     context.rig.stop()
-    context.viewing.close()
+    context.view_controller.close()
     context.scene.close()
 
 

@@ -44,11 +44,11 @@ def station_parts(twin: SimulatedStation, data: Path) -> StationParts:
         data=data,
         arm=lambda: arm_driver("serial-encoder", options),
         sensor=twin.sensor,
-        hand=twin.hand,
+        simulated_operator=twin.operator,
         guest="Demo",
-        watching=MonitoringSettings(
+        monitoring=MonitoringSettings(
             thermometer=RoomThermometer(),
-            told={"drivers": {"arm": "serial-encoder", "sensor": "simulated"}},
+            effective_settings={"drivers": {"arm": "serial-encoder", "sensor": "simulated"}},
         ),
     )
 
@@ -63,7 +63,7 @@ def _is_identified(path: Path) -> bool:
 
 def write_datasheets(twin: SimulatedStation, data: Path) -> None:
     """Writes what an operator would be given with the devices into the data folder."""
-    for name, paper in twin.papers().items():
+    for name, paper in twin.datasheets().items():
         content = (json.dumps(paper, indent=1) + "\n").encode()
         target = data / PLACES.get(name, f"gauges/{name}")
         with _explain_data_folder(data), convert_io_errors(target.parent):

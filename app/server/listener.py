@@ -182,10 +182,10 @@ class StationServer(uvicorn.Server):
     async def on_tick(self, counter: int) -> bool:
         make_space(self.server_state.connections)
         if counter % 10 == 0:
-            self._close_wordless()
+            self._close_silent()
         return await super().on_tick(counter)
 
-    def _close_wordless(self) -> None:
+    def _close_silent(self) -> None:
         """Closes what was opened, or answered, and has asked nothing whole since."""
         now_s, before = time.monotonic(), self._wordless
         self._wordless = {}

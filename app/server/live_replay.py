@@ -62,11 +62,11 @@ class Replay:
     def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
         """Looks at the recording's start; raises ``OperationError`` where it cannot be replayed."""
         self._path, self._calibration, self._arm = path, calibration, arm
-        self._rate_hz, first_ns = self._looked()
+        self._rate_hz, first_ns = self._inspect()
         self._clock = ReplayClock(first_ns, speed)
         self._last_ns = last_stamp_ns(path)
         self._points = 0
-        self._told_s = -math.inf
+        self._last_publish_s = -math.inf
         self._ended = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -104,7 +104,7 @@ class Replay:
         if self._thread is not None:
             self._thread.join(5.0)
 
-    def _looked(self) -> tuple[float, int]:
+    def _inspect(self) -> tuple[float, int]:
         """The arm's rate in readings a second, and the first stamp."""
         stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
         if len(stamps) < 2:
@@ -134,20 +134,20 @@ class Replay:
             for part, at_ns in self._in_time(points, last_ns, stamp_ns):
                 scene.add_points(part)
                 self._points += len(part)
-                self._tell(scene, bus, at_ns)
+                self._publish_state(scene, bus, at_ns)
             last_ns = stamp_ns
 
-        self._tell(scene, bus, last_ns)
+        self._publish_state(scene, bus, last_ns)
         try:
             rebuilt = reconstruct_into(self._path, self._calibration, self._arm, take)
         except _ReplayEndedError:
             return
         except OperationError as refusal:
-            self._tell(scene, bus, last_ns, "failed", refusal.line)
+            self._publish_state(scene, bus, last_ns, "failed", refusal.line)
             bus.event("replay", refusal.line, "bad")
             return
         said = " ".join(f"{text[:1].upper()}{text[1:]}." for text in rebuilt.warnings)
-        self._tell(scene, bus, last_ns, "ended", said)
+        self._publish_state(scene, bus, last_ns, "ended", said)
         bus.event("replay", f"{self._path.name}: {rebuilt.points} points shown", "good")
 
     def _in_time(self, points: Points, first_ns: int, last_ns: int) -> Iterator[tuple[Points, int]]:
@@ -161,14 +161,14 @@ class Replay:
                 raise _ReplayEndedError
             yield piece, stamp_ns
 
-    def _tell(
+    def _publish_state(
         self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: str = ""
     ) -> None:
         """Says how far it is, some times a second."""
         now = time.monotonic()
-        if state == "playing" and now - self._told_s < PUBLISH_PERIOD_S:
+        if state == "playing" and now - self._last_publish_s < PUBLISH_PERIOD_S:
             return
-        self._told_s = now
+        self._last_publish_s = now
         first_ns, last_ns = self._clock.first_ns, self._last_ns
         length_s = None if last_ns is None else max(last_ns - first_ns, 0) / 1e9
         bus.publish(

@@ -139,11 +139,11 @@ class _Body:
     """
 
     def __init__(self, receive: Receive) -> None:
-        self._receive, self._bytes, self._whole = receive, 0, False
+        self._receive, self._bytes, self._is_complete = receive, 0, False
         self._until_s = 0.0
 
     async def __call__(self) -> Message:
-        if self._whole:
+        if self._is_complete:
             return await self._receive()
         self._until_s = self._until_s or asyncio.get_running_loop().time() + BODY_S
         try:
@@ -153,7 +153,7 @@ class _Body:
             late = f"What was sent did not arrive within {BODY_S:.0f} s."
             raise HTTPException(408, late) from None
         self._bytes += len(message.get("body", b""))
-        self._whole = not message.get("more_body", False)
+        self._is_complete = not message.get("more_body", False)
         if self._bytes > LARGEST_BODY:
             raise HTTPException(413, f"More than {LARGEST_BODY // 1024} kB were sent.")
         return message

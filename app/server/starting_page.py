@@ -114,7 +114,7 @@ class StartingApp:
     async def _prepare_and_run(self) -> None:
         began_s = time.monotonic()
         try:
-            app = await self._prepared()
+            app = await self._build_app()
             async with app.router.lifespan_context(app):
                 self._app = app
                 if not self._ending.is_set():
@@ -126,7 +126,7 @@ class StartingApp:
             self.failure = error
             self.on_failed()
 
-    async def _prepared(self) -> Starlette:
+    async def _build_app(self) -> Starlette:
         """The application, built in a thread.
 
         Raises:

@@ -118,7 +118,7 @@ def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
         limits=settings.limits,
         verification=settings.verification,
         due=settings.due,
-        watching=_monitoring_settings(settings),
+        monitoring=_monitoring_settings(settings),
     )
 
 
@@ -146,7 +146,7 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
         backups=settings.backups,
         mqtt=mqtt,
         thermometer=None if file is None else FileThermometer(file),
-        told=told,
+        effective_settings=told,
     )
 
 
@@ -221,7 +221,7 @@ def run(
     def ready(app: Starlette, seconds: float) -> None:
         context: Context = app.state.context
         print(f"Ready after {seconds:.1f} s.", flush=True)
-        if context.entrance.first_start:
+        if context.authenticator.first_start:
             print(
                 f"Nobody can sign in yet. The code {code} makes the first administrator there.",
                 flush=True,
@@ -272,8 +272,10 @@ class _StationLoader:
         from app.server.application import build_app
 
         assert self._parts is not None
-        watching = replace(self._parts.watching, network=self._network)
-        return build_app(replace(self._parts, hosts=self.hosts, code=self._code, watching=watching))
+        watching = replace(self._parts.monitoring, network=self._network)
+        return build_app(
+            replace(self._parts, hosts=self.hosts, code=self._code, monitoring=watching)
+        )
 
 
 def _import_step(*modules: str) -> Callable[[], object]:

@@ -77,7 +77,7 @@ def read_settings(path: Path | None) -> Settings:
         backups=_resolve_path(path, station.backups),
         mqtt=_mqtt(path, sheet.mqtt),
         temperature=_resolve_path(path, sheet.temperature.file if sheet.temperature else None),
-        verification=sheet.verification.over(DEFAULT_LIMITS),
+        verification=sheet.verification.with_defaults(DEFAULT_LIMITS),
         due=DueLimits(**sheet.due.model_dump()),
     )
 

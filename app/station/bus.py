@@ -147,7 +147,7 @@ class Subscription:
         self.changed = asyncio.Event()
         self.changed.set()
         self._bus = bus
-        self._seen: dict[str, int] = {}
+        self._versions: dict[str, int] = {}
         self._hidden = set(without)
         self._after_event = after_event
 
@@ -156,7 +156,7 @@ class Subscription:
         while True:
             await self.changed.wait()
             self.changed.clear()
-            updates = self._bus._take(self._seen, self._hidden, self._after_event)
+            updates = self._bus._take(self._versions, self._hidden, self._after_event)
             self._after_event += updates.events_missed + len(updates.events)
             if updates.topics or updates.events or updates.events_missed:
                 return updates

@@ -92,7 +92,7 @@ class Lease:
     def answer(self, person: Person, give: bool) -> None:
         """The holder hands over to whoever asked, or keeps control."""
         with self._lock:
-            asked_by = self._held_by(person).asked_by
+            asked_by = self._require_holder(person).asked_by
             if asked_by is None:
                 raise OperationError("control-not-asked", "Nobody asks for control")
             if give:
@@ -106,7 +106,7 @@ class Lease:
     def release(self, person: Person) -> None:
         """Lets go of it."""
         with self._lock:
-            asked_by = self._held_by(person).asked_by
+            asked_by = self._require_holder(person).asked_by
             self._set(Control(asked_by))
             self._beat_s = self._clock()
 
@@ -150,7 +150,7 @@ class Lease:
                 if person is not None and person.name.lower() == name.lower():
                     self.leave(person.id)
 
-    def _held_by(self, person: Person) -> Control:
+    def _require_holder(self, person: Person) -> Control:
         control = self.control
         if control.holder is None or control.holder.id != person.id:
             raise OperationError("control-not-yours", "You do not have control")

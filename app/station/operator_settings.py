@@ -92,7 +92,7 @@ class OperatorSettings:
         self._scanner, self._preview, self._keep = scanner, preview, keep
         self._lock = threading.RLock()
         self._settings = kept
-        self._found: Sync | None = None
+        self._delay_estimate: Sync | None = None
         self._finding = False
         self._apply()
 
@@ -202,25 +202,27 @@ class OperatorSettings:
             Refusal: none was found, or a disk that does not take it.
         """
         with self._lock:
-            if on and self._found is None:
+            if on and self._delay_estimate is None:
                 if self._settings.sync is not None:
                     return  # somebody else was faster
                 raise OperationError(
                     "no-delay", "No delay was found yet", remedy="Pass over a plane and find it"
                 )
-            self._found, sync = (None, self._found) if on else (self._found, None)
+            self._delay_estimate, sync = (
+                (None, self._delay_estimate) if on else (self._delay_estimate, None)
+            )
             self._set(self._settings.model_copy(update={"sync": sync}))
 
     def _delay_found(self, job: Job[Sync]) -> None:
         with self._lock:
             self._finding = False
-            self._found = job.result or self._found
+            self._delay_estimate = job.result or self._delay_estimate
         if job.refusal is not None:
             self._bus.event("refused", job.refusal.line, "attention")
         self._publish()
 
     def _delay(self) -> Delay | None:
-        found = self._found or self._settings.sync
+        found = self._delay_estimate or self._settings.sync
         if found is None:
             return None
         return Delay(
@@ -229,7 +231,7 @@ class OperatorSettings:
             found.rms_without_um,
             found.rms_um,
             found.recording,
-            applied=self._found is None,
+            applied=self._delay_estimate is None,
         )
 
     def _mask(self, zones: Zones) -> Mask | None:

@@ -65,7 +65,7 @@ class WorkingRange:
     def fits(self, width_px: int, height_px: int) -> bool:
         return (width_px, height_px) == (self._camera.width_px, self._camera.height_px)
 
-    def of_stripe(self, stripe: Stripe) -> Distance | None:
+    def stripe_distance(self, stripe: Stripe) -> Distance | None:
         """Of the middle of a line; None where it meets the plane nowhere."""
         if not len(stripe.u):
             return None

@@ -65,9 +65,9 @@ class AccountStore:
             Refusal: the name is taken or no name, or the password will not do.
         """
         name = _check_account_name(name)
-        hashed = NO_PASSWORD if password is None else self._hashed(name, password)
+        hashed = NO_PASSWORD if password is None else self._hash_password(name, password)
         account = Account(name, role, utc_now())
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             taken = connection.execute("SELECT 1 FROM account WHERE name = ?", (name,)).fetchone()
             if taken:
                 raise OperationError(
@@ -81,7 +81,7 @@ class AccountStore:
             )
         return account
 
-    def matching(self, name: str, password: str) -> Account | None:
+    def authenticate(self, name: str, password: str) -> Account | None:
         """The account that name and password belong to; as slow for a name that is not known."""
         rows = self._database.read("SELECT * FROM account WHERE name = ?", plain_name(name))
         hashed = rows[0]["password"] if rows else _dummy_hash()
@@ -93,20 +93,20 @@ class AccountStore:
 
     def set_password(self, name: str, password: str) -> None:
         """Raises ``OperationError`` where the password will not do."""
-        hashed = self._hashed(name, password)
-        with self._database.writing() as connection:
+        hashed = self._hash_password(name, password)
+        with self._database.transaction() as connection:
             connection.execute("UPDATE account SET password = ? WHERE name = ?", (hashed, name))
 
     def set_role(self, name: str, role: Role) -> None:
         """Raises ``OperationError`` where nobody would be left who can administer the station."""
         self._check_admin_left(name, role)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
 
     def remove(self, name: str) -> None:
         """Removes an account with its sign-ins; raises ``OperationError`` as ``set_role`` does."""
         self._check_admin_left(name, None)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("DELETE FROM account WHERE name = ?", (name,))
 
     def _check_admin_left(self, name: str, role: Role | None) -> None:
@@ -126,7 +126,7 @@ class AccountStore:
         )
         return [row["name"] for row in rows]
 
-    def _hashed(self, name: str, password: str) -> str:
+    def _hash_password(self, name: str, password: str) -> str:
         if not SHORTEST_PASSWORD <= len(password) <= LONGEST_PASSWORD:
             raise OperationError(
                 "password-length",

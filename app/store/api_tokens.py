@@ -33,7 +33,7 @@ class ApiTokenStore:
         """A new one and its token, which is told this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         scraper = ApiToken(secrets.token_hex(6), name, made_by, utc_now())
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO scraper (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
                 (scraper.id, _digest(token), scraper.name, scraper.made_by, scraper.made_at),
@@ -45,14 +45,14 @@ class ApiTokenStore:
         rows = self._database.read("SELECT * FROM scraper ORDER BY made_at")
         return [ApiToken(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
-    def good(self, token: str) -> bool:
+    def is_valid(self, token: str) -> bool:
         """Whether the token is one of these."""
         found = self._database.read("SELECT 1 FROM scraper WHERE token = ?", _digest(token))
         return bool(token) and bool(found)
 
     def remove(self, scraper_id: str) -> None:
         """Its token is good for nothing from now on."""
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("DELETE FROM scraper WHERE id = ?", (scraper_id,))
 
 

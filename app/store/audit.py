@@ -51,7 +51,7 @@ class AuditLog:
         with self._lock:
             self._waiting.append((utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]))
             try:
-                with self._database.writing() as connection:
+                with self._database.transaction() as connection:
                     connection.executemany(
                         "INSERT INTO audit (at, who, address, act, outcome) VALUES (?, ?, ?, ?, ?)",
                         self._waiting,

@@ -79,7 +79,7 @@ class CalibrationStore:
         ``figures`` has the fields of ``CalibrationFigures``.
         """
         kept = CalibrationFigures(**figures)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             row = append_row(connection, session_id, "accepted", {"name": name}, key, check)
             connection.execute("UPDATE calibration SET active = 0 WHERE active = 1")
             connection.execute(
@@ -101,20 +101,20 @@ class CalibrationStore:
     def active(self) -> CalibrationRecord | None:
         """The calibration in use; None before the first was accepted, or where its row cannot be
         read."""
-        return self._one("WHERE active = 1")
+        return self._first_record("WHERE active = 1")
 
     def get(self, calibration_id: str) -> CalibrationRecord | None:
-        return self._one("WHERE id = ?", calibration_id)
+        return self._first_record("WHERE id = ?", calibration_id)
 
     def newest(self) -> CalibrationRecord | None:
         """The last that was accepted, in use or not."""
-        return self._one("ORDER BY accepted_at DESC, rowid DESC")
+        return self._first_record("ORDER BY accepted_at DESC, rowid DESC")
 
     def all(self) -> list[CalibrationRecord]:
         """Every accepted calibration that can be read, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")
 
-    def _one(self, clause: str, *values: str) -> CalibrationRecord | None:
+    def _first_record(self, clause: str, *values: str) -> CalibrationRecord | None:
         found = self._read(clause, *values)
         return found[0] if found else None
 

@@ -99,7 +99,7 @@ class Database:
             )
 
     @contextmanager
-    def writing(self) -> Iterator[sqlite3.Connection]:
+    def transaction(self) -> Iterator[sqlite3.Connection]:
         """One transaction: all of it is kept, or on an exception nothing.
 
         Raises:
@@ -143,7 +143,7 @@ class Database:
     def check(self) -> str:
         """What is wrong with the file; empty where nothing is. On a connection of its own."""
         try:
-            found = str(self._look("PRAGMA quick_check(1)")[0][0])
+            found = str(self._query("PRAGMA quick_check(1)")[0][0])
         except sqlite3.DatabaseError as error:
             found = str(error)
         return "" if found == "ok" else found
@@ -151,11 +151,11 @@ class Database:
     def unreadable_rows(self) -> list[int]:
         """Numbers of the journal's rows that are no JSON objects. On a connection of its own."""
         try:
-            return [int(row[0]) for row in self._look(NO_OBJECT)]
+            return [int(row[0]) for row in self._query(NO_OBJECT)]
         except sqlite3.DatabaseError:  # ``check`` tells that the file is damaged
             return []
 
-    def _look(self, query: str) -> list[tuple[Any, ...]]:
+    def _query(self, query: str) -> list[tuple[Any, ...]]:
         looking = sqlite3.connect(f"{self._path.as_uri()}?mode=ro", uri=True)
         try:
             return looking.execute(query).fetchall()

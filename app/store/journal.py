@@ -53,7 +53,7 @@ class JournalStore:
     def begin_session(self, session_id: str, kind: str) -> SessionRecord:
         """Opens a session; its rows follow by ``append``."""
         record = SessionRecord(session_id, kind, utc_now(), None)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO session (id, kind, started_at) VALUES (?, ?, ?)",
                 (record.id, record.kind, record.started_at),
@@ -62,7 +62,7 @@ class JournalStore:
 
     def end_session(self, session_id: str) -> None:
         """Marks a session as closed; idempotent."""
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "UPDATE session SET ended_at = ? WHERE id = ? AND ended_at IS NULL",
                 (utc_now(), session_id),
@@ -91,7 +91,7 @@ class JournalStore:
             Refusal: it cannot be written as JSON.
             sqlite3.IntegrityError: the idempotency ``key`` was used before.
         """
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             return append_row(connection, session_id, kind, payload, key, check)
 
     def knows_key(self, key: str) -> bool:
@@ -113,18 +113,18 @@ class JournalStore:
 
     def history(self, session_kind: str, kind: str) -> Sequence[JournalRow]:
         """The readable rows of one kind in all sessions of a kind, oldest first."""
-        return self._of_kind("ORDER BY number", session_kind, kind)
+        return self._rows_of_kind("ORDER BY number", session_kind, kind)
 
     def latest(self, session_kind: str, kind: str) -> JournalRow | None:
         """The newest readable row of one kind in all sessions of a kind."""
         # all of them are looked at only where the newest is damaged
         for clause in ("ORDER BY number DESC LIMIT 1", "ORDER BY number DESC"):
-            found = self._of_kind(clause, session_kind, kind)
+            found = self._rows_of_kind(clause, session_kind, kind)
             if found:
                 return found[0]
         return None
 
-    def _of_kind(self, clause: str, session_kind: str, kind: str) -> list[JournalRow]:
+    def _rows_of_kind(self, clause: str, session_kind: str, kind: str) -> list[JournalRow]:
         return _readable(
             self._database.read(
                 f"{ROWS} WHERE session_id IN (SELECT id FROM session WHERE kind = ?)"

@@ -36,7 +36,7 @@ class Principal:
     """Of this browser's sign-in; it opens nothing."""
     name: str
     role: Role
-    wall: bool
+    kiosk: bool
     """A wall screen, which nobody stands at."""
 
 
@@ -55,7 +55,7 @@ class LoginSessionStore:
 
     def __init__(self, database: Database) -> None:
         self._database = database
-        self._unkept: dict[str, tuple[str, str]] = {}
+        self._in_memory: dict[str, tuple[str, str]] = {}
         """Of browsers that were signed in while the disk was full: account and since when."""
 
     def begin(self, account: str, device: str) -> str:
@@ -63,7 +63,7 @@ class LoginSessionStore:
         token = secrets.token_urlsafe(TOKEN_BYTES)
         now = utc_now()
         try:
-            with self._database.writing() as connection:
+            with self._database.transaction() as connection:
                 connection.execute(
                     "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
                     " VALUES (?, ?, ?, ?, ?)",
@@ -73,10 +73,10 @@ class LoginSessionStore:
             if refusal.code != NOT_SAVED:
                 raise
             log.warning("a sign-in is kept in memory alone: %s", refusal.why)
-            self._unkept[_digest(token)] = account, now
+            self._in_memory[_digest(token)] = account, now
         return token
 
-    def visitor(self, token: str) -> Principal | None:
+    def principal(self, token: str) -> Principal | None:
         """Whose cookie or wall link it is; None for one that is not good (any more)."""
         digest = _digest(token)
         rows = self._database.read(
@@ -85,24 +85,24 @@ class LoginSessionStore:
             digest,
         )
         if rows:
-            return self._person(digest, rows[0])
-        if digest in self._unkept:
-            return self._unkept_person(digest)
+            return self._principal(digest, rows[0])
+        if digest in self._in_memory:
+            return self._memory_principal(digest)
         links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
         if links:
-            return Principal(digest[:ID_DIGITS], links[0]["name"], Role.viewer, wall=True)
+            return Principal(digest[:ID_DIGITS], links[0]["name"], Role.viewer, kiosk=True)
         return None
 
-    def _unkept_person(self, digest: str) -> Principal | None:
-        account, begun_at = self._unkept[digest]
+    def _memory_principal(self, digest: str) -> Principal | None:
+        account, begun_at = self._in_memory[digest]
         rows = self._database.read("SELECT name, role FROM account WHERE name = ?", account)
         late = datetime.now(UTC) - datetime.fromisoformat(begun_at) > IDLE
         if late or not rows:
-            self._unkept.pop(digest, None)
+            self._in_memory.pop(digest, None)
             return None
-        return Principal(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], wall=False)
+        return Principal(digest[:ID_DIGITS], rows[0]["name"], Role[rows[0]["role"]], kiosk=False)
 
-    def _person(self, digest: str, row: sqlite3.Row) -> Principal | None:
+    def _principal(self, digest: str, row: sqlite3.Row) -> Principal | None:
         now = datetime.now(UTC)
         if not (is_moment(row["seen_at"]) and is_moment(row["begun_at"])):
             self._end("token = ?", digest)  # of a damaged page
@@ -113,33 +113,33 @@ class LoginSessionStore:
             return None
         if abs(idle) > ACTIVITY_STEP:  # or the clock was set back
             try:
-                with self._database.writing() as connection:
+                with self._database.transaction() as connection:
                     connection.execute(
                         "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
                     )
             except OperationError as refusal:  # a full disk keeps nobody from Stop
                 log.warning("a sign-in is not noted as used: %s", refusal.why)
-        return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], wall=False)
+        return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], kiosk=False)
 
     def end(self, token: str) -> None:
         """Signs one browser out."""
-        self._unkept.pop(_digest(token), None)
+        self._in_memory.pop(_digest(token), None)
         self._end("token = ?", _digest(token))
 
     def end_all(self, account: str) -> None:
         """Signs a person out everywhere."""
-        for digest, (name, _) in list(self._unkept.items()):
+        for digest, (name, _) in list(self._in_memory.items()):
             if name.casefold() == account.casefold():
-                self._unkept.pop(digest, None)
+                self._in_memory.pop(digest, None)
         self._end("account = ?", account)
 
-    def know(self, token: str, account: str) -> str:
+    def remember_browser(self, token: str, account: str) -> str:
         """From now on a browser is known for this account; its token, a new one if it had none."""
         query = "SELECT 1 FROM known_browser WHERE token = ?"
         if not self._database.read(query, _digest(token)):
             token = secrets.token_urlsafe(TOKEN_BYTES)
         try:
-            with self._database.writing() as connection:
+            with self._database.transaction() as connection:
                 connection.execute(
                     "INSERT OR IGNORE INTO known_browser (token, account, made_at)"
                     " VALUES (?, ?, ?)",
@@ -150,34 +150,34 @@ class LoginSessionStore:
                 raise
         return token
 
-    def knows(self, token: str, account: str) -> bool:
+    def is_known_browser(self, token: str, account: str) -> bool:
         """Whether this account was signed in at the token's browser before."""
         query = "SELECT 1 FROM known_browser WHERE token = ? AND account = ?"
         return bool(token) and bool(self._database.read(query, _digest(token), account))
 
     def _end(self, clause: str, value: str) -> None:
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
 
-    def add_wall(self, name: str, made_by: str) -> tuple[KioskLink, str]:
+    def add_kiosk_link(self, name: str, made_by: str) -> tuple[KioskLink, str]:
         """A new wall link and its token, which is told this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         link = KioskLink(secrets.token_hex(6), name, made_by, utc_now())
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO wall_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
                 (link.id, _digest(token), link.name, link.made_by, link.made_at),
             )
         return link, token
 
-    def walls(self) -> list[KioskLink]:
+    def kiosk_links(self) -> list[KioskLink]:
         """Every wall link, oldest first."""
         rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
         return [KioskLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
-    def remove_wall(self, link_id: str) -> None:
+    def remove_kiosk_link(self, link_id: str) -> None:
         """Its screens show nothing from now on."""
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("DELETE FROM wall_link WHERE id = ?", (link_id,))
 
 

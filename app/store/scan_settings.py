@@ -26,6 +26,6 @@ class SettingsStore:
             self.trouble = refusal
             return AUTOMATIC
 
-    def keep(self, settings: ScanSettings) -> None:
+    def save(self, settings: ScanSettings) -> None:
         """Raises ``OperationError`` where the disk does not take it."""
         settings.write(self._path)

@@ -62,14 +62,14 @@ class ScanStore:
 
     def complete(self, scan_id: str, points: int, frames: int, seconds: float) -> None:
         """What a scan was found to hold when its cloud was made of its recording."""
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "UPDATE scan SET points = ?, frames = ?, seconds = ? WHERE id = ?",
                 (points, frames, seconds, scan_id),
             )
 
     def _insert(self, scan: ScanRecord) -> None:
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
                 " calibration_id, interrupted, recording_bytes)"
@@ -90,14 +90,14 @@ class ScanStore:
 
     def rename(self, scan_id: str, name: str) -> None:
         """Gives a scan another name."""
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("UPDATE scan SET name = ? WHERE id = ?", (name, scan_id))
 
     def delete(self, scan_id: str) -> None:
         """Takes a scan from the list; its folder is the caller's affair."""
         with self._lock:
             self._waiting.pop(scan_id, None)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute("DELETE FROM scan WHERE id = ?", (scan_id,))
 
     def get(self, scan_id: str) -> ScanRecord | None:
@@ -118,7 +118,7 @@ class ScanStore:
             waiting = list(self._waiting.values())
         return waiting[::-1] + self._read("ORDER BY started_at DESC, rowid DESC")
 
-    def interrupted(self) -> list[ScanRecord]:
+    def list_interrupted(self) -> list[ScanRecord]:
         """The scans that ended before their operators ended them."""
         return self._read("WHERE interrupted != ''")
 

@@ -55,7 +55,7 @@ class Store:
                 "Give a folder that this user may write with --data",
             ) from error
         try:
-            self._check_database_there()
+            self._check_database_exists()
             self._database = Database(self.folder / DATABASE)
         except BaseException:
             self._lock.release()
@@ -68,11 +68,11 @@ class Store:
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)
         self.accounts = AccountStore(self._database)
-        self.sign_ins = LoginSessionStore(self._database)
+        self.login_sessions = LoginSessionStore(self._database)
         self.audit = AuditLog(self._database)
-        self.scrapers = ApiTokenStore(self._database)
+        self.api_tokens = ApiTokenStore(self._database)
 
-    def _check_database_there(self) -> None:
+    def _check_database_exists(self) -> None:
         """Raises ``OperationError`` where folders are full and the database is missing or empty."""
         database = self.folder / DATABASE
         if database.exists() and (not database.is_file() or database.stat().st_size):

@@ -27,7 +27,7 @@ class TemperatureStore:
 
     def add(self, celsius: float, source: str) -> TemperatureReading:
         reading = TemperatureReading(utc_now(), celsius, source)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO temperature (at, celsius, source) VALUES (?, ?, ?)",
                 (reading.at, reading.celsius, reading.source),

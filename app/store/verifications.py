@@ -67,7 +67,7 @@ class VerificationStore:
         ``VerificationFigures``.
         """
         kept = VerificationFigures(**figures)
-        with self._database.writing() as connection:
+        with self._database.transaction() as connection:
             told = {"result": kept.result}
             row = append_row(connection, session_id, "accepted", told, key, check)
             connection.execute(
@@ -89,7 +89,7 @@ class VerificationStore:
         found = self._read("WHERE id = ?", verification_id)
         return found[0] if found else None
 
-    def newest_of(self, calibration_id: str) -> VerificationRecord | None:
+    def newest_for(self, calibration_id: str) -> VerificationRecord | None:
         """The last of a calibration's verifications."""
         found = self._read(
             "WHERE calibration_id = ? ORDER BY accepted_at DESC, rowid DESC",

@@ -86,7 +86,7 @@ def python_texts(source: str) -> Iterator[str]:
     speech = _TextCollector()
     speech.visit(ast.parse(source))
     # what only goes on with a sentence is looked up without what joins it
-    texts = (text.strip(" ,;·") for text in speech.found)
+    texts = (text.strip(" ,;·") for text in speech.texts)
     yield from (text for text in texts if is_user_text(text))
 
 
@@ -100,7 +100,7 @@ def is_user_text(text: str) -> bool:
 
 class _TextCollector(ast.NodeVisitor):
     def __init__(self) -> None:
-        self.found: list[str] = []
+        self.texts: list[str] = []
 
     def visit_Expr(self, node: ast.Expr) -> None:
         if not isinstance(node.value, ast.Constant):  # a docstring
@@ -108,10 +108,10 @@ class _TextCollector(ast.NodeVisitor):
 
     def visit_Constant(self, node: ast.Constant) -> None:
         if isinstance(node.value, str):
-            self.found.append(node.value)
+            self.texts.append(node.value)
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
-        self.found.extend(template_forms(node))
+        self.texts.extend(template_forms(node))
         for part in node.values:
             if isinstance(part, ast.FormattedValue):
                 # the words that are chosen between are part of the forms

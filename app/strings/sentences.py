@@ -30,7 +30,7 @@ class Translation:
     """A text in the other language, and how many letters of it are not."""
 
     text: str
-    left: int
+    english_letters: int
     missed: frozenset[str] = frozenset()
     """What of it was not known."""
 
@@ -41,7 +41,7 @@ class Sentences:
     def __init__(self, strings: Mapping[str, str]) -> None:
         self._strings = strings
         self._templates: dict[str, list[tuple[re.Pattern[str], list[str], str]]] = {}
-        self._held: dict[str, Translation] = {}
+        self._cache: dict[str, Translation] = {}
         for text in sorted((text for text in strings if "{" in text), key=_template_rank):
             names = PLACE.findall(text)
             literals = (re.escape(literal) for literal in re.split(r"\{\w+\}", text))
@@ -50,21 +50,21 @@ class Sentences:
                 (pattern, names, strings[text])
             )
 
-    def said(self, text: str) -> str:
+    def translate(self, text: str) -> str:
         """The text in the language."""
         return self.best(text).text
 
     def best(self, text: str) -> Translation:
         """Of all ways to say it, the one that leaves least in English."""
-        best = self._held.get(text)
+        best = self._cache.get(text)
         if best is None:
-            best = self._found(text)
-            if len(self._held) >= CACHE_SIZE:
-                self._held.clear()
-            self._held[text] = best
+            best = self._search(text)
+            if len(self._cache) >= CACHE_SIZE:
+                self._cache.clear()
+            self._cache[text] = best
         return best
 
-    def _found(self, text: str) -> Translation:
+    def _search(self, text: str) -> Translation:
         core = text.strip(LOOSE)
         if core and core != text:
             # it goes on with a sentence: what joins it stays
@@ -72,37 +72,37 @@ class Sentences:
             said = self.best(core)
             return replace(said, text=before + said.text + after)
         best = Translation(text, _letters(text), frozenset({text}))
-        if best.left == 0 or "\n" in text:  # what has lines is of the program's log
+        if best.english_letters == 0 or "\n" in text:  # what has lines is of the program's log
             return Translation(text, 0)
-        for said in self._ways(text):
-            if said.left < best.left:
+        for said in self._candidates(text):
+            if said.english_letters < best.english_letters:
                 best = said
-            if best.left == 0:
+            if best.english_letters == 0:
                 break
         return best
 
-    def _ways(self, text: str) -> Iterator[Translation]:
+    def _candidates(self, text: str) -> Iterator[Translation]:
         """With or without its full stop, with its first letter either way, and in parts."""
-        yield from self._either_case(text)
+        yield from self._case_variants(text)
         stop = text.endswith(".")
-        for said in self._either_case(text[:-1] if stop else f"{text}."):
+        for said in self._case_variants(text[:-1] if stop else f"{text}."):
             yield replace(said, text=f"{said.text}." if stop else said.text.removesuffix("."))
-        yield from self._parts(text)
+        yield from self._part_variants(text)
 
-    def _either_case(self, text: str) -> Iterator[Translation]:
+    def _case_variants(self, text: str) -> Iterator[Translation]:
         small = text[:1] == text[:1].lower()
         other = (text[:1].upper() if small else text[:1].lower()) + text[1:]
         # a name known whole is not put together of its words: "Contact points" is no "{n} points"
         whole = text not in self._strings and other in self._strings
         if not whole:
-            yield from self._one(text)
+            yield from self._match_templates(text)
         if other != text:
-            for said in self._one(other):
+            for said in self._match_templates(other):
                 yield said if small else replace(said, text=said.text[:1].upper() + said.text[1:])
         if whole:
-            yield from self._one(text)
+            yield from self._match_templates(text)
 
-    def _one(self, text: str) -> Iterator[Translation]:
+    def _match_templates(self, text: str) -> Iterator[Translation]:
         if text in self._strings:
             yield Translation(self._strings[text], 0)
         words = text.split(" ")
@@ -116,7 +116,7 @@ class Sentences:
                 values = {name: said.text for name, said in zip(names, caught, strict=True)}
                 yield _join_parts(format_message(other, values), caught)
 
-    def _parts(self, text: str) -> Iterator[Translation]:
+    def _part_variants(self, text: str) -> Iterator[Translation]:
         """Parted at each joint in turn, where there are few; else at all of a kind at once."""
         for joint in JOINTS:
             found = list(joint.finditer(text))
@@ -146,11 +146,11 @@ def load_sentences(language: str) -> Sentences:
 
 def translator(language: str) -> Callable[[str], str] | None:
     """What puts texts into a language; None for English, and where there is none such."""
-    return load_sentences(language).said if language in languages()[1:] else None
+    return load_sentences(language).translate if language in languages()[1:] else None
 
 
 def _join_parts(text: str, parts: Sequence[Translation]) -> Translation:
-    left = sum(part.left for part in parts)
+    left = sum(part.english_letters for part in parts)
     return Translation(text, left, frozenset[str]().union(*(part.missed for part in parts)))
 
 

@@ -64,7 +64,7 @@ class Broker:
         self.events_dropped = 0
         self.doubled_at_s: float | None = None
         """When another process was last heard under this station's name."""
-        self.on_heard: Callable[[], None] = lambda: None
+        self.on_message: Callable[[], None] = lambda: None
         """Called after something of another station came."""
 
     @property
@@ -104,8 +104,8 @@ class Broker:
                 tries += 1
                 since_s = time.monotonic() if self._state.connected else self._state.since_s
                 self._state = BrokerState(False, text, since_s, tries)
-                self.fleet.broker(False)
-                self.on_heard()
+                self.fleet.note_broker(False)
+                self.on_message()
             await asyncio.sleep(pause_s)
             pause_s = min(2 * pause_s, LONGEST_BACK_OFF_S)
 
@@ -133,12 +133,12 @@ class Broker:
                 await client.subscribe(f"{settings.prefix}/+/{kind}", qos=qos)
             _end_if_cancelled()
             self._state = BrokerState(True, "", time.monotonic(), 0)
-            self.fleet.broker(True)
+            self.fleet.note_broker(True)
             log.info("connected to the broker at %s:%s", settings.host, settings.port)
             tasks = [
-                asyncio.create_task(self._tell(client)),
-                asyncio.create_task(self._tell_events(client)),
-                asyncio.create_task(self._hear(client, inbox)),
+                asyncio.create_task(self._publish_reports(client)),
+                asyncio.create_task(self._publish_events(client)),
+                asyncio.create_task(self._receive(client, inbox)),
                 asyncio.create_task(_wait_until_lost(client)),
             ]
             try:
@@ -153,7 +153,7 @@ class Broker:
             finally:
                 await _end_tasks(tasks)
 
-    async def _tell(self, client: aiomqtt.Client) -> None:
+    async def _publish_reports(self, client: aiomqtt.Client) -> None:
         """Reports, once a beat."""
         while True:
             await self._changed.wait()
@@ -162,11 +162,11 @@ class Broker:
                 await self._send(client, "report", self._report, retain=True, qos=0)
             await asyncio.sleep(BEAT_S)
 
-    async def _tell_events(self, client: aiomqtt.Client) -> None:
+    async def _publish_events(self, client: aiomqtt.Client) -> None:
         while True:
             await self._send(client, "event", await self._events.get(), retain=False)
 
-    async def _hear(self, client: aiomqtt.Client, inbox: Inbox) -> None:
+    async def _receive(self, client: aiomqtt.Client, inbox: Inbox) -> None:
         """Bounded in what it reads at a time: much that comes holds up nothing else."""
         while True:
             await inbox.wait()
@@ -174,21 +174,21 @@ class Broker:
             while left_bytes > 0 and (heard := inbox.take()):
                 for one in heard:
                     left_bytes -= len(one.payload)
-                    await self._fold(client, one)
+                    await self._handle(client, one)
                 await asyncio.sleep(0)
-            self.on_heard()
+            self.on_message()
             await asyncio.sleep(READ_PAUSE_S)
 
-    async def _fold(self, client: aiomqtt.Client, heard: ReceivedMessage) -> None:
+    async def _handle(self, client: aiomqtt.Client, heard: ReceivedMessage) -> None:
         if heard.station != self._station:
             self.fleet.take(heard.station, heard.kind, heard.payload, heard.retained)
-        elif self._hear_own(heard.kind, heard.payload, heard.retained):
+        elif self._handle_echo(heard.kind, heard.payload, heard.retained):
             await self._send(client, "presence", self._presence("online"), retain=True)
 
     def _is_known(self, station: str) -> bool:
         return station == self._station or self.fleet.knows(station)
 
-    def _hear_own(self, kind: str, payload: bytes, retained: bool) -> bool:
+    def _handle_echo(self, kind: str, payload: bytes, retained: bool) -> bool:
         """Whether the presence is to be told again: an earlier connection's will came late.
 
         Two stations of one name would be taken for one: that is noted.

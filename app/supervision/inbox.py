@@ -50,13 +50,13 @@ class Inbox:
     def __init__(self, prefix: str, unread: Unread, is_known: Callable[[str], bool]) -> None:
         self._prefix, self._unread, self._is_known = prefix, unread, is_known
         self._known: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
-        self._strange: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
-        self._strange_bytes = 0
+        self._unknown: OrderedDict[tuple[str, str], _TopicQueue] = OrderedDict()
+        self._unknown_bytes = 0
         self._filled = asyncio.Event()
 
     def __len__(self) -> int:
         """Topics of which something waits."""
-        return len(self._known) + len(self._strange)
+        return len(self._known) + len(self._unknown)
 
     def put(self, topic: str, payload: bytes, retained: bool) -> None:
         """Takes a message in, or counts it as not read."""
@@ -67,21 +67,21 @@ class Inbox:
         if len(payload) > LONGEST_BYTES[parts[1]]:
             self._unread.add("long")
             return
-        lane = self._known if self._is_known(parts[0]) else self._strange
+        lane = self._known if self._is_known(parts[0]) else self._unknown
         waiting = lane.setdefault(parts, _TopicQueue(parts[1]))
         before = waiting.size
         waiting.messages.append(ReceivedMessage(*parts, payload, retained))
         waiting.came += 1
         if waiting.came > TOLERATED:
             self._unread.add("often")
-        if lane is self._strange:
-            self._strange_bytes += waiting.size - before
-            self._bound()
+        if lane is self._unknown:
+            self._unknown_bytes += waiting.size - before
+            self._evict()
         self._filled.set()
 
-    def _bound(self) -> None:
-        while len(self._strange) > MOST_UNKNOWN or self._strange_bytes > MOST_UNKNOWN_BYTES:
-            self._unread.add("crowded", len(self._next(self._strange)))
+    def _evict(self) -> None:
+        while len(self._unknown) > MOST_UNKNOWN or self._unknown_bytes > MOST_UNKNOWN_BYTES:
+            self._unread.add("crowded", len(self._take_next(self._unknown)))
 
     async def wait(self) -> None:
         """Until something is there."""
@@ -89,14 +89,14 @@ class Inbox:
 
     def take(self) -> list[ReceivedMessage]:
         """What waits of the next topic, the oldest first; nothing where none does."""
-        lane = self._known or self._strange
+        lane = self._known or self._unknown
         if not lane:
             self._filled.clear()
             return []
-        return self._next(lane)
+        return self._take_next(lane)
 
-    def _next(self, lane: OrderedDict[tuple[str, str], _TopicQueue]) -> list[ReceivedMessage]:
+    def _take_next(self, lane: OrderedDict[tuple[str, str], _TopicQueue]) -> list[ReceivedMessage]:
         _, waiting = lane.popitem(last=False)
-        if lane is self._strange:
-            self._strange_bytes -= waiting.size
+        if lane is self._unknown:
+            self._unknown_bytes -= waiting.size
         return list(waiting.messages)

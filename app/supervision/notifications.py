@@ -42,13 +42,13 @@ class NoticeDeduplicator:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._told: dict[tuple[str, str], float] = {}
+        self._sent: dict[tuple[str, str], float] = {}
 
     def is_new(self, kind: str, text: str) -> bool:
         """Notes it; False where it was told within the last minute."""
         now_s = self._clock()
-        self._told = {key: at for key, at in self._told.items() if now_s - at < REPEAT_S}
-        new = (kind, text) not in self._told
+        self._sent = {key: at for key, at in self._sent.items() if now_s - at < REPEAT_S}
+        new = (kind, text) not in self._sent
         if new:
-            self._told[kind, text] = now_s
+            self._sent[kind, text] = now_s
         return new

@@ -47,7 +47,7 @@ class _TrackedStation:
     first_s: float | None = None
     """When its first report came."""
     heard_s: float | None = None
-    said: Literal["online", "off", "lost"] = "online"
+    presence: Literal["online", "off", "lost"] = "online"
     instance: str = ""
     report: StationReport | None = None
     events: list[StationEvent] = field(default_factory=list)
@@ -66,7 +66,7 @@ class Fleet:
         self._broker_since: float | None = None
         self.unread = Unread(clock)
 
-    def broker(self, connected: bool) -> None:
+    def note_broker(self, connected: bool) -> None:
         """The connection to the broker was made, or lost."""
         self._broker_since = self._clock() if connected else None
 
@@ -84,7 +84,7 @@ class Fleet:
         if getattr(message, "station", None) != station:
             self.unread.add("strange")
             return
-        if station not in self._stations and not self._has_room(retained):
+        if station not in self._stations and not self._make_space(retained):
             self.unread.add("crowded")
             return
         known = self._stations.setdefault(station, _TrackedStation(station, self._clock()))
@@ -93,7 +93,7 @@ class Fleet:
     def knows(self, station: str) -> bool:
         return station in self._stations
 
-    def _has_room(self, retained: bool) -> bool:
+    def _make_space(self, retained: bool) -> bool:
         """Whether one more may come; for it the one that is silent longest goes.
 
         None goes that still sends, so that however many are invented hide none that was there
@@ -114,7 +114,7 @@ class Fleet:
             older = known.heard_s is not None and message.instance != known.instance
             if older and message.state != "online":
                 return  # the last will of an earlier start, come late
-            known.name, known.said = message.name, message.state
+            known.name, known.presence = message.name, message.state
             known.instance = message.instance
             if message.state == "online" and not retained:
                 known.known_s = self._clock()
@@ -123,16 +123,16 @@ class Fleet:
             if not retained:
                 known.heard_s = self._clock()
                 known.first_s = known.heard_s if known.first_s is None else known.first_s
-                known.said, known.instance = "online", message.instance
+                known.presence, known.instance = "online", message.instance
         elif isinstance(message, StationEvent) and not retained:
             known.events = [*known.events, message][-EVENTS_STORED:]
 
-    def shown(self) -> tuple[RemoteStation, ...]:
+    def stations(self) -> tuple[RemoteStation, ...]:
         """All as of now by name, those that were heard for a while before those that just came."""
         stations = sorted(self._stations.items(), key=lambda item: (*_list_rank(item[1]), item[0]))
-        return tuple(self._shown(id_, known) for id_, known in stations)
+        return tuple(self._remote_station(id_, known) for id_, known in stations)
 
-    def _shown(self, id_: str, known: _TrackedStation) -> RemoteStation:
+    def _remote_station(self, id_: str, known: _TrackedStation) -> RemoteStation:
         silent_s = None if known.heard_s is None else self._clock() - known.heard_s
         return RemoteStation(
             id=id_,
@@ -147,8 +147,8 @@ class Fleet:
     def _state(self, known: _TrackedStation, silent_s: float | None) -> State:
         if self._broker_since is None:
             return "unknown"
-        if known.said != "online":
-            return known.said
+        if known.presence != "online":
+            return known.presence
         now = self._clock()
         # what was missed while the broker was away is nobody's fault
         waited_s = now - max(known.known_s, self._broker_since)

@@ -105,7 +105,7 @@ class WebhookStore:
         log.warning("%s is done without: %s", FILE, why)
         return WebhookSettings()
 
-    def keep(self, settings: WebhookSettings) -> None:
+    def save(self, settings: WebhookSettings) -> None:
         """Raises ``OperationError`` where the disk does not take it."""
         with atomic_path(self._path) as part:
             part.touch(mode=0o600)
@@ -191,7 +191,7 @@ class Webhook:
             self.on_change()
             if not again or pause_s is None:
                 return False
-            await self._corrected(settings, pause_s)
+            await self._wait_for_change(settings, pause_s)
         return False
 
     async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, str]:
@@ -199,7 +199,7 @@ class Webhook:
         while True:
             settings = self.settings
             trying = asyncio.ensure_future(self._try(client, settings, notice))
-            corrected = asyncio.ensure_future(self._corrected(settings))
+            corrected = asyncio.ensure_future(self._wait_for_change(settings))
             try:
                 await asyncio.wait((trying, corrected), return_when=asyncio.FIRST_COMPLETED)
                 if trying.done():
@@ -208,7 +208,7 @@ class Webhook:
                 trying.cancel()
                 corrected.cancel()
 
-    async def _corrected(self, settings: WebhookSettings, pause_s: float = math.inf) -> None:
+    async def _wait_for_change(self, settings: WebhookSettings, pause_s: float = math.inf) -> None:
         """Waits until other settings are in force, for a pause at most."""
         until_s = time.monotonic() + pause_s
         while self.settings is settings and (left_s := until_s - time.monotonic()) > 0:

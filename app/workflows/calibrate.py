@@ -162,9 +162,9 @@ def joint_inputs(
         block=session.block,
         features=session.contacts.features,
         contact_q_rad=session.contacts.q_rad,
-        seen=tuple(one for _, one in seen),
+        observations=tuple(one for _, one in seen),
         q_rad=np.array([pose.q_rad for pose, _ in seen]).reshape(-1, session.arm.joint_count),
-        unseen=unseen,
+        failed_poses=unseen,
         limits=limits,
     )
 
@@ -187,11 +187,11 @@ def board_inputs(
     return BoardInputs(
         arm=session.arm,
         board=session.board,
-        seen=tuple(one for _, one in seen),
+        observations=tuple(one for _, one in seen),
         readings=np.array([pose.reading for pose, _ in seen]),
         size_px=(session.sensor.width_px, session.sensor.height_px),
         contact_readings=session.contacts.readings if session.contacts else None,
-        unseen=unseen,
+        failed_poses=unseen,
         limits=limits,
     )
 

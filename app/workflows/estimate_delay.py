@@ -111,7 +111,7 @@ def read_plane_pass(
         for block in read_blocks(recording, pool, 2):
             reading.take(block)
             progress(0.5 * recording.bytes_read / max(recording.size, 1), "")
-    return reading.passed(), recording
+    return reading.plane_pass(), recording
 
 
 class _PassReader:
@@ -148,7 +148,7 @@ class _PassReader:
         self._points.append(_thin_points(found))
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
-    def passed(self) -> PlanePass:
+    def plane_pass(self) -> PlanePass:
         check_content(self._recording, len(self._stamps_ns), len(self._track))
         points, stamps_ns = np.concatenate(self._points), np.array(self._stamps_ns)
         order = np.argsort(stamps_ns, kind="stable")

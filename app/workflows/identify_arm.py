@@ -83,10 +83,12 @@ def identification_part(
                 after=moved.after * _scale(moved.name),
                 standard_uncertainty=moved.standard_uncertainty * _scale(moved.name),
             )
-            for moved in result.moved
+            for moved in result.changes
         ),
         covariance=tuple(tuple(row) for row in _covariance_in_degrees(result).tolist()),
-        held=tuple(FixedParameterPart(name=_in_degrees(h.name), reason=h.why) for h in result.held),
+        held=tuple(
+            FixedParameterPart(name=_in_degrees(h.name), reason=h.why) for h in result.fixed
+        ),
         correlated=tuple(
             CorrelationPart(first=first, second=second, coefficient=rho)
             for first, second, rho in strong_correlations(result)
@@ -159,14 +161,14 @@ def parameter_lines(result: Identification) -> list[dict[str, str | float]]:
             "after": moved.after * _scale(moved.name),
             "standard_uncertainty": moved.standard_uncertainty * _scale(moved.name),
         }
-        for moved in result.moved
+        for moved in result.changes
     ]
 
 
 def parameter_rows(result: Identification) -> list[list[str]]:
     """The same to print: name, before, after, change and standard uncertainty."""
     rows: list[list[str]] = []
-    for moved in result.moved:
+    for moved in result.changes:
         scale = _scale(moved.name)
         before, after = moved.before * scale, moved.after * scale
         decimals = 6 if moved.name.endswith("_rad") else 4
@@ -185,7 +187,7 @@ def parameter_rows(result: Identification) -> list[list[str]]:
 def list_fixed_parameters(result: Identification) -> list[tuple[str, str]]:
     """The D-H parameters that kept their values, by reason."""
     by_reason: dict[str, list[str]] = {}
-    for held in result.held:
+    for held in result.fixed:
         if ".error." not in held.name or held.reason in ("redundant", "unobserved"):
             by_reason.setdefault(held.why, []).append(_in_degrees(held.name))
     return [(", ".join(names), why) for why, names in by_reason.items()]
@@ -193,7 +195,7 @@ def list_fixed_parameters(result: Identification) -> list[tuple[str, str]]:
 
 def strong_correlations(result: Identification) -> list[tuple[str, str, float]]:
     """Pairs of moved parameters that the places hardly tell apart, by the file's names."""
-    return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlated]
+    return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlations]
 
 
 def correlation_figures(result: Identification) -> list[tuple[str, str]]:
@@ -223,5 +225,5 @@ def _scale(name: str) -> float:
 
 
 def _covariance_in_degrees(result: Identification) -> Floats:
-    scales = np.array([_scale(moved.name) for moved in result.moved])
+    scales = np.array([_scale(moved.name) for moved in result.changes])
     return np.asarray(result.covariance * np.outer(scales, scales))

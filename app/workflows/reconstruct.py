@@ -82,7 +82,7 @@ class _BlockPoints:
     """What became of a block's frames."""
 
     points: Points
-    placed: int
+    frames: int
     dark: int
     unplaced_ns: list[int]
     last_ns: int
@@ -187,22 +187,22 @@ class _Job:
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
         for block in read_blocks(self._recording, pool, window):
-            self._take(block)
+            self._take_block(block)
             if len(self._track):
-                self._settle(pool, self._track.last_ns)
+                self._submit_ready(pool, self._track.last_ns)
             while len(self._making) > window:
                 self._write()
             progress(self._recording.bytes_read / max(self._recording.size, 1), "")
-        self._track.extend(*self._joints.rest())
+        self._track.extend(*self._joints.last_readings())
         self._joints.refuse_another_arm()
-        self._settle(pool, None)
+        self._submit_ready(pool, None)
         while self._making:
             self._write()
         progress(1.0, "")
 
     def result(self) -> Reconstruction:
         """The counts; raises ``OperationError`` where there are no points."""
-        self._refuse_nothing()
+        self._check_result()
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
         joints, frames = self._joint_clock.report(), self._frame_clock.report()
         return Reconstruction(
@@ -226,7 +226,7 @@ class _Job:
         given = self._given_delay_ns
         return self._recording.delay_ns if given is None else given
 
-    def _take(self, block: Block) -> None:
+    def _take_block(self, block: Block) -> None:
         """The block's joints to the track, its frames to those that wait."""
         for samples in block.joints:
             self._joint_clock.add(samples.stamps_ns, samples.log_ns)
@@ -251,7 +251,7 @@ class _Job:
         self._known.add(stamp_ns)
         return True
 
-    def _settle(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
+    def _submit_ready(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
         """Has points made of frames that joints reach past; None: no more will come."""
         delay_ns = self._delay_ns
         while self._waiting and (
@@ -260,11 +260,11 @@ class _Job:
             waiting = self._waiting.popleft()
             stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
             q_rad = self._track.at_all(stamps_ns + delay_ns)
-            self._making.append(pool.submit(self._made, waiting, q_rad))
+            self._making.append(pool.submit(self._make_points, waiting, q_rad))
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
 
-    def _made(self, waiting: _PendingFrames, q_rad: Floats) -> _BlockPoints:
+    def _make_points(self, waiting: _PendingFrames, q_rad: Floats) -> _BlockPoints:
         """On a worker's thread: the points of a block's frames (Eq. 9)."""
         known = np.asarray(np.isfinite(q_rad).all(axis=1))
         poses = np.full((len(known), 4, 4), np.nan)
@@ -289,7 +289,7 @@ class _Job:
         made = self._making.popleft().result()
         self._points += len(made.points)
         self._take_points(made.points, made.last_ns)
-        self._frames += made.placed
+        self._frames += made.frames
         self._dark += made.dark
         self._unplaced_ns += made.unplaced_ns
 
@@ -310,7 +310,7 @@ class _Job:
         said += clock_warnings("joint samples", joints, start_ns)
         return said + clock_warnings("frames", frames, start_ns)
 
-    def _refuse_nothing(self) -> None:
+    def _check_result(self) -> None:
         if self._points:
             return
         named = check_content(self._recording, self._numbered, len(self._track))

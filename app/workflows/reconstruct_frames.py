@@ -77,7 +77,7 @@ def _stripe_runs(
         for i, row in enumerate(table[:, [WIDTH, HEIGHT]].tolist()):
             placing.check_size(first_number + i, *row)
         if (table[:, AXIS] == table[0, AXIS]).all():
-            return [(0, len(frames), read_profiles(block.opened, table))]
+            return [(0, len(frames), read_profiles(block.chunk, table))]
     return [
         (i, i + 1, _single_stripe(placing, block, frame, first_number + i))
         for i, frame in enumerate(frames)
@@ -91,7 +91,7 @@ def _single_stripe(
     source = frame.source
     if isinstance(source, int):
         placing.check_size(number, *block.stripes[source, [WIDTH, HEIGHT]].tolist())
-        return read_profiles(block.opened, block.stripes[source : source + 1])
+        return read_profiles(block.chunk, block.stripes[source : source + 1])
     if isinstance(source, StripeRecord):
         placing.check_size(number, source.width_px, source.height_px)
         stripe = source.stripe

@@ -26,7 +26,7 @@ def implausible_joints_warning(count: int, first: ImplausibleReading, start_ns: 
     """Of joint samples that cannot be true."""
     return (
         f"{count} joint samples left out that cannot be true, the first "
-        f"{(first.stamp_ns - start_ns) / 1e9:.3f} s from the start: {first.refusal.line}"
+        f"{(first.stamp_ns - start_ns) / 1e9:.3f} s from the start: {first.error.line}"
     )
 
 

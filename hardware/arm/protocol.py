@@ -166,7 +166,7 @@ class PacketReader:
         self.received_bytes = 0
         self.other_version: int | None = None
         self._rest = b""
-        self._passing_over = True  # a start in the middle of a packet is no damage
+        self._skipping = True  # a start in the middle of a packet is no damage
 
     def feed(self, data: bytes) -> list[Sample | Hello]:
         """The packets completed by ``data``, in order."""
@@ -181,8 +181,8 @@ class PacketReader:
             if end > len(buffer):
                 open_at = at if open_at < 0 else open_at
             elif (packet := self._decode(buffer, at, end)) is not None:
-                self._pass_over(at - taken)
-                self._passing_over = False
+                self._skip(at - taken)
+                self._skipping = False
                 if not isinstance(packet, _UnknownPacket):
                     found.append(packet)
                 taken, open_at = end, -1
@@ -192,13 +192,13 @@ class PacketReader:
         keep = open_at
         if keep < 0:
             keep = len(buffer) - (taken < len(buffer) and buffer.endswith(_SYNC[:1]))
-        self._pass_over(keep - taken)
+        self._skip(keep - taken)
         self._rest = buffer[keep:]
         return found
 
-    def _pass_over(self, count: int) -> None:
-        if count and not self._passing_over:
-            self._passing_over = True
+    def _skip(self, count: int) -> None:
+        if count and not self._skipping:
+            self._skipping = True
             self.corrupt += 1
 
     def _decode(self, buffer: bytes, at: int, end: int) -> "Sample | Hello | _UnknownPacket | None":

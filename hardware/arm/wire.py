@@ -59,7 +59,7 @@ class Wire:
         """
         with self._in_use:
             if self._closed:
-                raise self._closed_error()
+                raise self._line_closed_error()
             try:
                 data = self._receive(timeout_s)
             except (OSError, ValueError, TypeError) as error:
@@ -68,14 +68,14 @@ class Wire:
                     "Check its cable and its power.",
                 ) from error
         if not data and self._closed:
-            raise self._closed_error()
+            raise self._line_closed_error()
         return data
 
     def send(self, data: bytes) -> None:
         """Writes to the port; raises ``DeviceError`` when it is gone."""
         with self._in_use:
             if self._closed:
-                raise self._closed_error()
+                raise self._line_closed_error()
             try:
                 self._port.write(data)
             except serial.SerialTimeoutException:
@@ -124,7 +124,7 @@ class Wire:
             if data or self._closed or time.monotonic() >= deadline:
                 return data
 
-    def _closed_error(self) -> DeviceError:
+    def _line_closed_error(self) -> DeviceError:
         return DeviceError(f"The line to the arm at {self._url} is closed")
 
 

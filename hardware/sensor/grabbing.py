@@ -199,18 +199,18 @@ class _Grabber(threading.Thread):
         self._source = source
         self._stop_asked = stop
         self._health = health
-        self._kept: deque[Frame] = deque()
+        self._queue: deque[Frame] = deque()
         self._changed = threading.Condition()
         self._error: DeviceError | None = None
-        self._over = False
+        self._ended = False
         self._shape: tuple[int, ...] | None = None
 
     def first_image(self, within_s: float) -> GreyImage:
         with self._changed:
-            self._changed.wait_for(self._anything, within_s)
-            if self._kept:
-                return self._kept[0].image
-            raise self._why_nothing(
+            self._changed.wait_for(self._has_news, within_s)
+            if self._queue:
+                return self._queue[0].image
+            raise self._silence_error(
                 DeviceError(
                     f"{self._title} gave no picture within {within_s:g} s",
                     "Check its cable, and that no other program uses it.",
@@ -220,13 +220,13 @@ class _Grabber(threading.Thread):
     def take(self, timeout_s: float) -> Frame | None:
         with self._changed:
             self._changed.wait_for(
-                lambda: self._kept or self._error or self._stop_asked.is_set(), timeout_s
+                lambda: self._queue or self._error or self._stop_asked.is_set(), timeout_s
             )
             if self._stop_asked.is_set():
                 raise DeviceError(f"{self._title} is closed")
-            if self._kept:
+            if self._queue:
                 self._changed.notify_all()
-                return self._kept.popleft()
+                return self._queue.popleft()
             if self._error is not None:
                 raise self._error
             return None
@@ -248,7 +248,7 @@ class _Grabber(threading.Thread):
                 if picture is None:
                     self._health.corrupt += 1
                 else:
-                    self._keep(picture, sequence)
+                    self._enqueue(picture, sequence)
                 sequence += 1
         except EndOfRecordingError:
             self._finish(None)
@@ -259,7 +259,7 @@ class _Grabber(threading.Thread):
         finally:
             self._source.release()
 
-    def _keep(self, picture: GrabbedImage, sequence: int) -> None:
+    def _enqueue(self, picture: GrabbedImage, sequence: int) -> None:
         shape = picture.image.shape
         if shape != (self._shape or shape):
             assert self._shape is not None
@@ -275,24 +275,24 @@ class _Grabber(threading.Thread):
         with self._changed:
             if self._source.waits:
                 self._changed.wait_for(
-                    lambda: len(self._kept) < _QUEUE_LENGTH or self._stop_asked.is_set()
+                    lambda: len(self._queue) < _QUEUE_LENGTH or self._stop_asked.is_set()
                 )
-            elif len(self._kept) == _QUEUE_LENGTH:
-                self._kept.popleft()
+            elif len(self._queue) == _QUEUE_LENGTH:
+                self._queue.popleft()
                 self._health.lost += 1
-            self._kept.append(frame)
+            self._queue.append(frame)
             self._health.received += 1
             self._changed.notify_all()
 
     def _finish(self, error: DeviceError | None) -> None:
         with self._changed:
-            self._error, self._over = error, True
+            self._error, self._ended = error, True
             self._changed.notify_all()
 
-    def _anything(self) -> bool:
-        return bool(self._kept) or self._over or self._stop_asked.is_set()
+    def _has_news(self) -> bool:
+        return bool(self._queue) or self._ended or self._stop_asked.is_set()
 
-    def _why_nothing(self, silence: DeviceError) -> DeviceError:
+    def _silence_error(self, silence: DeviceError) -> DeviceError:
         if self._stop_asked.is_set():
             return DeviceError(f"{self._title} was closed while opening")
         return self._error or silence

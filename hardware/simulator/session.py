@@ -89,7 +89,7 @@ class SimulatedRig:
     arm: ArmModel
     nominal_arm: ArmModel
     optics: Optics
-    sheet: LightPlane
+    light_plane: LightPlane
     T_flange_sensor: Floats
     block: CrenellatedBlock
     certificate: CrenellatedBlock
@@ -173,7 +173,7 @@ def render_session(
     (folder / "images").mkdir(parents=True, exist_ok=True)
     write_document(folder / "arm.json", arm_datasheet(rig.nominal_arm))
     write_document(folder / "object.json", block_datasheet(rig.certificate, plan.certificate_sd_mm))
-    write_document(folder / "sensor.json", sensor_datasheet(rig.optics, rig.sheet))
+    write_document(folder / "sensor.json", sensor_datasheet(rig.optics, rig.light_plane))
     angles = [f"q{i + 1}_deg" for i in range(rig.arm.joint_count)]
     images = _take_images(folder, seed, rig, plan, rng)
     write_table(folder / "images.csv", ["pose", "file", "lighting", *angles], images)
@@ -194,7 +194,9 @@ def _encoder_readings_rad(
 def _take_images(
     folder: Path, seed: int, rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator
 ) -> list[list[object]]:
-    renderer = Renderer(block_scene(rig, plan.light), rig.optics, rig.sheet, plan.detector, seed)
+    renderer = Renderer(
+        block_scene(rig, plan.light), rig.optics, rig.light_plane, plan.detector, seed
+    )
     kinds = {
         "pair": (("ambient", 1.0, 0.0), ("laser", 0.0, 1.0)),
         "both": (("both", 1.0, 1.0),),
@@ -206,7 +208,7 @@ def _take_images(
         degrees = np.degrees(_encoder_readings_rad(rig, plan, q, rng)).tolist()
         for lighting, room, laser in kinds:
             name = f"images/pose{pose:02d}_{lighting}.png"
-            cv2.imwrite(str(folder / name), renderer.picture(T_arm_sensor, room, laser))
+            cv2.imwrite(str(folder / name), renderer.render(T_arm_sensor, room, laser))
             rows.append([pose, name, lighting, *degrees])
     return rows
 
@@ -260,8 +262,8 @@ def ground_truth(rig: SimulatedRig) -> JsonObject:
     x = middle + width * np.linspace(-0.43, 0.43, 15)
     z = np.linspace(-0.5 * height - 6.0, 0.5 * height + 6.0, 11)
     grid_z, grid_x = (axis.ravel() for axis in np.meshgrid(z, x, indexing="ij"))
-    n = np.array(rig.sheet.normal)
-    y = (rig.sheet.offset_mm - n[0] * grid_x - n[2] * grid_z) / n[1]
+    n = np.array(rig.light_plane.normal)
+    y = (rig.light_plane.offset_mm - n[0] * grid_x - n[2] * grid_z) / n[1]
     points = np.column_stack([grid_x, y, grid_z])
     pixels = to_pixels(rig.optics, points)
     size = np.array([rig.optics.width_px, rig.optics.height_px])
@@ -278,7 +280,10 @@ def ground_truth(rig: SimulatedRig) -> JsonObject:
             "distortion": list(rig.optics.distortion),
             "T_cam_sensor": rig.optics.T_cam_sensor.tolist(),
         },
-        "laser_plane": {"normal": list(rig.sheet.normal), "offset_mm": rig.sheet.offset_mm},
+        "laser_plane": {
+            "normal": list(rig.light_plane.normal),
+            "offset_mm": rig.light_plane.offset_mm,
+        },
         "block": block_datasheet(rig.block, 0.0),
     }
 
@@ -302,9 +307,9 @@ def render_scan(
     plan = plan or SessionPlan()
     rng = np.random.default_rng(seed)
     scene = SimulatedScene((SceneObject("part", shape, T_arm_shape),), plan.light)
-    renderer = Renderer(scene, rig.optics, rig.sheet, plan.detector, seed)
+    renderer = Renderer(scene, rig.optics, rig.light_plane, plan.detector, seed)
     q = np.zeros(rig.arm.joint_count)
     for T_arm_sensor in path:
         q = solve_joints(rig.arm, T_arm_sensor @ np.linalg.inv(rig.T_flange_sensor), q, rng)
-        image = renderer.picture(T_arm_sensor, room=0.0, laser=1.0)
+        image = renderer.render(T_arm_sensor, room=0.0, laser=1.0)
         yield ScanFrame(image, _encoder_readings_rad(rig, plan, q, rng))

@@ -103,7 +103,7 @@ class SimulatedStation:
     def __init__(self, config: SimulationConfig | None = None) -> None:
         self.config = config or SimulationConfig()
         self.faults = Faults()
-        self.lamps = Lighting()
+        self.lighting = Lighting()
         rng = np.random.default_rng(self.config.seed)
         self._rig, self._home = _build(self.config, rng)
         self._correction = _model_frame(self._rig, self._home, rng)
@@ -114,16 +114,16 @@ class SimulatedStation:
         )
         tremor_rad = self.config.tremor_um * 1e-3 / 600.0
         self._motion = Motion(self._home, tremor_rad, self.config.seed)
-        self.studio = SharedRenderer(
-            self._renderer, self.sensor_pose, self._motion.resting_at, self.lamps, self.faults
+        self.shared_renderer = SharedRenderer(
+            self._renderer, self.sensor_pose, self._motion.is_resting, self.lighting, self.faults
         )
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
-        self.hand = ScriptedOperator(
+        self.operator = ScriptedOperator(
             self._rig.arm,
             self._motion,
             self._scene,
-            SensorMount(self._rig.optics, self._rig.sheet, self._rig.T_flange_sensor),
+            SensorMount(self._rig.optics, self._rig.light_plane, self._rig.T_flange_sensor),
             self._press,
             self.config.contact_sd_mm,
             self.config.pace,
@@ -152,7 +152,7 @@ class SimulatedStation:
         if self._device is None:
             config = self.config
             self._line = PtyPort() if config.line == "pty" else TcpPort(config.host, config.port)
-            self.studio.prepare()
+            self.shared_renderer.prepare()
             encoders = Encoders(
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
             )
@@ -164,7 +164,7 @@ class SimulatedStation:
 
     def stop(self) -> None:
         """Ends the arm and whatever the hand does."""
-        self.hand.cancel()
+        self.operator.cancel()
         if self._device is not None:
             self._device.stop()
             self._device = None
@@ -188,7 +188,9 @@ class SimulatedStation:
             longest_gap_s=LONGEST_GAP_S,
         )
         early_ns = round(1e6 * self.config.arm_delay_ms)
-        return SimulatedSensor(self.studio, info, self.config.frames_hz, self.config.seed, early_ns)
+        return SimulatedSensor(
+            self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns
+        )
 
     def sensor_pose(self, stamp_ns: int) -> Floats:
         """``T_arm_sensor`` (4, 4) as it truly is at a moment."""
@@ -199,27 +201,27 @@ class SimulatedStation:
         """(N, n) encoder angles as they truly were at moments (N,) of the last seconds."""
         return self._motion.at_all(stamps_ns)
 
-    def papers(self) -> dict[str, JsonObject]:
+    def datasheets(self) -> dict[str, JsonObject]:
         """What the operator is given, by file name."""
         rig = self._rig
-        ball = self._scene.thing("sphere").shape
+        ball = self._scene.find_object("sphere").shape
         assert isinstance(ball, GaugeSphere)
         plate, sphere = (
-            np.linalg.inv(self._correction) @ self._scene.thing(name).T_arm_obj
+            np.linalg.inv(self._correction) @ self._scene.find_object(name).T_arm_obj
             for name in ("plate", "sphere")
         )
         return {
             "arm.json": arm_datasheet(rig.nominal_arm),
             "object.json": block_datasheet(rig.certificate, self.config.certificate_sd_mm),
             "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
-            "sensor.json": sensor_datasheet(rig.optics, rig.sheet),
+            "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
             "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2]),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
         }
 
     def truth(self) -> JsonObject:
         """What only nature knows; as ``truth.json`` of a rendered session, and the board."""
-        board, at = self._board, self._scene.thing("board").T_arm_obj
+        board, at = self._board, self._scene.find_object("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
         return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
 
@@ -229,7 +231,9 @@ class SimulatedStation:
 
     def _renderer(self) -> Renderer:
         rig = self._rig
-        return Renderer(self._scene, rig.optics, rig.sheet, self.config.detector, self.config.seed)
+        return Renderer(
+            self._scene, rig.optics, rig.light_plane, self.config.detector, self.config.seed
+        )
 
 
 def _build(config: SimulationConfig, rng: np.random.Generator) -> tuple[SimulatedRig, Floats]:

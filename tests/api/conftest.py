@@ -98,7 +98,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         hooks = {"response": [heard.answer]}
         address = f"http://127.0.0.1:{port}"
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
-            enter(http, app.state.context.entrance.code)
+            enter(http, app.state.context.authenticator.code)
             context = app.state.context
             yield Server(port, data, context, twin, http, app)
             # the live connection's newest topics, and the events that it still has
@@ -110,7 +110,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         thread.join(20.0)
         assert not thread.is_alive()
     # whatever the tests made it say, every language knows it
-    assert not heard.unknown()
+    assert not heard.untranslated()
 
 
 @pytest.fixture

@@ -39,7 +39,7 @@ def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
         server = make_server(app)
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()
-        pipe.send((listening.getsockname()[1], context.entrance.code))
+        pipe.send((listening.getsockname()[1], context.authenticator.code))
         thread.join()
 
 

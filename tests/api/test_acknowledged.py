@@ -85,14 +85,14 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
     assert {step for step, done in told if done} == {"touch", "capture"}
     for n, ((step, done), mark) in enumerate(told.items()):
         if done:
-            by = trace.answered(mark)
-            assert trace.row_kept(trace.asked(marks[n - 1]), by) == ""
+            by = trace.answer_index(mark)
+            assert trace.why_no_row(trace.request_index(marks[n - 1]), by) == ""
             names = ("probing.csv",) if step == "touch" else picture_names(session, done)
             for name in names:
-                since = trace.asked(marks[max(n - 2, 0)])
-                assert trace.written(session / name, by, since) == "", (step, done)
-    by = trace.answered(accepted)
-    assert trace.row_kept(trace.asked(accepted), by) == ""
+                since = trace.request_index(marks[max(n - 2, 0)])
+                assert trace.why_not_stored(session / name, by, since) == "", (step, done)
+    by = trace.answer_index(accepted)
+    assert trace.why_no_row(trace.request_index(accepted), by) == ""
     assert_written(trace, session, by)
 
 
@@ -115,12 +115,12 @@ def test_scans_and_backups(library: Path, tmp_path: Path) -> None:
         bench.ask("POST", "/api/backup")
         copied = bench.until("/api/health", lambda view: view["backup"]["last"])
     trace = bench.trace()
-    by = min(trace.answered(ended), trace.answered(listed))
-    assert trace.row_kept(trace.asked(began), by) == ""
+    by = min(trace.answer_index(ended), trace.answer_index(listed))
+    assert trace.why_no_row(trace.request_index(began), by) == ""
     (scan,) = (data / "scans").iterdir()
     assert_written(trace, scan, by)
     (copy,) = (data / "backups").iterdir()
-    assert trace.moved_whole(copy, trace.answered(copied)) == ""
+    assert trace.why_not_moved(copy, trace.answer_index(copied)) == ""
 
 
 def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) -> None:
@@ -145,11 +145,11 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
     (session,) = (data / "verifications").iterdir()
     recordings = sorted(session.rglob("*.mcap"))
     for (number, mark), before in zip([*told.items()][1:], marks, strict=False):
-        by = trace.answered(mark)
-        assert trace.row_kept(trace.asked(before), by) == ""
-        assert trace.written(recordings[number - 1], by) == ""
-    by = trace.answered(accepted)
-    assert trace.row_kept(trace.asked(accepted), by) == ""
+        by = trace.answer_index(mark)
+        assert trace.why_no_row(trace.request_index(before), by) == ""
+        assert trace.why_not_stored(recordings[number - 1], by) == ""
+    by = trace.answer_index(accepted)
+    assert trace.why_no_row(trace.request_index(accepted), by) == ""
     assert_written(trace, session, by)
 
 
@@ -158,4 +158,4 @@ def assert_written(trace: Trace, folder: Path, by: int) -> None:
     files = [path for path in folder.rglob("*") if path.is_file()]
     assert files
     for path in files:
-        assert trace.written(path, by) == "", path
+        assert trace.why_not_stored(path, by) == "", path

@@ -131,12 +131,12 @@ def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> N
 def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
+    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
     view = session("identify")
     chosen = do(server, "choose_artefact", kind="sphere")
     assert chosen["artefact"] == {
         "kind": "sphere",
-        "size_mm": server.twin.hand.ball_mm,
+        "size_mm": server.twin.operator.ball_mm,
         "standard_uncertainty_mm": 0.0,
     }
     do(server, "let_hand")
@@ -160,14 +160,14 @@ def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     arm = read_arm(folder / "arm.json")
     found = read_observations(folder, arm)
     assert (len(found.seats), len(found.spheres), len(found.bars)) == (0, 1, 1)
-    assert found.bars[0].length_mm == server.twin.hand.bar_mm
+    assert found.bars[0].length_mm == server.twin.operator.bar_mm
     do(server, "end")
 
 
 def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
+    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
     session("identify")
     assert command(server, "fit").status_code == 422
     # where a busy machine takes too few points, the fit is refused, and asks for more places
@@ -216,10 +216,10 @@ def fitted_by_the_hand(server: Server) -> View:
 def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.hand.ways, "pace", 12.0)
+    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
     before = len(server.http.get("/api/arm/tips").json())
     view = session("tip")
-    assert view["artefact"]["size_mm"] == server.twin.hand.ball_mm
+    assert view["artefact"]["size_mm"] == server.twin.operator.ball_mm
     assert command(server, "choose_artefact", kind="seat").status_code == 422
     do(server, "set_limit", limit_um=200)
     # a wrong sphere reads as a wrong tip, and the next step says so

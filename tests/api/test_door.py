@@ -170,7 +170,7 @@ def test_what_is_ones_own_stays_in_no_browser(server: Server) -> None:
 def fill(database: Database) -> None:
     rows = "INSERT INTO audit (at, who, address, act, outcome) VALUES ('', ?, '', '', '')"
     for _ in range(100):
-        with database.writing() as connection:
+        with database.transaction() as connection:
             connection.execute(rows, ("x" * 4000,))
 
 

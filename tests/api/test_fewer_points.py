@@ -21,7 +21,7 @@ def large(viewer: Viewer) -> dict[str, np.ndarray]:
 
 def test_a_slow_browser_gets_an_even_picture_of_fewer_points_and_nothing_goes_wrong() -> None:
     scene = Scene(point_budget=400_000)
-    fewer, all_of_it = Viewer(scene, PointLimiter(MOST).passed), Viewer(scene)
+    fewer, all_of_it = Viewer(scene, PointLimiter(MOST).filter_frame), Viewer(scene)
     try:
         for seed in range(6):
             scene.add_points(records(surface(60_000, seed)))
@@ -39,7 +39,7 @@ def test_a_slow_browser_gets_an_even_picture_of_fewer_points_and_nothing_goes_wr
         assert size > 2 * usual
 
         scene.colour_by("intensity", None)
-        joined = Viewer(scene, PointLimiter(MOST).passed)
+        joined = Viewer(scene, PointLimiter(MOST).filter_frame)
         assert set(large(joined.listen())) <= set(large(fewer.listen()))
         joined.close()
 

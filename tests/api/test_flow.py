@@ -59,7 +59,7 @@ def test_the_same_place_is_no_second_point(touching: Server) -> None:
 
 
 def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> None:
-    hand = touching.twin.hand
+    hand = touching.twin.operator
     for index in (0, 1):
         assert hand.touch("crest", index)
         touching.wait(lambda view, n=index: len(points(view)) == n + 1, 10.0)  # type: ignore[misc]
@@ -83,7 +83,7 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
 
 def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
     with ThreadPoolExecutor(1) as elsewhere:
-        moving = elsewhere.submit(touching.twin.hand.hold_over, "block")
+        moving = elsewhere.submit(touching.twin.operator.hold_over, "block")
         touching.wait(lambda view: not is_enabled(view, "take_point"), 10.0)
         answer = touching.command("take_point")
         moving.result(30.0)

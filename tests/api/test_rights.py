@@ -35,10 +35,12 @@ def tokens(server: Server) -> Iterator[dict[str, str]]:
     store = server.context.store
     for name in ("viewer", "operator", "admin"):
         store.accounts.add(f"the {name}", Role[name], None)
-    wall, token = store.sign_ins.add_wall("the wall", "the admin")
-    people = {n: store.sign_ins.begin(f"the {n}", "test") for n in ("viewer", "operator", "admin")}
+    wall, token = store.login_sessions.add_kiosk_link("the wall", "the admin")
+    people = {
+        n: store.login_sessions.begin(f"the {n}", "test") for n in ("viewer", "operator", "admin")
+    }
     yield {"nobody": "", "wall": token, **people}
-    store.sign_ins.remove_wall(wall.id)
+    store.login_sessions.remove_kiosk_link(wall.id)
     for name in ("viewer", "operator", "admin"):
         store.accounts.remove(f"the {name}")
     server.http.post("/api/control/take", json={"reason": "the test is over"}).raise_for_status()

@@ -70,7 +70,7 @@ def test_a_wrong_password_is_told_alike_for_everyone(
         assert answer.status_code == 401
         assert answer.json()["code"] == "wrong-password"
         assert "set-cookie" not in answer.headers
-    server.context.entrance._throttle.succeeded("address 127.0.0.1")
+    server.context.authenticator._throttle.note_success("address 127.0.0.1")
 
 
 def test_guessing_becomes_slow_and_stays_so_for_the_right_password(
@@ -84,7 +84,7 @@ def test_guessing_becomes_slow_and_stays_so_for_the_right_password(
         answer = http.post("/api/session", json={"name": "Anna", "password": PASSWORD})
         assert answer.status_code == 429
         assert int(answer.headers["retry-after"]) >= 1
-        server.context.entrance._throttle.succeeded("address 127.0.0.1", "name anna")
+        server.context.authenticator._throttle.note_success("address 127.0.0.1", "name anna")
         assert http.post("/api/session", json={**wrong, "password": PASSWORD}).status_code == 200
 
 
@@ -99,7 +99,7 @@ def test_guesses_keep_nobody_out_of_a_browser_that_is_known(server: Server, peop
             codes.append(other.post("/api/session", json=asked, headers=elsewhere).status_code)
             if codes[-1] == 429:
                 break
-        failures = server.context.entrance._throttle._failures
+        failures = server.context.authenticator._throttle._failures
         assert failures["name anna"][0] == failures["address 127.0.0.1"][0] == codes.count(401)
         assert codes[-1] == 429
         right = {"name": "Anna", "password": PASSWORD}
@@ -109,7 +109,7 @@ def test_guesses_keep_nobody_out_of_a_browser_that_is_known(server: Server, peop
         anna.delete("/api/session").raise_for_status()
         wrong = {**right, "password": "guess"}
         assert 429 in [anna.post("/api/session", json=wrong).status_code for _ in range(12)]
-    server.context.entrance._throttle.succeeded("address 127.0.0.1", "name anna")
+    server.context.authenticator._throttle.note_success("address 127.0.0.1", "name anna")
 
 
 def test_signing_out_closes_what_is_live(server: Server, people: None) -> None:
@@ -192,7 +192,7 @@ def test_administrators_make_change_and_remove_accounts(server: Server, people: 
         gone = carl.post("/api/session", json={"name": "Carl", "password": PASSWORD})
         assert gone.status_code == 401
     assert admin.delete("/api/account?name=Carl").status_code == 404
-    server.context.entrance._throttle.succeeded("address 127.0.0.1", "name carl")
+    server.context.authenticator._throttle.note_success("address 127.0.0.1", "name carl")
 
 
 @pytest.mark.parametrize("name", ["a/b", "..", ".", "?x#y", "100%", "a b/../c", "ä ", "\\"])

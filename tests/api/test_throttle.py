@@ -23,7 +23,7 @@ def test_after_some_failures_each_doubles_the_wait_up_to_a_minute() -> None:
     throttle = Throttle(clock)
     waits = []
     for _ in range(FREE_TRIES + 10):
-        throttle.failed("anna", "10.0.0.1")
+        throttle.note_failure("anna", "10.0.0.1")
         waits.append(throttle.wait_s("anna"))
     assert waits[: FREE_TRIES - 1] == [0.0] * (FREE_TRIES - 1)
     assert waits[FREE_TRIES - 1 : FREE_TRIES + 2] == [1.0, 2.0, 4.0]
@@ -38,11 +38,11 @@ def test_success_and_time_forget() -> None:
     clock = Clock()
     throttle = Throttle(clock)
     for _ in range(9):
-        throttle.failed("anna", "ben")
-    throttle.succeeded("anna")
+        throttle.note_failure("anna", "ben")
+    throttle.note_success("anna")
     assert throttle.wait_s("anna") == 0.0
     clock.now_s += FORGOTTEN_S + 1
-    throttle.failed("ben")
+    throttle.note_failure("ben")
     assert throttle.wait_s("ben") == 0.0
 
 

@@ -71,7 +71,7 @@ class Desk:
     def cloud(self, part: str) -> View:
         """Scans one cloud over a part of the table, and waits for what it shows."""
         number = len(self.do("begin_cloud")["picture"]["clouds"])
-        assert self.server.twin.hand.scan_part(part)
+        assert self.server.twin.operator.scan_part(part)
         self.do("finish_cloud")
         return self.wait(
             lambda view: (
@@ -180,7 +180,7 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
     assert "5" in refusal(desk.command("confirm_touch"))
     desk.do("skip_touch")
     desk.do("begin_cloud")
-    assert desk.server.twin.hand.scan_part("plate")
+    assert desk.server.twin.operator.scan_part("plate")
     desk.server.http.post("/api/stop").raise_for_status()
     view = desk.wait(
         lambda view: view["busy"] is None and view["picture"]["clouds"][0]["state"] == "refused"
@@ -202,7 +202,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
         taken = len(desk.view()["picture"]["touches"])
         if taken == 4:
             break
-        assert server.twin.hand.touch_gauge("plate", taken + 10 * (attempt - taken))
+        assert server.twin.operator.touch_gauge("plate", taken + 10 * (attempt - taken))
         with contextlib.suppress(AssertionError):
             desk.wait(lambda view, n=taken: len(view["picture"]["touches"]) > n, 2.0)  # type: ignore[misc]
     view = desk.view()
@@ -263,7 +263,7 @@ def refusal(answer: httpx.Response) -> str:
 
 def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Path) -> None:
     """What is on the disk at that moment is all that a next server has."""
-    server, hand = desk.server, desk.server.twin.hand
+    server, hand = desk.server, desk.server.twin.operator
     desk.start("plate")
     desk.do("skip_touch")
     session = desk.do("begin_cloud")["session_id"]

@@ -47,7 +47,7 @@ def as_role(server: Server, role: Role) -> httpx.Client:
     store, name = server.context.store, f"the watching {role.name}"
     if store.accounts.get(name) is None:
         store.accounts.add(name, role, "three unrelated words")
-    token = store.sign_ins.begin(name, "test")
+    token = store.login_sessions.begin(name, "test")
     cookies = {cookie_for(server.port): token}
     return httpx.Client(base_url=server.address, cookies=cookies, timeout=20.0)
 
@@ -65,7 +65,7 @@ def topics(server: Server, wanted: set[str]) -> dict[str, object]:
 
 
 def test_the_report_is_as_the_schema_says(server: Server) -> None:
-    until(lambda: server.context.watch.temperature.now.celsius)
+    until(lambda: server.context.monitoring.temperature.now.celsius)
     time.sleep(0.6)
     report = topics(server, {"report", "stations"})["report"]
     assert isinstance(report, dict)
@@ -158,7 +158,7 @@ def test_metrics_are_named_and_counted_as_prometheus_wants_them(server: Server) 
 def test_jobs_are_timed(server: Server) -> None:
     server.wait(lambda view: view["busy"] is None)
     server.context.jobs.start("A test's job", lambda progress: time.sleep(0.6), lambda job: None)
-    until(lambda: "A test's job" in server.context.watch.job_times)
+    until(lambda: "A test's job" in server.context.monitoring.job_times)
     text = server.http.get("/metrics").text
     bucket = 'crenel_job_duration_seconds_bucket{job="A test\'s job",le="%s"}'
     assert f"{bucket % '0.5'} 0.0" in text
@@ -167,7 +167,7 @@ def test_jobs_are_timed(server: Server) -> None:
 
 
 def test_health_says_what_why_and_what_to_do(server: Server) -> None:
-    until(lambda: server.context.watch.health)
+    until(lambda: server.context.monitoring.health)
     view = server.http.get("/api/health").json()
     items = view["health"]["items"]
     found = {item["id"]: item for item in items}
@@ -229,29 +229,30 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     context, store = server.context, server.context.store
     person = PLANTED["a person"]
     store.accounts.add(person, Role.operator, "three unrelated words")
-    cookie = store.sign_ins.begin(person, "a browser")
-    _, wall = store.sign_ins.add_wall("Hall", person)
-    _, scraper = store.scrapers.add("Prometheus", person)
+    cookie = store.login_sessions.begin(person, "a browser")
+    _, wall = store.login_sessions.add_kiosk_link("Hall", person)
+    _, scraper = store.api_tokens.add("Prometheus", person)
     store.audit.note(person, PLANTED["a remote address"], f"hello from {person}")
     (tmp_path / "password").write_text(PLANTED["an MQTT password"])
     told = {
-        **context.watch.settings.told,
+        **context.monitoring.settings.effective_settings,
         "sensor": {
             "url": f"rtsp://admin:{PLANTED['a camera password']}@{PLANTED['a remote address']}/1",
             "nested": [{"api_key": PLANTED["a driver's key"]}],
         },
     }
     watching = MonitoringSettings(
-        mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"), told=told
+        mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"),
+        effective_settings=told,
     )
-    monkeypatch.setattr(context.watch, "settings", watching)
+    monkeypatch.setattr(context.monitoring, "settings", watching)
     change = {"done": True, "fault": True, "due": True}
     url = f"http://127.0.0.1:9/{PLANTED['its address']}"
     secret = PLANTED["a webhook's secret"]
     answer = server.http.post("/api/notifications", json={"url": url, "secret": secret, **change})
     answer.raise_for_status()
     log = logging.getLogger("app.test")
-    code = context.entrance.code or ""
+    code = context.authenticator.code or ""
     hashed = store._database.read("SELECT password FROM account WHERE name = ?", person)
     key = f"-----BEGIN PRIVATE KEY-----\n{PLANTED['a private key']}\n-----END PRIVATE KEY-----"
     more = {"cookie": cookie, "wall": wall, "scraper": scraper, "code": code}
@@ -341,7 +342,7 @@ def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
     until(lambda: server.http.get("/api/health").json()["backup"]["share"] is None)
     state = server.http.get("/api/health").json()["backup"]
     assert state["trouble"] == ""
-    last = server.context.watch.backups.last
+    last = server.context.monitoring.backups.last
     assert last is not None
     assert last.folder.endswith(state["last"]["folder"])
     copy = Store(Path(last.folder))

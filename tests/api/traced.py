@@ -22,23 +22,23 @@ class Trace:
             name, file, text = line.split("\t", 2)
             self.calls.append(Call(name, int(file), text))
 
-    def asked(self, mark: str) -> int:
+    def request_index(self, mark: str) -> int:
         """When a request whose address has ``mark`` was received."""
         wanted = f"mark={mark} "
         return next(
             k for k, call in enumerate(self.calls) if call.name == "recv" and wanted in call.text
         )
 
-    def answered(self, mark: str) -> int:
+    def answer_index(self, mark: str) -> int:
         """When the answer to that request was about to be sent."""
-        asked = self.asked(mark)
+        asked = self.request_index(mark)
         file = self.calls[asked].file
         at = self._next(asked, len(self.calls), "send", lambda call: call.file == file)
         assert at is not None
         assert self.calls[at].text.startswith("HTTP/1.1 2"), self.calls[at]
         return at
 
-    def written(self, path: Path, by: int, since: int = 0) -> str:
+    def why_not_stored(self, path: Path, by: int, since: int = 0) -> str:
         """Why a file was not on the disk at a time; empty where it was.
 
         Its content, its name, and the names of all folders above it that were made.
@@ -46,9 +46,9 @@ class Trace:
         Args:
             since: it must have been written after this.
         """
-        return self._kept(str(path), since, by) or self._folders(path, by)
+        return self._why_not_synced(str(path), since, by) or self._folders(path, by)
 
-    def _kept(self, name: str, since: int, by: int) -> str:
+    def _why_not_synced(self, name: str, since: int, by: int) -> str:
         """Whether a file's content and its name were."""
         wrong = ""
         renames = [
@@ -60,15 +60,15 @@ class Trace:
             wrong = self._content(name, since, by)
             made = self._next(0, by, "make", lambda call: call.text == name)
             if not wrong and made is not None:
-                wrong = self._named(name, made, by)
+                wrong = self._why_not_named(name, made, by)
         for renamed in renames:  # the last may be on its way to the disk for what comes next
             wrong = self._content(self.calls[renamed - 1].text, 0, renamed)
-            wrong = wrong or self._named(name, renamed, by)
+            wrong = wrong or self._why_not_named(name, renamed, by)
             if not wrong:
                 break
         return wrong
 
-    def moved_whole(self, folder: Path, by: int) -> str:
+    def why_not_moved(self, folder: Path, by: int) -> str:
         """Why a folder that got its name once it was whole was not kept; empty where it was."""
         renamed = self._next(0, by, "rename", lambda call: call.text == str(folder))
         if renamed is None:
@@ -79,14 +79,14 @@ class Trace:
             made = next(
                 k for k, call in enumerate(self.calls) if call.text == name and call.name != "from"
             )
-            wrong = self._named(name, made, renamed)
+            wrong = self._why_not_named(name, made, renamed)
             if path.is_file():
-                wrong = self._kept(name, 0, renamed)
+                wrong = self._why_not_synced(name, 0, renamed)
             if wrong:
                 return wrong
-        return self._named(str(folder), renamed, by)
+        return self._why_not_named(str(folder), renamed, by)
 
-    def row_kept(self, since: int, by: int) -> str:
+    def why_no_row(self, since: int, by: int) -> str:
         """Why no row of the database was kept in between; empty where one was."""
         return self._content(f"{self._data}/station.db-wal", since, by, any_write=True)
 
@@ -103,7 +103,7 @@ class Trace:
         synced = self._next(begin, by, "sync", lambda call: call.text == name)
         return "" if synced is not None else f"{name} was not synced"
 
-    def _named(self, name: str, since: int, by: int) -> str:
+    def _why_not_named(self, name: str, since: int, by: int) -> str:
         """Whether the folder of a new name was synced."""
         folder = str(Path(name).parent)
         synced = self._next(since, by, "sync", lambda call: call.text == folder)
@@ -116,7 +116,7 @@ class Trace:
             for k in range(by):
                 call = self.calls[k]
                 named = call.name in ("make", "rename") and call.text == folder
-                if named and (wrong := self._named(folder, k, by)):
+                if named and (wrong := self._why_not_named(folder, k, by)):
                     return wrong
         return ""
 

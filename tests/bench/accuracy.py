@@ -83,7 +83,7 @@ def measure_joint(folder: Path) -> tuple[float, float, float]:
     found = calibrate_block(joint_inputs(read_session(folder)))
     truth = json.loads((folder / "truth.json").read_text())
     in_sensor = in_sensor_um(found.camera, found.plane, truth)
-    return in_sensor, in_flange_um(found, truth), found.known.total_um
+    return in_sensor, in_flange_um(found, truth), found.uncertainty.total_um
 
 
 def draw_sessions(count: int, folder: Path) -> Iterator[Path]:

@@ -39,7 +39,7 @@ MIN_POSES = 3
 class ClickedCorners:
     """The block's corners in one picture: where on the block (N, 3), and pixels (N, 2)."""
 
-    seen: BlockObservation
+    detection: BlockObservation
     T_arm_flange: Floats
     points_mm: Floats
     uv_px: Floats
@@ -78,7 +78,7 @@ def calibrate_opencv(
     lines = []
     for view, T in zip(views, T_cam_obj, strict=True):
         level, points = classify_levels(
-            move_camera(camera, T), session.block, view.seen.stripe.uv_px
+            move_camera(camera, T), session.block, view.detection.stripe.uv_px
         )
         lines.append(apply(T, points[level != ""]))
     plane = plane_through(np.concatenate(lines))
@@ -129,7 +129,9 @@ def print_samples(samples: Path) -> None:
         pictures = {pose.number: pose.ambient for pose in session.poses}
         views = [
             click_corners(read_grey(pictures[seen.number]), seen, session, T)
-            for seen, T in zip(inputs.seen, flange_poses(session.arm, inputs.q_rad), strict=True)
+            for seen, T in zip(
+                inputs.observations, flange_poses(session.arm, inputs.q_rad), strict=True
+            )
         ]
         found = calibrate_block(inputs)
         nominal = np.array(list(corners(session.block).values()))

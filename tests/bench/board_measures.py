@@ -58,7 +58,7 @@ class PeerCalibration:
     T_flange_sensor: Floats
     corners_mm: Floats
     plane: LaserPlane
-    sheet: Callable[[Camera, Floats], Floats] = flat
+    board_surface: Callable[[Camera, Floats], Floats] = flat
 
 
 def solve_pose(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
@@ -127,7 +127,7 @@ def _scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame], points_mm
 def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
     """(K, 3) where the line's points near the pattern lie on the sheet, sensor frame."""
     camera = board_from(solved, frame)
-    points = solved.sheet(camera, frame.stripe_px[frame.near_pattern()])
+    points = solved.board_surface(camera, frame.stripe_px[frame.near_pattern()])
     return apply(inverse(T_cam_of(solved.camera)) @ T_cam_of(camera), points)
 
 

@@ -37,7 +37,7 @@ def main() -> None:
     print(f"{'':<40}{'observed':>10}{'claimed':>10}{'claimed / observed':>22}")
     for name, errors in SET_UPS.items():
         found = [calibrate_board(session(seed, errors)) for seed in range(count)]
-        claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
+        claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
         observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
         _print_row(name, observed, claimed)
     for off_um in ARMS_UM if asked.arms else ():
@@ -54,7 +54,7 @@ def _measure_on_arms(count: int, off_um: float) -> tuple[float, float]:
                 Path(folder), SimulationConfig(seed=seed, imperfection_um=off_um)
             )
             observed.append(np.mean(errors_um(station) ** 2))
-            claimed.append(station.found.known.total_um**2)
+            claimed.append(station.calibration.uncertainty.total_um**2)
     return float(np.sqrt(np.mean(observed))), float(np.sqrt(np.mean(claimed)))
 
 

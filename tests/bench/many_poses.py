@@ -69,7 +69,9 @@ def measure_session(folder: Path) -> dict[str, tuple[float, float]]:
     pictures = {pose.number: pose.ambient for pose in session.poses}
     views = [
         click_corners(read_grey(pictures[seen.number]), seen, session, T)
-        for seen, T in zip(inputs.seen, flange_poses(session.arm, inputs.q_rad), strict=True)
+        for seen, T in zip(
+            inputs.observations, flange_poses(session.arm, inputs.q_rad), strict=True
+        )
     ]
     nominal = np.array(list(corners(session.block).values()))
     crenel = PeerCalibration("Crenel", found.camera, found.T_flange_sensor, nominal, found.plane)
@@ -77,7 +79,7 @@ def measure_session(folder: Path) -> dict[str, tuple[float, float]]:
         solved.name: errors_um(solved, folder)
         for solved in (*calibrate_opencv(session, views), crenel)
     }
-    return errors | {CLAIMED: (float("nan"), found.known.total_um)}
+    return errors | {CLAIMED: (float("nan"), found.uncertainty.total_um)}
 
 
 def rms(values: Floats) -> float:

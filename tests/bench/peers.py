@@ -65,7 +65,7 @@ class PeerRecording:
 
     size_px: tuple[int, int]
     board: Chessboard
-    seen: tuple[BoardObservation, ...]
+    detections: tuple[BoardObservation, ...]
     frames: tuple[BoardFrame, ...]
     cv_frames: tuple[BoardFrame, ...]
 
@@ -193,9 +193,9 @@ def calibrate_crenel(
     """What Crenel found, and the pictures whose laser line it says contradicts the others."""
     readings = np.array([frame.T_arm_flange for frame in made.frames])
     result = calibrate_board(
-        BoardInputs(arm_session.arm, made.board, made.seen, readings, made.size_px)
+        BoardInputs(arm_session.arm, made.board, made.detections, readings, made.size_px)
     )
-    coordinates = result.adjusted.state.coordinates
+    coordinates = result.adjustment.state.coordinates
     board = made.board
     said = {pose.number for pose in result.poses if "laser line" in pose.reason}
     solved = PeerCalibration(
@@ -254,7 +254,9 @@ def print_recording(folder: Path, scratch: Path) -> None:
     ]
     text = "".join(f"{value:>12.3f}" for value in own)
     print(f"{'Crenel, the plane of its calibration':<42}{'':>36}{text}")
-    as_flat = replace(crenel, corners_mm=corner_points(made.board), sheet=PeerCalibration.sheet)
+    as_flat = replace(
+        crenel, corners_mm=corner_points(made.board), board_surface=PeerCalibration.board_surface
+    )
     _print_row(
         "Crenel's camera and mounting, flat board", summary_figures(as_flat, made.frames, out)
     )

@@ -55,7 +55,7 @@ def measure_session(folder: Path) -> tuple[float, float, list[str]]:
     nominal = np.array(list(corners(session.block).values()))
     solved = PeerCalibration("", found.camera, found.T_flange_sensor, nominal, found.plane)
     doubts = [one.code for one in found.findings if one.quality in ("bad", "attention")]
-    return errors_um(solved, folder)[1], found.known.total_um, doubts
+    return errors_um(solved, folder)[1], found.uncertainty.total_um, doubts
 
 
 def main() -> None:

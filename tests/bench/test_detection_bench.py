@@ -44,7 +44,7 @@ def test_the_table_counts_every_picture(shot: DegradedImage) -> None:
     bench = DetectionBench(
         [one, refused, replace(one, outcome="wrong")], [search_wrong_certificate(shot, SEED)]
     )
-    assert (bench.right, bench.wrong, bench.believed) == (1, 1, 0)
+    assert (bench.right, bench.wrong, bench.wrongly_accepted) == (1, 1, 0)
     assert any(line.split()[:5] == ["all", "3", "33.3", "%", "1"] for line in bench.lines())
     assert "refused as object-unclear: 1" in bench.lines()
 
@@ -61,6 +61,6 @@ def test_a_narrow_merlon_s_wrong_side_is_told_amid_tool_marks() -> None:
 def test_a_wrong_size_that_the_picture_hides_is_named() -> None:
     """Cut off by the frame, and faces alike: merlon 1's right side does not show."""
     found = search_wrong_certificate(draw_degraded_image(5137), 5137)
-    assert found.believed
+    assert found.wrongly_accepted
     assert found.named
     assert any("(1 of them with the remark" in line for line in DetectionBench([], [found]).lines())

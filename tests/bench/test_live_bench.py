@@ -12,6 +12,6 @@ def test_a_scan_is_recorded_whole_and_seen_by_its_viewers() -> None:
     # a stripe that ends at the picture's border may lack its last columns
     assert found.points >= 0.95 * pace.width_px * found.frames_recorded
     assert 0 < found.age_median_s <= found.age_95_s < 20
-    assert found.joined_s > 0
+    assert found.join_s > 0
     assert found.recording_mb_s > 0
     assert len(table(found)) == 8

@@ -73,10 +73,10 @@ def nudge(by_mm: float, by_deg: float) -> Fault:
 
 def scale_block(share: float) -> Fault:
     def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
-        papers, state = session.problem.papers, session.start
+        papers, state = session.problem.prior, session.start
         papers = replace(papers, coordinates=papers.coordinates * (1 + share))
         state = replace(state, coordinates=state.coordinates * (1 + share))
-        return replace(session, problem=replace(session.problem, papers=papers), start=state)
+        return replace(session, problem=replace(session.problem, prior=papers), start=state)
 
     return spoilt
 
@@ -94,12 +94,12 @@ FAULTS: dict[str, tuple[str, Fault]] = {
 
 
 def session_contacts(session: Draw) -> ContactObservations:
-    assert session.problem.touches is not None
-    return session.problem.touches
+    assert session.problem.contacts is not None
+    return session.problem.contacts
 
 
 def with_contacts(session: Draw, touches: ContactObservations) -> Draw:
-    return replace(session, problem=replace(session.problem, touches=touches))
+    return replace(session, problem=replace(session.problem, contacts=touches))
 
 
 def move_contacts(session: Draw, by_mm: Floats) -> Draw:

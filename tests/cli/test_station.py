@@ -30,7 +30,7 @@ def test_a_folder_in_use_is_backed_up_and_can_be_opened(tmp_path: Path) -> None:
 def test_a_forgotten_password_is_given_anew_beside_a_station_that_runs(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.accounts.add("Ada", Role.admin, "a password that is lost")
-    cookie = store.sign_ins.begin("Ada", "a browser")
+    cookie = store.login_sessions.begin("Ada", "a browser")
 
     def give(name: str, password: str) -> Result:
         words = ["password", str(tmp_path), name]
@@ -41,8 +41,8 @@ def test_a_forgotten_password_is_given_anew_beside_a_station_that_runs(tmp_path:
     assert "10 to 200 are wanted" in give("ada", "short").output
     done = give("ada", "three unrelated words")
     assert (done.exit_code, "Ada has a new password" in done.output) == (0, True)
-    assert store.accounts.matching("Ada", "three unrelated words")
-    assert store.sign_ins.visitor(cookie) is None
+    assert store.accounts.authenticate("Ada", "three unrelated words")
+    assert store.login_sessions.principal(cookie) is None
     assert store.audit.newest(1)[0].act == "changed an account: Ada, new password"
     store.close()
     nowhere = CliRunner().invoke(cli, ["password", str(tmp_path / "none"), "Ada"])

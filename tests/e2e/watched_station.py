@@ -23,8 +23,8 @@ def serve(data: Path, broker_port: int) -> None:
         context = SimpleNamespace(store=store, guide=guide)
         use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")  # type: ignore[arg-type]
         store.close()
-        watching = replace(parts.watching, mqtt=BrokerSettings("127.0.0.1", broker_port))
-        parts = replace(parts, watching=watching)
+        watching = replace(parts.monitoring, mqtt=BrokerSettings("127.0.0.1", broker_port))
+        parts = replace(parts, monitoring=watching)
         run(Plan("Watched", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 
 

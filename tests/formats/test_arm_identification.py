@@ -69,7 +69,7 @@ def test_the_identified_arm_is_written_with_its_covariance(
         tmp_path / "s/spheres.csv"
     )
     assert part.validation.after.normalised < part.validation.before.normalised / 5
-    assert len(result.moved) == count
+    assert len(result.changes) == count
 
 
 def test_a_separate_folder_checks_the_result(tmp_path: Path, session: SimulatedArmSession) -> None:

@@ -95,7 +95,7 @@ def settings(**change: object) -> ScanSettings:
 
 def test_settings_survive_a_restart(tmp_path: Path) -> None:
     assert SettingsStore(tmp_path).read() == AUTOMATIC
-    SettingsStore(tmp_path).keep(settings())
+    SettingsStore(tmp_path).save(settings())
     again = SettingsStore(tmp_path)
     assert again.read() == settings()
     assert again.trouble is None

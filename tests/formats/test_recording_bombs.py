@@ -109,7 +109,7 @@ def test_a_bomb_is_damage_to_both_readers(
     with ThreadPoolExecutor(2) as pool:
         assert all(not block.frames for block in read_blocks(fast, pool, 4))
     assert all("is cut off or damaged" in recording.cut for recording in (slow, fast))
-    assert open_recording(path).told() == {"scan_name": "Bracket"}
+    assert open_recording(path).station_metadata() == {"scan_name": "Bracket"}
     assert last_stamp_ns(path) is None
 
 
@@ -124,7 +124,7 @@ def test_what_a_recording_tells_is_read_from_its_beginning_alone(
     if sparse:
         with path.open("r+b") as file:
             file.truncate(1 << 42)
-    assert open_recording(path).told() == {}
+    assert open_recording(path).station_metadata() == {}
 
 
 @pytest.mark.usefixtures("frugal")

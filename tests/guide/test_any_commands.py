@@ -141,7 +141,7 @@ class AnyCommands(RuleBasedStateMachine):
         super().__init__()
         self.data = Path(tempfile.mkdtemp(prefix="any-"))
         shutil.copytree(template, self.data, dirs_exist_ok=True)
-        self.parts: StationParts = replace(station_parts(twin, self.data), hand=None)
+        self.parts: StationParts = replace(station_parts(twin, self.data), simulated_operator=None)
 
     @initialize(at=st.fixed_dictionaries({kind: st.sampled_from(AT[kind]) for kind in AT}))
     def begin(self, at: dict[str, Rows]) -> None:
@@ -156,9 +156,9 @@ class AnyCommands(RuleBasedStateMachine):
         app = build_app(self.parts)
         self.context: Context = app.state.context
         self.http = InProcess(app)
-        code = {"code": self.context.entrance.code}
+        code = {"code": self.context.authenticator.code}
         self.http.post("/api/session/code", code).raise_for_status()
-        assert not any(guide.aside for guide in self.guides())
+        assert not any(guide.unreadable_reason for guide in self.guides())
 
     def guides(self) -> tuple[Any, ...]:
         return self.context.guide, self.context.arm_guide, self.context.verify_guide
@@ -192,7 +192,7 @@ class AnyCommands(RuleBasedStateMachine):
         self.http.close()
         close_context(self.context)
         self.context.store.close()
-        self.context.watch.close()
+        self.context.monitoring.close()
 
     def teardown(self) -> None:
         with suppress(AttributeError):  # nothing was begun
@@ -228,13 +228,13 @@ def twin() -> Iterator[SimulatedStation]:
 def template(twin: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A data folder with a calibration in use and a gauge."""
     data = tmp_path_factory.mktemp("template")
-    context = build_app(replace(station_parts(twin, data), hand=None)).state.context
+    context = build_app(replace(station_parts(twin, data), simulated_operator=None)).state.context
     use_truth(SimpleNamespace(twin=twin, data=data, context=context), "true")
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
     close_context(context)
     context.store.close()
-    context.watch.close()
+    context.monitoring.close()
     return data
 
 

@@ -199,7 +199,7 @@ def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Cren
     assert "laser is on" in hint.text
     (found,) = build_view(state, make_live(state, arm, block, corners_seen=20)).findings
     assert found.text == "20 corners of the object are found."
-    assert build_view(state, replace(live, corners_seen=20)).findings == view.findings
+    assert build_view(state, replace(live, corners_detected=20)).findings == view.findings
 
 
 def test_a_running_scan_keeps_the_laser(arm: Arm, block: Crenellated) -> None:

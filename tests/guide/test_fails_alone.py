@@ -33,7 +33,7 @@ def twin() -> Iterator[SimulatedStation]:
 
 @pytest.fixture
 def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(twin, tmp_path), hand=None)
+    return replace(station_parts(twin, tmp_path), simulated_operator=None)
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def context(parts: StationParts) -> Iterator[Context]:
     yield context
     close_context(context)
     context.store.close()
-    context.watch.close()
+    context.monitoring.close()
 
 
 def bundled(context: Context) -> dict[str, str]:
@@ -62,7 +62,7 @@ def test_an_address_that_is_none_is_not_read_from_the_file(parts: StationParts, 
     (parts.data / "notifications.json").write_text(json.dumps({"url": url, "secret": "s"}))
     context = open_context(parts)
     try:
-        assert context.watch.webhook.settings.url == ""
+        assert context.monitoring.webhook.settings.url == ""
         assert all(
             not item.id.startswith("not-made") for item in HealthChecker(context).look().items
         )
@@ -70,7 +70,7 @@ def test_an_address_that_is_none_is_not_read_from_the_file(parts: StationParts, 
     finally:
         close_context(context)
         context.store.close()
-        context.watch.close()
+        context.monitoring.close()
 
 
 def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
@@ -110,12 +110,12 @@ def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
 def test_odd_rows_and_endless_logs_are_bundled(context: Context) -> None:
     context.store.journal.begin_session("odd", "calibration")
     payload = '{"field": "arm", "id": "\\ud800", "long": "%s"}' % ("a" * 200_000)
-    with context.store._database.writing() as connection:
+    with context.store._database.transaction() as connection:
         connection.execute(
             "INSERT INTO journal (session_id, at, kind, payload) VALUES ('odd', '', 'chosen', ?)",
             (payload,),
         )
-    logs = context.watch.logs.folder
+    logs = context.monitoring.logs.folder
     with (logs / "station.jsonl.1").open("wb") as file:
         file.truncate(1 << 42)
         file.seek(0, 2)
@@ -137,7 +137,7 @@ def test_figures_that_no_calibration_has_are_set_aside(
     (record,) = context.store.calibrations.all()
     figures = json.dumps({"verdict": "good", **dict.fromkeys(("arm_serial", "object_serial"), "")})
     figures = f'{figures[:-1]}, "sensor_serial": "", "total_um": {total_um}}}'
-    with context.store._database.writing() as connection:
+    with context.store._database.transaction() as connection:
         connection.execute("UPDATE calibration SET figures = ?", (figures,))
     assert context.store.calibrations.all() == []
     assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]

@@ -26,7 +26,7 @@ def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_told(
     library_with(tmp_path, block=block, board=BOARD)
     (tmp_path / "objects/damaged.json").write_text(json.dumps({"format": "crenel/object"}))
     library = read_library(tmp_path)
-    assert {name: entry.sheet for name, entry in library.objects.items()} == {
+    assert {name: entry.datasheet for name, entry in library.objects.items()} == {
         "block": block,
         "board": BOARD,
     }

@@ -35,13 +35,13 @@ def twin() -> Iterator[SimulatedStation]:
 
 @pytest.fixture
 def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(twin, tmp_path), hand=None)
+    return replace(station_parts(twin, tmp_path), simulated_operator=None)
 
 
 def closed(context: Context) -> None:
     close_context(context)
     context.store.close()
-    context.watch.close()
+    context.monitoring.close()
 
 
 @pytest.mark.parametrize("payload", ["no JSON", "[1, 2]", '{"to": null}', "{" * 3000])
@@ -51,7 +51,7 @@ def test_a_session_with_a_bad_row_is_set_aside(
 ) -> None:
     store = Store(parts.data)
     store.journal.begin_session("bad", kind)
-    with store._database.writing() as connection:
+    with store._database.transaction() as connection:
         connection.execute(
             "INSERT INTO journal (session_id, at, kind, payload) VALUES ('bad', ?, ?, ?)",
             ("2026-01-01T00:00:00Z", "of_a_newer_version", payload),
@@ -84,7 +84,7 @@ def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
         context.store.scans.add(
             ScanRecord("one", "One", parts.data / "scans/one", utc_now(), 7, 3, 1.0, "true")
         )
-        with context.store._database.writing() as connection:
+        with context.store._database.transaction() as connection:
             connection.execute(change)
         (parts.data / "scans/one").mkdir()
         (parts.data / "scans/one/scan.mcap").write_bytes(b"no recording")

@@ -137,7 +137,7 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     turned[:3, :3] @= cv2.Rodrigues(np.array([0.0, 0.0, 1e-3]))[0]
     tilted = compared(probe_matrix=turned.tolist())
     assert tilted is not None
-    drawn = zip(tilted.map, result.known.map.calibrated, strict=True)
+    drawn = zip(tilted.map, result.uncertainty.map.calibrated, strict=True)
     assert tilted.max_um > max(point.moved_um for point, inside in drawn if inside) - 0.01
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None

@@ -187,17 +187,17 @@ class FakeSerialArm:
         self.chatter = b""
         self.latched_ns: dict[int, int] = {}
         self.requests = 0
-        self._said: list[bytes] = []
+        self._injected: list[bytes] = []
         self._born_ns = time.monotonic_ns() - 5_000_000_000
         self._running = True
         self._lock = threading.Lock()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
-    def say(self, data: bytes) -> None:
+    def inject(self, data: bytes) -> None:
         """Puts bytes between two samples."""
         with self._lock:
-            self._said.append(data)
+            self._injected.append(data)
 
     def reboot(self) -> None:
         """The sequence and the device's clock start at zero again."""
@@ -247,5 +247,5 @@ class FakeSerialArm:
                 self.repeat -= 1
                 self.line.write(data)
         self.line.write(self.chatter)
-        while self._said:
-            self.line.write(self._said.pop(0))
+        while self._injected:
+            self.line.write(self._injected.pop(0))

@@ -131,7 +131,7 @@ def test_damaged_packets_are_counted_as_corrupt_and_lost(
     arm.damage = 5  # five in a row are one stretch
     read_until(driver, lambda _: driver.health.lost >= 5)
     assert driver.health.corrupt == 1
-    arm.say(b"\xa7\x5c\x01\x01\xff noise")
+    arm.inject(b"\xa7\x5c\x01\x01\xff noise")
     read_until(driver, lambda _: driver.health.corrupt >= 2)
     read_until(driver, lambda got: len(got) > 20)
     assert (driver.health.lost, driver.health.corrupt) == (5, 2)
@@ -205,7 +205,7 @@ def test_the_latency_comes_off_the_stamp(arm: FakeSerialArm) -> None:
 
 def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: FakeSerialArm) -> None:
     arm.greets = False
-    timer = threading.Timer(0.5, arm.say, [hello_packet([COUNTS] * 6)])
+    timer = threading.Timer(0.5, arm.inject, [hello_packet([COUNTS] * 6)])
     timer.start()
     driver = from_options({"url": arm.line.url})
     assert driver.open().joint_count == 6
@@ -215,7 +215,7 @@ def test_an_arm_that_cannot_listen_is_known_by_its_own_hello(arm: FakeSerialArm)
 
 def test_another_arm_on_the_same_line_is_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
-    arm.say(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
+    arm.inject(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
     error = read_until_lost(lambda: driver.read(0.1))
     assert "B-2" in error.what
     assert "B-1" in error.what
@@ -330,7 +330,7 @@ def test_noise_on_the_line_costs_no_sample(
     lost = driver.health.lost
     samples: list[JointSample] = []
     for noise in noises:
-        arm.say(noise)
+        arm.inject(noise)
         samples += select_samples(read_until(driver, lambda got: len(got) > 5))
     assert np.all(np.diff([s.sequence for s in samples]) == 1)
     assert driver.health.lost == lost

@@ -178,13 +178,13 @@ def test_motion_rests_moves_and_halts_smoothly() -> None:
     share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
     end = motion.play(JointPath(np.linspace(0.0, 1.0, 30), REST + share), start)
     assert np.array_equal(motion.at(start - 1), REST)
-    assert not motion.resting_at(start + 1000)
+    assert not motion.is_resting(start + 1000)
     assert np.allclose(motion.at(end + 5), REST + 1)
     motion.halt(start + 500_000_000)
     stamps = np.arange(start, start + 10**9, 10**6)
     q = motion.at_all(stamps)[:, 0]
     speed = np.diff(q) * 1000
-    assert motion.resting_at(start + 700_000_000)
+    assert motion.is_resting(start + 700_000_000)
     assert np.abs(np.diff(speed)).max() < 0.1
     assert speed[-1] == 0
     assert 0.5 < q[-1] - REST[0] < 0.65

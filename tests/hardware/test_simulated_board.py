@@ -40,7 +40,7 @@ def twin() -> Iterator[SimulatedStation]:
 
 def board_of(twin: SimulatedStation) -> tuple[Board, Floats]:
     """The board as it truly is, and where."""
-    thing = twin._scene.thing("board")
+    thing = twin._scene.find_object("board")
     assert isinstance(thing.shape, Board)
     return thing.shape, thing.T_arm_obj
 
@@ -114,8 +114,8 @@ def test_the_lasers_line_is_as_much_dimmer_on_black() -> None:
 
 def test_pictures_of_the_block_do_not_trace_the_board() -> None:
     twin = SimulatedStation(SMALL)
-    kinds, _, _ = twin._renderer()._things_in_view(twin._rig.T_arm_obj)
-    assert len(kinds) < len(twin._scene.things) - 2
+    kinds, _, _ = twin._renderer()._visible_objects(twin._rig.T_arm_obj)
+    assert len(kinds) < len(twin._scene.objects) - 2
     assert 4 not in kinds
 
 
@@ -125,7 +125,7 @@ def test_the_board_is_made_after_its_certificate() -> None:
         twin = SimulatedStation(replace(SMALL, seed=seed, certificate_sd_mm=0.005))
         board, _ = board_of(twin)
         columns, rows = board.inner_corners
-        paper = twin.papers()["chessboard.json"]
+        paper = twin.datasheets()["chessboard.json"]
         assert (paper["inner_corners"], paper["square_mm"]) == ([columns, rows], 4.5)
         sizes.append((board.square_x_mm - 4.5) * (columns - 1))
         sizes.append((board.square_y_mm - 4.5) * (rows - 1))
@@ -139,7 +139,7 @@ def test_the_hand_touches_places_all_over_the_printed_side(twin: SimulatedStatio
     spots = []
     for index in range(5):
         with ThreadPoolExecutor() as pool:
-            touched = pool.submit(twin.hand.touch, "board", index)
+            touched = pool.submit(twin.operator.touch, "board", index)
             records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             pressed_ns = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
             assert touched.result(LONG_S)
@@ -150,17 +150,17 @@ def test_the_hand_touches_places_all_over_the_printed_side(twin: SimulatedStatio
     assert places[:, 2] == pytest.approx(twin._rig.arm.tip_diameter_mm / 2, abs=0.03)
     assert np.all(np.abs(places[:, :2] - board.middle_mm[:2]) < board.half_pattern_mm)
     assert np.all(np.ptp(places[:, :2], axis=0) > board.half_pattern_mm / 2)
-    assert twin.hand.touch("crest", 0)
+    assert twin.operator.touch("crest", 0)
 
 
 def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: SimulatedStation) -> None:
     board, T_arm_board = board_of(twin)
     half = np.array([*board.half_pattern_mm, 0.0])
     ends = np.array([[x, y, 0] for x in (-1, 1) for y in (-1, 1)]) * half + board.middle_mm
-    optics, sheet = twin._rig.optics, twin._rig.sheet
+    optics, sheet = twin._rig.optics, twin._rig.light_plane
     ways, turns, heights = [], [], []
     for view in range(len(VIEWPOINTS)):
-        assert twin.hand.hold_over("board", view)
+        assert twin.operator.hold_over("board", view)
         T = np.linalg.inv(twin.sensor_pose(now_ns())) @ T_arm_board
         corners = ends @ T[:3, :3].T + T[:3, 3]
         uv = to_pixels(optics, corners)
@@ -184,4 +184,4 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Simulate
 def test_the_sensor_is_held_over_block_and_board_only(twin: SimulatedStation) -> None:
     for name in ("shell", "teapot"):
         with pytest.raises(KeyError, match=name):
-            twin.hand.hold_over(name)
+            twin.operator.hold_over(name)

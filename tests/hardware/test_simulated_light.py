@@ -103,6 +103,6 @@ def test_tool_marks_run_along_a_face() -> None:
 def test_a_spoilt_picture_is_of_one_piece() -> None:
     shot = draw_degraded_image(3)
     assert shot.nuisances <= set(NUISANCES)
-    assert shot.in_sight >= USABLE
+    assert shot.visible_share >= USABLE
     assert shot.image.shape == (shot.optics.height_px, shot.optics.width_px)
     assert np.array_equal(shot.image, draw_degraded_image(3).image)

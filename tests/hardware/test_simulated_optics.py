@@ -70,11 +70,11 @@ def block_scene(light: Light = PLAIN) -> SimulatedScene:
 
 def over_block(scene: SimulatedScene) -> Floats:
     tilt = rotation_about("z", 0.03) @ rotation_about("x", 0.02) @ rotation_about("y", -0.03)
-    return scene.thing("block").T_arm_obj @ translation(0.3, -0.2, 7.5) @ tilt
+    return scene.find_object("block").T_arm_obj @ translation(0.3, -0.2, 7.5) @ tilt
 
 
 def in_sensor(scene: SimulatedScene, T_arm_sensor: Floats, points_obj: Floats) -> Floats:
-    T = np.linalg.inv(T_arm_sensor) @ scene.thing("block").T_arm_obj
+    T = np.linalg.inv(T_arm_sensor) @ scene.find_object("block").T_arm_obj
     return points_obj @ T[:3, :3].T + T[:3, 3]
 
 
@@ -115,7 +115,7 @@ def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, 
     optics, sheet = draw_sensor(BLOCK, distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, EXACT).picture(T).astype(np.float64)
+    image = Renderer(scene, optics, sheet, EXACT).render(T).astype(np.float64)
     ends = np.array(EDGES[name], dtype=np.float64)
     points = ends[0] + np.linspace(0, 1, 400)[:, None] * (ends[1] - ends[0])
     off = step_places(image, opencv_pixels(optics, in_sensor(scene, T, points)))
@@ -132,9 +132,9 @@ def test_the_stripe_is_where_geometry_puts_it(
     optics, sheet = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, EXACT).picture(T, room=0.0, laser=1.0)
+    image = Renderer(scene, optics, sheet, EXACT).render(T, room=0.0, laser=1.0)
     light = image.astype(np.float64) - image[5, 5]
-    into = np.linalg.inv(T) @ scene.thing("block").T_arm_obj
+    into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
     normal = into[:3, :3].T @ np.array(sheet.normal)
     offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
     x = np.linspace(patch[0] + 0.4, patch[1] - 0.4, 300)
@@ -163,7 +163,7 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
     scene = block_scene()
     light, _, _ = Renderer(scene, optics, sheet, NOISELESS).laser_light(over_block(scene))
     T = over_block(scene)
-    into = np.linalg.inv(T) @ scene.thing("block").T_arm_obj
+    into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
     normal = into[:3, :3].T @ np.array(sheet.normal)
     offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
 
@@ -196,12 +196,12 @@ def test_noise_is_as_the_detector_says() -> None:
     detector = Detector()
     renderer = Renderer(block_scene(), optics, sheet, detector)
     T = over_block(renderer.scene)
-    frames = np.stack([renderer.picture(T).astype(np.float64) for _ in range(24)])
+    frames = np.stack([renderer.render(T).astype(np.float64) for _ in range(24)])
     flat = frames[:, 20:60, 20:200]
     light = flat.mean() - detector.dark_dn
     expected = np.sqrt(detector.read_dn**2 + detector.shot_dn * light + 1 / 12)
     assert flat.std(axis=0).mean() == pytest.approx(expected, rel=0.05)
-    dark = np.stack([renderer.picture(T, room=0.0).astype(np.float64) for _ in range(8)])
+    dark = np.stack([renderer.render(T, room=0.0).astype(np.float64) for _ in range(8)])
     assert dark.mean() == pytest.approx(detector.dark_dn, abs=0.05)
 
 
@@ -221,10 +221,10 @@ def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
     optics, sheet = draw_sensor(BLOCK)
     renderer = Renderer(block_scene(), optics, sheet, Detector(read_dn=0.0, shot_dn=0.0))
     T = over_block(renderer.scene)
-    first = renderer.picture(T, room=0.0, laser=0.5).astype(np.int64)
-    again = renderer.picture(T, room=0.0, laser=0.5).astype(np.int64)
+    first = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
+    again = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
     assert np.array_equal(first, again)
-    moved = renderer.picture(T @ translation(0.5, 0.0, 0.0), room=0.0, laser=0.5)
+    moved = renderer.render(T @ translation(0.5, 0.0, 0.0), room=0.0, laser=0.5)
     lit = first > 60
     assert np.mean(np.abs(first - moved.astype(np.int64))[lit]) > 8
 
@@ -233,10 +233,10 @@ def test_too_much_light_saturates() -> None:
     optics, sheet = draw_sensor(BLOCK)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, Detector()).picture(T, room=4.0)
+    image = Renderer(scene, optics, sheet, Detector()).render(T, room=4.0)
     assert image.max() == 255
     assert np.mean(image == 255) > 0.2
-    deep = Renderer(scene, optics, sheet, Detector(bits=12)).picture(T, room=4.0)
+    deep = Renderer(scene, optics, sheet, Detector(bits=12)).render(T, room=4.0)
     assert deep.dtype == np.uint16
     assert deep.max() == 4095
 

@@ -52,7 +52,7 @@ def station() -> Iterator[SimulatedStation]:
 @pytest.fixture
 def twin(station: SimulatedStation) -> SimulatedStation:
     station.faults.clear()
-    station.lamps.room, station.lamps.room_with_laser = 1.0, False
+    station.lighting.room, station.lighting.room_with_laser = 1.0, False
     return station
 
 
@@ -79,7 +79,7 @@ def model_of(paper: object) -> ArmModel:
 
 
 def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
-    papers = twin.papers()
+    papers = twin.datasheets()
     model, block = model_of(papers["arm.json"]), papers["object.json"]
     T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
     driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
@@ -87,7 +87,7 @@ def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
     heights = []
     for index in range(3):
         with ThreadPoolExecutor() as pool:
-            touched = pool.submit(twin.hand.touch, "crest", index)
+            touched = pool.submit(twin.operator.touch, "crest", index)
             records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             assert touched.result(LONG_S)
         assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
@@ -106,20 +106,20 @@ def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
 
 @pytest.mark.parametrize("face", ["floor", "front", "back", "left", "right"])
 def test_the_hand_reaches_every_face(twin: SimulatedStation, face: str) -> None:
-    assert face in twin.hand.faces
-    assert twin.hand.touch(face, 0)
-    assert not twin.hand.state.busy
+    assert face in twin.operator.faces
+    assert twin.operator.touch(face, 0)
+    assert not twin.operator.state.busy
 
 
 def test_an_unknown_face_or_part_is_refused(twin: SimulatedStation) -> None:
     with pytest.raises(KeyError, match=r"can touch crest.* board"):
-        twin.hand.touch("roof", 0)
+        twin.operator.touch("roof", 0)
     with pytest.raises(KeyError, match="plate"):
-        twin.hand.scan_part("teapot")
+        twin.operator.scan_part("teapot")
 
 
 def test_the_sensor_is_held_over_the_block(twin: SimulatedStation) -> None:
-    assert twin.hand.hold_over("block")
+    assert twin.operator.hold_over("block")
     driver = twin.sensor()
     driver.open()
     ambient = [next_frame(driver) for _ in range(3)][-1].image
@@ -139,7 +139,7 @@ def test_the_sensor_is_held_over_the_block(twin: SimulatedStation) -> None:
 def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> None:
     driver = twin.sensor()
     driver.open()
-    assert twin.hand.hold_over("block")
+    assert twin.operator.hold_over("block")
 
     def level() -> float:
         [next_frame(driver) for _ in range(2)]
@@ -148,9 +148,9 @@ def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> Non
     nominal = level()
     driver.set_exposure_us(Detector().nominal_exposure_us / 2)
     assert level() == pytest.approx(nominal / 2, rel=0.1)
-    twin.lamps.room = 0.0
+    twin.lighting.room = 0.0
     assert level() < 5
-    twin.lamps.room, twin.lamps.room_with_laser = 1.0, True
+    twin.lighting.room, twin.lighting.room_with_laser = 1.0, True
     driver.set_laser(True)
     both = [next_frame(driver) for _ in range(3)][-1].image
     assert np.percentile(both, 90) > 50
@@ -163,13 +163,13 @@ def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: SimulatedStation) ->
     driver = twin.sensor()
     driver.open()
     driver.set_laser(True)
-    plate = twin._scene.thing("plate").T_arm_obj
+    plate = twin._scene.find_object("plate").T_arm_obj
     on_plate: list[Floats] = []
     deadline = time.monotonic() + 6 * LONG_S
     while len(on_plate) < 8:
         assert time.monotonic() < deadline, f"{len(on_plate)} frames of the plate"
         with ThreadPoolExecutor() as pool:
-            sweep = pool.submit(twin.hand.scan_part, "plate")
+            sweep = pool.submit(twin.operator.scan_part, "plate")
             while not sweep.done():
                 points = stripe_in_arm_frame(twin, next_frame(driver))
                 points = (points - plate[:3, 3]) @ plate[:3, :3]
@@ -212,19 +212,19 @@ def lit_points(camera: dict, sheet: object, u: np.ndarray, v: np.ndarray) -> np.
 
 def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: SimulatedStation) -> None:
     results: list[bool] = []
-    hand = threading.Thread(target=lambda: results.append(twin.hand.scan_part("shell")))
+    hand = threading.Thread(target=lambda: results.append(twin.operator.scan_part("shell")))
     hand.start()
     deadline = time.monotonic() + LONG_S
-    while twin.hand.state.progress < 0.1 and time.monotonic() < deadline:
+    while twin.operator.state.progress < 0.1 and time.monotonic() < deadline:
         time.sleep(0.01)
-    assert twin.hand.state.activity == "scanning the shell"
-    twin.hand.cancel()
+    assert twin.operator.state.activity == "scanning the shell"
+    twin.operator.cancel()
     hand.join(LONG_S)
     assert results == [False]
     rest = twin.sensor_pose(now_ns())
     time.sleep(0.05)
     assert np.array_equal(twin.sensor_pose(now_ns()), rest)
-    assert twin.hand.touch("crest", 1)
+    assert twin.operator.touch("crest", 1)
 
 
 def test_lost_frames_are_counted_and_leave_a_gap(twin: SimulatedStation) -> None:
@@ -237,7 +237,7 @@ def test_lost_frames_are_counted_and_leave_a_gap(twin: SimulatedStation) -> None
 
 
 def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> None:
-    papers = twin.papers()
+    papers = twin.datasheets()
     assert set(papers) == {
         "arm.json",
         "object.json",

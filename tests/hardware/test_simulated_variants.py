@@ -45,9 +45,9 @@ def pictures(light: Light, bits: int) -> list[RawImage]:
     renderer = Renderer(scene, optics, sheet, Detector(bits=bits), SEED)
     T = AT @ translation(0.3, -0.2, 7.5)
     return [
-        renderer.picture(T, 1.0, 0.0, FINE),
-        renderer.picture(T, 0.0, 1.0),
-        renderer.picture(T @ translation(0.1, 0.0, 0.0), 1.0, 1.0, SMEARED),
+        renderer.render(T, 1.0, 0.0, FINE),
+        renderer.render(T, 0.0, 1.0),
+        renderer.render(T @ translation(0.1, 0.0, 0.0), 1.0, 1.0, SMEARED),
     ]
 
 
@@ -68,5 +68,5 @@ def test_every_shape_is_in_the_picture() -> None:
     for thing in EVERY_KIND:
         others = tuple(other for other in EVERY_KIND if other is not thing)
         renderer = Renderer(SimulatedScene(others), optics, sheet, Detector(), SEED)
-        without = renderer.picture(AT @ translation(0.3, -0.2, 7.5), 1.0, 0.0, FINE)
+        without = renderer.render(AT @ translation(0.3, -0.2, 7.5), 1.0, 0.0, FINE)
         assert np.mean(np.abs(whole.astype(np.int64) - without) > 5) > 0.001, thing.name

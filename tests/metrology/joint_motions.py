@@ -54,8 +54,8 @@ def judged(readings: Iterable[Sample], rate_hz: float = 1000.0, arm: Arm | None 
     judge: PlausibilityFilter[Sample] = PlausibilityFilter(6, rate_hz, arm)
     good: list[Sample] = []
     for reading in readings:
-        good += judge.passed([reading])
-    good += judge.rest()
+        good += judge.filter([reading])
+    good += judge.flush()
     assert [one.stamp_ns for one in good] == sorted(one.stamp_ns for one in good)
     kept = {id(one) for one in good}
     return Judged(judge, np.array([id(one) in kept for one in readings]))

@@ -101,7 +101,7 @@ def render_block(
         Detector(blur_px=blur_px),
         seed,
     )
-    image = np.asarray(renderer.picture(np.eye(4), 1.0, laser, 55), dtype=np.uint8)
+    image = np.asarray(renderer.render(np.eye(4), 1.0, laser, 55), dtype=np.uint8)
     T = optics.T_cam_sensor
     lens = np.array(optics.distortion)
     camera = Camera(optics.matrix, T[:3, :3], T[:3, 3], WIDTH, HEIGHT, lens)

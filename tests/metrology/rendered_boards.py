@@ -47,37 +47,39 @@ class RenderedBoards:
         self.twin = SimulatedStation(config)
         self._rng = np.random.default_rng(config.seed + 500)
         self._renderer = self.twin._renderer()
-        for name, paper in self.twin.papers().items():
+        for name, paper in self.twin.datasheets().items():
             (folder / name).write_text(json.dumps(paper))
         self.arm = read_arm(folder / "arm.json")
         board = read_object(folder / "chessboard.json")
         assert isinstance(board, Chessboard)
         self.board = board
-        self.axis = str(self.twin.papers()["sensor.json"]["stripe_axis"])
+        self.axis = str(self.twin.datasheets()["sensor.json"]["stripe_axis"])
         self.shots = [self._shot(view) for view in range(COUNT)]
 
     def _shot(self, view: int) -> BoardShot:
-        rig, thing = self.twin._rig, self.twin._scene.thing("board")
+        rig, thing = self.twin._rig, self.twin._scene.find_object("board")
         assert isinstance(thing.shape, Board)
-        T_board_sensor = sensor_over_board(thing.shape, self.twin.hand._sight, view, self._rng)
+        T_board_sensor = sensor_over_board(
+            thing.shape, self.twin.operator._sensor_mount, view, self._rng
+        )
         T = thing.T_arm_obj @ T_board_sensor
         q = solve_joints(rig.arm, T @ inverse(rig.T_flange_sensor), self.twin._home, self._rng)
         noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
-        pictures = (self._renderer.picture(T, 1.0, 0.0), self._renderer.picture(T, 0.0, 1.0))
+        pictures = (self._renderer.render(T, 1.0, 0.0), self._renderer.render(T, 0.0, 1.0))
         return BoardShot(*pictures, q + noise, T_board_sensor)
 
     @cached_property
-    def seen(self) -> tuple[BoardObservation, ...]:
+    def detections(self) -> tuple[BoardObservation, ...]:
         return tuple(
             observe_board(k + 1, self.board, shot.ambient, shot.laser, self.axis)
             for k, shot in enumerate(self.shots)
         )
 
     @cached_property
-    def found(self) -> BoardCalibration:
+    def calibration(self) -> BoardCalibration:
         readings = np.array([shot.reading_rad for shot in self.shots])
         size = (self.twin.config.width_px, self.twin.config.height_px)
-        return calibrate_board(BoardInputs(self.arm, self.board, self.seen, readings, size))
+        return calibrate_board(BoardInputs(self.arm, self.board, self.detections, readings, size))
 
     def camera(self, T_frame_sensor: Floats) -> Camera:
         """The true camera, placed in a frame."""
@@ -88,7 +90,7 @@ class RenderedBoards:
 
     def true_points(self, uv_px: Floats) -> Floats:
         """Where the light of pixels (N, 2) truly comes from, flange frame."""
-        sheet = self.twin._rig.sheet
+        sheet = self.twin._rig.light_plane
         plane = LaserPlane(np.array(sheet.normal), sheet.offset_mm)
         points = sensor_points(self.camera(np.eye(4)), plane, uv_px)
         return apply(self.twin._rig.T_flange_sensor, points)
@@ -96,7 +98,7 @@ class RenderedBoards:
 
 def errors_um(session: RenderedBoards) -> Floats:
     """(G,) how far reconstructed points over the measuring volume lie off, flange frame."""
-    found, uv = session.found, session.found.known.volume.uv_px
-    state = found.adjusted.state
+    found, uv = session.calibration, session.calibration.uncertainty.volume.uv_px
+    state = found.adjustment.state
     ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
     return np.asarray(1e3 * np.linalg.norm(ours - session.true_points(uv), axis=1))

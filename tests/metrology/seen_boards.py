@@ -144,7 +144,7 @@ def camera_at(T_cam_frame: Floats) -> Camera:
 
 def error_um(found: BoardCalibration) -> float:
     """Rms error of reconstructed points over the measuring volume, in the flange frame."""
-    state, uv = found.adjusted.state, found.known.volume.uv_px
+    state, uv = found.adjustment.state, found.uncertainty.volume.uv_px
     ours = apply(state.T_flange_cam, sensor_points(state.camera, state.plane, uv))
     true = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
     off = ours - apply(T_FLANGE_CAM, true)

@@ -108,7 +108,7 @@ def chosen(
         system.rows, system.others, choice.order, parameter_limits(arm, choice.order)
     )
     names = parameter_names(arm)
-    assert {*moved.tolist(), *held, *choice.held} == set(range(len(names)))
+    assert {*moved.tolist(), *held, *choice.fixed} == set(range(len(names)))
     return {names[i] for i in moved}, arm
 
 
@@ -143,7 +143,7 @@ def test_without_a_length_the_longest_link_holds_the_scale() -> None:
     assert "J2.a_mm" not in moved
     assert len(moved) == 4 * 6 - 4
     choice = candidates(nominal_arm(model), with_lengths=False)
-    assert [parameter_names(nominal_arm(model))[i] for i, r in choice.held.items() if r == "scale"]
+    assert [parameter_names(nominal_arm(model))[i] for i, r in choice.fixed.items() if r == "scale"]
 
 
 def test_a_tip_on_the_last_axis_tells_nothing_of_that_joint() -> None:

@@ -55,7 +55,7 @@ def found(given: BoardInputs) -> BoardCalibration:
 
 
 def test_the_truth_is_found(found: BoardCalibration) -> None:
-    state = found.adjusted.state
+    state = found.adjustment.state
     off = inverse(T_FLANGE_CAM) @ state.T_flange_cam
     assert np.linalg.norm(off[:3, 3]) < 0.15
     assert np.degrees(np.linalg.norm(Rotation.from_matrix(off[:3, :3]).as_rotvec())) < 0.03
@@ -68,7 +68,7 @@ def test_the_truth_is_found(found: BoardCalibration) -> None:
 
 
 def test_reconstructed_points_are_as_good_as_said(found: BoardCalibration) -> None:
-    state, known = found.adjusted.state, found.known
+    state, known = found.adjustment.state, found.uncertainty
     true = Camera(K, np.eye(3), np.zeros(3), 640, 512, np.array([K1, 0, 0, 0, 0]))
     uv = known.volume.uv_px
     right = apply(T_FLANGE_CAM, sensor_points(true, LaserPlane(NORMAL, OFFSET_MM), uv))
@@ -90,14 +90,14 @@ def test_the_sheets_slopes_are_its_derivatives() -> None:
 
 def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration) -> None:
     """Against differences, for every parameter, on a bent sheet."""
-    seen, T = given.seen[6], POSES[6]
+    seen, T = given.observations[6], POSES[6]
     camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
     plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
     rng = np.random.default_rng(1)
     papers = board_prior(BOARD)
     values = papers.coordinates + rng.normal(0, 0.05, len(papers.names))
     view = BoardView(BOARD, seen.detection, seen.stripe, np.ones(len(seen.stripe.u), np.bool_))
-    view = view.sorted_anew(camera, plane, values)
+    view = view.reclassify_stripe(camera, plane, values)
     told = view.rows(camera, plane, values)
     scene = SceneModel(camera, plane, BLOCK)
     count = COUNT + 3
@@ -109,7 +109,7 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
             if k < count:
                 step = np.zeros(len(scene.names))
                 step[k] = way * h
-                moved = scene.moved(step)
+                moved = scene.apply_step(step)
             else:
                 there[k - count] += way * h
             ends.append(view.rows(moved.camera, moved.plane, there))
@@ -134,12 +134,12 @@ def touching(count: int, radius_mm: float) -> Floats:
 
 def test_contacts_are_used_where_given(given: BoardInputs, found: BoardCalibration) -> None:
     touched = calibrate_board(replace(given, contact_readings=touching(12, 3.0)))
-    contacts = touched.adjusted.linear.contacts
+    contacts = touched.adjustment.linear.contacts
     assert contacts is not None
     assert np.sqrt(np.mean(contacts.residuals_mm**2)) < 0.05
-    assert touched.known.total_um < found.known.total_um
-    assert "contact points" in {row.source for row in touched.known.rows}
-    assert "contact points" not in {row.source for row in found.known.rows}
+    assert touched.uncertainty.total_um < found.uncertainty.total_um
+    assert "contact points" in {row.source for row in touched.uncertainty.rows}
+    assert "contact points" not in {row.source for row in found.uncertainty.rows}
 
 
 def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:
@@ -166,12 +166,12 @@ def test_a_pose_that_contradicts_is_named(given: BoardInputs) -> None:
 
 def test_a_line_that_contradicts_is_named(given: BoardInputs) -> None:
     moved = picture(POSES[4], Look(offset_mm=OFFSET_MM + 3.0), 4)
-    seen = list(given.seen)
+    seen = list(given.observations)
     seen[4] = observe_board(5, BOARD, moved, None, "v")
-    result = calibrate_board(replace(given, seen=tuple(seen)))
+    result = calibrate_board(replace(given, observations=tuple(seen)))
     named = [pose.number for pose in result.poses if "laser line" in pose.reason]
     assert named == [5]
-    assert abs(result.adjusted.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
+    assert abs(result.adjustment.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
 
 
 def test_poses_all_alike_are_refused(given: BoardInputs) -> None:
@@ -183,15 +183,17 @@ def test_poses_all_alike_are_refused(given: BoardInputs) -> None:
 
 def test_two_pictures_are_refused(given: BoardInputs) -> None:
     with pytest.raises(OperationError) as refused:
-        calibrate_board(replace(given, seen=given.seen[:2], readings=given.readings[:2]))
+        calibrate_board(
+            replace(given, observations=given.observations[:2], readings=given.readings[:2])
+        )
     assert refused.value.code == "too-few-poses"
 
 
 def test_pictures_without_the_line_are_refused(given: BoardInputs) -> None:
-    empty = given.seen[2].stripe
-    seen = tuple(replace(pose, stripe=empty) for pose in given.seen)
+    empty = given.observations[2].stripe
+    seen = tuple(replace(pose, stripe=empty) for pose in given.observations)
     with pytest.raises(OperationError) as refused:
-        calibrate_board(replace(given, seen=seen))
+        calibrate_board(replace(given, observations=seen))
     assert refused.value.code == "stripe-not-found"
 
 
@@ -228,5 +230,5 @@ def test_a_steady_laser_is_told_from_an_unsteady_one(
     """Both are far from what is usual, which is thought of only where little is seen."""
     errors = BoardErrors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
     for seed in range(3):
-        off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjusted)
+        off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjustment)
         assert least_mm < off_mm < most_mm

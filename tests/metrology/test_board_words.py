@@ -43,7 +43,7 @@ def refusal(inputs: BoardInputs) -> OperationError:
 @pytest.mark.parametrize("errors", [BoardErrors(), BoardErrors(tilt_rad=1.5e-3)])
 def test_claims_are_kept(errors: BoardErrors) -> None:
     found = [calibrate_board(session(seed, errors)) for seed in range(8)]
-    claimed = np.sqrt(np.mean([one.known.total_um**2 for one in found]))
+    claimed = np.sqrt(np.mean([one.uncertainty.total_um**2 for one in found]))
     observed = np.sqrt(np.mean([error_um(one) ** 2 for one in found]))
     assert 0.7 < claimed / observed < 1.5
 
@@ -51,10 +51,10 @@ def test_claims_are_kept(errors: BoardErrors) -> None:
 def test_a_robots_noise_is_told_from_a_rocking_board() -> None:
     poses = POSES * 3
     inputs = session(1, BoardErrors(tilt_rad=2e-3), poses=poses)
-    camera, T = board_camera(inputs.seen, PAPER_BOARD, inputs.size_px)
+    camera, T = board_camera(inputs.observations, PAPER_BOARD, inputs.size_px)
     views = [
         BoardView(PAPER_BOARD, one.detection, one.stripe, np.zeros(len(one.stripe.u), np.bool_))
-        for one in inputs.seen
+        for one in inputs.observations
     ]
     found = adjust_bundle(
         views, [replace(camera, rotation=t[:3, :3], translation_mm=t[:3, 3]) for t in T]
@@ -83,7 +83,7 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     assert "--usable-um" in told.remedy
     nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
     assert "like these, in all, would do" in nearer.remedy
-    assert not load_sentences("de").best(nearer.remedy).left
+    assert not load_sentences("de").best(nearer.remedy).english_letters
     easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
     assert easy.quality == "good"
 
@@ -103,7 +103,7 @@ def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> Non
     said = {one.code: one.text for one in found.findings}
     assert "by the certificate 1 µm" in said["board-print"]
     assert "flat to 0.01 mm was expected" in said["board-bent"]
-    assert error_um(found) < 3 * found.known.total_um
+    assert error_um(found) < 3 * found.uncertainty.total_um
 
 
 def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
@@ -139,7 +139,7 @@ def test_contacts_that_slipped_are_left_out_and_named(
     for row in rows:
         assert f" {row + 1} (board, +" in told["contact-outliers"]
     assert found.contacts is not None
-    assert tuple(np.flatnonzero(found.contacts.left_out)) == rows
+    assert tuple(np.flatnonzero(found.contacts.excluded)) == rows
 
 
 def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
@@ -181,7 +181,7 @@ def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
     assert "left out" in moved.text
     assert "warm up" in moved.remedy
     assert [pose.number for pose in found.poses if "left out" in pose.reason] == [1, 2]
-    assert error_um(found) < 3 * found.known.total_um < 900
+    assert error_um(found) < 3 * found.uncertainty.total_um < 900
 
 
 def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
@@ -190,7 +190,7 @@ def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
     readings[[0, 1]] = readings[[1, 0]]
     found = calibrate_board(replace(given, readings=readings))
     out = {pose.number for pose in found.poses if not pose.used}
-    assert out == {given.seen[0].number, given.seen[1].number}
+    assert out == {given.observations[0].number, given.observations[1].number}
     told = [one.text for one in found.findings if one.code == "pose-left-out"]
     assert {int(text.split()[1].rstrip(":")) for text in told} == out
     assert "laser-moved" in {one.code for one in found.findings}
@@ -209,7 +209,7 @@ def test_one_line_that_contradicts_is_left_out() -> None:
     assert left_out.number == 1
     assert "laser line was left out" in left_out.reason
     assert left_out.stripe_points == 0
-    assert error_um(found) < 3 * found.known.total_um
+    assert error_um(found) < 3 * found.uncertainty.total_um
 
 
 def test_a_laser_along_the_board_is_refused() -> None:
@@ -226,10 +226,10 @@ def test_boards_all_parallel_are_refused() -> None:
     turned = [rigid(POSES[0][:3, :3], POSES[0][:3, 3] + [0, 0, 5.0 * k]) for k in range(6)]
     inputs = session(6)
     seen = tuple(
-        replace(inputs.seen[0], number=k + 1, detection=inputs.seen[0].detection)
+        replace(inputs.observations[0], number=k + 1, detection=inputs.observations[0].detection)
         for k in range(len(turned))
     )
-    refused = refusal(replace(inputs, seen=seen, readings=inputs.readings[: len(seen)]))
+    refused = refusal(replace(inputs, observations=seen, readings=inputs.readings[: len(seen)]))
     assert refused.code == "boards-parallel"
 
 
@@ -243,7 +243,7 @@ def test_a_picture_of_nothing_is_refused(level: int) -> None:
 def test_the_truth_is_where_it_was_put() -> None:
     """The sessions made here have no error but those asked for."""
     none = BoardErrors(1e-9, 1e-6, 0.0, 1e-6, 1e-9, 1e-3, 1e-3)
-    state = calibrate_board(session(7, none)).adjusted.state
+    state = calibrate_board(session(7, none)).adjustment.state
     assert np.linalg.norm((state.T_flange_cam - T_FLANGE_CAM)[:3, 3]) < 0.02
     assert np.linalg.norm((state.T_arm_obj - T_ARM_OBJ)[:3, 3]) < 0.05
 

@@ -118,7 +118,7 @@ def _heights(fit: CameraFit, uv: Floats) -> tuple[Floats, Floats, Floats]:
         step[k] = 1e-3 if k < 4 else 1e-6
         ahead, behind = (
             sensor_points(moved.camera, moved.plane, uv)
-            for moved in (fit.scene.moved(step), fit.scene.moved(-step))
+            for moved in (fit.scene.apply_step(step), fit.scene.apply_step(-step))
         )
         J[:, k] = (ahead - behind) @ PLANE.normal / (2 * step[k])
     return J, fit.covariance, J
@@ -137,8 +137,8 @@ def test_a_wrong_edge_and_wild_points_are_left_out() -> None:
     wild = np.concatenate(
         [(np.arange(len(e.uv_px)) % 7 == 0) & (i % 4 == 0) for i, e in enumerate(edges)]
     )
-    assert not fit.edges.kept[wild].any()
-    assert fit.edges.kept[~wild].mean() > 0.99
+    assert not fit.edges.inliers[wild].any()
+    assert fit.edges.inliers[~wild].mean() > 0.99
     assert error_um(fit, camera) < 3
 
 
@@ -237,7 +237,10 @@ def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) 
     for k in range(len(scene.names)):
         step = np.zeros(len(scene.names))
         step[k] = 1e-4 if k < 4 else 1e-6
-        ahead, behind = rows(scene.moved(step)).residuals, rows(scene.moved(-step)).residuals
+        ahead, behind = (
+            rows(scene.apply_step(step)).residuals,
+            rows(scene.apply_step(-step)).residuals,
+        )
         slope = (ahead - behind) / (2 * step[k])
         largest = max(float(np.abs(slope).max()), 1e-3)
         np.testing.assert_allclose(found[:, k], slope, atol=2e-4 * largest, err_msg=scene.names[k])

@@ -70,7 +70,7 @@ def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
     at = place_stations(frame, replace(camera, matrix=K), 5.0, 4.0)
     rows = np.array(frame.names)[at.edge] == "crest:0:L"
     assert rows.any()
-    assert bool((at.room_px[rows].min(axis=1) > 4.0).any()) is measured
+    assert bool((at.clearance_px[rows].min(axis=1) > 4.0).any()) is measured
 
 
 @pytest.mark.parametrize(

@@ -141,7 +141,7 @@ def test_seats_alone_keep_the_papers_scale(session: SimulatedArmSession) -> None
     arm = nominal_arm(session.nominal_arm)
     result = identify(arm, ArmObservations(collect_observations(session).seats))
     assert any("ball bar" in text for text in result.warnings)
-    assert [held.name for held in result.held if held.reason == "scale"]
+    assert [held.name for held in result.fixed if held.reason == "scale"]
     before, after = (volumetric_error_um(session.arm, a) for a in (arm, result.arm))
     assert after < before
     assert result.validation.ratio > 5
@@ -337,7 +337,7 @@ def test_parameters_hardly_told_apart_are_named(session: SimulatedArmSession) ->
     result = identify(
         nominal_arm(session.nominal_arm), collect_observations(session).part([0, 1, 2, 3, 4, 5, 6])
     )
-    moved = {one.name for one in result.moved}
-    strengths = [abs(rho) for _, _, rho in result.correlated]
+    moved = {one.name for one in result.changes}
+    strengths = [abs(rho) for _, _, rho in result.correlations]
     assert strengths == sorted(strengths, reverse=True)
-    assert all({first, second} <= moved for first, second, _ in result.correlated)
+    assert all({first, second} <= moved for first, second, _ in result.correlations)

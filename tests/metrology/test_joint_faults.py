@@ -46,14 +46,14 @@ def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
         q[slips:, 2] += np.radians(degrees)
         readings = samples(read(q, bits), rate_hz)
         judge: PlausibilityFilter[Sample] = PlausibilityFilter(6, rate_hz, ARM)
-        good = judge.passed(readings[:again])
+        good = judge.filter(readings[:again])
         assert len(good) == slips
         assert judge.newest is not None
         said = f"joint J3 jumped by {degrees:.1f}° and stayed there"
-        assert judge.newest.refusal.what == said
-        assert "reference and switch the arm off and on" in judge.newest.refusal.remedy
+        assert judge.newest.error.what == said
+        assert "reference and switch the arm off and on" in judge.newest.error.remedy
         judge.forget_place()
-        assert len(judge.passed(readings[again:])) + len(judge.rest()) == len(q) - again
+        assert len(judge.filter(readings[again:])) + len(judge.flush()) == len(q) - again
 
 
 @pytest.mark.parametrize("bits", ENCODERS)
@@ -76,7 +76,7 @@ def test_what_slipped_stays_refused_over_a_gap_and_beside_other_faults() -> None
     found = judged([*readings[:3500], *readings[3800:]])
     np.testing.assert_array_equal(np.flatnonzero(found.passed), np.arange(2200))
     assert found.judge.newest is not None
-    assert "J3 jumped by 10.0°" in found.judge.newest.refusal.line
+    assert "J3 jumped by 10.0°" in found.judge.newest.error.line
 
 
 def test_a_first_reading_astray_is_not_what_the_others_are_held_against() -> None:

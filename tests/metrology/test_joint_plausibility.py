@@ -46,7 +46,7 @@ def test_an_honest_arm_passes_whole(quantum_rad: float) -> None:
 def test_a_hand_as_fast_as_hands_are_passes() -> None:
     t = np.arange(3000) * 1e-3
     q = np.repeat(np.sin(8.0 * t)[:, None], 6, axis=1)
-    assert judged(samples(q))[0].kept_back == 0
+    assert judged(samples(q))[0].rejected_count == 0
 
 
 def test_a_frozen_encoder_is_found_and_nothing_of_it_passes() -> None:
@@ -55,7 +55,7 @@ def test_a_frozen_encoder_is_found_and_nothing_of_it_passes() -> None:
     judge, passed = judged(samples(q))
     assert judge.newest is not None
     assert (judge.first.kind, judge.first.joint) == ("frozen", "J5")  # type: ignore[union-attr]
-    assert f"{EQUAL_FROZEN} readings in a row" in judge.newest.refusal.line
+    assert f"{EQUAL_FROZEN} readings in a row" in judge.newest.error.line
     assert judge.impossible == 0
     assert not set(passed) & set(range(2001, 3000))
     assert passed[-1] == 3999
@@ -67,8 +67,8 @@ def test_a_frozen_encoder_of_a_joint_that_stands_is_found_too() -> None:
     judge, passed = judged(samples(q))
     assert judge.frozen == 499
     assert judge.impossible == 0
-    assert judge.between(2001 * MS, 2499 * MS) is not None
-    assert judge.between(0, 2000 * MS) is None
+    assert judge.first_between(2001 * MS, 2499 * MS) is not None
+    assert judge.first_between(0, 2000 * MS) is None
     assert judge.judged_ns == 2999 * MS
     assert len(passed) == 3000 - 499
 
@@ -78,7 +78,7 @@ def test_a_few_equal_readings_are_let_go_in_their_order() -> None:
     few = EQUAL_FROZEN - 5
     q[2000 : 2000 + few, 3] = q[2000, 3]
     judge, passed = judged(samples(q))
-    assert judge.kept_back == 0
+    assert judge.rejected_count == 0
     np.testing.assert_array_equal(passed, np.arange(3000))
 
 
@@ -90,7 +90,7 @@ def test_one_reading_astray_is_left_out_alone() -> None:
     assert judge.impossible == len(astray)
     assert not set(passed) & set(astray.tolist())
     assert judge.first is not None
-    assert "90.0° from where it can be" in judge.first.refusal.line
+    assert "90.0° from where it can be" in judge.first.error.line
 
 
 def test_readings_outside_the_limits_are_left_out_and_named() -> None:
@@ -100,7 +100,7 @@ def test_readings_outside_the_limits_are_left_out_and_named() -> None:
     assert (judge.impossible, judge.outside) == (3, 3)
     assert not set(passed) & {1500, 1501, 1502}
     assert judge.newest is not None
-    line = judge.newest.refusal.line
+    line = judge.newest.error.line
     assert "joint J1 reads" in line
     assert "-171.9° to 171.9°" in line
 
@@ -110,7 +110,7 @@ def test_no_number_is_no_reading() -> None:
     q[50, 5] = np.nan
     judge, passed = judged(samples(q), None)
     assert judge.newest is not None
-    assert judge.newest.refusal.what == "joint J6 reads no number"
+    assert judge.newest.error.what == "joint J6 reads no number"
     assert len(passed) == 99
 
 
@@ -134,7 +134,7 @@ def test_a_joint_that_jumped_farther_is_not() -> None:
 def test_after_a_gap_the_arm_may_be_anywhere() -> None:
     first, then = samples(swept(100)), samples(swept(100) + 1.0)
     later = [Sample(one.stamp_ns + 500 * MS, one.joints_rad) for one in then]
-    assert judged([*first, *later])[0].kept_back == 0
+    assert judged([*first, *later])[0].rejected_count == 0
 
 
 def test_limits_are_those_of_the_arm_with_a_little_beyond_the_stop() -> None:

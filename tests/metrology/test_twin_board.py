@@ -19,7 +19,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:
 def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
     board = session.twin._board
     off = []
-    for shot, seen in zip(session.shots, session.seen, strict=True):
+    for shot, seen in zip(session.shots, session.detections, strict=True):
         found = seen.detection
         assert len(found) == board.inner_corners[0] * board.inner_corners[1]
         row, column = np.divmod(found.number, board.inner_corners[0])
@@ -31,13 +31,13 @@ def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
 
 
 def test_points_are_as_good_as_said(session: RenderedBoards) -> None:
-    found = session.found
+    found = session.calibration
     assert all(pose.used and not pose.reason for pose in found.poses)
     corners = [corner[1:] for pose in found.poses for corner in pose.corners_px]
     assert np.sqrt(np.mean(np.square(corners))) < 0.15
     rms_um = np.sqrt(np.mean(errors_um(session) ** 2))
-    assert rms_um < 3 * found.known.total_um
-    assert found.known.total_um < 60
+    assert rms_um < 3 * found.uncertainty.total_um
+    assert found.uncertainty.total_um < 60
 
 
 def test_the_hand_holds_the_sensor_as_the_operator_is_told(session: RenderedBoards) -> None:

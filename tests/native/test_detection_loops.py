@@ -148,7 +148,7 @@ def test_room_reaches_to_the_next_edge(variant: str) -> None:
     ends = [project(looks, begin + one[:, None] * along) for one in (parts.start, parts.end)]
     lines = np.column_stack(ends)
     for row in range(0, len(at.part), 7):
-        assert at.room_px[row] == pytest.approx(room_of(at, lines, row), rel=1e-9)
+        assert at.clearance_px[row] == pytest.approx(room_of(at, lines, row), rel=1e-9)
 
 
 def test_profiles_are_the_picture_between_pixels(variant: str) -> None:

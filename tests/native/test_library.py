@@ -18,7 +18,7 @@ def copied(folder: Path) -> LibrarySource:
     """The product's library, with its sources, elsewhere."""
     source = LIBRARIES[0]
     shutil.copytree(source.folder / "c", folder / "c")
-    shutil.copy(source.built(), folder)
+    shutil.copy(source.library_path(), folder)
     return LibrarySource(source.name, folder)
 
 

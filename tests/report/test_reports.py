@@ -349,6 +349,6 @@ def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
 
 @pytest.mark.parametrize("language", languages())
 def test_the_longest_name_of_a_figure_is_whole_in_every_language(language: str) -> None:
-    longest = load_sentences(language).said("Distance between the clouds' centres")
+    longest = load_sentences(language).translate("Distance between the clouds' centres")
     # the report's own face is wider than the one that is measured with here
     assert 1.08 * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8

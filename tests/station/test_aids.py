@@ -130,7 +130,7 @@ def test_the_bands_lines_lie_at_its_distances(axis: str) -> None:
 def test_the_distance_of_a_line() -> None:
     found = watch()
     u = np.linspace(0, WIDTH - 1, 200)
-    at_mm = found.of_stripe(Stripe(u, np.full(200, 239.5), np.ones(200), np.ones(200)))
+    at_mm = found.stripe_distance(Stripe(u, np.full(200, 239.5), np.ones(200), np.ones(200)))
     assert at_mm is not None
     assert at_mm.mm == pytest.approx(100.5, abs=1)
     assert at_mm.state == "in"

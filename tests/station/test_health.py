@@ -178,7 +178,7 @@ def test_thermometers(tmp_path: Path) -> None:
 
 
 def test_the_host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert memory().own > 10_000_000
+    assert memory().process > 10_000_000
     assert writable(tmp_path) == ""
     assert list(tmp_path.iterdir()) == []
     assert writable(tmp_path / "none") != ""

@@ -21,4 +21,4 @@ def test_it_is_said_in_german_too() -> None:
     (told,) = messages(counts, 5.0)
     for text in (told.title, told.what, told.why, told.remedy):
         said = load_sentences("de").best(text)
-        assert said.left == 0, said
+        assert said.english_letters == 0, said

@@ -108,7 +108,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         until(lambda: scanner.why_not() is None)
         scanner.start("lied to")
         first_ns = time.monotonic_ns()
-        hand = threading.Thread(target=twin.hand.scan_part, args=("sphere",))
+        hand = threading.Thread(target=twin.operator.scan_part, args=("sphere",))
         hand.start()
         until(lambda: "Moved" in rig.arm.stillness().text)
         time.sleep(0.5)
@@ -116,7 +116,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         findings = scanner.state().findings
         assert any(f"joint {joint} reads" in finding.text for finding in findings)
         time.sleep(1.0)
-        twin.hand.cancel()
+        twin.operator.cancel()
         hand.join(20.0)
         window = rig.arm.window(first_ns, time.monotonic_ns())
         assert window is not None
@@ -132,7 +132,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
 
 
 def test_an_honest_hand_is_never_accused(twin: SimulatedStation, rig: Rig) -> None:
-    assert twin.hand.scan_part("sphere")
-    assert twin.hand.touch("crest", 0)
-    assert rig.arm.kept_back == 0
+    assert twin.operator.scan_part("sphere")
+    assert twin.operator.touch("crest", 0)
+    assert rig.arm.rejected_count == 0
     assert rig.arm.doubt() is None

@@ -32,7 +32,7 @@ CONFIG = SimulationConfig(
 
 def true_calibration(twin: SimulatedStation, folder: Path) -> ScanCalibration:
     """What a perfect calibration of the twin would find."""
-    (folder / "arm.json").write_text(json.dumps(twin.papers()["arm.json"]))
+    (folder / "arm.json").write_text(json.dumps(twin.datasheets()["arm.json"]))
     arm = read_arm(folder / "arm.json")
     truth = json.loads(json.dumps(twin.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
@@ -85,13 +85,13 @@ def test_the_sphere_is_scanned_to_its_size(
     scanner.set_calibration(true_calibration(twin, tmp_path))
     until(lambda: scanner.why_not() is None)
     scanner.start("sphere")
-    assert twin.hand.scan_part("sphere")
+    assert twin.operator.scan_part("sphere")
     result = scanner.stop()
     scanner.close()
     scene.close()
     assert result is not None
     assert scanner.state().frames_without_joints <= 0.05 * result.frames
-    nominal = json.loads(json.dumps(twin.papers()["sphere.nominal.json"]))
+    nominal = json.loads(json.dumps(twin.datasheets()["sphere.nominal.json"]))
     points = read_cloud(result.folder / "cloud.ply").points_mm
     near = np.linalg.norm(points - nominal["centre_mm"], axis=1) < nominal["radius_mm"] + 0.5
     fit = fit_sphere(points[near])
@@ -107,7 +107,7 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(
         bus.attach(loop)
         pressed: asyncio.Future[ButtonEvent] = loop.create_future()
         rig.arm.on_button = lambda event: event.pressed and pressed.set_result(event)
-        assert await asyncio.to_thread(twin.hand.touch, "crest", 0)
+        assert await asyncio.to_thread(twin.operator.touch, "crest", 0)
         return await asyncio.wait_for(pressed, 10)
 
     press = asyncio.run(scenario())
@@ -120,7 +120,7 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(
 def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(
     twin: SimulatedStation, rig: Rig
 ) -> None:
-    assert twin.hand.hold_over("block")
+    assert twin.operator.hold_over("block")
     until(lambda: rig.arm.stillness().still)
     taken = rig.capture_pair()
     assert taken.laser is not None

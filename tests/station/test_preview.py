@@ -52,7 +52,7 @@ def test_the_packed_picture_is_header_and_jpeg(preview: Preview, rig: Rig) -> No
     rig.sensor.set_laser(True)
     with preview.watch():
         until(lambda: newest(preview).header.laser_on)
-        packed = newest(preview).packed()
+        packed = newest(preview).to_bytes()
     length = struct.unpack(">I", packed[:4])[0]
     header = json.loads(packed[4 : 4 + length])
     assert (header["width_px"], header["height_px"]) == (WIDTH, HEIGHT)

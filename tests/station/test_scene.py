@@ -197,19 +197,19 @@ def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> Non
     for viewer in (untouched, turned):
         viewer.listen()
         viewer.pose_camera(
-            viewer.said["SetCameraPositionMessage"]["position"],
-            viewer.said["SetCameraLookAtMessage"]["look_at"],
+            viewer.messages["SetCameraPositionMessage"]["position"],
+            viewer.messages["SetCameraLookAtMessage"]["look_at"],
         )
     turned.pose_camera((2, 2, 2), (0, 0, 0))
     until(lambda: len(scene._server.get_clients()) == 2)
     for viewer in (untouched, turned):
         viewer.listen()
-        viewer.said.clear()
+        viewer.messages.clear()
     add(scene, surface(2000))
     until(lambda: scene.points_shown > 0)
-    followed = untouched.listen().said["SetCameraLookAtMessage"]
+    followed = untouched.listen().messages["SetCameraLookAtMessage"]
     np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.015], atol=0.01)
-    assert turned.listen().said["SetCameraLookAtMessage"]["initial"] is True
+    assert turned.listen().messages["SetCameraLookAtMessage"]["initial"] is True
     untouched.close()
     turned.close()
 

@@ -34,7 +34,7 @@ def late() -> Iterator[SimulatedStation]:
 
 
 def plane_rms_um(points: np.ndarray, twin: SimulatedStation) -> float:
-    nominal = json.loads(json.dumps(twin.papers()["plate.nominal.json"]))
+    nominal = json.loads(json.dumps(twin.datasheets()["plate.nominal.json"]))
     off = (points - nominal["point_mm"]) @ nominal["normal"]
     return 1e3 * fit_plane(points[np.abs(off) < 1.5]).rms_mm
 
@@ -69,7 +69,7 @@ def test_a_late_arm_is_found_out_and_put_right(
     scanner.set_calibration(use)
     until(lambda: scanner.why_not() is None)
     scanner.start("pass")
-    assert late.hand.pass_over_plate()
+    assert late.operator.pass_over_plate()
     result = scanner.stop()
     scanner.close()
     scene.close()

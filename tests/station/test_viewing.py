@@ -108,7 +108,7 @@ def test_a_point_is_seen_where_the_picture_shows_it() -> None:
     camera = from_above()
     half = 300 * np.tan(0.4)
     corners = np.array([[500, 0, 0], [500 + 1.5 * half, half, 0], [500, 0, 400.0]])
-    seen = camera.seen(corners)
+    seen = camera.project(corners)
     np.testing.assert_allclose(seen[:2], [[0.5, 0.5, 300], [1.0, 0.0, 300]], atol=1e-9)
     assert np.isnan(seen[2]).all()
 
@@ -124,7 +124,7 @@ def test_what_lies_behind_the_front_surface_is_not_picked() -> None:
     assert surface.holds(front).mean() > 0.02
     assert not surface.holds(behind).any()
     assert surface.holds(flying).mean() < 0.02
-    whole = from_above().seen(front)
+    whole = from_above().project(front)
     within = (np.abs(whole[:, :2] - 0.5) <= 0.1).all(axis=1)
     assert surface.holds(front).sum() > 0.98 * within.sum()
 

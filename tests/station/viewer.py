@@ -18,7 +18,7 @@ class Viewer:
     def __init__(self, scene: Scene, through: Callable[[bytes], bytes] = bytes) -> None:
         self._through = through
         self.nodes: dict[str, dict[str, Any]] = {}
-        self.said: dict[str, dict[str, Any]] = {}
+        self.messages: dict[str, dict[str, Any]] = {}
         """The last message of each kind that is about no node."""
         self._socket = connect(
             f"ws://127.0.0.1:{scene.port}",
@@ -61,7 +61,7 @@ class Viewer:
     def _take(self, message: dict[str, Any]) -> None:
         kind, name = message["type"], message.get("name")
         if name is None:
-            self.said[kind] = message
+            self.messages[kind] = message
         elif kind == "RemoveSceneNodeMessage":
             for node in [node for node in self.nodes if f"{node}/".startswith(f"{name}/")]:
                 del self.nodes[node]

@@ -28,8 +28,8 @@ def store(tmp_path: Path) -> Iterator[Store]:
 
 def test_neither_password_nor_token_stands_in_the_database(store: Store) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
-    cookie = store.sign_ins.begin("Anna", "a browser")
-    _, link = store.sign_ins.add_wall("Hall", "Anna")
+    cookie = store.login_sessions.begin("Anna", "a browser")
+    _, link = store.login_sessions.add_kiosk_link("Hall", "Anna")
     content = b"".join(path.read_bytes() for path in store.folder.glob("station.db*"))
     for secret in (PASSWORD, cookie, link):
         assert secret.encode() not in content
@@ -39,16 +39,16 @@ def test_neither_password_nor_token_stands_in_the_database(store: Store) -> None
 def test_passwords_match_their_own_account_only(store: Store) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
     store.accounts.add("Ben", Role.viewer, PASSWORD + "!")
-    assert store.accounts.matching("ANNA", PASSWORD) == store.accounts.get("anna")
+    assert store.accounts.authenticate("ANNA", PASSWORD) == store.accounts.get("anna")
     for name, password in (("Anna", PASSWORD + "!"), ("Ben", PASSWORD), ("Carl", PASSWORD)):
-        assert store.accounts.matching(name, password) is None
+        assert store.accounts.authenticate(name, password) is None
 
 
 def test_a_guest_has_no_password_and_is_no_administrator_who_can_sign_in(store: Store) -> None:
     store.accounts.add("Demo", Role.admin, None)
     assert not store.accounts.has_admin()
-    assert store.accounts.matching("Demo", "!") is None
-    assert store.accounts.matching("Demo", "") is None
+    assert store.accounts.authenticate("Demo", "!") is None
+    assert store.accounts.authenticate("Demo", "") is None
 
 
 @pytest.mark.parametrize(
@@ -73,18 +73,18 @@ def test_sign_ins_end_with_time_and_with_the_account(
     store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
-    first, second = (store.sign_ins.begin("Anna", "a browser") for _ in range(2))
-    assert store.sign_ins.visitor(first) != store.sign_ins.visitor(second)
+    first, second = (store.login_sessions.begin("Anna", "a browser") for _ in range(2))
+    assert store.login_sessions.principal(first) != store.login_sessions.principal(second)
     store.accounts.remove("Anna")
-    assert store.sign_ins.visitor(first) is None
+    assert store.login_sessions.principal(first) is None
 
     store.accounts.add("Anna", Role.operator, PASSWORD)
-    again = store.sign_ins.begin("Anna", "a browser")
-    assert store.sign_ins.visitor(again) is not None
+    again = store.login_sessions.begin("Anna", "a browser")
+    assert store.login_sessions.principal(again) is not None
     with monkeypatch.context() as patch:
         patch.setattr(sign_ins, "datetime", moment(sign_ins.IDLE + timedelta(seconds=1)))
-        assert store.sign_ins.visitor(again) is None
-    assert store.sign_ins.visitor(again) is None
+        assert store.login_sessions.principal(again) is None
+    assert store.login_sessions.principal(again) is None
 
 
 def moment(ahead: timedelta) -> type[datetime]:
@@ -102,16 +102,16 @@ def test_a_page_left_open_is_signed_out_at_last(
     store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
-    cookie = store.sign_ins.begin("Anna", "a browser")
+    cookie = store.login_sessions.begin("Anna", "a browser")
     hour = timedelta(hours=1)
     for hours in range(1, int(sign_ins.LONGEST / hour) + 1):
         ahead = hours * hour - timedelta(minutes=1)
         monkeypatch.setattr(sign_ins, "datetime", moment(ahead))
         seen = (datetime.now(UTC) + ahead).isoformat()
         monkeypatch.setattr(sign_ins, "utc_now", lambda seen=seen: seen)
-        assert store.sign_ins.visitor(cookie) is not None, hours
+        assert store.login_sessions.principal(cookie) is not None, hours
     monkeypatch.setattr(sign_ins, "datetime", moment(sign_ins.LONGEST + timedelta(minutes=1)))
-    assert store.sign_ins.visitor(cookie) is None
+    assert store.login_sessions.principal(cookie) is None
 
 
 def test_the_audit_log_is_searched_by_words(store: Store) -> None:
@@ -128,7 +128,7 @@ def test_the_audit_log_is_searched_by_words(store: Store) -> None:
 def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> None:
     store.audit.note("Anna", "10.0.0.1", "pressed Stop")
     store.audit.note("Ben", "10.0.0.2", "calibration: took a point", "Control is with Anna.")
-    say = load_sentences("de").said
+    say = load_sentences("de").translate
     found = [entry.who for entry in store.audit.newest(10, "punkt kalibrierung", say)]
     assert found == ["Ben"]
     assert [entry.who for entry in store.audit.newest(1, "anna", say)] == ["Ben"]
@@ -191,13 +191,13 @@ def test_a_database_of_the_version_before_knows_no_browser_yet(tmp_path: Path) -
 def test_a_browser_is_known_for_those_who_signed_in_at_it(store: Store) -> None:
     for name in ("Anna", "Ben"):
         store.accounts.add(name, Role.operator, PASSWORD)
-    token = store.sign_ins.know("", "Anna")
-    assert store.sign_ins.knows(token, "anna")
-    assert not store.sign_ins.knows(token, "Ben")
-    assert not store.sign_ins.knows("", "Anna")
-    assert store.sign_ins.know(token, "Ben") == token
-    assert store.sign_ins.know("made up", "Ben") != "made up"
-    assert store.sign_ins.visitor(token) is None  # it lets nobody in
+    token = store.login_sessions.remember_browser("", "Anna")
+    assert store.login_sessions.is_known_browser(token, "anna")
+    assert not store.login_sessions.is_known_browser(token, "Ben")
+    assert not store.login_sessions.is_known_browser("", "Anna")
+    assert store.login_sessions.remember_browser(token, "Ben") == token
+    assert store.login_sessions.remember_browser("made up", "Ben") != "made up"
+    assert store.login_sessions.principal(token) is None  # it lets nobody in
     store.accounts.remove("Anna")
-    assert not store.sign_ins.knows(token, "Anna")
-    assert store.sign_ins.knows(token, "Ben")
+    assert not store.login_sessions.is_known_browser(token, "Anna")
+    assert store.login_sessions.is_known_browser(token, "Ben")

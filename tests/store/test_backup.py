@@ -60,7 +60,7 @@ def test_a_backup_of_a_folder_that_is_written_is_of_one_moment(store: Store) -> 
     assert [row.payload["n"] for row in rows] == list(range(len(rows)))
     for number in range(len(rows) - 1):
         assert (copy / f"sessions/{number}.csv").is_file()
-    assert again.accounts.matching("Ada", "three unrelated words")
+    assert again.accounts.authenticate("Ada", "three unrelated words")
     assert again.check() == ""
     again.close()
 
@@ -137,11 +137,11 @@ def test_a_database_without_one_of_its_columns_is_refused(
 
 
 def test_a_scrapers_token_is_told_once_and_can_be_ended(store: Store) -> None:
-    scraper, token = store.scrapers.add("Prometheus", "Ada")
-    assert store.scrapers.all() == [scraper]
-    assert store.scrapers.good(token)
-    assert not store.scrapers.good("")
-    assert not store.scrapers.good(f"{token}x")
-    assert store.sign_ins.visitor(token) is None, "it opens nothing else"
-    store.scrapers.remove(scraper.id)
-    assert not store.scrapers.good(token)
+    scraper, token = store.api_tokens.add("Prometheus", "Ada")
+    assert store.api_tokens.all() == [scraper]
+    assert store.api_tokens.is_valid(token)
+    assert not store.api_tokens.is_valid("")
+    assert not store.api_tokens.is_valid(f"{token}x")
+    assert store.login_sessions.principal(token) is None, "it opens nothing else"
+    store.api_tokens.remove(scraper.id)
+    assert not store.api_tokens.is_valid(token)

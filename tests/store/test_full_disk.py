@@ -49,11 +49,11 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
     filler = fill(small)
     with pytest.raises(OperationError, match="disk is full"):
         keep_on(store)
-    token = store.sign_ins.begin("Ada", "tablet")
-    visitor = store.sign_ins.visitor(token)
+    token = store.login_sessions.begin("Ada", "tablet")
+    visitor = store.login_sessions.principal(token)
     assert visitor is not None
     assert visitor.name == "Ada"
-    store.sign_ins.know("", "Ada")
+    store.login_sessions.remember_browser("", "Ada")
     store.audit.note("Ada", "::1", "signed in")
     folder = store.folder / "scans/one"
     scan = ScanRecord("one", "One", folder, "2026-11-24T00:00:00", 7, 3, 1.0, "c", "The disk.", 9)
@@ -67,8 +67,8 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
     store.audit.note("Ada", "::1", "went on")
     assert [entry.act for entry in store.audit.newest(9)] == ["went on", "signed in"]
     assert store.scans.all() == [scan]
-    store.sign_ins.end(token)
-    assert store.sign_ins.visitor(token) is None
+    store.login_sessions.end(token)
+    assert store.login_sessions.principal(token) is None
     store.close()
 
 

@@ -36,14 +36,14 @@ def calibrated(folder: Path) -> Store:
 
 def test_the_newest_verification_of_a_calibration_is_found_again(tmp_path: Path) -> None:
     store = calibrated(tmp_path)
-    assert store.verifications.newest_of("c1") is None
+    assert store.verifications.newest_for("c1") is None
     for name in ("v1", "v2"):
         store.journal.begin_session(name, "verify")
         folder = store.folder / "verifications" / name
         store.verifications.accept(name, "c1", folder, FOUND, f"key-{name}")
     store.close()
     again = Store(tmp_path)
-    newest = again.verifications.newest_of("c1")
+    newest = again.verifications.newest_for("c1")
     assert newest is not None
     assert (newest.id, newest.folder) == ("v2", again.folder / "verifications/v2")
     assert [record.id for record in again.verifications.all()] == ["v2", "v1"]

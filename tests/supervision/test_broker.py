@@ -60,7 +60,7 @@ class Watch:
         self.broker = Broker(settings, name, name, self.instance, self.fleet)
 
     def shown(self, name: str) -> RemoteStation | None:
-        return next((one for one in self.fleet.shown() if one.id == name), None)
+        return next((one for one in self.fleet.stations() if one.id == name), None)
 
     def state(self, name: str) -> str:
         found = self.shown(name)
@@ -70,7 +70,7 @@ class Watch:
         """Seconds until it was so."""
         began_s = time.monotonic()
         while not ready():
-            assert time.monotonic() - began_s < PATIENCE_S, self.fleet.shown()
+            assert time.monotonic() - began_s < PATIENCE_S, self.fleet.stations()
             await asyncio.sleep(0.02)
         return time.monotonic() - began_s
 

@@ -23,7 +23,7 @@ class Clock:
 def fleet() -> tuple[Fleet, Clock]:
     clock = Clock()
     made = Fleet(clock)
-    made.broker(True)
+    made.note_broker(True)
     return made, clock
 
 
@@ -38,7 +38,7 @@ def presence(state: str, instance: str = "1") -> Presence:
 
 
 def state(made: Fleet) -> str:
-    (shown,) = made.shown()
+    (shown,) = made.stations()
     return shown.state
 
 
@@ -68,10 +68,10 @@ def test_a_will_of_an_earlier_start_is_no_loss() -> None:
 def test_silence_while_the_broker_was_away_is_no_loss() -> None:
     made, clock = fleet()
     take(made, make_report("a", "1"), "report")
-    made.broker(False)
+    made.note_broker(False)
     clock.now_s += 60
     assert state(made) == "unknown"
-    made.broker(True)
+    made.note_broker(True)
     assert state(made) == "waiting"
     clock.now_s += LOST_AFTER_S + 0.1
     assert state(made) == "lost"
@@ -86,11 +86,11 @@ def test_what_is_no_payload_is_counted_and_dropped() -> None:
         make_report("b", "1").model_dump_json().encode(),
     ):
         made.take("a", "report", payload, False)
-    assert (made.shown(), made.unread.counts) == ((), {"strange": 4})
+    assert (made.stations(), made.unread.counts) == ((), {"strange": 4})
     for number in range(MOST_STATIONS + 5):
         name = f"s{number}"
         made.take(name, "report", make_report(name, "1").model_dump_json().encode(), False)
-    assert len(made.shown()) == MOST_STATIONS
+    assert len(made.stations()) == MOST_STATIONS
 
 
 def test_a_later_version_may_say_more() -> None:
@@ -106,10 +106,10 @@ def test_of_events_the_newest_is_shown() -> None:
     made, _ = fleet()
     for number in range(20):
         take(made, make_event("a", "1", number), "event")
-    (shown,) = made.shown()
+    (shown,) = made.stations()
     assert [event.number for event in shown.events] == [19]
     made.take("a", "presence", b"", True)
-    assert made.shown() == ()
+    assert made.stations() == ()
 
 
 def test_names_become_parts_of_topics() -> None:
@@ -123,7 +123,7 @@ def take_of(made: Fleet, name: str, retained: bool = False) -> None:
 
 
 def names(made: Fleet) -> list[str]:
-    return [shown.id for shown in made.shown()]
+    return [shown.id for shown in made.stations()]
 
 
 def test_invented_stations_hide_none_that_sends() -> None:
@@ -156,7 +156,7 @@ def test_a_lost_station_that_was_there_long_outlasts_those_that_just_came() -> N
             take_of(made, f"invented-{second}-{number}")
     assert len(names(made)) == MOST_STATIONS
     assert names(made)[0] == "real"
-    assert made.shown()[0].state == "lost"
+    assert made.stations()[0].state == "lost"
 
 
 def test_lists_of_a_report_are_bounded() -> None:
@@ -165,7 +165,7 @@ def test_lists_of_a_report_are_bounded() -> None:
     said = make_report("a", "1").model_dump()
     said |= {"alarms": [alarm.model_dump()] * 900, "devices": said["devices"] * 300}
     made.take("a", "report", json.dumps(said).encode(), False)
-    (shown,) = made.shown()
+    (shown,) = made.stations()
     assert shown.report is not None
     assert (shown.alarms, len(shown.report.alarms)) == (MOST_ALARMS, 1)
     assert len(shown.report.devices) == MOST_DEVICES

@@ -103,7 +103,7 @@ def test_a_flood_and_invented_stations_hide_nothing(
                 for _ in range(30):
                     await asyncio.sleep(0.1)
                     assert watch.state("real") == "live"
-                    assert len(watch.fleet.shown()) <= MOST_STATIONS
+                    assert len(watch.fleet.stations()) <= MOST_STATIONS
         finally:
             until.set()
             await flooding
@@ -118,7 +118,7 @@ def test_a_flood_and_invented_stations_hide_nothing(
 async def look_again(watch: Watch) -> None:
     """After a restart what the broker keeps is bounded in the same way."""
     await watch.until(lambda: set(watch.fleet.unread.counts) == {"long", "crowded"})
-    await watch.until(lambda: len(watch.fleet.shown()) == MOST_STATIONS)
+    await watch.until(lambda: len(watch.fleet.stations()) == MOST_STATIONS)
 
 
 @contextlib.contextmanager

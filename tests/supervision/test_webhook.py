@@ -249,7 +249,7 @@ def test_the_settings_are_for_the_owner_alone(tmp_path: Path) -> None:
     store = WebhookStore(tmp_path)
     assert store.read() == WebhookSettings()
     settings = WebhookSettings(url="https://x.example/", secret=SECRET, due=False)
-    store.keep(settings)
+    store.save(settings)
     assert store.read() == settings
     (file,) = tmp_path.iterdir()
     assert file.stat().st_mode & 0o077 == 0

@@ -86,7 +86,9 @@ def gauge(tmp_path: Path, **fields: object) -> Path:
 
 def test_a_gauge_needs_no_place_but_a_sphere_its_size(tmp_path: Path) -> None:
     found = read_gauge(gauge(tmp_path, shape="plane", limits={"form": 40}))
-    assert found.limits.over(DEFAULT_LIMITS) == DEFAULT_LIMITS.model_copy(update={"form": 40.0})
+    assert found.limits.with_defaults(DEFAULT_LIMITS) == DEFAULT_LIMITS.model_copy(
+        update={"form": 40.0}
+    )
     with pytest.raises(OperationError, match="radius_mm"):
         read_gauge(gauge(tmp_path, shape="sphere"))
     with pytest.raises(OperationError, match="radius_mm"):
@@ -96,4 +98,4 @@ def test_a_gauge_needs_no_place_but_a_sphere_its_size(tmp_path: Path) -> None:
 
 
 def test_limits_that_say_nothing_leave_the_others() -> None:
-    assert VerificationLimits().over(DEFAULT_LIMITS) == DEFAULT_LIMITS
+    assert VerificationLimits().with_defaults(DEFAULT_LIMITS) == DEFAULT_LIMITS

@@ -31,19 +31,19 @@ def arm(context: TheContext) -> Response:
 @router.get("/checks")
 def checks(context: TheContext) -> list[ArmCheckSummary]:
     """Every finished check, newest first."""
-    return context.arm_guide.past.checks()
+    return context.arm_guide.history.checks()
 
 
 @router.get("/tips")
 def tips(context: TheContext) -> list[TipCheckSummary]:
     """Every finished check of the tip, newest first."""
-    return context.arm_guide.past.tip_checks()
+    return context.arm_guide.history.tip_checks()
 
 
 @router.get("/identifications")
 def identifications(context: TheContext) -> list[IdentificationSummary]:
     """Every identification of the arm, newest first."""
-    return context.arm_guide.past.identifications()
+    return context.arm_guide.history.identifications()
 
 
 @router.post("/start", response_model=ArmView)

@@ -36,19 +36,19 @@ class PointLimiter:
         self._finest = 0
         """The lowest tier that is passed; it falls again once all nodes are gone."""
 
-    def passed(self, frame: bytes) -> bytes:
+    def filter_frame(self, frame: bytes) -> bytes:
         """What of a frame of viser's socket the browser gets."""
         content, arrays = _unpack(frame)
         told: list[Message] = []
         for message in content["messages"]:
-            instead = self._of(message, arrays)
+            instead = self._replacements(message, arrays)
             told += instead
             if not any(one is message for one in instead):
                 for index in _indices(message):
                     arrays[index] = b""
         return _pack({**content, "messages": told}, arrays)
 
-    def _of(self, message: Message, arrays: list[bytes]) -> list[Message]:
+    def _replacements(self, message: Message, arrays: list[bytes]) -> list[Message]:
         """What the browser gets in its place."""
         kind, name = message["type"], str(message.get("name", ""))
         if kind == "PointCloudMessage" and (tier := TIER.search(name)):
@@ -56,7 +56,7 @@ class PointLimiter:
             points = len(arrays[props["points"]["__binary_index"]]) // POINT_BYTES
             owner = message.get("owner", "")
             self._nodes[name] = _ViewerNode(int(tier[1]), points, props["point_size"], owner)
-            return [*self._coarsened(), *self._entered(message, name)]
+            return [*self._coarsen(), *self._add_node(message, name)]
         node = self._nodes.get(name)
         if node is None:
             return [message]
@@ -69,17 +69,17 @@ class PointLimiter:
             message["updates"]["point_size"] = self._size(node)
         return [message] if node.passed else []
 
-    def _entered(self, message: Message, name: str) -> list[Message]:
+    def _add_node(self, message: Message, name: str) -> list[Message]:
         node = self._nodes[name]
         node.passed = node.tier >= self._finest
         message["props"]["point_size"] = self._size(node)
         return [message] if node.passed else []
 
-    def _coarsened(self) -> list[Message]:
+    def _coarsen(self) -> list[Message]:
         """Takes tiers away until what is left is no more than it may be."""
         before = self._finest
         highest = max(node.tier for node in self._nodes.values())
-        while self._finest < highest and self._left() > self._most:
+        while self._finest < highest and self._visible_points() > self._most:
             self._finest += 1
         if self._finest == before:
             return []
@@ -93,7 +93,7 @@ class PointLimiter:
                 changes.append(_message("SceneNodeUpdateMessage", name, node, updates=updates))
         return changes
 
-    def _left(self) -> int:
+    def _visible_points(self) -> int:
         return sum(node.points for node in self._nodes.values() if node.tier >= self._finest)
 
     def _size(self, node: _ViewerNode) -> float:

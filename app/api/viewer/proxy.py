@@ -52,7 +52,7 @@ class CameraMessage(
     look_at: Vector
     up_direction: Vector
 
-    def looking(self) -> ViewCamera | None:
+    def view_camera(self) -> ViewCamera | None:
         """As the station uses it; None where it looks nowhere."""
         finite = all(map(math.isfinite, (*self.wxyz, *self.position)))
         if not finite or not any(self.wxyz) or not 0 < self.fov < math.pi:
@@ -109,7 +109,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
     With a key, the station knows by it where that page looks from, and how much it can draw.
     """
-    viewing, scene = context_of(browser).viewing, context_of(browser).scene
+    viewing, scene = context_of(browser).view_controller, context_of(browser).scene
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
     try:
         viser = await connect(
@@ -153,7 +153,7 @@ class _Page:
         self._camera: ViewCamera | None = None
 
     def look(self, message: CameraMessage) -> None:
-        camera = message.looking()
+        camera = message.view_camera()
         if camera is not None and self._key:
             self._camera = camera
             self._viewing.look(self._key, camera)
@@ -170,7 +170,7 @@ async def _to_browser(
     with contextlib.suppress(ConnectionClosed, WebSocketDisconnect):
         async for message in viser:
             if isinstance(message, bytes):
-                await browser.send_bytes(fewer.passed(message) if fewer else message)
+                await browser.send_bytes(fewer.filter_frame(message) if fewer else message)
         await browser.close()
 
 

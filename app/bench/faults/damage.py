@@ -86,28 +86,36 @@ def _try(
         except OperationError as refusal:
             ended = refusal.code == ENDED
             why = _check_rejection(station, damage) if ended else refusal.line
-            row.outcome(not why, note=f"{damage.name}: {why}" if why else "")
+            row.count_try(not why, note=f"{damage.name}: {why}" if why else "")
             return
         except httpx.HTTPStatusError as error:  # accounts are on a damaged page
             answer = error.response
-            clear = answer.is_client_error and damage.told and re.search(damage.told, answer.text)
-            row.outcome(bool(clear), note="" if clear else f"{damage.name}: {answer.text[:200]}")
+            clear = (
+                answer.is_client_error
+                and damage.expected_message
+                and re.search(damage.expected_message, answer.text)
+            )
+            row.count_try(bool(clear), note="" if clear else f"{damage.name}: {answer.text[:200]}")
             return
         wrong, lost = _check_service(station, damage, kept, row)
         notes = "; ".join([*wrong, *lost])
-        row.outcome(not wrong and not lost, bool(lost), f"{damage.name}: {notes}" if notes else "")
+        row.count_try(
+            not wrong and not lost, bool(lost), f"{damage.name}: {notes}" if notes else ""
+        )
 
 
 def _check_rejection(station: StationProcess, damage: Damage) -> str:
     """What is wrong with how a station refused to start; empty where nothing is."""
-    lines = [line for line in station.said.splitlines() if not line.startswith("(viser)")]
+    lines = [line for line in station.console_text.splitlines() if not line.startswith("(viser)")]
     last = lines[-1] if lines else ""
-    if TRACE in station.said:
+    if TRACE in station.console_text:
         return f"a trace: {last}"
     if station.status != 1 or not last or len(last) > LONGEST_LINE:
         return f"it ended with {station.status}: {last[:200]}"
     named = re.escape(damage.name.partition(":")[0])
-    if not re.search(f"{named}|{damage.told}" if damage.told else named, last):
+    if not re.search(
+        f"{named}|{damage.expected_message}" if damage.expected_message else named, last
+    ):
         return f"it refused: {last}"
     return ""
 
@@ -120,14 +128,14 @@ def _check_service(
     ids |= {"record_id": [kept.calibration], "form": ["html"], "name": ["pose-1.png"]}
     try:
         look = query_station(station, ids)
-        row.stopped(station.stop_s())
+        row.note_stop(station.stop_s())
         lost = [
             f"{one} is not listed"
             for one in (*kept.scans, kept.calibration)
-            if one not in damage.of and not look.told(one)
+            if one not in damage.affected_ids and not look.mentions(one)
         ]
         wrong = look.faults
-        if damage.told and not look.told(damage.told):
+        if damage.expected_message and not look.mentions(damage.expected_message):
             wrong.append("nothing is told of it")
         station.end()
     except OperationError as refusal:

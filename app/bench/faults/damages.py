@@ -26,9 +26,9 @@ class Damage:
     name: str
     do: Callable[[Path, random.Random], None]
     """To the data folder."""
-    told: str = ""
+    expected_message: str = ""
     """What of it must be told, a regular expression; empty where it harms nothing."""
-    of: tuple[str, ...] = ()
+    affected_ids: tuple[str, ...] = ()
     """The ids of the records that it takes."""
     by_others: bool = False
     """Files are not the station's: it must run as another user than whoever made them."""
@@ -131,9 +131,9 @@ class DataFile:
     """A file of a data folder."""
 
     path: str
-    told: str = ""
+    expected_message: str = ""
     """As of ``Damage``."""
-    of: tuple[str, ...] = ()
+    affected_ids: tuple[str, ...] = ()
 
 
 def list_data_files(kept: FolderRecords) -> list[DataFile]:
@@ -167,7 +167,11 @@ def file_damages(kept: FolderRecords) -> list[Damage]:
         kind = place.path.replace(kept.scans[0], "…").replace(kept.flow, "…")
         harmless = way == "some bytes turned" or (way == "gone" and "spare" in place.path)
         return Damage(
-            f"{kind}: {way}", do, "" if harmless else place.told, place.of, way == "forbidden"
+            f"{kind}: {way}",
+            do,
+            "" if harmless else place.expected_message,
+            place.affected_ids,
+            way == "forbidden",
         )
 
     return [damage(place, way) for place in list_data_files(kept) for way in DAMAGE_METHODS]

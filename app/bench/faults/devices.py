@@ -90,9 +90,9 @@ class DeviceFaultRow:
 
     step: str
     failure: str
-    said_s: float
+    reported_s: float
     back_s: float
-    kept: bool
+    intact: bool
     """Whether everything that was taken before was there afterwards, in the same step."""
 
 
@@ -104,9 +104,9 @@ def table(rows: list[DeviceFaultRow]) -> list[tuple[str, ...]]:
         (
             row.step,
             row.failure,
-            f"{row.said_s:.2f} s",
+            f"{row.reported_s:.2f} s",
             f"{row.back_s:.2f} s",
-            "kept" if row.kept else "LOST",
+            "kept" if row.intact else "LOST",
         )
         for row in rows
     ]
@@ -185,7 +185,7 @@ class _StationClient:
     """The station under test, from its browser's end."""
 
     def __init__(self, http: httpx.Client, told: _DeviceMonitor, twin: SimulatedStation) -> None:
-        self.http, self._told, self._twin = http, told, twin
+        self.http, self._monitor, self._twin = http, told, twin
 
     def view(self) -> View:
         return dict(self.http.get("/api/flow").json())
@@ -216,19 +216,19 @@ class _StationClient:
         self, step: str, taken: Callable[[], object] | None = None
     ) -> Iterator[DeviceFaultRow]:
         """Every failure; ``taken`` tells what must be there afterwards as before."""
-        taken = taken or self.taken
+        taken = taken or self.step_contents
         for failure in FAILURES:
             before = taken()
-            self._told.when(failure.device, True)
+            self._monitor.when(failure.device, True)
             failed_s = time.monotonic()
             failure.begin(self._twin.faults)
-            said_s = self._told.when(failure.device, False) - failed_s
+            said_s = self._monitor.when(failure.device, False) - failed_s
             self._twin.faults.clear()
             mended_s = time.monotonic()
-            back_s = self._told.when(failure.device, True) - mended_s
+            back_s = self._monitor.when(failure.device, True) - mended_s
             yield DeviceFaultRow(step, failure.name, said_s, back_s, before == taken())
 
-    def taken(self) -> tuple[str, int, int]:
+    def step_contents(self) -> tuple[str, int, int]:
         """The step, and how much there is in it."""
         view = self.view()
         points = len(view["picture"].get("points") or ())

@@ -80,7 +80,7 @@ def run(
                 wrong, lost = _try(copy, library, disk, (after, length), kept, row)
             notes = "; ".join([*wrong, *lost])
             named = f"after {after}, for {length}: {notes}" if notes else ""
-            row.outcome(not notes, bool(lost), named)
+            row.count_try(not notes, bool(lost), named)
         finally:
             shutil.rmtree(copy)
     return row
@@ -95,7 +95,7 @@ def _try(
             station.enter()
             disk.fill(*when)
             wrong = query_station(station, {"scan_id": list(kept.scans)}).faults
-            row.stopped(station.stop_s())
+            row.note_stop(station.stop_s())
             wrong += _sign_in_again(station)
             disk.empty()
             station.begin_scan("With room again")

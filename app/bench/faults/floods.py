@@ -64,7 +64,7 @@ class _Logged:
 
     def __post_init__(self) -> None:
         self._from_s = time.monotonic() + self.beginning_s
-        self._first = self._before = self.station.logged_bytes()
+        self._first = self._before = self.station.log_bytes()
         self._pressed_before = 0
 
     def press(self) -> float:
@@ -73,18 +73,18 @@ class _Logged:
             self._pressed_before += 1
             return self.station.stop_s()
         if not self.pressed:
-            self._from_s, self._before = time.monotonic(), self.station.logged_bytes()
+            self._from_s, self._before = time.monotonic(), self.station.log_bytes()
         self.pressed += 1
         return self.station.stop_s()
 
     @property
     def bytes_by_stop(self) -> float:
         """Where nothing else is logged."""
-        return (self.station.logged_bytes() - self._before) / self.pressed
+        return (self.station.log_bytes() - self._before) / self.pressed
 
     def hour_bytes(self, stop_bytes: float) -> float:
         """The beginning, and as after it for an hour, without what Stop logs."""
-        late = self.station.logged_bytes() - self._before - stop_bytes * self.pressed
+        late = self.station.log_bytes() - self._before - stop_bytes * self.pressed
         early = self._before - self._first - stop_bytes * self._pressed_before
         return max(early, 0.0) + max(late, 0.0) * HOUR_S / (time.monotonic() - self._from_s)
 
@@ -111,7 +111,7 @@ def _measure_under(
         while not flood.done() or pressed < MIN_TRIES or not logged.pressed:
             pressed += 1
             try:
-                row.stopped(logged.press())
+                row.note_stop(logged.press())
             except (httpx.HTTPError, OperationError) as error:
                 failed.append(type(error).__name__)
             most_mb = max(most_mb, memory_mb(station.pid))

@@ -70,7 +70,7 @@ class _RunningScan:
     seconds: float
     frames: int
 
-    def lost_s(self, frames: int, joints_ns: int) -> float:
+    def loss_s(self, frames: int, joints_ns: int) -> float:
         """How much is lost, where so many frames are left, and joints until then."""
         frames_s = self.seconds * (self.frames - frames) / max(self.frames, 1)
         return max(frames_s, 1e-9 * (self.at_ns - joints_ns), 0.0)
@@ -95,20 +95,20 @@ def _settle(station: StationProcess, killed: _RunningScan, data: Path, row: Faul
         return listed[0] if listed else None
 
     first = found()
-    row.stopped(station.stop_s())
+    row.note_stop(station.stop_s())
     if first is None:
         lost = killed.seconds > LOST_S
-        row.outcome(True, lost, f"{killed.name} is not listed" if lost else "")
+        row.count_try(True, lost, f"{killed.name} is not listed" if lost else "")
         return killed.seconds
     try:
         scan = station.wait(lambda: _with_cloud(found()))
     except OperationError as refusal:
-        row.outcome(False, True, f"{killed.name}: {refusal.line}")
+        row.count_try(False, True, f"{killed.name}: {refusal.line}")
         return killed.seconds
     folder = data / "scans" / scan["id"]
-    lost_s = killed.lost_s(scan["frames"], last_joints_ns(folder / "scan.mcap"))
+    lost_s = killed.loss_s(scan["frames"], last_joints_ns(folder / "scan.mcap"))
     whole = (folder / "cloud.ply").is_file() and scan["note"].startswith("The station ended")
-    row.outcome(whole, lost_s > LOST_S, "" if whole else f"{killed.name}: {scan['note']}")
+    row.count_try(whole, lost_s > LOST_S, "" if whole else f"{killed.name}: {scan['note']}")
     return lost_s
 
 
@@ -150,8 +150,8 @@ def kill_guides(
                 _begin(station, flow)
             else:
                 wrong = "; ".join(differences(before, station.get(f"/api/{flow}")))
-                row.outcome(not wrong, bool(wrong), wrong)
-                row.stopped(station.stop_s())
+                row.count_try(not wrong, bool(wrong), wrong)
+                row.note_stop(station.stop_s())
             if place is not None:
                 before = _advance(station, flow, place)
                 station.kill()

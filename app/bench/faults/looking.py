@@ -51,7 +51,7 @@ class StationResponses:
         if "json" in answer.headers.get("content-type", ""):
             self.texts[asked] = answer.text
 
-    def told(self, words: str) -> bool:
+    def mentions(self, words: str) -> bool:
         """Whether something that people are shown has these words, a regular expression."""
         return any(re.search(words, text, re.IGNORECASE) for text in self.texts.values())
 
@@ -79,7 +79,7 @@ def query_station(
     look.note("GET /api/logs", logged)
     if logged.status_code == OK:
         look.faults += [describe_fault(line) for line in logged.json() if line["level"] == "error"]
-    if TRACE in station.said:
+    if TRACE in station.console_text:
         look.faults.append("a trace on the console")
     return look
 

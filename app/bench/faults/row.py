@@ -17,10 +17,10 @@ class FaultRow:
     notes: list[str] = field(default_factory=list)
     """A measured figure, and what did not go as it must."""
 
-    def stopped(self, seconds: float) -> None:
+    def note_stop(self, seconds: float) -> None:
         self.stop_s = max(seconds, 0.0 if math.isnan(self.stop_s) else self.stop_s)
 
-    def outcome(self, survived: bool, lost: bool = False, note: str = "") -> None:
+    def count_try(self, survived: bool, lost: bool = False, note: str = "") -> None:
         """Counts one try."""
         self.tries += 1
         self.survived += survived

@@ -53,7 +53,7 @@ def accept_truth(store: Store, twin: SimulatedStation, name: str) -> None:
     folder.mkdir(parents=True)
     file = folder / "calibration.json"
     file.write_text(json.dumps(true_calibration(twin)))
-    (folder / "arm.json").write_text(json.dumps(twin.papers()["arm.json"]))
+    (folder / "arm.json").write_text(json.dumps(twin.datasheets()["arm.json"]))
     figures = {
         "total_um": 30.0,
         "verdict": "good",

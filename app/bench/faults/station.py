@@ -65,11 +65,11 @@ class StationProcess:
         return self._process.pid
 
     @property
-    def said(self) -> str:
+    def console_text(self) -> str:
         """All that the console has."""
         return self._output.read_text(errors="replace")
 
-    def logged_bytes(self) -> int:
+    def log_bytes(self) -> int:
         """Of the console and the station's log."""
         logs = (self._data / "logs").glob("*")
         return self._output.stat().st_size + sum(path.stat().st_size for path in logs)
@@ -85,13 +85,13 @@ class StationProcess:
         Raises:
             Refusal: it ended, or is not there in time.
         """
-        self.wait(lambda: LINK.search(self.said) and "Ready after" in self.said)
+        self.wait(lambda: LINK.search(self.console_text) and "Ready after" in self.console_text)
         self.sign_in().raise_for_status()
         return self
 
     def sign_in(self) -> httpx.Response:
         """Signs in by the link that the console shows."""
-        link = LINK.search(self.said)
+        link = LINK.search(self.console_text)
         assert link is not None
         self.http.base_url = httpx.URL(link[1])
         return self.http.post("/api/session/code", json={"code": link[2]})
@@ -117,7 +117,7 @@ class StationProcess:
         deadline_s = time.monotonic() + PATIENCE_S
         while not (found := enough()):
             if self.status is not None:
-                last = (self.said.strip().splitlines() or ["it said nothing"])[-1]
+                last = (self.console_text.strip().splitlines() or ["it said nothing"])[-1]
                 raise OperationError(ENDED, "the station ended", last)
             if time.monotonic() > deadline_s:
                 raise stuck_error("the station does not go on")

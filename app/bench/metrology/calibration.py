@@ -83,7 +83,7 @@ class SetUpResult:
     rms_um: float
     bound_um: float
     over_bound: Ratio
-    without_luck: Ratio
+    without_sampling: Ratio
     claimed_um: float
     sensor_um: float
     angle: float
@@ -93,14 +93,14 @@ class SetUpResult:
     solve_s: float
 
     @property
-    def claimed_over_seen(self) -> float:
+    def claimed_over_observed(self) -> float:
         return self.claimed_um / self.rms_um
 
 
 @dataclass(frozen=True)
 class _Solve:
     errors_mm: Floats  # (G, 3), flange frame
-    told_errors_mm: Floats  # the same, with the noise's scales known
+    known_scales_errors_mm: Floats  # the same, with the noise's scales known
     in_sensor_um: float
     line: Floats  # (2,) offset mm and slope rad of a plane
     claimed_mm2: float
@@ -147,7 +147,7 @@ def bound_adjustment(reference: Draw, scales: Scales) -> AdjustmentResult:
     free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
     covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
     return AdjustmentResult(
-        linear, scales, free, covariance, parts, judgements, 0, scales_told=False
+        linear, scales, free, covariance, parts, judgements, 0, scales_estimated=False
     )
 
 
@@ -198,7 +198,7 @@ def _summarise(
     squares = np.einsum("gik,kl,gil->g", J, exact.covariance[SENSOR, SENSOR], J)
     bound_mm = float(np.sqrt(np.mean(squares)))
     square = np.array([np.mean(np.sum(one.errors_mm**2, 1)) for one in done])
-    told = np.array([np.mean(np.sum(one.told_errors_mm**2, 1)) for one in done])
+    told = np.array([np.mean(np.sum(one.known_scales_errors_mm**2, 1)) for one in done])
     lines = np.array([one.line for one in done])
     claimed = np.array([one.plane_claimed for one in done])
 
@@ -231,8 +231,8 @@ def table(results: list[SetUpResult]) -> list[tuple[str, ...]]:
             f"{kept.solves}" + (f" ({kept.failed} failed)" if kept.failed else ""),
             f"{kept.rms_um:.1f}",
             str(kept.over_bound),
-            str(kept.without_luck),
-            f"{kept.claimed_over_seen:.2f}",
+            str(kept.without_sampling),
+            f"{kept.claimed_over_observed:.2f}",
             f"{kept.sensor_um:.2f}",
             f"{kept.angle:.1f} ({kept.angle_claimed / kept.angle:.2f})",
             f"{kept.offset_um:.1f} ({kept.offset_claimed_um / kept.offset_um:.2f})",

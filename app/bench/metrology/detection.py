@@ -76,46 +76,46 @@ class WrongCertificateOutcome:
 
     seed: int
     kind: str
-    moved_px: float
+    shift_px: float
     accepted: bool
     named: bool = False
 
     @property
-    def believed(self) -> bool:
+    def wrongly_accepted(self) -> bool:
         """Whether it is accepted though the picture shows it to be wrong."""
-        return self.accepted and self.moved_px >= VISIBLE_SHIFT_PX
+        return self.accepted and self.shift_px >= VISIBLE_SHIFT_PX
 
 
 @dataclass(frozen=True)
 class DetectionBench:
     """The outcome of a benchmark: ``lines()`` is the table to print."""
 
-    searched: Sequence[SearchOutcome]
-    deceived: Sequence[WrongCertificateOutcome]
+    searches: Sequence[SearchOutcome]
+    wrong_certificates: Sequence[WrongCertificateOutcome]
 
     @property
     def right(self) -> int:
-        return sum(one.outcome == "right" for one in self.searched)
+        return sum(one.outcome == "right" for one in self.searches)
 
     @property
     def wrong(self) -> int:
-        return sum(one.outcome == "wrong" for one in self.searched)
+        return sum(one.outcome == "wrong" for one in self.searches)
 
     @property
-    def believed(self) -> int:
+    def wrongly_accepted(self) -> int:
         """Wrong certificates that were accepted though the picture shows them to be wrong."""
-        return sum(one.believed for one in self.deceived)
+        return sum(one.wrongly_accepted for one in self.wrong_certificates)
 
     def lines(self) -> list[str]:
         """The figures as lines of text."""
-        total = len(self.searched)
+        total = len(self.searches)
         found = [f"{'with':16}{'images':>8}{'right':>8}{'refused':>9}{'wrong':>7}"]
         for name in NUISANCES:
-            found.append(self._row(name, [s for s in self.searched if name in s.nuisances]))
-        found.append(self._row("all", self.searched))
-        refused = Counter(s.outcome for s in self.searched if s.outcome not in ("right", "wrong"))
+            found.append(self._row(name, [s for s in self.searches if name in s.nuisances]))
+        found.append(self._row("all", self.searches))
+        refused = Counter(s.outcome for s in self.searches if s.outcome not in ("right", "wrong"))
         found += [f"refused as {code}: {count}" for code, count in refused.most_common()]
-        right = [s for s in self.searched if s.outcome == "right"]
+        right = [s for s in self.searches if s.outcome == "right"]
         if right:
             rms = float(np.median([s.rms_px for s in right]))
             worst = max(s.rms_px for s in right)
@@ -126,19 +126,20 @@ class DetectionBench:
                 f"error over predicted deviation: {middle:.2f} median,"
                 f" {low:.2f} to {high:.2f} in nine pictures of ten"
             )
-        seconds = [s.seconds for s in self.searched]
-        plain = [s.seconds for s in self.searched if s.pixels == TIMED_PX]
+        seconds = [s.seconds for s in self.searches]
+        plain = [s.seconds for s in self.searches if s.pixels == TIMED_PX]
         if plain:
             found.append(f"time: {np.median(plain):.2f} s for 1280 x 1024, median")
         if seconds:
             found.append(f"time: {np.mean(seconds):.2f} s mean, {max(seconds):.2f} s at most")
-        telling = [d for d in self.deceived if d.moved_px >= VISIBLE_SHIFT_PX]
-        named = sum(d.believed and d.named for d in telling)
+        telling = [d for d in self.wrong_certificates if d.shift_px >= VISIBLE_SHIFT_PX]
+        named = sum(d.wrongly_accepted and d.named for d in telling)
         found.append(
             f"wrong certificates: {len(telling)} that the picture shows to be wrong,"
-            f" {self.believed} accepted ({named} of them with the remark that the picture hides"
-            f" what is wrong); {len(self.deceived) - len(telling)} that it does not show,"
-            f" {sum(d.accepted for d in self.deceived) - self.believed} accepted"
+            f" {self.wrongly_accepted} accepted ({named} of them with the remark that the"
+            " picture hides"
+            f" what is wrong); {len(self.wrong_certificates) - len(telling)} that it does not show,"
+            f" {sum(d.accepted for d in self.wrong_certificates) - self.wrongly_accepted} accepted"
         )
         found.append(f"right: {self.right} of {total}, wrong: {self.wrong}")
         return found
@@ -190,7 +191,7 @@ def detect_block(shot: DegradedImage, block: Crenellated) -> ObjectDetection:
         Refusal: as ``detect_object``.
     """
     rolled = abs(shot.optics.T_cam_sensor[0, 0]) < abs(shot.optics.T_cam_sensor[1, 0])
-    stripe = extract_stripe(shot.image, "v" if rolled else "u") if shot.lit else None
+    stripe = extract_stripe(shot.image, "v" if rolled else "u") if shot.laser_on else None
     return detect_object(shot.image, block, stripe)
 
 
@@ -224,7 +225,7 @@ def search_image(shot: DegradedImage, seed: int) -> SearchOutcome:
 
 def corner_errors(found: ObjectDetection, shot: DegradedImage) -> tuple[Floats, Floats]:
     """Errors (N, 2) of the corners in px, and (N,) their lengths in standard deviations."""
-    true = corners_of(block_certificate(shot.made))
+    true = corners_of(block_certificate(shot.true_block))
     at = to_pixels(shot.optics, np.array([true[corner.name] for corner in found.corners]))
     errors = np.array([[corner.u, corner.v] for corner in found.corners]) - at
     own = np.array([corner.covariance_px2 for corner in found.corners])
@@ -249,7 +250,7 @@ def search_wrong_certificate(shot: DegradedImage, seed: int) -> WrongCertificate
         found = detect_block(shot, claimed)
     except OperationError:
         return WrongCertificateOutcome(seed, kind, moved, False)
-    return WrongCertificateOutcome(seed, kind, moved, True, wrong in found.unseen)
+    return WrongCertificateOutcome(seed, kind, moved, True, wrong in found.unobserved_planes)
 
 
 def _change_one_size(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated, str, str]:

@@ -108,8 +108,11 @@ def _link_errors(rig: SimulatedRig) -> Floats:
 
 def _cloud(rig: SimulatedRig, rng: np.random.Generator) -> _Cloud:
     """A sweep of the true arm over a plane through the middle of the block."""
-    length = float(np.linalg.norm(rig.sheet.normal))
-    normal, offset_mm = np.array(rig.sheet.normal) / length, rig.sheet.offset_mm / length
+    length = float(np.linalg.norm(rig.light_plane.normal))
+    normal, offset_mm = (
+        np.array(rig.light_plane.normal) / length,
+        rig.light_plane.offset_mm / length,
+    )
     height = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
     first, q = draw_sensor_pose(rig, rng, 4.0), np.zeros(rig.arm.joint_count)
     x = np.linspace(-18.0, 18.0, POINTS)
@@ -162,7 +165,7 @@ def _design_setup(rig: SimulatedRig, poses: int, rng: np.random.Generator) -> Si
 
 def _place_by_contacts(station: SimulatedSetup, found: AdjustmentResult) -> Floats:
     """``T_flange_cam`` as the paper has it: contacts alone place the object (Eq. 8)."""
-    touches = found.problem.touches
+    touches = found.problem.contacts
     assert touches is not None
     alignment = align(
         touches.features, touches.tips_mm, touches.radius_mm, station.certificate, touches.noise_mm2

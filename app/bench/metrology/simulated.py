@@ -77,7 +77,7 @@ class SimulatedSetup:
     contact_q_rad: Floats
     spots_mm: Floats  # (N, 3) where each contact is, object frame
     q_rad: Floats  # (P, n)
-    seeing: ObservationNoise
+    view_model: ObservationNoise
 
 
 def draw_setup(setup: SetUp) -> SimulatedSetup:
@@ -110,9 +110,9 @@ def design_setup(setup: SetUp, rig: SimulatedRig, rng: np.random.Generator) -> S
     camera = Camera(
         K, np.eye(3), np.zeros(3), optics.width_px, optics.height_px, np.array(optics.distortion)
     )
-    normal = T_cam_sensor[:3, :3] @ np.array(rig.sheet.normal)
+    normal = T_cam_sensor[:3, :3] @ np.array(rig.light_plane.normal)
     length = float(np.linalg.norm(normal))
-    offset = (rig.sheet.offset_mm + normal @ T_cam_sensor[:3, 3]) / length
+    offset = (rig.light_plane.offset_mm + normal @ T_cam_sensor[:3, 3]) / length
     features, spots, contact_q = _contacts(rig, setup, rng)
     stripe_axis = "u" if abs(np.sin(setup.roll_rad)) < 0.7 else "v"
     return SimulatedSetup(
@@ -207,7 +207,7 @@ def draw_session(
     scales = station.setup.scales
     share = 1.0 if noisy else 0.0
     if links is None:
-        sd = share * scales.of_links(station.arm.joint_count)
+        sd = share * scales.link_error_sds(station.arm.joint_count)
         links = sd * rng.normal(size=len(sd))
     arm = _with_links(station.arm, links)
     papers = block_prior(station.certificate)
@@ -283,7 +283,7 @@ def _simulate_view(
     n = station.plane.normal
     plane = LaserPlane(R.T @ n, float(station.plane.offset_mm - n @ t))
     camera = replace(station.camera, rotation=R, translation_mm=t)
-    view = predict_view(camera, plane, block, station.seeing)
+    view = predict_view(camera, plane, block, station.view_model)
     edges = []
     for edge in view.edges:
         off = edge.sigma_px * rng.normal(size=len(edge.sigma_px))

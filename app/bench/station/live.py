@@ -59,7 +59,7 @@ class LiveBench:
     frames_lost: int
     frames_without_joints: int
     points: int
-    points_shown: int
+    points_displayed: int
     age_median_s: float
     age_95_s: float
     cores: float
@@ -67,7 +67,7 @@ class LiveBench:
     settled_mb: float
     """Memory after the first minute, and at the end."""
     last_mb: float
-    joined_s: float
+    join_s: float
     """From a second viewer's connection until it has all that is shown."""
     recording_mb_s: float
 
@@ -94,7 +94,7 @@ def table(found: LiveBench) -> list[tuple[str, str]]:
         ),
         (
             "a second viewer has the whole picture",
-            f"{found.joined_s:.1f} s, {found.points_shown} points shown",
+            f"{found.join_s:.1f} s, {found.points_displayed} points shown",
         ),
         ("processor", f"{found.cores:.2f} cores"),
         ("recording", f"{found.recording_mb_s:.1f} MB/s"),
@@ -106,7 +106,9 @@ def run(pace: FastStationConfig, seconds: float, progress: Progress = no_progres
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
         _run_station(Path(folder), pace) as station,
-        httpx.Client(base_url=station.address, headers=station.signed_in, timeout=30.0) as http,
+        httpx.Client(
+            base_url=station.address, headers=station.sign_in_header, timeout=30.0
+        ) as http,
     ):
         return _scan(station, http, Path(folder), pace, seconds, progress)
 
@@ -116,7 +118,7 @@ class _LiveStation:
     port: int
     pid: int
     start_ns: int
-    signed_in: dict[str, str]
+    sign_in_header: dict[str, str]
     """The header that its browsers send."""
 
     @property
@@ -148,7 +150,7 @@ def _scan(
     progress: Progress,
 ) -> LiveBench:
     with watch_view(
-        station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s
+        station.viewer, station.sign_in_header, station.start_ns, pace.turn_rad_s
     ) as watched:
         http.post("/api/scan/start", json={"name": "Bench"}).raise_for_status()
         began_s, busy_s = time.monotonic(), station.processor_s
@@ -175,13 +177,13 @@ def _scan(
         frames_lost=int(scan["lost_frames"]),
         frames_without_joints=int(scan["frames_without_joints"]),
         points=int(scan["points"]),
-        points_shown=int(scan["points_shown"]),
+        points_displayed=int(scan["points_shown"]),
         age_median_s=float(np.median(seen.ages_s)),
         age_95_s=float(np.percentile(seen.ages_s, 95)),
         cores=cores,
         settled_mb=settled_mb,
         last_mb=last_mb,
-        joined_s=joined_s,
+        join_s=joined_s,
         recording_mb_s=recording.stat().st_size / MB / scan["seconds"],
     )
 
@@ -189,9 +191,9 @@ def _scan(
 def _join(station: _LiveStation, pace: FastStationConfig) -> float:
     """How long a second viewer waits for what the first one sees."""
     with watch_view(
-        station.viewer, station.signed_in, station.start_ns, pace.turn_rad_s, until_whole=True
+        station.viewer, station.sign_in_header, station.start_ns, pace.turn_rad_s, until_whole=True
     ) as watched:
-        return watched().whole_s
+        return watched().complete_s
 
 
 def wait_for_stop(http: httpx.Client) -> dict[str, float]:

@@ -146,7 +146,7 @@ def _make_measure(
 
 
 def _make_size_measure(copy: InstalledCopy) -> Callable[[], Iterator[Sample]]:
-    return lambda: iter([("installed size", copy.installed_mb())])
+    return lambda: iter([("installed size", copy.size_mb())])
 
 
 def _demo(copy: InstalledCopy, cache: Path, data: Path, cold: bool = False) -> Iterator[Sample]:
@@ -154,7 +154,7 @@ def _demo(copy: InstalledCopy, cache: Path, data: Path, cold: bool = False) -> I
     with DemoProcess(copy, cache, data) as station:
         yield "first page", station.first_page_s()
         yield "ready", station.ready_s()
-        yield "calibrated by the simulated operator", station.calibrated_s()
+        yield "calibrated by the simulated operator", station.calibration_s()
         yield "devices lost", float(station.losses())
 
 

@@ -83,7 +83,7 @@ class InstalledCopy:
             raise failure_error(f"{self.name}: crenel {arguments[0]} failed", done.stderr)
         return taken_s
 
-    def installed_mb(self) -> float:
+    def size_mb(self) -> float:
         """Of the package and what it needs, without extras."""
         python = self.executable.with_name("python")
         asked = [str(python), "-c", DISTRIBUTIONS]
@@ -169,7 +169,7 @@ class DemoProcess:
         """How often it has told of a lost device."""
         return len(LOST.findall(self._output.read_text()))
 
-    def calibrated_s(self) -> float:
+    def calibration_s(self) -> float:
         """Until a calibration is accepted that its hand has made, step by step."""
         with httpx.Client(base_url=self._address, timeout=PATIENCE_S) as http:
             _enter(http, self._output.read_text())

@@ -101,4 +101,4 @@ def serve_in_thread(parts: StationParts) -> Iterator[tuple[Context, int]]:
 
 def sign_in(station: Context, port: int) -> dict[str, str]:
     """The header of a browser that is signed in at the station on a port."""
-    return {"Cookie": f"{cookie_for(port)}={station.store.sign_ins.begin(GUEST, 'bench')}"}
+    return {"Cookie": f"{cookie_for(port)}={station.store.login_sessions.begin(GUEST, 'bench')}"}

@@ -37,29 +37,29 @@ class ViewBench:
     """What the view did with it."""
 
     points: int
-    points_shown: int
-    shown_per_s: float
+    points_displayed: int
+    displayed_per_s: float
     """Points a second that the display took."""
     memory_mb: float
     """Of the station, at the end."""
-    joined_s: float
+    join_s: float
     """From a second viewer's connection until it has all that is shown."""
-    joined_mb: float
+    join_mb: float
     """That it was sent."""
-    coloured_s: float
+    recolour_s: float
     """From the wish for other colours until the last point of the viewer has them."""
 
 
 def table(found: ViewBench) -> list[tuple[str, str]]:
     return [
-        ("points scanned, shown", f"{found.points}, {found.points_shown}"),
-        ("taken by the display", f"{found.shown_per_s / 1e6:.1f} million points/s"),
+        ("points scanned, shown", f"{found.points}, {found.points_displayed}"),
+        ("taken by the display", f"{found.displayed_per_s / 1e6:.1f} million points/s"),
         ("the station's memory", f"{found.memory_mb:.0f} MB"),
         (
             "a second viewer has the whole picture",
-            f"{found.joined_s:.2f} s, {found.joined_mb:.0f} MB",
+            f"{found.join_s:.2f} s, {found.join_mb:.0f} MB",
         ),
-        ("all points in other colours", f"{found.coloured_s:.2f} s"),
+        ("all points in other colours", f"{found.recolour_s:.2f} s"),
     ]
 
 
@@ -85,12 +85,12 @@ def run(points: int, progress: Progress = no_progress) -> ViewBench:
             coloured_s = watched().coloured_at_s - asked_s
         return ViewBench(
             points=points,
-            points_shown=shown,
-            shown_per_s=points / seconds,
+            points_displayed=shown,
+            displayed_per_s=points / seconds,
             memory_mb=memory_mb(pid),
-            joined_s=joined.whole_s,
-            joined_mb=joined.bytes / MB,
-            coloured_s=coloured_s,
+            join_s=joined.complete_s,
+            join_mb=joined.bytes / MB,
+            recolour_s=coloured_s,
         )
 
 

@@ -29,7 +29,7 @@ class ViewerReport:
     """What came: the age (s) of the oldest new point of each update, and when all was there."""
 
     ages_s: Floats
-    whole_s: float
+    complete_s: float
     bytes: int
     coloured_at_s: float
     """By the monotonic clock; NaN where so many points were not given other colours."""
@@ -96,7 +96,7 @@ def _watch(
         max_size=None,
         compression=None,
     ) as socket:
-        while not (pipe.poll() or (until_whole and seen.whole) or seen.coloured_at_s):
+        while not (pipe.poll() or (until_whole and seen.complete) or seen.coloured_at_s):
             with contextlib.suppress(TimeoutError):
                 data = socket.recv(POLL_S)
                 seen.take(time.monotonic_ns(), bytes(data) if isinstance(data, bytes) else b"")
@@ -112,7 +112,7 @@ class _PointAges:
 
     def __init__(self, start_ns: int, turn_rad_s: float, coloured: int) -> None:
         self.ages_s: list[float] = []
-        self.whole = False
+        self.complete = False
         """All that was shown before it came is there."""
         self.bytes = 0
         self.coloured_at_s = 0.0
@@ -126,13 +126,15 @@ class _PointAges:
         for message in _messages(data):
             name = str(message.get("name", ""))
             if message["type"] == "ReplayDoneMessage":
-                self.whole = True
+                self.complete = True
             elif message["type"] == "SetPositionMessage" and name == CLOUD:
                 self._origin_m = np.array(message["position"])
             elif message["type"] == "PointCloudMessage" and name.startswith(CLOUD):
                 points = np.frombuffer(message["props"]["points"], np.float32).reshape(-1, 3)
                 self._note(now_ns, points + self._origin_m)
-            elif self.whole and name.startswith(CLOUD) and "colors" in message.get("updates", ()):
+            elif (
+                self.complete and name.startswith(CLOUD) and "colors" in message.get("updates", ())
+            ):
                 self._note_colours(len(message["updates"]["colors"]) // 3)
 
     def _note_colours(self, points: int) -> None:

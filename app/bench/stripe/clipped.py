@@ -57,8 +57,8 @@ class ClippingResult:
 
     kind: str
     bits: int
-    whole: float
-    whole_share: float
+    full_search: float
+    full_search_share: float
     followed: float
     followed_share: float
     opencv: float
@@ -86,7 +86,7 @@ def table(rows: Sequence[ClippingResult]) -> list[list[str]]:
     return [
         [
             f"{one.kind}, {one.bits} bit",
-            *(f"{one.whole:.0f} /s", f"{100 * one.whole_share:.0f} %"),
+            *(f"{one.full_search:.0f} /s", f"{100 * one.full_search_share:.0f} %"),
             *(f"{one.followed:.0f} /s", f"{100 * one.followed_share:.0f} %"),
             f"{one.opencv:.0f} /s",
             *(

@@ -53,7 +53,7 @@ class E57Sink:
         }
         self._limits = dict.fromkeys(LIMITS, (np.inf, -np.inf))
         self._scan = self._e57.StructureNode(self._image)
-        self._writer = self._begun()
+        self._writer = self._open_writer()
 
     def write(self, points: Points) -> None:
         for first in range(0, len(points), CHUNK_POINTS):
@@ -82,7 +82,7 @@ class E57Sink:
         """Lets go of the file, which is not to be."""
         self._image.cancel()
 
-    def _begun(self) -> Any:  # the binding has no types
+    def _open_writer(self) -> Any:  # the binding has no types
         e57, image = self._e57, self._image
         self._scan.set("guid", e57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         self._scan.set("name", e57.StringNode(image, "crenel cloud, arm frame"))

@@ -62,15 +62,15 @@ class CloudWriter:
         self._waiting.append(points)
         self._waiting_count += len(points)
         if self._waiting_count >= CHUNK_POINTS:
-            self._hand_over()
+            self._write_pending()
 
     def finish(self) -> None:
         """Completes the file."""
         if self._waiting:
-            self._hand_over()
+            self._write_pending()
         self._sink.finish()
 
-    def _hand_over(self) -> None:
+    def _write_pending(self) -> None:
         one = self._waiting[0] if len(self._waiting) == 1 else np.concatenate(self._waiting)
         self._waiting, self._waiting_count = [], 0
         self._sink.write(one)

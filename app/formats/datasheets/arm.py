@@ -61,7 +61,7 @@ class ArmFile(Document):
     identification: IdentificationPart | None = None
 
     @model_validator(mode="after")
-    def _joints_as_the_convention_wants(self) -> Self:
+    def _check_joints(self) -> Self:
         if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
             raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
         if self.convention == "dh-standard" and self.tip is None:

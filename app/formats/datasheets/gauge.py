@@ -34,7 +34,7 @@ class VerificationLimits(DocumentPart):
     offset_range: Positive | None = None
     centre_range: Positive | None = None
 
-    def over(self, other: "VerificationLimits") -> "VerificationLimits":
+    def with_defaults(self, other: "VerificationLimits") -> "VerificationLimits":
         """These, and the other's where these say nothing."""
         return VerificationLimits(
             **{**other.model_dump(exclude_none=True), **self.model_dump(exclude_none=True)}
@@ -74,7 +74,7 @@ class GaugeFile(Document):
     limits: VerificationLimits = VerificationLimits()
 
     @model_validator(mode="after")
-    def _a_sphere_has_a_size(self) -> Self:
+    def _check_radius(self) -> Self:
         if self.shape == "sphere" and self.radius_mm is None:
             raise ValueError("radius_mm is missing: a sphere is judged by its size")
         return self

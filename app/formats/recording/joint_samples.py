@@ -43,7 +43,7 @@ class JointReader:
     @property
     def implausible(self) -> int:
         """Readings that could not be true, and were left out."""
-        return self._judge.kept_back
+        return self._judge.rejected_count
 
     @property
     def first_implausible(self) -> ImplausibleReading | None:
@@ -61,7 +61,7 @@ class JointReader:
                 most angles outside the arm's limits.
         """
         if samples.names != self._names:
-            self._order = self._order_of(samples.names)
+            self._order = self._joint_order(samples.names)
             self._names = samples.names
         q_rad, stamps_ns = samples.q_rad[:, self._order], samples.stamps_ns
         whole = np.isfinite(q_rad).all(axis=1)
@@ -70,14 +70,14 @@ class JointReader:
             q_rad, stamps_ns = q_rad[whole], stamps_ns[whole]
         self._read += len(stamps_ns)
         pairs = zip(stamps_ns.tolist(), q_rad.tolist(), strict=True)
-        good = self._judge.passed([_JointReading(*pair) for pair in pairs])
+        good = self._judge.filter([_JointReading(*pair) for pair in pairs])
         if self._judge.outside > FEW_OUTSIDE:
             self.refuse_another_arm()
         return self._arrays(good)
 
-    def rest(self) -> tuple[Stamps, Floats]:
+    def last_readings(self) -> tuple[Stamps, Floats]:
         """The last readings, once there are no more."""
-        return self._arrays(self._judge.rest())
+        return self._arrays(self._judge.flush())
 
     def refuse_another_arm(self) -> None:
         """Raises ``OperationError`` where most readings lie outside the arm's limits."""
@@ -100,7 +100,7 @@ class JointReader:
         q_rad = np.array([one.joints_rad for one in good], dtype=np.float64)
         return stamps_ns, q_rad.reshape(len(good), self._arm.joint_count)
 
-    def _order_of(self, names: tuple[str, ...]) -> list[int]:
+    def _joint_order(self, names: tuple[str, ...]) -> list[int]:
         own = [joint.name for joint in self._arm.joints]
         if len(names) != len(own):
             raise OperationError(

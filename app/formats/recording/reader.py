@@ -108,9 +108,9 @@ class Recording:
         """
         with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
-            yield from self._decoded(file)
+            yield from self._decode(file)
 
-    def told(self) -> dict[str, str]:
+    def station_metadata(self) -> dict[str, str]:
         """What it says of the station before its first message; empty where it does not.
 
         It looks at the beginning alone, and opens no chunk.
@@ -128,7 +128,7 @@ class Recording:
                         return dict(record.metadata)
         return {}
 
-    def _decoded(self, file: BinaryIO) -> Iterator[Record]:
+    def _decode(self, file: BinaryIO) -> Iterator[Record]:
         decoders = Decoders(self.path)
         for record in self._raw(file, decoders):
             if isinstance(record, Metadata) and record.name == STATION_METADATA:
@@ -157,7 +157,7 @@ class Recording:
                         yield one
                 self.bytes_read = file.tell()
         except DAMAGE:
-            self.cut_here()
+            self.mark_cut()
 
     def learn(self, described: Schema | Channel, decoders: "Decoders") -> None:
         """Takes note of a schema or channel.
@@ -174,7 +174,7 @@ class Recording:
         self.first_ns = first_ns if self.first_ns is None else min(self.first_ns, first_ns)
         self.last_ns = last_ns if self.last_ns is None else max(self.last_ns, last_ns)
 
-    def cut_here(self) -> None:
+    def mark_cut(self) -> None:
         """Takes note that nothing can be read behind what was read."""
         share = 100 * self.bytes_read / max(self.size, 1)
         text = (

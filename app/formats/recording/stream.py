@@ -63,7 +63,7 @@ class RecordedFrame:
 class Block:
     """What a stretch of the recording holds, in its order."""
 
-    opened: ChunkRecords
+    chunk: ChunkRecords
     joints: list[JointSamples]
     frames: list[RecordedFrame]
     stripes: wire.Table
@@ -92,7 +92,7 @@ def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Bl
             if (yield from _take_block(recording, reader, waiting)):
                 return
         if reader.damaged:
-            recording.cut_here()
+            recording.mark_cut()
         else:
             recording.bytes_read = recording.size
 
@@ -122,7 +122,7 @@ def _take_block(
         opened = opening.opened.result()
         reader.learn_from(opened)
     except DAMAGE:
-        recording.cut_here()
+        recording.mark_cut()
         return True
     yield reader.block(opened)
     recording.bytes_read = opening.end
@@ -205,7 +205,7 @@ class _Reader:
         rows = wire.find_stripes(opened.bytes, messages)
         channel = int(messages[0, 1])
         if channel not in self._as_usual and rows[0, wire.POINTS] >= 0:
-            told, read = self._decoded(opened, messages[0]), read_profiles(opened, rows[:1])
+            told, read = self._decode(opened, messages[0]), read_profiles(opened, rows[:1])
             self._as_usual[channel] = isinstance(told, StripeRecord) and (
                 (told.stamp_ns, told.width_px, told.height_px, told.stripe.axis)
                 == (*rows[0, : wire.U].tolist(), read.axis)
@@ -239,7 +239,7 @@ class _Reader:
         channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
         if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
             q_rad = wire.gather_joints(opened.bytes, rows, int(counts[0]))
-            told = self._decoded(opened, messages[0])
+            told = self._decode(opened, messages[0])
             assert isinstance(told, JointRecord)
             usual = told.stamp_ns == rows[0, 0] and np.array_equal(
                 told.q_rad, q_rad[0], equal_nan=True
@@ -247,7 +247,7 @@ class _Reader:
             self._as_usual[channel] = usual
             if usual:
                 return [JointSamples(told.names, rows[:, 0], messages[:, 2], q_rad)]
-        found = [(self._decoded(opened, row), row[2:3]) for row in messages]
+        found = [(self._decode(opened, row), row[2:3]) for row in messages]
         return [
             JointSamples(one.names, np.array([one.stamp_ns]), log_ns, np.array([one.q_rad]))
             for one, log_ns in found
@@ -255,11 +255,11 @@ class _Reader:
         ]
 
     def _frame(self, opened: ChunkRecords, row: wire.Table) -> RecordedFrame:
-        record = self._decoded(opened, row)
+        record = self._decode(opened, row)
         assert isinstance(record, ImageRecord | StripeRecord)
         return RecordedFrame(record.stamp_ns, int(row[2]), record)
 
-    def _decoded(self, opened: ChunkRecords, row: wire.Table) -> object:
+    def _decode(self, opened: ChunkRecords, row: wire.Table) -> object:
         _, channel, log_ns, first, length = row.tolist()
         data = opened.data[first : first + length]
         return self._decoders.decode(Message(channel, log_ns, data, log_ns, 0))

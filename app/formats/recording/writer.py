@@ -73,7 +73,7 @@ class RecordingWriter:
     ) -> None:
         self.close()
 
-    def tell(self, station: Mapping[str, str]) -> None:
+    def write_metadata(self, station: Mapping[str, str]) -> None:
         """What has changed of ``station``; a reader goes by what stands last."""
         self._writer.write_metadata(STATION_METADATA, dict(station))
         self._sink.check()

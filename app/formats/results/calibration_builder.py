@@ -169,7 +169,7 @@ def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
         else {
             "contacts_rms_um": contacts.rms_um,
             "contacts_um": contacts.residuals_um.tolist(),
-            "contacts_left_out": np.flatnonzero(contacts.left_out).tolist(),
+            "contacts_left_out": np.flatnonzero(contacts.excluded).tolist(),
         },
     )
     corners = tuple((x, y, z) for x, y, z in result.corners_mm.round(5).tolist())
@@ -180,7 +180,7 @@ def _multi_pose_document(
     result: BlockCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
 ) -> CalibrationFile:
     """``contacts`` are those fields of the residuals."""
-    scales = result.adjusted.scales
+    scales = result.adjustment.scales
     return CalibrationFile.model_validate(
         {
             "camera": _camera_part(result.camera),
@@ -193,7 +193,7 @@ def _multi_pose_document(
             "serial_numbers": origin.serial_numbers,
             "T_arm_obj": result.T_arm_obj.tolist(),
             "verdict": verdict_part(result.findings),
-            "uncertainty": _uncertainty(result.known, result.depth_range_mm),
+            "uncertainty": _uncertainty(result.uncertainty, result.depth_range_mm),
             "residuals": _multi_pose_residuals(result, contacts),
             "poses": tuple(
                 PosePart.model_validate(
@@ -214,8 +214,8 @@ def _multi_pose_document(
             "covariance": Covariance.model_validate(
                 {
                     "parameters": NAMES,
-                    "matrix": result.known.covariance.tolist(),
-                    "pivot_mm": result.known.pivot_mm.tolist(),
+                    "matrix": result.uncertainty.covariance.tolist(),
+                    "pivot_mm": result.uncertainty.pivot_mm.tolist(),
                 }
             ),
             "inputs": origin.inputs,

@@ -160,7 +160,7 @@ def _rows_by_labels(
     for row in table.rows:
         label = tuple(row.text(column) for column in columns)
         rows.setdefault(label, []).append(row)
-        q_rad.setdefault(label, []).append(angles.of(row))
+        q_rad.setdefault(label, []).append(angles.read_row(row))
     if not rows:
         raise OperationError(
             "no-points",

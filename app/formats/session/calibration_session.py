@@ -196,7 +196,7 @@ def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES)
         raise OperationError(
             "no-contacts", f"{display_path(path)} holds no contact points", "", "Probe the object"
         )
-    return ContactReadings(tuple(features), *readings.of_all(table.rows))
+    return ContactReadings(tuple(features), *readings.read_rows(table.rows))
 
 
 def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tuple[Pose, ...]:
@@ -205,7 +205,7 @@ def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tupl
     readings = ArmReadings(table, arm)
     by_pose: dict[int, list[tuple[TableRow, ImageRow]]] = {}
     for row in table.rows:
-        at = readings.of(row)
+        at = readings.read_row(row)
         image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
         _check_picture(row, path.parent / image.file, sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
@@ -216,7 +216,7 @@ def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tupl
             "",
             "Take a picture of the object",
         )
-    readings.of_all(table.rows)
+    readings.read_rows(table.rows)
     return tuple(_build_pose(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
 
 

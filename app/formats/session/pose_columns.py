@@ -19,16 +19,16 @@ class ArmReadings:
         self._angles = JointAngles(table, arm) if isinstance(arm, Arm) else None
         self._poses = None if isinstance(arm, Arm) else FlangePoses(table)
 
-    def of(self, row: TableRow) -> tuple[Floats, Floats | None]:
+    def read_row(self, row: TableRow) -> tuple[Floats, Floats | None]:
         """Angles (n,) and no pose, or no angles (0,) and ``T_arm_flange`` (4, 4)."""
         if self._angles is not None:
-            return self._angles.of(row), None
+            return self._angles.read_row(row), None
         assert self._poses is not None
-        return np.zeros(0), self._poses.of(row)
+        return np.zeros(0), self._poses.read_row(row)
 
-    def of_all(self, rows: Sequence[TableRow]) -> tuple[Floats, Floats | None]:
+    def read_rows(self, rows: Sequence[TableRow]) -> tuple[Floats, Floats | None]:
         """The same of all rows; ``OperationError`` where they are evidently in other units."""
-        each = [self.of(row) for row in rows]
+        each = [self.read_row(row) for row in rows]
         angles = np.array([q for q, _ in each])
         if self._angles is not None:
             self._angles.refuse_radians(list(angles))
@@ -69,7 +69,7 @@ class FlangePoses:
             remedy,
         )
 
-    def of(self, row: TableRow) -> Floats:
+    def read_row(self, row: TableRow) -> Floats:
         """``T_arm_flange`` (4, 4) of a row; ``OperationError`` where the quaternion is none."""
         from scipy.spatial.transform import Rotation  # slow to load; most arms give angles
 
@@ -139,7 +139,7 @@ class JointAngles:
                 f"Give the right arm.json, or columns {self._columns[0]} to {self._columns[-1]}",
             )
 
-    def of(self, row: TableRow) -> Floats:
+    def read_row(self, row: TableRow) -> Floats:
         """The angles (n,) of a row in radians; ``OperationError`` outside the arm's limits."""
         q_deg = np.array([row.number(column) for column in self._columns])
         for joint, column, angle in zip(self._arm.joints, self._columns, q_deg, strict=True):

@@ -22,7 +22,7 @@ def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmVi
     with guide.lock:
         if not guide.knows_key(key):
             rev_seen = None if name in AT_ANY_REV else rev
-            typed = guide.refuse_unless_possible(name, args, rev_seen)
+            typed = guide.check_allowed(name, args, rev_seen)
             ACTS[name](guide, typed, key)
         return guide.refresh()
 
@@ -42,10 +42,10 @@ def press(guide: ArmGuide, event: Press) -> bool:
         try:
             if guide.state.touching:
                 # whether the arm was still is judged as of the press, not as of now
-                guide.refuse_unless_possible("touch", {}, None, guide.hand_running)
+                guide.check_allowed("touch", {}, None, guide.hand_running)
                 guide.touch(event.stamp_ns, None)
             else:
-                guide.refuse_unless_possible(name, {}, None)
+                guide.check_allowed(name, {}, None)
                 ACTS[name](guide, {}, None)
         except OperationError as refusal:
             guide.decline(refusal)
@@ -58,7 +58,7 @@ def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
 
 
 def _start_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
-    hand = guide.station.hand
+    hand = guide.station.simulated_operator
     assert hand is not None
     guide.append("hand_started", {}, key)
     start_simulation(guide, simulation_job(guide, hand))

@@ -94,7 +94,7 @@ def check_the_tip(guide: ArmGuide) -> None:
 
 def _provenance(guide: ArmGuide, tables: Sequence[str]) -> dict[str, object]:
     """Of a record made now: when, where and by whom, and the files it was made from."""
-    signing = guide.signing
+    signing = guide.provenance
     return {
         "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
         "operator": signing.operator(),

@@ -54,7 +54,9 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
         running=running,
         purpose=state.purpose,
         arms=[
-            ChoiceOption(entry.id, entry.sheet.name, f"serial number {entry.sheet.serial_number}")
+            ChoiceOption(
+                entry.id, entry.datasheet.name, f"serial number {entry.datasheet.serial_number}"
+            )
             for entry in live.library.arms.values()
         ],
         arm=state.arm,

@@ -42,7 +42,7 @@ class ArmServices:
     bus: Bus
     rig: Rig
     jobs: Jobs
-    hand: SimulatedOperator | None
+    simulated_operator: SimulatedOperator | None
 
 
 class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
@@ -58,13 +58,13 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
-        self.signing = signing
+        self.provenance = signing
         self.data_folder = data_folder
-        self.past = ArmHistory(journal)
+        self.history = ArmHistory(journal)
         self._left_mm: float | None = None
-        self._seen_ns = 0
+        self._sampled_ns = 0
         self._library: tuple[float, DatasheetLibrary] | None = None
-        self._own: tuple[str, Arm | None] = ("", None)
+        self._session_arm: tuple[str, Arm | None] = ("", None)
         self.resume()
 
     @property
@@ -91,7 +91,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             connected_joints=side.info.joint_count if side.info else None,
             q_rad=None if newest is None else tuple(float(q) for q in newest.joints_rad),
             left_mm=self._left_mm,
-            has_hand=self.station.hand is not None,
+            has_hand=self.station.simulated_operator is not None,
             hand_running=self.hand_running,
             busy=self.busy,
             trouble=self._trouble,
@@ -109,13 +109,13 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """The session's own copy of the arm once a seat was begun, before it the library's."""
         if not self.state.seats:
             entry = self.library().arms.get(self.state.arm)
-            return entry.sheet if entry else None
-        if self._own[0] != self.state.session_id:
+            return entry.datasheet if entry else None
+        if self._session_arm[0] != self.state.session_id:
             try:
-                self._own = (self.state.session_id, read_arm(self.folder / ARM))
+                self._session_arm = (self.state.session_id, read_arm(self.folder / ARM))
             except OperationError:
-                self._own = (self.state.session_id, None)
-        return self._own[1]
+                self._session_arm = (self.state.session_id, None)
+        return self._session_arm[1]
 
     # -- sessions ------------------------------------------------------------
 
@@ -146,14 +146,14 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """The one set last for the same; an open session's may be not in its history yet."""
         if self.state.purpose == purpose and self.state.session_id:
             return self.state.limit_um
-        return self.past.last_limit_um(purpose)
+        return self.history.last_limit_um(purpose)
 
     def _last_sphere(self) -> Artefact | None:
         """The sphere that the tip was checked on last, or the only one that is known."""
-        hand = self.station.hand
+        hand = self.station.simulated_operator
         if hand is not None:
             return Artefact("sphere", hand.ball_mm)
-        if (last := self.past.last_sphere()) is not None:
+        if (last := self.history.last_sphere()) is not None:
             return last
         spheres = [
             gauge
@@ -168,7 +168,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     def _best_guess(self) -> str:
         arms, info = self.library().arms, self.station.rig.arm.info
         serial = info.serial_number if info else ""
-        connected = [e.id for e in arms.values() if serial and e.sheet.serial_number == serial]
+        connected = [e.id for e in arms.values() if serial and e.datasheet.serial_number == serial]
         if len(connected) == 1:
             return connected[0]
         if self.state.arm in arms:
@@ -198,7 +198,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         if not self.state.seats:
             self._keep_arm()
         newest = self.station.rig.arm.latest()
-        self._seen_ns = newest.stamp_ns if newest else 0
+        self._sampled_ns = newest.stamp_ns if newest else 0
         self._left_mm = None
         artefact = self.state.artefact if self.state.purpose != "check" else Artefact()
         self.append("seat_begun", {"name": self._next_name(), "artefact": asdict(artefact)}, key)
@@ -213,7 +213,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def choose_artefact(self, args: Mapping[str, object], key: str | None) -> None:
         """What the tip is put to next; the simulated ones have their papers' sizes."""
-        kind, size, hand = args["kind"], args.get("size_mm"), self.station.hand
+        kind, size, hand = args["kind"], args.get("size_mm"), self.station.simulated_operator
         if size is None and hand is not None and kind != "seat":
             size = hand.bar_mm if kind == "bar" else hand.ball_mm
         unsure = args.get("standard_uncertainty_mm", 0.0)
@@ -252,11 +252,11 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         if newest is None:
             return
         # after a restart the swing goes on from now
-        first_ns, last_ns = self._seen_ns or newest.stamp_ns, newest.stamp_ns - hold_ns
+        first_ns, last_ns = self._sampled_ns or newest.stamp_ns, newest.stamp_ns - hold_ns
         if last_ns < first_ns:
             return
         window = side.window(first_ns - HOLD_NS, newest.stamp_ns)
-        self._seen_ns = last_ns + 1
+        self._sampled_ns = last_ns + 1
         if window is None or window.q_rad.shape[1] != arm.joint_count:
             return
         picked = sample_points(arm, self.state.seats[-1].q_rad, window, first_ns, last_ns)

@@ -95,7 +95,7 @@ def _begin(guide: ArmGuide) -> bool:
     with guide.lock:
         if not guide.hand_running:
             return False
-        guide.refuse_unless_possible("begin", {}, None, by_hand=True)
+        guide.check_allowed("begin", {}, None, by_hand=True)
         guide.begin_seat(None)
         return True
 
@@ -103,5 +103,5 @@ def _begin(guide: ArmGuide) -> bool:
 def _finish(guide: ArmGuide) -> None:
     with guide.lock:
         guide.refresh()
-        guide.refuse_unless_possible("finish", {}, None, by_hand=True)
+        guide.check_allowed("finish", {}, None, by_hand=True)
         finish_seat(guide, None)

@@ -26,7 +26,7 @@ REPLACED = "replaced"
 
 def fit(guide: ArmGuide, progress: Progress) -> None:
     """Identifies the arm from the session's folder, exactly as the command line does."""
-    folder, signing = guide.folder, guide.signing
+    folder, signing = guide.folder, guide.provenance
     signature = IdentificationProvenance(
         signing.operator(), signing.station, signing.simulated, signing.temperature_c()
     )

@@ -21,7 +21,7 @@ QUALITY: dict[str, Quality] = {
 def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> dict[str, object]:
     """As the journal keeps it."""
     return {
-        "touches": found.touches,
+        "touches": found.contact_count,
         "diameter_mm": found.diameter_mm,
         "expected_mm": expected_mm,
         "error_um": found.error_um,

@@ -25,7 +25,7 @@ def restore_result(
         Refusal: the session was never solved, or its files cannot be read any more.
     """
     state, solved = _solved(journal, session_id)
-    chosen = folder.sheets()
+    chosen = folder.datasheets()
     if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
         raise OperationError(
             "record-incomplete",

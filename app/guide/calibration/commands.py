@@ -26,7 +26,7 @@ def command(guide: CalibrationGuide, name: str, args: Args, rev: int, key: str) 
         if guide.knows_key(key):
             return guide.refresh()
         rev_seen = None if name in AT_ANY_REV else rev
-        _act(guide, name, guide.refuse_unless_possible(name, args, rev_seen), key)
+        _act(guide, name, guide.check_allowed(name, args, rev_seen), key)
         return guide.refresh()
 
 
@@ -66,7 +66,7 @@ def press(guide: CalibrationGuide, event: Press) -> bool:
                 taking.take_point(guide, source, event.stamp_ns, None)
             else:
                 undoing = by_hand and name == "undo"
-                _act(guide, name, guide.refuse_unless_possible(name, args, None, undoing), None)
+                _act(guide, name, guide.check_allowed(name, args, None, undoing), None)
         except OperationError as refusal:
             guide.decline(refusal)
         guide.refresh()
@@ -148,7 +148,7 @@ def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
 
 
 def _start_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:
-    hand = guide.station.hand
+    hand = guide.station.simulated_operator
     assert hand is not None
     whole = args.get("all") is True
     guide.append("hand_started", {"all": whole}, key)
@@ -161,7 +161,7 @@ def _stop_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> No
 
 
 def _accept(guide: CalibrationGuide, args: Args, key: str | None) -> None:
-    seen = guide.live().seen
+    seen = guide.live().latest_outcome
     assert seen is not None
     assert seen.result is not None
     guide.accept(seen.result, key)

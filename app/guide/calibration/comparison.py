@@ -38,10 +38,10 @@ def compare(
         others = apply(old.T_flange_sensor, sensor_points(old.camera, old.plane, uv_px))
         return np.asarray(1e3 * np.linalg.norm(points - others, axis=1))
 
-    in_volume = moved_um(result.known.volume.uv_px)
+    in_volume = moved_um(result.uncertainty.volume.uv_px)
     if not np.all(np.isfinite(in_volume)):
         return None
-    over = result.known.map
+    over = result.uncertainty.map
     on_map = moved_um(over.uv_px)
     moved = [
         MovedPoint(round(float(u), 1), round(float(v), 1), round(float(um), 3))

@@ -16,6 +16,6 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
     """Confirms a step; from the set-up on, the session uses its own copies of the sheets."""
     with guide.lock:
         if name == "confirm_setup":
-            guide.folder.keep_sheets(guide.sheets.library(True), guide.state)
+            guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state)
         guide.append(CONFIRMATIONS[name], {}, key)
         guide.station.bus.event("step_done", f"Next: {HEADINGS[guide.state.step].lower()}.")

@@ -59,7 +59,7 @@ class CalibrationServices:
     preview: Preview
     scene: Scene
     jobs: Jobs
-    hand: SimulatedOperator | None
+    simulated_operator: SimulatedOperator | None
 
 
 class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView]):
@@ -81,37 +81,37 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
-        self.signing = signing
+        self.provenance = signing
         self.limits = limits
         """What a calibration's verdict goes by."""
-        self.seen_poses = DetectionCache()
+        self.detections = DetectionCache()
         self.calibrations = calibrations
         self.tip: Callable[[], Finding | None] = lambda: None
         """What the last check of the tip says."""
         self._data_folder = data_folder
         self._on_closed = on_closed
-        self._sheets: SessionDatasheets | None = None
+        self._datasheets: SessionDatasheets | None = None
         self._outcome: tuple[Mapping[str, object] | None, CalibrationOutcome | None] = (None, None)
         self._captured: dict[int, tuple[Mapping[str, object], CalibrationOutcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
         self.resume()
 
     @property
-    def sheets(self) -> SessionDatasheets:
+    def datasheets(self) -> SessionDatasheets:
         """What the present session chooses from, and chose."""
         path = self._data_folder / "sessions" / (self.state.session_id or "none")
-        if self._sheets is None or self._sheets.folder.path != path:
-            self._sheets = SessionDatasheets(SessionFolder(path), self.limits)
-        return self._sheets
+        if self._datasheets is None or self._datasheets.folder.path != path:
+            self._datasheets = SessionDatasheets(SessionFolder(path), self.limits)
+        return self._datasheets
 
     @property
     def folder(self) -> SessionFolder:
         """The present session's folder."""
-        return self.sheets.folder
+        return self.datasheets.folder
 
-    def known_poses(self) -> Mapping[int, AnyDetection | OperationError]:
+    def pose_detections(self) -> Mapping[int, AnyDetection | OperationError]:
         """What the pictures of this session's poses show, by number, as far as remembered."""
-        return self.seen_poses.of(self.state.session_id)
+        return self.detections.of(self.state.session_id)
 
     # -- what is shown -------------------------------------------------------
 
@@ -123,28 +123,28 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             rev=self.rev,
             arm_link=rig.arm.link(),
             sensor_link=rig.sensor.link(),
-            arm=self._connected_arm(),
-            sensor=self._connected_sensor(),
+            arm=self._arm_info(),
+            sensor=self._sensor_info(),
             stillness=rig.arm.stillness(),
-            library=self.sheets.library(state.step in CHOOSING),
-            chosen=self.sheets.chosen(state),
-            touch=self.sheets.touch(state),
+            library=self.datasheets.library(state.step in CHOOSING),
+            chosen=self.datasheets.selection(state),
+            touch=self.datasheets.touch(state),
             laser_on=rig.sensor.laser_on,
-            corners_seen=len(preview.header.corners) if preview else 0,
+            corners_detected=len(preview.header.corners) if preview else 0,
             picture_findings=tuple(preview.header.findings) if preview else (),
-            seen=self._seen(),
-            looked_at=self._looked_at(),
+            latest_outcome=self._latest_outcome(),
+            capture_outcomes=self._capture_outcomes(),
             advice=self._advice(),
             to_move=self._to_move(),
             scanning=self._scanning(),
             tip=self.tip() if state.step == "setup" else None,
-            has_hand=self.station.hand is not None,
+            has_hand=self.station.simulated_operator is not None,
             busy=self.busy,
             hand_running=self.hand_running,
             trouble=self._trouble,
         )
 
-    def _seen(self) -> CalibrationOutcome | None:
+    def _latest_outcome(self) -> CalibrationOutcome | None:
         """The outcome of the solve, or before one of the capture; parsed once."""
         picture = self.state.picture
         payload = self.state.outcome or (picture.outcome if picture else None)
@@ -154,7 +154,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             self._outcome = (payload, from_payload(payload) if payload else None)
         return self._outcome[1]
 
-    def _looked_at(self) -> Mapping[int, CalibrationOutcome]:
+    def _capture_outcomes(self) -> Mapping[int, CalibrationOutcome]:
         """What the captures showed, each parsed once."""
         for capture in self.state.captures:
             known = self._captured.get(capture.number)
@@ -173,7 +173,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
 
     def _to_move(self) -> PoseDelta | None:
         """What is still to be moved to the advised hold, while the sensor is aimed."""
-        advice, chosen = self._advice(), self.sheets.chosen(self.state)
+        advice, chosen = self._advice(), self.datasheets.selection(self.state)
         newest = self.station.rig.arm.latest()
         aiming = self.state.step in ("place", "capture")
         if not aiming or advice is None or chosen.arm is None or chosen.object is None:
@@ -187,11 +187,11 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         scan = self.station.bus.latest("scan")
         return isinstance(scan, ScanState) and scan.state in ("running", "stopping")
 
-    def _connected_arm(self) -> ConnectedArm | None:
+    def _arm_info(self) -> ConnectedArm | None:
         info = self.station.rig.arm.info
         return ConnectedArm(info.serial_number, info.joint_count) if info else None
 
-    def _connected_sensor(self) -> ConnectedSensor | None:
+    def _sensor_info(self) -> ConnectedSensor | None:
         info = self.station.rig.sensor.info
         if info is None:
             return None
@@ -211,22 +211,20 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         with self.lock:
             if self.running:
                 self.append("repeated", {})
-            library = self.sheets.library(True)
+            library = self.datasheets.library(True)
             known = all(library.has(name, self.state.choices.get(name, "")) for name in FIELDS)
             self._begin("touch" if known else "devices", key)
 
     def _begin(self, step: str, key: str | None) -> None:
-        library = self.sheets.library(True)
+        library = self.datasheets.library(True)
         choices = dict(self.state.choices)
         if step == "devices":
-            choices = best_guess(
-                library, self.state, self._connected_arm(), self._connected_sensor()
-            )
+            choices = best_guess(library, self.state, self._arm_info(), self._sensor_info())
         session_id = new_session_id()
         with self.beginning():
             self.state = CalibrationState(session_id=session_id, choices=choices)
             if step == "touch":
-                self.folder.keep_sheets(library, self.state)
+                self.folder.keep_datasheets(library, self.state)
             self._journal.begin_session(session_id, KIND)
             self.append("started", {"choices": choices, "step": step}, key)
 
@@ -241,12 +239,12 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             self._trouble = None
             if kind in ENDS:
                 self._journal.end_session(self.state.session_id)
-            self._settle()
+            self._after_change()
 
     def accept(self, result: CalibrationResult, key: str | None) -> None:
         """Makes the session's calibration the one in use."""
         with self.lock:
-            chosen = self.sheets.chosen(self.state)
+            chosen = self.datasheets.selection(self.state)
             figures = {
                 "total_um": result.total_um,
                 "verdict": result.verdict,
@@ -256,28 +254,28 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             }
             name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
             file = self.folder.calibration
-            self.folder.keep_acceptance(name, result, self.signing)
+            self.folder.keep_acceptance(name, result, self.provenance)
             session_id = self.state.session_id
             self.keep(
                 lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
             )
             self.station.bus.event("accepted", f"{name} is in use.", "good")
-            self._settle()
+            self._after_change()
 
-    def _settle(self) -> None:
-        self.bring_in_line()
+    def _after_change(self) -> None:
+        self.sync_station()
         self.changed.notify_all()
         self.refresh()
         if self.state.ended in ("accepted", "abandoned"):
             self._on_closed()
 
-    def bring_in_line(self) -> None:
+    def sync_station(self) -> None:
         """The rig, the preview and the 3D view work with what the session chose."""
         state, station = self.state, self.station
         if not self.running:
             station.preview.detect(None)
             return
-        chosen = self.sheets.chosen(state)
+        chosen = self.datasheets.selection(state)
         station.rig.arm.set_model(chosen.arm)
         if chosen.sensor is not None:
             station.preview.set_stripe_axis(chosen.sensor.stripe_axis)
@@ -293,7 +291,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
 
     def _place_of_object(self) -> Floats | None:
         """``T_arm_obj`` (4, 4) by the contacts, or by the pictures so far; None before."""
-        touch, advice = self.sheets.touch(self.state), self._advice()
+        touch, advice = self.datasheets.touch(self.state), self._advice()
         if touch is not None and touch.alignment is not None:
             return touch.alignment.T_arm_obj
         return np.array(advice.T_arm_obj) if advice is not None else None

@@ -65,14 +65,14 @@ class CalibrationLive:
     touch: TouchReport | None
     """None until an arm and an object are chosen."""
     laser_on: bool
-    corners_seen: int
+    corners_detected: int
     """Corners of the object found in the live picture."""
     picture_findings: tuple[Finding, ...]
     """Exposure, saturation and sharpness of the live picture."""
-    seen: CalibrationOutcome | None
+    latest_outcome: CalibrationOutcome | None
     """What the solve, or before it the capture, found in the pictures; in the review the
     last solve's, even where a pose was set aside or taken back since."""
-    looked_at: Mapping[int, CalibrationOutcome]
+    capture_outcomes: Mapping[int, CalibrationOutcome]
     """What each capture showed as it was taken, by the pose's number."""
     advice: Advice | None
     """Which pose to take next, for the points and pictures as they are."""

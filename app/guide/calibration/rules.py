@@ -188,7 +188,7 @@ def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
         return "Nothing changed since this was solved."
     if not state.picture:
         return "There is no picture of this object and sensor. Take one."
-    looked_at = [live.looked_at[picture.number] for picture in state.pictures]
+    looked_at = [live.capture_outcomes[picture.number] for picture in state.pictures]
     if all(seen.fault for seen in looked_at):
         return "No picture shows the object yet. Take one anew."
     if live.chosen.board is not None:
@@ -199,7 +199,7 @@ def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
 
 
 def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
-    seen = live.seen
+    seen = live.latest_outcome
     if seen is None or seen.result is None or state.outcome is None:
         return "Something changed since this was solved. Solve again."
     if others := _others(live):

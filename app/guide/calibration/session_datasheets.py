@@ -27,7 +27,7 @@ class SessionDatasheets:
         self.folder = folder
         self._library: DatasheetLibrary | None = None
         self._read_at = 0.0
-        self._own: SelectedDatasheets | None = None
+        self._session_copies: SelectedDatasheets | None = None
         self._report: tuple[object, TouchReport | None] = (None, None)
 
     def library(self, choosing: bool) -> DatasheetLibrary:
@@ -38,24 +38,24 @@ class SessionDatasheets:
             self._read_at = time.monotonic()
         return self._library
 
-    def chosen(self, state: CalibrationState) -> SelectedDatasheets:
+    def selection(self, state: CalibrationState) -> SelectedDatasheets:
         """The library's sheets while choosing; later the session's own copies."""
         if state.step in CHOOSING or not state.session_id:
-            self._own = None
+            self._session_copies = None
             library = self.library(True)
             arm, item, sensor = (state.choices.get(name, "") for name in FIELDS)
             return SelectedDatasheets(
-                library.arms[arm].sheet if arm in library.arms else None,
-                library.objects[item].sheet if item in library.objects else None,
-                library.sensors[sensor].sheet if sensor in library.sensors else None,
+                library.arms[arm].datasheet if arm in library.arms else None,
+                library.objects[item].datasheet if item in library.objects else None,
+                library.sensors[sensor].datasheet if sensor in library.sensors else None,
             )
-        if self._own is None:
-            self._own = self.folder.sheets()
-        return self._own
+        if self._session_copies is None:
+            self._session_copies = self.folder.datasheets()
+        return self._session_copies
 
     def touch(self, state: CalibrationState) -> TouchReport | None:
         """The touch report of the points that count; computed once for the same points."""
-        chosen = self.chosen(state)
+        chosen = self.selection(state)
         key = (state.counted, chosen.arm, chosen.object)
         if self._report[0] != key:
             report = None
@@ -74,10 +74,10 @@ def best_guess(
     """What a new session begins with: the connected devices' sheets, else the last choice, else
     the only one there is; of objects the only block, beside any chessboards."""
     guess: dict[str, str] = {}
-    arms = {entry.id: entry.sheet.serial_number for entry in library.arms.values()}
-    sensors = {entry.id: entry.sheet.serial_number for entry in library.sensors.values()}
+    arms = {entry.id: entry.datasheet.serial_number for entry in library.arms.values()}
+    sensors = {entry.id: entry.datasheet.serial_number for entry in library.sensors.values()}
     blocks = [
-        entry.id for entry in library.objects.values() if isinstance(entry.sheet, Crenellated)
+        entry.id for entry in library.objects.values() if isinstance(entry.datasheet, Crenellated)
     ]
     for field, known, serial in (
         ("arm", arms, arm.serial_number if arm else None),

@@ -46,7 +46,7 @@ class SessionFolder:
         self.path = path
         self.calibration = path / CALIBRATION
 
-    def keep_sheets(self, library: DatasheetLibrary, state: CalibrationState) -> None:
+    def keep_datasheets(self, library: DatasheetLibrary, state: CalibrationState) -> None:
         """Copies the chosen arm, object and sensor, which the session uses from now on."""
         with convert_io_errors(self.path):
             ensure_folder(self.path / PICTURES)
@@ -58,7 +58,7 @@ class SessionFolder:
             for source, name in sources:
                 write_atomically(self.path / name, read_bounded(source))
 
-    def sheets(self) -> SelectedDatasheets:
+    def datasheets(self) -> SelectedDatasheets:
         """The session's own copies; None for what cannot be read any more."""
         try:
             return SelectedDatasheets(

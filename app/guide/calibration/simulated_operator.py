@@ -44,13 +44,13 @@ def _confirm(guide: CalibrationGuide, name: str) -> None:
     _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
     with guide.lock:
         if guide.hand_running:
-            guide.refuse_unless_possible(name, {}, None, by_hand=True)
+            guide.check_allowed(name, {}, None, by_hand=True)
             confirm(guide, name, None)
 
 
 def _possible(guide: CalibrationGuide, name: str) -> bool:
     try:
-        guide.refuse_unless_possible(name, {}, None, by_hand=True)
+        guide.check_allowed(name, {}, None, by_hand=True)
     except OperationError:
         return False
     return True
@@ -66,7 +66,10 @@ def _setup(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress)
 
 def _touch(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     """Takes the points that are still wanted, by the arm's own button."""
-    item, report = guide.sheets.chosen(guide.state).object, guide.sheets.touch(guide.state)
+    item, report = (
+        guide.datasheets.selection(guide.state).object,
+        guide.datasheets.touch(guide.state),
+    )
     assert item is not None
     assert report is not None
     faces = face_progress(report, guide.state.face, item)
@@ -82,7 +85,7 @@ def _touch_one(guide: CalibrationGuide, hand: SimulatedOperator, face: str, inde
     """One place, again where a point was declined; False when the hand was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
-            item = guide.sheets.chosen(guide.state).object
+            item = guide.datasheets.selection(guide.state).object
             if item is not None and face_in_use(guide.state.face, item) != face:
                 guide.append("face_selected", {"face": face})
             before = len(guide.state.contacts)
@@ -112,7 +115,7 @@ def _hold(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) 
     advice = guide.live().advice
     if advice is None:
         progress("The hand holds the sensor over the object", 0.2)
-        if guide.sheets.chosen(guide.state).board is None:
+        if guide.datasheets.selection(guide.state).board is None:
             return hand.hold_over("block")
         view = next_view(guide.state.listed)
         return hand.hold_over("board", len(guide.state.pictures) if view is None else view)
@@ -156,7 +159,7 @@ def _solve(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress)
 def _another_helps(guide: CalibrationGuide) -> bool:
     advice, taken = guide.live().advice, len(guide.state.pictures)
     most = POSES
-    if guide.sheets.chosen(guide.state).board is not None:
+    if guide.datasheets.selection(guide.state).board is not None:
         if next_view(guide.state.listed) is not None:
             return True
         most = BOARD_POSES

@@ -94,11 +94,11 @@ def _calibrate(
     if isinstance(session, BoardSession):
         of_board = board_inputs(session, limits, looked, known)
         on_board = calibrate_board(of_board, progress)
-        drawings = _drawings(on_board, of_board.seen, session.board)
+        drawings = _drawings(on_board, of_board.observations, session.board)
         return on_board, board_document(on_board, origin), drawings, _on_board(on_board, points)
     of_block = joint_inputs(session, limits, looked, known)
     on_block = calibrate_block(of_block, progress)
-    drawings = _drawings(on_block, of_block.seen, session.block)
+    drawings = _drawings(on_block, of_block.observations, session.block)
     return on_block, joint_document(on_block, origin), drawings, ()
 
 
@@ -129,14 +129,14 @@ def _corners(pose: PoseResult) -> list[ImageCorner]:
 
 def _on_board(result: BoardCalibration, points: Sequence[int]) -> tuple[TouchedPoint, ...]:
     """The touched points where the pictures put them on the board."""
-    touches, contacts = result.adjusted.problem.touches, result.contacts
+    touches, contacts = result.adjustment.problem.contacts, result.contacts
     if touches is None or contacts is None:
         return ()
     at_mm = apply(inverse(result.T_arm_obj), touches.tips_mm) - [0.0, 0.0, touches.radius_mm]
     return tuple(
         TouchedPoint(index, FACE, (float(x), float(y), 0.0), float(um), bool(out))
         for index, (x, y, _), um, out in zip(
-            points, at_mm, contacts.residuals_um, contacts.left_out, strict=True
+            points, at_mm, contacts.residuals_um, contacts.excluded, strict=True
         )
     )
 
@@ -177,7 +177,7 @@ def _result(
     sheet: CalibrationFile,
     comparison: Comparison | None,
 ) -> CalibrationResult:
-    residuals, known = sheet.residuals, result.known
+    residuals, known = sheet.residuals, result.uncertainty
     assert residuals is not None
     return CalibrationResult(
         verdict=result.findings[0].quality,

@@ -18,7 +18,7 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
         Refusal: the arm moved, or a device is lost; nothing is kept then.
     """
     progress("Taking the picture", 0.1)
-    chosen = guide.sheets.chosen(guide.state)
+    chosen = guide.datasheets.selection(guide.state)
     taken = guide.station.rig.capture_pair()
     progress("Looking for the object in the picture", 0.4)
     number = len(guide.state.captures) + 1
@@ -40,7 +40,7 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
                 "outcome": to_payload(outcome),
             },
         )
-        guide.seen_poses.keep(guide.state.session_id, number, seen)
+        guide.detections.keep(guide.state.session_id, number, seen)
         guide.folder.keep_contacts(guide.state.counted)
         guide.folder.keep_images(guide.state.pictures)
         guide.station.bus.event("step_done", f"Pose {number} is taken.", "good")
@@ -50,14 +50,14 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
 
 def keep_advice(guide: CalibrationGuide) -> None:
     """Keeps which pose to take next; where the poses cannot be solved, why."""
-    inputs, board = guide.state.inputs, guide.sheets.chosen(guide.state).board
+    inputs, board = guide.state.inputs, guide.datasheets.selection(guide.state).board
     if board is not None and next_view(guide.state.listed) is not None:
         return  # the next view is planned, whatever was found
     try:
-        advice = advise(guide.folder, guide.known_poses(), guide.limits)
+        advice = advise(guide.folder, guide.pose_detections(), guide.limits)
     except OperationError as refusal:
         pictures = guide.state.pictures
-        known = guide.known_poses()
+        known = guide.pose_detections()
         unusable = any(isinstance(known.get(one.number), OperationError) for one in pictures)
         newest = from_payload(pictures[-1].outcome).findings if pictures else ()
         told = any(found.quality == "bad" for found in newest)
@@ -75,7 +75,7 @@ def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
         guide.folder.keep_contacts(state.counted)
         guide.folder.keep_images(state.pictures)
         in_use = guide.calibrations.active()
-    known, points = guide.known_poses(), [contact.index for contact in state.counted]
+    known, points = guide.pose_detections(), [contact.index for contact in state.counted]
     try:
         outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
     except OperationError as refusal:

@@ -50,14 +50,14 @@ class Buttons:
     def __init__(self, on_press: Callable[[Press], None], there: Callable[[], bool]) -> None:
         self._on_press, self._there = on_press, there
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="buttons")
-        self._held: tuple[Press, threading.Timer] | None = None
+        self._pending: tuple[Press, threading.Timer] | None = None
 
     def edge(self, event: ButtonEdge) -> None:
         """From the thread that reads the arm; returns at once."""
-        self._worker.submit(self._logged, self._edge, event)
+        self._worker.submit(self._run_safely, self._edge, event)
 
     @staticmethod
-    def _logged(act: Callable[[T], None], what: T) -> None:
+    def _run_safely(act: Callable[[T], None], what: T) -> None:
         """A press that fails ends no later one."""
         try:
             act(what)
@@ -70,30 +70,30 @@ class Buttons:
             if event.pressed:
                 self._hold(event.stamp_ns)
             else:
-                self._let_go(event.stamp_ns)
+                self._release(event.stamp_ns)
         elif event.pressed and (name == "primary" or name == "back"):
             self._on_press(Press(event.stamp_ns, "primary" if name == "primary" else "back"))
 
     def _hold(self, stamp_ns: int) -> None:
         press = Press(stamp_ns, "back")
         timer = threading.Timer(
-            LONG_PRESS_S, self._worker.submit, (self._logged, self._long, press)
+            LONG_PRESS_S, self._worker.submit, (self._run_safely, self._long, press)
         )
         timer.daemon = True
-        self._held = (press, timer)
+        self._pending = (press, timer)
         timer.start()
 
     def _long(self, press: Press) -> None:
-        if self._held is not None and self._held[0] is press:
-            self._held = None
+        if self._pending is not None and self._pending[0] is press:
+            self._pending = None
             if self._there():
                 self._on_press(press)
 
-    def _let_go(self, stamp_ns: int) -> None:
-        if self._held is None:
+    def _release(self, stamp_ns: int) -> None:
+        if self._pending is None:
             return  # it was back already
-        press, timer = self._held
-        self._held = None
+        press, timer = self._pending
+        self._pending = None
         timer.cancel()
         long = stamp_ns - press.stamp_ns >= LONG_PRESS_S * 1e9
         self._on_press(press if long else Press(press.stamp_ns, "undo"))

@@ -36,6 +36,6 @@ def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progre
 
 def stop_simulation(guide: GuidedSession[Any, Any, Any]) -> None:
     """Ends the hand's work of this session early; idempotent."""
-    if guide.hand_running and guide.station.hand is not None:
+    if guide.hand_running and guide.station.simulated_operator is not None:
         guide.hand_running = False
-        guide.station.hand.cancel()
+        guide.station.simulated_operator.cancel()

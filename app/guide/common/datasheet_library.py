@@ -23,7 +23,7 @@ class DatasheetEntry(Generic[Sheet]):
 
     id: str
     path: Path
-    sheet: Sheet
+    datasheet: Sheet
 
 
 @dataclass(frozen=True)

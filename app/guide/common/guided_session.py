@@ -28,7 +28,7 @@ class StationServices(Protocol):
     @property
     def jobs(self) -> Jobs: ...
     @property
-    def hand(self) -> SimulatedOperator | None: ...
+    def simulated_operator(self) -> SimulatedOperator | None: ...
 
 
 class SessionState(Protocol):
@@ -98,7 +98,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         self._journal, self._flow = journal, flow
         self._trouble: Finding | None = None
         self._published: View | None = None
-        self.aside = ""
+        self.unreadable_reason = ""
         """Why the last session is not gone on with: it cannot be read. Empty where it can."""
         self.state = self._last_state()
 
@@ -116,25 +116,27 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         except OperationError:
             raise
         except Exception as error:  # whatever stands there, the rest is served
-            self._set_aside(session.id, error)
+            self._skip_session(session.id, error)
             return self._flow.empty
 
     def resume(self) -> None:
         """Brings the station in line with the session; one that cannot be shown is set aside."""
         try:
-            self.bring_in_line()
+            self.sync_station()
             self.view()
         except Exception as error:  # as above
-            self._set_aside(self.state.session_id, error)
+            self._skip_session(self.state.session_id, error)
             self.state = self._flow.empty
-            self.bring_in_line()
+            self.sync_station()
 
-    def bring_in_line(self) -> None:
+    def sync_station(self) -> None:
         """The station works with what the session chose."""
 
-    def _set_aside(self, session_id: str, error: Exception) -> None:
+    def _skip_session(self, session_id: str, error: Exception) -> None:
         log.warning("session %s cannot be gone on with", session_id, exc_info=error)
-        self.aside = f"The session {session_id} cannot be read, and is set aside: {error}."
+        self.unreadable_reason = (
+            f"The session {session_id} cannot be read, and is set aside: {error}."
+        )
 
     def keep(self, write: Callable[[Check], object]) -> None:
         """Has a row written, which is folded before it is committed; the state follows.
@@ -191,9 +193,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             self.state, replace(live, busy=None) if by_hand else live, name, args
         )
 
-    def refuse_unless_possible(
-        self, name: str, args: Args, rev: int | None, by_hand: bool = False
-    ) -> Args:
+    def check_allowed(self, name: str, args: Args, rev: int | None, by_hand: bool = False) -> Args:
         """Before every command: of a browser with its view's revision, of the hand as its own.
 
         Returns:

@@ -14,7 +14,7 @@ class SimulatedScan:
     def __init__(
         self, hand: SimulatedOperator | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
     ) -> None:
-        self._hand, self._jobs, self._bus, self._changed = hand, jobs, bus, changed
+        self._operator, self._jobs, self._bus, self._changed = hand, jobs, bus, changed
         self._running = False
 
     @property
@@ -29,7 +29,7 @@ class SimulatedScan:
         """
         if self._running:
             return
-        hand = self._hand
+        hand = self._operator
         if hand is None:
             raise _no_simulation_error()
 
@@ -41,7 +41,7 @@ class SimulatedScan:
 
         self._running = True
         try:
-            self._jobs.start("The hand at work", work, self._done)
+            self._jobs.start("The hand at work", work, self._finish)
         except OperationError:
             self._running = False
             raise
@@ -53,7 +53,7 @@ class SimulatedScan:
         Returns False when it was stopped. Raises ``OperationError``: ``no-hand``, or ``busy`` while
         it scans.
         """
-        hand = self._hand
+        hand = self._operator
         if hand is None:
             raise _no_simulation_error()
         if self._running:
@@ -68,11 +68,11 @@ class SimulatedScan:
 
     def stop(self) -> None:
         """Ends the sweep under way; idempotent."""
-        if self._running and self._hand is not None:
+        if self._running and self._operator is not None:
             self._running = False
-            self._hand.cancel()
+            self._operator.cancel()
 
-    def _done(self, job: Job[None]) -> None:
+    def _finish(self, job: Job[None]) -> None:
         self._running = False
         if job.refusal is not None:
             self._bus.event("refused", job.refusal.line, "bad")

@@ -43,7 +43,7 @@ def command(
     with guide.lock:
         if not guide.knows_key(key):
             rev_seen = None if name in AT_ANY_REV else rev
-            typed = guide.refuse_unless_possible(name, args, rev_seen)
+            typed = guide.check_allowed(name, args, rev_seen)
             ACTS[name](guide, CommandContext(typed, key, operator, temperatures))
         return guide.refresh()
 
@@ -74,7 +74,7 @@ def press(guide: VerifyGuide, event: Press) -> bool:
                 if guide.hand_running or guide.station.jobs.current is None:
                     guide.touch(event.stamp_ns, None)
             else:
-                guide.refuse_unless_possible(name, {}, None)
+                guide.check_allowed(name, {}, None)
                 ACTS[name](guide, CommandContext({}))
         except OperationError as refusal:
             guide.decline(refusal)
@@ -157,7 +157,7 @@ def _again(guide: VerifyGuide, told: CommandContext) -> None:
 
 
 def _start_simulation(guide: VerifyGuide, told: CommandContext) -> None:
-    hand = guide.station.hand
+    hand = guide.station.simulated_operator
     assert hand is not None
     whole = told.args.get("all") is True
     guide.append("hand_started", {"all": whole}, told.key)

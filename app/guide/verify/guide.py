@@ -61,7 +61,7 @@ class VerificationServices:
     jobs: Jobs
     scanner: Scanner
     scene: Scene
-    hand: SimulatedOperator | None
+    simulated_operator: SimulatedOperator | None
 
 
 class ActiveCalibration(Protocol):
@@ -113,11 +113,11 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
         super().__init__(station, journal, FLOW)
-        self.signing = signing
+        self.provenance = signing
         self.calibrations, self.verifications = calibrations, verifications
         self._data_folder, self._limits = data_folder, limits
         self._gauges: tuple[float, Gauges] | None = None
-        self._own: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
+        self._session_copies: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
         self._judged: tuple[
             VerifyState | None, ProbedGauge | OperationError | None, CloudResults
         ] = (
@@ -138,7 +138,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """The station as the session sees it."""
         station, state = self.station, self.state
         side, active = station.rig.arm, self.calibrations.active()
-        gauges, (gauge, arm) = self.gauges(), self.sheets()
+        gauges, (gauge, arm) = self.gauges(), self.datasheets()
         touched, judged = self._results(gauge, arm)
         blocked = station.scanner.why_not() if state.step == "scan" else None
         return VerifyLive(
@@ -155,7 +155,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             still=side.stillness().still,
             scan_why_not=sentence(blocked.line) if blocked else "",
             scan_points=station.scanner.state().points if state.open_cloud else 0,
-            has_hand=station.hand is not None,
+            has_hand=station.simulated_operator is not None,
             hand_running=self.hand_running,
             busy=self.busy,
             trouble=self._trouble,
@@ -163,7 +163,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def limits(self, gauge: GaugeFile | None) -> VerificationLimits:
         """The gauge's own, and the station's where its paper says nothing."""
-        return gauge.limits.over(self._limits) if gauge is not None else self._limits
+        return gauge.limits.with_defaults(self._limits) if gauge is not None else self._limits
 
     def gauges(self) -> Gauges:
         """The data folder's; read again only while one can be chosen."""
@@ -173,19 +173,19 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             self._gauges = (time.monotonic(), read_gauges(self._data_folder / "gauges"))
         return self._gauges[1]
 
-    def sheets(self) -> tuple[GaugeFile | None, Arm | None]:
+    def datasheets(self) -> tuple[GaugeFile | None, Arm | None]:
         """Gauge and arm: the session's own copies once the gauge was confirmed."""
         state = self.state
         if state.step == "gauge" or state.ended:
             return self.gauges().known.get(state.gauge), None
         named = f"{state.session_id}/{state.gauge}"
-        if self._own[0] != named:
+        if self._session_copies[0] != named:
             try:
                 own = read_gauge(self.folder / GAUGE), read_arm(self.folder / ARM)
-                self._own = (named, *own)
+                self._session_copies = (named, *own)
             except OperationError:
-                self._own = (named, None, None)
-        return self._own[1:]
+                self._session_copies = (named, None, None)
+        return self._session_copies[1:]
 
     def calibration(self) -> Calibration:
         """The session's own copy; raises ``OperationError``."""
@@ -196,11 +196,11 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     ) -> tuple[ProbedGauge | OperationError | None, CloudResults]:
         """What touches and clouds show; worked out once for each state."""
         if self._judged[0] is not self.state:
-            touched = self._touched(gauge, arm)
+            touched = self._fit_touches(gauge, arm)
             self._judged = (self.state, touched, self._judge(gauge, touched))
         return self._judged[1:]
 
-    def _touched(
+    def _fit_touches(
         self, gauge: GaugeFile | None, arm: Arm | None
     ) -> ProbedGauge | OperationError | None:
         q_rad = np.array([touch.q_rad for touch in self.state.counted])
@@ -259,7 +259,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             self._journal.begin_session(session_id, KIND)
             self.append("started", {"calibration_id": active.id, "gauge": gauge}, key)
 
-    def keep_sheets(self) -> None:
+    def keep_datasheets(self) -> None:
         """Copies gauge, arm and calibration, which the session uses from now on."""
         active = self.calibrations.active()
         assert active is not None
@@ -272,7 +272,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
                 (active.file, CALIBRATION),
             ):
                 write_atomically(self.folder / name, read_bounded(source))
-        self._own = ("", None, None)
+        self._session_copies = ("", None, None)
 
     # -- changes -------------------------------------------------------------
 
@@ -300,7 +300,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         Raises:
             Refusal: the arm is lost or moves, or that place was touched before.
         """
-        side, (_, arm) = self.station.rig.arm, self.sheets()
+        side, (_, arm) = self.station.rig.arm, self.datasheets()
         if arm is None:
             raise OperationError(
                 "no-arm-model", "The session's arm cannot be read", remedy="Begin a new one"

@@ -39,13 +39,13 @@ def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
     """Goes on as the operator would, by the same rules; not once the hand was stopped."""
     with guide.lock:
         if guide.hand_running:
-            guide.refuse_unless_possible(name, {}, None, by_hand=True)
+            guide.check_allowed(name, {}, None, by_hand=True)
             guide.append(kind, {})
 
 
 def _gauge(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
     with guide.lock:
-        guide.refuse_unless_possible("confirm_gauge", {}, None, by_hand=True)
+        guide.check_allowed("confirm_gauge", {}, None, by_hand=True)
         works.confirm_gauge(guide, None)
 
 
@@ -102,7 +102,7 @@ def _scan_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, progress: 
     with guide.lock:
         if not guide.hand_running:
             return False
-        guide.refuse_unless_possible("begin_cloud", {}, None, by_hand=True)
+        guide.check_allowed("begin_cloud", {}, None, by_hand=True)
         works.begin_cloud(guide, None)
     whole = hand.scan_part(name)
     with guide.lock:

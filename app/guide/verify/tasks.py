@@ -44,7 +44,7 @@ class Temperatures(Protocol):
 
 def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
     """From here on the session uses its own copies of gauge, arm and calibration."""
-    guide.keep_sheets()
+    guide.keep_datasheets()
     guide.append("gauge_confirmed", {}, key)
 
 
@@ -84,7 +84,7 @@ def measure(
     progress(f"Measuring cloud {cloud.number}", 0.5)
     folder = guide.folder / cloud.name
     with guide.lock:
-        gauge, arm = guide.sheets()
+        gauge, arm = guide.datasheets()
     try:
         if gauge is None or arm is None:
             raise OperationError(
@@ -153,8 +153,8 @@ def build_record(
     )
     return VerificationFile(
         id=state.session_id,
-        station=guide.signing.station,
-        simulated=guide.signing.simulated,
+        station=guide.provenance.station,
+        simulated=guide.provenance.simulated,
         operator=operator,
         started_at=state.started_at,
         accepted_at=accepted_at,

@@ -57,7 +57,7 @@ class GroupFit:
 
     rms_px: float
     residuals_px: Floats
-    kept: NDArray[np.bool_]
+    inliers: NDArray[np.bool_]
     inflation: Floats
 
 
@@ -150,7 +150,7 @@ def _adjust(
         g = np.sum([gradient for _, gradient in parts], axis=0)
         step = np.zeros(len(free))
         step[free] = -_inverse(N[np.ix_(free, free)]) @ g[free]
-        scene = scene.moved(step)
+        scene = scene.apply_step(step)
         if float(np.max(np.abs(step) * np.sqrt(np.diag(N)))) < 1e-3:
             fits = [_group(*group) for group in zip(groups, kept, inflation, strict=True)]
             return _result(scene, fits, [part for part, _ in parts], free)

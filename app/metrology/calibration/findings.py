@@ -240,7 +240,9 @@ def sensor_distance_findings(pivot_mm: Floats, remedy: str) -> list[CalibrationF
 def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[CalibrationFinding]:
     """Sizes of the block that no picture shows: were they wrong, nothing would tell."""
     hidden = [
-        name for name in detections[0].unseen if all(name in one.unseen for one in detections[1:])
+        name
+        for name in detections[0].unobserved_planes
+        if all(name in one.unobserved_planes for one in detections[1:])
     ]
     if not hidden:
         return []

@@ -39,11 +39,11 @@ class SceneModel:
         block += ["front_y", "back_y", "crest_z", "floor_z", "base_z"]
         return (*PARAMETERS, "plane_a", "plane_b", "plane_offset", *block)
 
-    def moved(self, step: Floats) -> "SceneModel":
+    def apply_step(self, step: Floats) -> "SceneModel":
         """The scene after adding ``step`` (P,) to its parameters."""
         block = with_coordinates(self.block, coordinates(self.block) + step[BLOCK])
         return SceneModel(
-            step_camera(self.camera, step[:COUNT]), self.plane.stepped(step[PLANE]), block
+            step_camera(self.camera, step[:COUNT]), self.plane.apply_step(step[PLANE]), block
         )
 
 

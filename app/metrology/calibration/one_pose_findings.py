@@ -102,7 +102,7 @@ def _arm_findings(seen: Evidence) -> list[CalibrationFinding]:
 def _picture_findings(seen: Evidence) -> list[CalibrationFinding]:
     edges = seen.fit.edges
     text = (
-        f"{int(edges.kept.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
+        f"{int(edges.inliers.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
         f"{edges.rms_px:.2f} px rms; the limit is {EDGE_RMS_PX:.1f} px."
     )
     good = edges.rms_px <= EDGE_RMS_PX

@@ -204,5 +204,5 @@ def _points_after_step(fit: CameraFit, uv: Floats, parameter: int, step: float) 
     """The points (G, 3) of pixels, sensor frame, after a step of one parameter."""
     change = np.zeros(len(fit.scene.names))
     change[parameter] = step
-    moved = fit.scene.moved(change)
+    moved = fit.scene.apply_step(change)
     return sensor_points(moved.camera, moved.plane, uv)

@@ -87,7 +87,7 @@ class ObjectDetection:
     edges: tuple[EdgePoints, ...]
     camera: Camera
     rms_px: float
-    unseen: tuple[str, ...] = ()
+    unobserved_planes: tuple[str, ...] = ()
 
 
 def detect_object(
@@ -120,20 +120,20 @@ def detect_object(
             found = locate_block(small, ignore, block, cleaning)
             tried = verify_hypotheses(grey, hidden, found, scale, block, declined)
             tries.append(tried)
-            best = max(tries, key=lambda one: one.borne_out_px)
+            best = max(tries, key=lambda one: one.confirmed_px)
             if tried.good and not tried.doubtful and tried is best:
                 _check_earlier_attempts(tried, tries[:-1], findings, block)
                 return _detection(_select_measurement(tried, findings, block), block)
-            if tried.sure_of_another:
+            if tried.is_other_object:
                 break
         if best.good:
             return _detection(_select_measurement(best, findings, block), block)
         refusals.refuse_bad_image(findings, "the object was not found")
         raise _rejection_error(tries, findings, grey, block)
     except OperationError as refusal:
-        shown = max(tries, key=lambda one: one.shown_px, default=NO_ATTEMPT)
+        shown = max(tries, key=lambda one: one.visible_px, default=NO_ATTEMPT)
         raise with_evidence(
-            refusal, findings, clipped, shown.found, shown.measured, shown.against
+            refusal, findings, clipped, shown.search, shown.measured, shown.against
         ) from None
 
 
@@ -149,7 +149,7 @@ def _check_earlier_attempts(
         Refusal: ``object-does-not-match``.
     """
     for one in before:
-        as_much = one.shown_px > _AS_MUCH * tried.shown_px
+        as_much = one.visible_px > _AS_MUCH * tried.visible_px
         if one.nearest is not None and one.against is not None and one.against.definite and as_much:
             raise refusals.contradiction_error(block, one.against, findings, one.nearest.blur_px)
 
@@ -166,7 +166,7 @@ def _select_measurement(
     located, measured = tried.good[0]
     refusals.refuse_blurred(measured)
     share = acceptance.share_in_frame(measured)
-    if tried.more_than_one_way or acceptance.is_symmetric(block):
+    if tried.is_ambiguous or acceptance.is_symmetric(block):
         refusals.refuse_bad_image(findings, "it can be read in more than one way")
         raise refusals.ambiguity_error(block, share)
     if located.mirrored:
@@ -180,21 +180,21 @@ def _rejection_error(
     tries: list[AttemptResult], findings: list[ImageFinding], grey: Floats, block: Crenellated
 ) -> OperationError:
     """The refusal after the last attempt: another object, or one not seen well enough."""
-    best = max(tries, key=lambda one: one.shown_px)
+    best = max(tries, key=lambda one: one.visible_px)
     # Lines that mostly make no block are of marks and of other things: these may hide it.
-    block_like = [acceptance.is_block_like(one.found) for one in tries]
+    block_like = [acceptance.is_block_like(one.search) for one in tries]
     seen_well = not findings and not is_noisy(grey) and sum(block_like) > len(tries) / 2
     # A placing that hardly shows is none to say where the frame ends on.
-    if best.nearest is not None and best.share_shown > acceptance.LEAST_VISIBLE:
+    if best.nearest is not None and best.visible_share > acceptance.LEAST_VISIBLE:
         share = acceptance.share_in_frame(best.nearest)
         if acceptance.is_cut_off(best.nearest, block, share):
             return refusals.too_incomplete_error(block, share)
     if best.nearest is not None and best.against is not None and best.against.definite:
-        if not seen_well and best.share_shown < _HALF:
-            return refusals.barely_visible_error(block, best.against, best.share_shown)
+        if not seen_well and best.visible_share < _HALF:
+            return refusals.barely_visible_error(block, best.against, best.visible_share)
         return refusals.contradiction_error(block, best.against, findings, best.nearest.blur_px)
     if not any(block_like):
-        return refusals.not_found_error(tries[0].found)
+        return refusals.not_found_error(tries[0].search)
     why = "no placing of its edges explains those in the picture"
     if best.against is not None:
         why = best.against.text

@@ -29,7 +29,7 @@ Cause = Literal["sound", "other-tip", "small", "large", "bent", "scatter", "unsu
 class TipCheck:
     """What the touches of one sphere tell of the tip."""
 
-    touches: int
+    contact_count: int
     diameter_mm: float
     """Of the tip, by the touches and the sphere's certificate."""
     error_um: float
@@ -70,7 +70,7 @@ def check_tip(
     if limit_um is not None and scatter_um > limit_um:
         decision = "fail"
     return TipCheck(
-        touches=len(q_rad),
+        contact_count=len(q_rad),
         diameter_mm=arm.tip.diameter_mm + error_mm,
         error_um=error_um,
         expanded_uncertainty_um=expanded_um,

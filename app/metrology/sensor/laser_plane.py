@@ -25,7 +25,7 @@ class LaserPlane:
         normal = T_new_old[:3, :3] @ self.normal
         return LaserPlane(normal, float(self.offset_mm + normal @ T_new_old[:3, 3]))
 
-    def stepped(self, step: Floats) -> "LaserPlane":
+    def apply_step(self, step: Floats) -> "LaserPlane":
         """After a step (3,): tilts along ``tangents(normal)`` (rad), then the offset (mm)."""
         normal = self.normal + step[:2] @ tangents(self.normal)
         length = float(np.linalg.norm(normal))

@@ -75,7 +75,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     _check_frames(len(usable))
     even = np.linspace(0, len(usable) - 1, min(SEARCH_FRAMES, len(usable))).astype(np.int64)
-    fit, gate_mm = _search_delay(passed.thinned(usable[even], SEARCH_POINTS)), GATE_MM
+    fit, gate_mm = _search_delay(passed.subsample(usable[even], SEARCH_POINTS)), GATE_MM
     off_mm = _distances(passed, fit)
     for _ in range(3):
         lines = fit_stripe_lines(passed, off_mm < gate_mm)
@@ -100,13 +100,13 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
 
 def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:
     """(N,) of the points from the plane, mm; infinite where the arm's place is not known."""
-    off = np.abs(passed.placed(fit.delay_ns) @ fit.normal - fit.offset_mm)
+    off = np.abs(passed.points_in_arm(fit.delay_ns) @ fit.normal - fit.offset_mm)
     return np.where(np.isfinite(off), off, np.inf)
 
 
 def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> float:
     """Of the points about the plane that fits them best."""
-    points = passed.placed(delay_ns)[on_plane]
+    points = passed.points_in_arm(delay_ns)[on_plane]
     points = points[np.isfinite(points).all(axis=1)]
     centred = points - points.mean(axis=0)
     least = float(np.linalg.eigvalsh(centred.T @ centred)[0])
@@ -117,7 +117,7 @@ def _search_delay(sample: PlanePass) -> DelayHypothesis:
     """The delay of a grid that brings the points nearest to one plane; the least of equals."""
     best: tuple[float, DelayHypothesis] | None = None
     for delay_ns in sorted(range(-SEARCH_NS, SEARCH_NS + 1, SEARCH_STEP_NS), key=abs):
-        points = sample.placed(delay_ns)
+        points = sample.points_in_arm(delay_ns)
         known = np.isfinite(points).all(axis=1)
         if known.mean() < 0.7:
             continue

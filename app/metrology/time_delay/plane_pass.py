@@ -33,12 +33,12 @@ class PlanePass:
         """(N,) each point's frame."""
         return np.repeat(np.arange(len(self.stamps_ns)), np.diff(self.first))
 
-    def placed(self, delay_ns: float) -> Floats:
+    def points_in_arm(self, delay_ns: float) -> Floats:
         """(N, 3) the points in the arm frame; NaN where the arm's place is not known."""
         T = self.poses_at(self.stamps_ns + round(delay_ns))[self.frame]
         return np.asarray(np.einsum("nij,nj->ni", T[:, :3, :3], self.points_mm) + T[:, :3, 3])
 
-    def thinned(self, frames: NDArray[np.int64], most: int) -> "PlanePass":
+    def subsample(self, frames: NDArray[np.int64], most: int) -> "PlanePass":
         """Some of the frames (rising), with at most so many points of each, evenly spread."""
         rows = []
         for first, last in zip(self.first[frames], self.first[frames + 1], strict=True):

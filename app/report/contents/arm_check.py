@@ -141,11 +141,11 @@ def _places(arm: Arm, q_rad: Floats, limit_um: float | None) -> tuple[Figure, st
         for off in off_um:
             at = (middle[0] + float(off[across]) * scale, middle[1] - float(off[up]) * scale)
             figure.items.append(Dot(at, 1.5, BLUE))
-        figure.words((middle[0], top + size + 12), f"{AXES[across]}, µm", 7.5, SOFT, "middle")
-        figure.words((left - 6, middle[1] + 3), f"{AXES[up]}, µm", 7.5, SOFT, "end")
+        figure.label((middle[0], top + size + 12), f"{AXES[across]}, µm", 7.5, SOFT, "middle")
+        figure.label((left - 6, middle[1] + 3), f"{AXES[up]}, µm", 7.5, SOFT, "end")
         for sign in (-1, 1):
             x = middle[0] + sign * size / 2
-            figure.words((x, top + size + 12), f"{sign * reach:+.0f}", 7, FAINT, "middle")
+            figure.label((x, top + size + 12), f"{sign * reach:+.0f}", 7, FAINT, "middle")
     words = "Each point of the swing about the middle of all, in the arm's frame."
     if limit_um is not None:
         words += f" Dashed: the limit of {limit_um:g} µm."

@@ -95,8 +95,8 @@ def object_figure(
     factor = magnification(largest_mm, 5.0)
     for turned, x in ((False, 0.0), (True, 265.0)):
         _view(figure, (x, 4.0), block, features, points_mm, residuals_um, left_out, factor, turned)
-    figure.words((2, 200), "from the front", 7.5, FAINT)
-    figure.words((267, 200), "from behind", 7.5, FAINT)
+    figure.label((2, 200), "from the front", 7.5, FAINT)
+    figure.label((267, 200), "from behind", 7.5, FAINT)
     words = (
         f"Distance of each touch from its face, {factor:g} times larger: blue outside, orange "
         f"inside, crosses left out. The longest stick is {1e3 * largest_mm:.0f} µm "
@@ -271,14 +271,14 @@ def _axes(
     for value in _ticks(low_mm[0], high_mm[0]):
         x = room[0] + (value - low_mm[0]) * scale
         figure.line((x, bottom + 2), (x, bottom + 5), stroke=FAINT)
-        figure.words((x, bottom + 14), join_units(f"{value:g}"), 7, FAINT, "middle")
+        figure.label((x, bottom + 14), join_units(f"{value:g}"), 7, FAINT, "middle")
     for value in _ticks(low_mm[1], high_mm[1]):
         y = room[1] + (value - low_mm[1]) * scale
         figure.line((room[0] - 5, y), (room[0] - 2, y), stroke=FAINT)
-        figure.words((room[0] - 8, y + 2.5), join_units(f"{value:g}"), 7, FAINT, "end")
+        figure.label((room[0] - 8, y + 2.5), join_units(f"{value:g}"), 7, FAINT, "end")
     middle = room[0] + (high_mm[0] - low_mm[0]) * scale / 2
-    figure.words((middle, bottom + 25), "across, mm", 7.5, SOFT, "middle")
-    figure.words((2, room[1] - 10), "depth, mm", 7.5, SOFT)
+    figure.label((middle, bottom + 25), "across, mm", 7.5, SOFT, "middle")
+    figure.label((2, room[1] - 10), "depth, mm", 7.5, SOFT)
 
 
 def _ticks(low: float, high: float) -> list[float]:
@@ -288,12 +288,12 @@ def _ticks(low: float, high: float) -> list[float]:
 
 def _legend(figure: Figure, at: Point, low: float, high: float) -> None:
     x, y = at
-    figure.words((x, y - 10), "k = 1, µm", 7.5, SOFT)
+    figure.label((x, y - 10), "k = 1, µm", 7.5, SOFT)
     for i, colour in enumerate(SCALE):
         figure.box((x, y + 16 * i), 16, 16, colour)
     for i in range(len(SCALE) + 1):
         value = low + (high - low) * i / len(SCALE)
-        figure.words((x + 22, y + 16 * i + 2.5), f"{value:.1f}", 7, SOFT)
+        figure.label((x + 22, y + 16 * i + 2.5), f"{value:.1f}", 7, SOFT)
 
 
 def _step(values: Floats) -> float:
@@ -316,15 +316,15 @@ def budget_figure(
     for i, (source, value) in enumerate(rows):
         y = 17.0 * i + 4
         together = i == len(rows) - 1
-        figure.words((left - 8, y + 9), source, 8, INK if together else SOFT, "end", together)
+        figure.label((left - 8, y + 9), source, 8, INK if together else SOFT, "end", together)
         figure.box((left, y + 1), width, 11, GROUND)
         figure.box((left, y + 1), max(value * scale, 0.5), 11, INK if together else BLUE)
-        figure.words((left + width + 8, y + 9), f"{value:.1f} µm", 8, INK, bold=together)
+        figure.label((left + width + 8, y + 9), f"{value:.1f} µm", 8, INK, bold=together)
     bottom = 17.0 * len(rows) + 4
     if limit is not None:
         x = left + limit * scale
         figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.words((x, bottom + 10), f"good up to {limit:g} µm", 7.5, RED, "end")
+        figure.label((x, bottom + 10), f"good up to {limit:g} µm", 7.5, RED, "end")
     else:
         figure.line((left, bottom), (left + width, bottom), stroke=LINE, width=0.5)
     words = "What the standard uncertainty (k = 1) of a scanned point comes from."

@@ -27,9 +27,9 @@ def deviation_figure(name: str, found: MapFile) -> tuple[Figure, str]:
         figure.box((left + across * scale, top + up * scale), size, size, _colour(value, end))
     for i, colour in enumerate((*reversed(INSIDE), *OUTSIDE)):
         figure.box((42 + 10 * i, 147), 10, 8, colour)
-    figure.words((38, 154), f"-{end:.0f} µm", 7, SOFT, "end")
-    figure.words((126, 154), f"+{end:.0f} µm", 7, SOFT)
-    figure.words((2, 137), f"{wide:.0f} mm wide", 6.5, FAINT)
+    figure.label((38, 154), f"-{end:.0f} µm", 7, SOFT, "end")
+    figure.label((126, 154), f"+{end:.0f} µm", 7, SOFT)
+    figure.label((2, 137), f"{wide:.0f} mm wide", 6.5, FAINT)
     return figure, f"{name}: distance from its fitted shape, blue outside, orange inside."
 
 

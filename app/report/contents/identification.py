@@ -192,11 +192,11 @@ def _before_and_after(pairs: list[Pair]) -> tuple[Figure, str]:
     figure = Figure(520, pitch * len(pairs), "Before and after the identification")
     for i, (name, was, now) in enumerate(pairs):
         top, largest = i * pitch + 4, max(was, now, 1e-9)
-        figure.words((2, top + 18), name, 8, INK)
+        figure.label((2, top + 18), name, 8, INK)
         for j, (word, value, colour) in enumerate((("before", was, FAINT), ("after", now, BLUE))):
             y = top + 16 * j
-            figure.words((left - 6, y + 9), word, 7, SOFT, "end")
+            figure.label((left - 6, y + 9), word, 7, SOFT, "end")
             figure.box((left, y), width, 12, GROUND)
             figure.box((left, y), width * value / largest, 12, colour)
-            figure.words((left + width + 8, y + 9), micrometres(value), 8, INK)
+            figure.label((left + width + 8, y + 9), micrometres(value), 8, INK)
     return figure, "Rms before and after, each pair on a scale of its own."

@@ -121,7 +121,7 @@ def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, st
     figure.line((left, middle), (left + width, middle), stroke=FAINT)
     for sign in (-1, 1):
         at = (left - 5, middle - sign * (height / 2 - 5))
-        figure.words(at, f"{sign * end:+.0f} µm", 7, FAINT, "end")
+        figure.label(at, f"{sign * end:+.0f} µm", 7, FAINT, "end")
         if limit_um is not None:
             y = middle - sign * limit_um * scale
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
@@ -130,6 +130,6 @@ def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, st
         x, y = left + (i + 0.5) * step, middle - float(off) * scale
         figure.line((x, middle), (x, y), stroke=BLUE, width=1.2)
         figure.items.append(Dot((x, y), 2.2, BLUE))
-        figure.words((x, top + height + 12), str(i + 1), 7, SOFT, "middle")
+        figure.label((x, top + height + 12), str(i + 1), 7, SOFT, "middle")
     words = "Distance of each touch from the sphere through all of them."
     return figure, words + ("" if limit_um is None else f" Dashed: the limit of {limit_um:g} µm.")

@@ -187,14 +187,14 @@ def _limit_figure(sheet: VerificationFile) -> tuple[Figure, str]:
             figure.items.append(Dot((zero + value / one.limit * scale, y), 1.8, "", FAINT, 0.7))
         figure.line((at - u, y), (at + u, y), stroke=colour, width=2)
         figure.items.append(Dot((at, y), 3, colour, "#ffffff", 0.6))
-        figure.words((left - 8, y + 3), one.title, 7.5, SOFT, "end")
-        figure.words((left + width + 8, y + 3), _value(one.value, one.unit), 8, INK)
+        figure.label((left - 8, y + 3), one.title, 7.5, SOFT, "end")
+        figure.label((left + width + 8, y + 3), _value(one.value, one.unit), 8, INK)
     bottom = 24.0 * len(shown) + 4
     figure.line((zero, 2.0), (zero, bottom), stroke=LINE)
     for sign in (-1, 1):
         x = zero + sign * scale
         figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.words((x, bottom + 11), "limit", 7.5, RED, "middle")
+        figure.label((x, bottom + 11), "limit", 7.5, RED, "middle")
     words = (
         "Values in shares of their limits: the bar is the expanded uncertainty (k = 2), circles "
         "are the single clouds."
@@ -273,17 +273,17 @@ def _plot(sheet: VerificationFile, name: str, title: str) -> tuple[Figure, str]:
         return bottom - 4 - (value - low) / span * (height - 8)
 
     figure.line((left, y(0.0)), (left + width, y(0.0)), stroke=FAINT, width=0.6)
-    figure.words((left - 4, y(0.0) + 2.5), "0", 7, FAINT, "end")
+    figure.label((left - 4, y(0.0) + 2.5), "0", 7, FAINT, "end")
     told = [0.0]
     for value in (max(known, key=abs), min(known, key=abs)):
         # what would stand in another's place is read from the table
         if all(abs(y(value) - y(other)) >= TICK_SPACE for other in told):
-            figure.words((left - 4, y(value) + 2.5), f"{value:.0f}", 7, FAINT, "end")
+            figure.label((left - 4, y(value) + 2.5), f"{value:.0f}", 7, FAINT, "end")
             told.append(value)
     step = width / len(values)
     for i, value in enumerate(values):
         x = left + (i + 0.5) * step
-        figure.words((x, bottom + 10), str(i + 1), 7, FAINT, "middle")
+        figure.label((x, bottom + 10), str(i + 1), 7, FAINT, "middle")
         if value is not None:
             figure.items.append(Dot((x, y(value)), 2.6, BLUE))
     return figure, f"{title}, cloud by cloud."

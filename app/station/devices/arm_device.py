@@ -39,7 +39,7 @@ class StationArm:
         self._newest: JointSample | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
         self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
-            "arm", make, lambda driver: driver.open(), self._read, self._connected
+            "arm", make, lambda driver: driver.open(), self._read, self._on_connect
         )
 
     @property
@@ -53,18 +53,18 @@ class StationArm:
         return self.reader.fresh
 
     @property
-    def kept_back(self) -> int:
+    def rejected_count(self) -> int:
         """Readings since this arm first connected that could not be true."""
-        return 0 if self._judge is None else self._judge.kept_back
+        return 0 if self._judge is None else self._judge.rejected_count
 
     @property
-    def newest_kept_back(self) -> OperationError | None:
+    def newest_rejection(self) -> OperationError | None:
         """What is said of the newest of them; None where there are none."""
         newest = None if self._judge is None else self._judge.newest
-        return None if newest is None else newest.refusal
+        return None if newest is None else newest.error
 
     @property
-    def kept_back_ago_s(self) -> float | None:
+    def rejection_age_s(self) -> float | None:
         """Since the newest of them."""
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
@@ -74,7 +74,7 @@ class StationArm:
         newest = self._judge.newest if self._judge is not None else None
         if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
             return None
-        return newest.refusal
+        return newest.error
 
     def link(self) -> DeviceState:
         """An arm whose readings cannot be true is as good as lost, and says why."""
@@ -129,7 +129,7 @@ class StationArm:
         window = ring.between(first_ns, last_ns)
         return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
 
-    def moved_since(self, stamp_ns: int) -> bool:
+    def has_moved_since(self, stamp_ns: int) -> bool:
         """Whether the arm stands elsewhere than at a stamp, so that a picture of then no
         longer shows what its camera sees; False while the arm or its model is not there."""
         arm, newest = self._model(), self.latest()
@@ -182,9 +182,9 @@ class StationArm:
                 f"no arm model with {ring.joint_count} joints is chosen",
                 remedy="choose the arm first",
             )
-        wrong = self._judge.between(first_ns, last_ns) if self._judge is not None else None
+        wrong = self._judge.first_between(first_ns, last_ns) if self._judge is not None else None
         if wrong is not None:
-            raise wrong.refusal
+            raise wrong.error
         window = ring.between(first_ns, last_ns)
         moved = stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
         if moved is UNKNOWN:
@@ -205,7 +205,7 @@ class StationArm:
         arm, ring = self._chosen, self._ring
         return arm if arm is not None and ring and arm.joint_count == ring.joint_count else None
 
-    def _connected(self, driver: ArmDriver, info: ArmInfo) -> None:
+    def _on_connect(self, driver: ArmDriver, info: ArmInfo) -> None:
         self._newest = None
         # one ring over reconnections: a recording goes on where it was
         if self._ring is None or self._ring.joint_count != info.joint_count:
@@ -232,7 +232,7 @@ class StationArm:
         ring, judge = self._ring, self._judge
         if ring is None or judge is None:
             return
-        good = judge.passed(samples)
+        good = judge.filter(samples)
         ring.extend(good, judge.judged_ns)
         if good:
             self._newest = good[-1]

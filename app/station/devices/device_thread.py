@@ -183,7 +183,7 @@ class DeviceReader(Generic[D, I_co]):
         received_before = self._records
         try:
             info = self._connect(driver)
-            self._took(driver, info)
+            self._note_connection(driver, info)
             self._pump(driver)
         except DeviceError as error:
             self._error = str(error)
@@ -198,7 +198,7 @@ class DeviceReader(Generic[D, I_co]):
             driver.close()
         return self._records > received_before
 
-    def _took(self, driver: D, info: I_co) -> None:
+    def _note_connection(self, driver: D, info: I_co) -> None:
         self._connected(driver, info)
         with self._lock:
             self._driver, self._info = driver, info

@@ -118,22 +118,22 @@ class Rig:
                 ("arm", self.arm.reader.link()),
                 ("sensor", self.sensor.reader.link()),
             ):
-                self._tell(title, said.get(title), link)
+                self._report_link(title, said.get(title), link)
                 said[title] = link.state
-            doubted = self._tell_doubt(doubted)
+            doubted = self._report_doubt(doubted)
             now_s = time.monotonic()
             if said != before or now_s - published_s >= PUBLISH_S:
                 self._bus.publish("devices", self.devices())
                 published_s = now_s
 
-    def _tell_doubt(self, before: bool) -> bool:
+    def _report_doubt(self, before: bool) -> bool:
         """Says once when the arm's readings cannot be true any more."""
         doubt = self.arm.doubt()
         if doubt is not None and not before:
             self._bus.event(doubt.code, doubt.line, "bad")
         return doubt is not None
 
-    def _tell(self, title: str, before: LinkState | None, link: Link) -> None:
+    def _report_link(self, title: str, before: LinkState | None, link: Link) -> None:
         """Says once when a device was lost, and when it came back."""
         if before == link.state:
             return

@@ -34,7 +34,7 @@ class StationSensor:
             make,
             lambda driver: driver.open(),
             self._read,
-            self._connected,
+            self._on_connect,
             lambda info: info.longest_gap_s,
         )
 
@@ -151,7 +151,7 @@ class StationSensor:
             )
         return frame
 
-    def _connected(self, driver: SensorDriver, info: SensorInfo) -> None:
+    def _on_connect(self, driver: SensorDriver, info: SensorInfo) -> None:
         """Brings a sensor that came back to the state it was left in."""
         if self._exposure_wanted_us is not None:
             driver.set_exposure_us(self._exposure_wanted_us)

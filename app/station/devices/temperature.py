@@ -37,7 +37,7 @@ class TemperatureWatch:
         self._thermometer, self._keep = thermometer, keep
         self._lock = threading.Lock()
         self._now = Temperature(None)
-        self._kept_s: float | None = None
+        self._stored_s: float | None = None
 
     @property
     def there(self) -> bool:
@@ -60,6 +60,6 @@ class TemperatureWatch:
                 return
             self._now = Temperature(celsius)
             now_s = time.monotonic()
-            if self._kept_s is None or now_s - self._kept_s > STORE_EVERY_S:
-                self._kept_s = now_s
+            if self._stored_s is None or now_s - self._stored_s > STORE_EVERY_S:
+                self._stored_s = now_s
                 self._keep(celsius)

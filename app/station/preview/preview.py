@@ -77,7 +77,7 @@ class PreviewImage:
     header: PreviewHeader
     jpeg: bytes
 
-    def packed(self) -> bytes:
+    def to_bytes(self) -> bytes:
         """Length of the header (4 bytes, big-endian), the header as JSON, the JPEG."""
         header = json.dumps(asdict(self.header), ensure_ascii=False).encode()
         return struct.pack(">I", len(header)) + header + self.jpeg
@@ -202,8 +202,8 @@ class Preview:
         stripe = self._stripe(frame)
         self._objects.offer(frame, stripe)
         stillness = self._arm.stillness()
-        seen = self._seen(stillness)
-        measures, words = self._measured(frame.image)
+        seen = self._current_detection(stillness)
+        measures, words = self._measure(frame.image)
         findings = [*stillness_findings(stillness), *words]
         if seen.finding is not None:
             findings.append(seen.finding)
@@ -243,7 +243,7 @@ class Preview:
             if stripe is None:
                 return
             yield from some(line_aid(frame.image, stripe))
-            away = distances.of_stripe(stripe) if distances is not None else None
+            away = distances.stripe_distance(stripe) if distances is not None else None
             yield from some(distance_aid(away) if away is not None else None)
             return
         if measures is not None:
@@ -252,10 +252,10 @@ class Preview:
         height, width = frame.image.shape
         yield from some(framing_aid(seen.outline, width, height))
 
-    def _seen(self, stillness: Stillness) -> TargetDetection:
+    def _current_detection(self, stillness: Stillness) -> TargetDetection:
         """What was found of the object, unless the camera has been moved since."""
-        seen = self._objects.seen
-        if seen is NO_DETECTION or not self._arm.moved_since(seen.stamp_ns):
+        seen = self._objects.detection
+        if seen is NO_DETECTION or not self._arm.has_moved_since(seen.stamp_ns):
             return seen
         if stillness.still:
             self._objects.forget(seen)
@@ -271,7 +271,7 @@ class Preview:
         except OperationError:
             return None
 
-    def _measured(self, image: Image) -> tuple[ImageQuality | None, tuple[Finding, ...]]:
+    def _measure(self, image: Image) -> tuple[ImageQuality | None, tuple[Finding, ...]]:
         """Measures and words a few times a second: faster, nobody reads them."""
         made_s, measures, words = self._words
         now = time.monotonic()

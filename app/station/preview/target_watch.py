@@ -40,7 +40,7 @@ class TargetWatch:
         self._offered = threading.Condition()
         self._item: CalibrationTarget | None = None
         self._frame: tuple[Frame, Stripe | None] | None = None
-        self._seen = NO_DETECTION
+        self._detection = NO_DETECTION
         self._resting = False
         self._stopping = False
         self._thread: threading.Thread | None = None
@@ -62,13 +62,13 @@ class TargetWatch:
         """Names the object to look for; None ends the search."""
         with self._offered:
             if item != self._item:
-                self._item, self._seen, self._frame = item, NO_DETECTION, None
+                self._item, self._detection, self._frame = item, NO_DETECTION, None
 
     @property
-    def seen(self) -> TargetDetection:
+    def detection(self) -> TargetDetection:
         """What the last search found; ``NO_DETECTION`` while none is wanted."""
         with self._offered:
-            return self._seen
+            return self._detection
 
     def rest(self, resting: bool) -> None:
         """While resting, no new search begins."""
@@ -78,8 +78,8 @@ class TargetWatch:
     def forget(self, seen: TargetDetection) -> None:
         """What was found is out of date: the next search begins at once."""
         with self._offered:
-            if self._seen is seen:
-                self._seen = NO_DETECTION
+            if self._detection is seen:
+                self._detection = NO_DETECTION
                 self._offered.notify()
 
     def offer(self, frame: Frame, stripe: Stripe | None) -> None:
@@ -103,10 +103,12 @@ class TargetWatch:
             seen = _search(taken[0], taken[1], item)
             with self._offered:
                 if self._item == item:
-                    self._seen = seen
+                    self._detection = seen
             rest_s = max(SHORTEST_REST_S, REST_SHARE * (time.monotonic() - started_s))
             with self._offered:
-                self._offered.wait_for(lambda: self._stopping or self._seen is NO_DETECTION, rest_s)
+                self._offered.wait_for(
+                    lambda: self._stopping or self._detection is NO_DETECTION, rest_s
+                )
 
 
 def _search(frame: Frame, stripe: Stripe | None, item: CalibrationTarget) -> TargetDetection:

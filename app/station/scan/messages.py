@@ -124,7 +124,7 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
 
 def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
     """Too fast, or standing."""
-    now = pipeline.pace.now
+    now = pipeline.speed.now
     if now is None:
         return []
     if now.too_fast:
@@ -139,7 +139,7 @@ def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
 def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
     """What is told of a scan once it has ended."""
     counts, found = pipeline.counts, []
-    pace = pipeline.pace
+    pace = pipeline.speed
     if pace.frames_too_fast > REPORT_SHARE * counts.frames:
         found.append(
             Finding(

@@ -101,7 +101,7 @@ class ScanPipeline:
         """``about``: what the recording says of the scan beside its devices and calibration."""
         self._about = dict(about or {})
         self.counts = Counts()
-        self.pace = ScanSpeed(arm, settings.blur_limit_mm)
+        self.speed = ScanSpeed(arm, settings.blur_limit_mm)
         self.failure: OperationError | None = None
         self._arm = arm
         self._sensor = sensor
@@ -114,12 +114,12 @@ class ScanPipeline:
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._ended = False
         self._lost_before = sensor.reader.link().lost
-        self._kept_back_before = arm.kept_back
+        self._rejected_before = arm.rejected_count
         self._settings = settings
         self._extraction = extraction_by(settings, calibration.stripe_axis)
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         joint_names = tuple(joint.name for joint in calibration.arm.joints)
-        self._recorder = Recorder(folder / RECORDING, joint_names, self._told(), arm)
+        self._recorder = Recorder(folder / RECORDING, joint_names, self._metadata(), arm)
         self._tap = sensor.frames.tap(_queue_length(sensor))
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
@@ -142,8 +142,8 @@ class ScanPipeline:
     @property
     def implausible(self) -> tuple[int, OperationError | None]:
         """How many of the arm's readings could not be true, and what is said of the newest."""
-        count = self._arm.kept_back - self._kept_back_before
-        return count, self._arm.newest_kept_back if count > 0 else None
+        count = self._arm.rejected_count - self._rejected_before
+        return count, self._arm.newest_rejection if count > 0 else None
 
     @property
     def backlog(self) -> float:
@@ -175,11 +175,11 @@ class ScanPipeline:
     def apply(self, settings: ScanSettings) -> None:
         """Goes on by other settings; the delay stays what the recording began with."""
         self._extraction = extraction_by(settings, self._calibration.stripe_axis)
-        self.pace.limit_mm = settings.blur_limit_mm
+        self.speed.limit_mm = settings.blur_limit_mm
         self._settings = settings
-        self._recorder.tell(self._told())
+        self._recorder.add_metadata(self._metadata())
 
-    def _told(self) -> dict[str, str]:
+    def _metadata(self) -> dict[str, str]:
         """What the recording says of the station."""
         return {
             **self._about,
@@ -209,10 +209,10 @@ class ScanPipeline:
                     for frame in frames:
                         self._recorder.offer_picture(frame)
                 if frames:
-                    self._extracting.put(pool.submit(self._seen, frames))
+                    self._extracting.put(pool.submit(self._extract, frames))
         self._extracting.put(None)
 
-    def _seen(self, frames: Sequence[Frame]) -> list[StripeFrame]:
+    def _extract(self, frames: Sequence[Frame]) -> list[StripeFrame]:
         """On a worker's thread: the frames' stripes.
 
         Where frames wait for it, the stripe is followed from the first one on.
@@ -265,7 +265,7 @@ class ScanPipeline:
         """Writes the cloud; goes on showing points where the disk fails."""
         try:
             with cloud_writer(self._cloud_path) as cloud:
-                self._points_of_all(cloud)
+                self._make_points(cloud)
         except OperationError as refusal:
             self.failure = self.failure or refusal
         except OSError as error:
@@ -277,7 +277,7 @@ class ScanPipeline:
         while self._next_stripes() is not None:
             continue
 
-    def _points_of_all(self, cloud: CloudWriter) -> None:
+    def _make_points(self, cloud: CloudWriter) -> None:
         number = 0
         while (frames := self._next_stripes()) is not None:
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
@@ -288,8 +288,8 @@ class ScanPipeline:
             self.counts.frames_without_joints += len(frames) - len(placed)
             if q_rad is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
-                self._add(cloud, stripes, q_rad[placed], number + np.array(placed))
-                self._judge(frames[placed[-1]], q_rad[placed[-1]], len(frames))
+                self._add_points(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self._judge_speed(frames[placed[-1]], q_rad[placed[-1]], len(frames))
             number += len(frames)
 
     def _next_stripes(self) -> list[StripeFrame] | None:
@@ -299,7 +299,7 @@ class ScanPipeline:
         self._ended = True
         return None
 
-    def _add(
+    def _add_points(
         self, cloud: CloudWriter, stripes: Sequence[Stripe], q_rad: Floats, numbers: Numbers
     ) -> None:
         """Points of some frames, to the cloud and to the display (Eq. 9)."""
@@ -317,14 +317,14 @@ class ScanPipeline:
         records = pack_points(points, intensity, spread, np.repeat(numbers, count))
         cloud.append(records)
         self.counts.points = cloud.points
-        self._note(len(points))
+        self._count_points(len(points))
         self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
         self._show(records)
 
-    def _judge(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
+    def _judge_speed(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
         """Of the last of some frames: how fast the sensor went."""
         use, stamp_ns = self._calibration, frame.stamp_ns + self._delay_ns
-        before_rad = self.pace.before(stamp_ns)
+        before_rad = self.speed.joints_before(stamp_ns)
         if before_rad is None or not len(frame.stripe.u):
             return
         before, at = flange_poses(use.arm, np.stack([before_rad, q_rad])) @ use.T_flange_sensor
@@ -339,9 +339,9 @@ class ScanPipeline:
             np.array([len(stripe.u)]),
             np.eye(4)[None],
         )
-        self.pace.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
+        self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
 
-    def _note(self, count: int) -> None:
+    def _count_points(self, count: int) -> None:
         now = time.monotonic()
         self._made.append((now, count))
         while self._made and now - self._made[0][0] > RATE_WINDOW_S:

@@ -59,7 +59,7 @@ class Recorder:
         self._joints_after_ns = now_ns() - LEAD_NS
         self._frames: queue.Queue[list[StripeFrame] | None] = queue.Queue(QUEUE_BATCHES)
         self._pictures: queue.Queue[Frame] = queue.Queue(QUEUE_PICTURES)
-        self._told: queue.Queue[Mapping[str, str]] = queue.Queue()
+        self._metadata: queue.Queue[Mapping[str, str]] = queue.Queue()
         self._writer = RecordingWriter(path, joint_names, station)
         self._thread = threading.Thread(target=self._run, name="scan-recorder", daemon=True)
         self._thread.start()
@@ -94,9 +94,9 @@ class Recorder:
         except queue.Full:
             self.pictures_dropped += 1
 
-    def tell(self, station: Mapping[str, str]) -> None:
+    def add_metadata(self, station: Mapping[str, str]) -> None:
         """Adds what has changed of the station since the recording began."""
-        self._told.put(station)
+        self._metadata.put(station)
 
     def close(self) -> None:
         """Writes what waits, with the joints around it, and completes the file."""
@@ -136,8 +136,8 @@ class Recorder:
             if time.monotonic() - flushed_s > FLUSH_S:
                 self._writer.flush()
                 flushed_s = time.monotonic()
-            while not self._told.empty():
-                self._writer.tell(self._told.get())
+            while not self._metadata.empty():
+                self._writer.write_metadata(self._metadata.get())
             if self._frames.empty():
                 self._write_picture()
             try:

@@ -160,7 +160,7 @@ class Scanner:
                 scan running, or no room on the disk.
         """
         with self._lock:
-            refusal = self.why_not() or self._folders.no_room_to_start()
+            refusal = self.why_not() or self._folders.start_space_error()
             if refusal is not None:
                 raise refusal
             calibration = self._calibration
@@ -245,7 +245,7 @@ class Scanner:
             return replace(NO_SCAN, state=state, why_not=why_not)
         if running:
             state = "stopping" if scan.stopping else "running"
-        counts, pace = scan.pipeline.counts, scan.pipeline.pace
+        counts, pace = scan.pipeline.counts, scan.pipeline.speed
         now = pace.now if running else None
         return ScanState(
             state=state,
@@ -304,7 +304,7 @@ class Scanner:
     def _stop_when_full(self) -> None:
         scan = self._scan
         if scan is not None and scan.ended_s is None:
-            scan.pipeline.failure = scan.pipeline.failure or self._folders.no_room_to_go_on()
+            scan.pipeline.failure = scan.pipeline.failure or self._folders.running_space_error()
             if scan.pipeline.trouble is not None:
                 self.stop()
 

@@ -23,13 +23,13 @@ class ScanFolders:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def no_room_to_start(self) -> OperationError | None:
+    def start_space_error(self) -> OperationError | None:
         """Why the disk lets no scan begin; None when it does."""
-        return self._no_room(START_FREE_BYTES)
+        return self._space_error(START_FREE_BYTES)
 
-    def no_room_to_go_on(self) -> OperationError | None:
+    def running_space_error(self) -> OperationError | None:
         """Why the disk ends a running scan; None when it does not."""
-        return self._no_room(STOP_FREE_BYTES)
+        return self._space_error(STOP_FREE_BYTES)
 
     def new(self, started: datetime) -> Path:
         """A folder of its own for a scan; raises ``OperationError`` where it cannot be made."""
@@ -44,7 +44,7 @@ class ScanFolders:
             "folder-taken", f"no free name for a scan in {display_path(self._folder)}"
         )
 
-    def _no_room(self, needed: int) -> OperationError | None:
+    def _space_error(self, needed: int) -> OperationError | None:
         try:
             ensure_folder(self._folder)
             free = shutil.disk_usage(self._folder).free

@@ -87,10 +87,10 @@ class CloudColouring:
     def __init__(self) -> None:
         self.version = 0
         self.measure: Measure = "height"
-        self.target: ReferenceShape | None = None
+        self.reference: ReferenceShape | None = None
         self._low, self._high = 0.0, 1.0
         self._ranged = False
-        self._by_hand = False
+        self._is_manual = False
 
     @property
     def legend(self) -> Legend | None:
@@ -103,14 +103,14 @@ class CloudColouring:
             kind.unit,
             self._low,
             self._high,
-            not self._by_hand,
+            not self._is_manual,
             scale_stops(kind.scale),
         )
 
     def show(self, measure: Measure, limits: tuple[float, float] | None) -> None:
         """Colours by this from now on, within limits of its unit, or automatic ones."""
         self.measure = measure
-        self._by_hand = limits is not None
+        self._is_manual = limits is not None
         self._ranged = limits is not None
         if limits is not None:
             self._low, self._high = limits
@@ -118,17 +118,17 @@ class CloudColouring:
 
     def forget_range(self) -> None:
         """With nothing shown any more, what comes next tells an automatic range anew."""
-        self._ranged = self._by_hand
+        self._ranged = self._is_manual
 
     def aim_at(self, target: ReferenceShape | None) -> None:
         """The shape that deviations are from; without one, heights are shown instead."""
-        self.target = target
+        self.reference = target
         if self.measure != "deviation":
             return
         if target is None:
             self.show("height", None)
         else:
-            self.show("deviation", (self._low, self._high) if self._by_hand else None)
+            self.show("deviation", (self._low, self._high) if self._is_manual else None)
 
     def values(
         self, points: Floats, traits: PointAttributes, newest_s: float
@@ -137,8 +137,8 @@ class CloudColouring:
         if self.measure == "height":
             return np.asarray(points[:, 2])
         if self.measure == "deviation":
-            assert self.target is not None
-            return 1e3 * self.target.distances(points)
+            assert self.reference is not None
+            return 1e3 * self.reference.distances(points)
         if self.measure == "age":
             return np.asarray(newest_s - traits["taken_s"])
         name = "intensity" if self.measure == "intensity" else "uncertainty_um"
@@ -168,7 +168,7 @@ class CloudColouring:
 
     def settle_range(self, sample: NDArray[np.floating]) -> None:
         """Moves an automatic range to where values (N,) of all that is shown lie now."""
-        if self._by_hand:
+        if self._is_manual:
             return
         wanted = self._range_of(sample[np.isfinite(sample)])
         if wanted is None:
@@ -183,9 +183,9 @@ class CloudColouring:
     def _range_of(self, sample: NDArray[np.floating]) -> tuple[float, float] | None:
         kind = MEASURE_SCALES[self.measure]
         if self.measure == "deviation":
-            if self.target is None:
+            if self.reference is None:
                 return None
-            half = max(1e3 * FIT_SIGMAS * self.target.rms_mm, kind.least_span / 2)
+            half = max(1e3 * FIT_SIGMAS * self.reference.rms_mm, kind.least_span / 2)
             return -half, half
         if not len(sample):
             return None

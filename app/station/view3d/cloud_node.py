@@ -65,7 +65,7 @@ class CloudNode:
         self._forget()
 
     @property
-    def shown(self) -> int:
+    def visible_count(self) -> int:
         return self._voxels.count
 
     @property
@@ -89,7 +89,7 @@ class CloudNode:
 
     def sample(self, count: int) -> NDArray[np.floating]:
         """About so many of the values that are coloured by."""
-        step = max(1, self.shown // count)
+        step = max(1, self.visible_count // count)
         parts = [
             self._painter.values(
                 self._in_arm(node.points_mm[::step]), node.traits[::step], self.newest_s

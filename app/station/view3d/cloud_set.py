@@ -28,15 +28,15 @@ class CloudSet:
         self._budget = budget
         self._views: dict[str, CloudNode] = {}
         self._made = 0
-        self._looked_at: tuple[int, int] = (-1, 0)
+        self._range_basis: tuple[int, int] = (-1, 0)
 
     @property
     def names(self) -> tuple[str, ...]:
         return tuple(self._views)
 
     @property
-    def shown(self) -> int:
-        return sum(view.shown for view in self._views.values())
+    def visible_count(self) -> int:
+        return sum(view.visible_count for view in self._views.values())
 
     @property
     def bounds_mm(self) -> tuple[Floats, Floats]:
@@ -45,16 +45,16 @@ class CloudSet:
         highs = [view.bounds_mm[1] for view in self._views.values()]
         return np.min(lows, axis=0, initial=np.inf), np.max(highs, axis=0, initial=-np.inf)
 
-    def shown_of(self, name: str) -> int:
+    def count_visible(self, name: str) -> int:
         view = self._views.get(name)
-        return view.shown if view else 0
+        return view.visible_count if view else 0
 
-    def points_of(self, name: str) -> tuple[Floats, float]:
+    def visible_points(self, name: str) -> tuple[Floats, float]:
         """What is shown of a scan, (N, 3) mm, and the size of the cubes that thin it."""
         view = self._views[name]
         return view.points_mm(), view.voxel_mm
 
-    def traits_of(self, name: str) -> PointAttributes:
+    def visible_attributes(self, name: str) -> PointAttributes:
         """Beside ``points_of``."""
         parts = self._views[name].traits()
         return np.concatenate(parts) if parts else np.zeros(0, ATTRIBUTES)
@@ -72,7 +72,7 @@ class CloudSet:
         if view is not None:
             view.remove()
             self._share()
-            if not self.shown:
+            if not self.visible_count:
                 self.painter.forget_range()
 
     def clear(self) -> None:
@@ -96,8 +96,8 @@ class CloudSet:
         """A turn's share of what is left to do: ranges, colours, thinning. Soon done."""
         for view in self._views.values():
             view.keep_budget()
-        version, shown = self._looked_at
-        more = max(self.shown, shown) > LOOK_AGAIN * max(min(self.shown, shown), 1)
+        version, shown = self._range_basis
+        more = max(self.visible_count, shown) > LOOK_AGAIN * max(min(self.visible_count, shown), 1)
         if version != self.painter.version or more:
             self._settle_range()
         left = REPAINT_POINTS
@@ -106,7 +106,7 @@ class CloudSet:
 
     def _settle_range(self) -> None:
         self.painter.settle_range(self._sample())
-        self._looked_at = (self.painter.version, self.shown)
+        self._range_basis = (self.painter.version, self.visible_count)
 
     def _sample(self) -> NDArray[np.floating]:
         parts = [view.sample(SAMPLE) for view in self._views.values()]

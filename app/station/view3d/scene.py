@@ -61,17 +61,17 @@ class Scene:
         self._laser: tuple[bool, bool | None] = (False, None)
         self._clouds = CloudSet(self._server, point_budget)
         self._fits = ShapeNodes(self._server)
-        self._ruler = ScaleBar(self._server)
+        self._scale_bar = ScaleBar(self._server)
         self._live = ""
         self._begun = 0
         self._began_s = time.monotonic()
         self._arm: ArmNode | None = None
         self._arm_model: Arm | None = None
         self._object = TargetNode(self._server)
-        self._seen_size_mm = 0.0
-        self._looked = False
+        self._aimed_size_mm = 0.0
+        self._has_aimed = False
         self._prepare()
-        self._eye = InitialCamera(self._server)
+        self._initial_camera = InitialCamera(self._server)
         self.begin()
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
@@ -85,7 +85,7 @@ class Scene:
     @property
     def points_shown(self) -> int:
         """Of the scan under way, or the last one."""
-        return self._clouds.shown_of(self._live)
+        return self._clouds.count_visible(self._live)
 
     @property
     def waiting(self) -> int:
@@ -111,7 +111,7 @@ class Scene:
     def scans(self) -> dict[str, int]:
         """The scans in the picture, by name, with how many points of each are shown."""
         with self._lock:
-            return {name: self._clouds.shown_of(name) for name in self._clouds.names}
+            return {name: self._clouds.count_visible(name) for name in self._clouds.names}
 
     def close(self) -> None:
         self._stopping.set()
@@ -129,8 +129,8 @@ class Scene:
             self._live = name
             self._began_s = time.monotonic()
             self._clouds.open(name, live=True)
-            self._seen_size_mm = 0.0
-            self._ruler.remove()
+            self._aimed_size_mm = 0.0
+            self._scale_bar.remove()
 
     def add_points(self, points: Points) -> None:
         """Adds points (N,) of the arm frame to the scan under way.
@@ -159,8 +159,8 @@ class Scene:
         """Takes a scan out of the picture."""
         with self._lock:
             self._clouds.close(name)
-            if not self._clouds.shown:
-                self._ruler.remove()
+            if not self._clouds.visible_count:
+                self._scale_bar.remove()
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
         """Colours all clouds by this, within limits of its unit, or automatic ones."""
@@ -181,11 +181,11 @@ class Scene:
         with self._lock:
             self._fits.hide(number)
 
-    def points_of(self, name: str) -> tuple[Floats, PointAttributes, float]:
+    def visible_points(self, name: str) -> tuple[Floats, PointAttributes, float]:
         """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""
         with self._lock:
-            points_mm, voxel_mm = self._clouds.points_of(name)
-            return points_mm, self._clouds.traits_of(name), voxel_mm
+            points_mm, voxel_mm = self._clouds.visible_points(name)
+            return points_mm, self._clouds.visible_attributes(name), voxel_mm
 
     def set_arm_model(self, arm: Arm | None) -> None:
         """Draws this arm from now on, by its own kinematics."""
@@ -197,7 +197,7 @@ class Scene:
             self._arm_model = arm
             self._arm = None if arm is None else ArmNode(self._server, arm)
             self._q_rad = None
-            self._looked = False
+            self._has_aimed = False
 
     def set_arm(self, q_rad: Sequence[float]) -> None:
         """The arm's encoder angles (n,); drawn at most ten times a second."""
@@ -274,7 +274,7 @@ class Scene:
             joints.append(T[:3, 3])
         low, high = np.min(joints, axis=0), np.max(joints, axis=0)
         radius_mm = 0.5 * float(np.linalg.norm(high - low)) + 0.06 * reach_mm(arm)
-        self._eye.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
+        self._initial_camera.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
 
     def _look_at_clouds(self) -> None:
         """As they grow: all of them, with some of the sensor over them."""
@@ -282,11 +282,13 @@ class Scene:
         if not np.isfinite(low).all():
             return
         size_mm = float(np.linalg.norm(high - low))
-        self._ruler.lay(low, high)
-        if size_mm > CLOUD_GROWTH * self._seen_size_mm:
-            self._seen_size_mm = size_mm
+        self._scale_bar.lay(low, high)
+        if size_mm > CLOUD_GROWTH * self._aimed_size_mm:
+            self._aimed_size_mm = size_mm
             centre_mm = (low + high) / 2 + np.array([0.0, 0.0, 0.18 * size_mm])
-            self._eye.look(M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM))
+            self._initial_camera.look(
+                M_PER_MM * centre_mm, M_PER_MM * max(0.62 * size_mm, SMALLEST_LOOK_MM)
+            )
 
     def _run(self) -> None:
         wait_s = FLUSH_S
@@ -320,8 +322,8 @@ class Scene:
             self._q_rad = None
             links = link_transforms(self._arm_model, np.array([q_rad]))[:, 0]
             arm.pose(links)
-            if not self._looked:
-                self._looked = True
+            if not self._has_aimed:
+                self._has_aimed = True
                 self._look_at_arm(self._arm_model, links)
 
 

@@ -37,7 +37,7 @@ class ViewCamera:
     aspect: float
     """Width over height."""
 
-    def seen(self, points_mm: Floats) -> Floats:
+    def project(self, points_mm: Floats) -> Floats:
         """Of points (N, 3) of the arm frame: place in the picture (0 to 1 from the left and
         from the top) and distance ahead in mm; NaN for what is not ahead."""
         w, x, y, z = self.wxyz
@@ -69,7 +69,7 @@ class FrontSurface:
     ) -> None:
         """By the points (N, 3) that are shown, which are thinned by cubes of ``voxel_mm``."""
         self._camera, self._rectangle = camera, rectangle
-        seen = camera.seen(shown_mm)
+        seen = camera.project(shown_mm)
         seen = seen[self._within(seen)]
         self.empty = not len(seen)
         if self.empty:
@@ -85,7 +85,7 @@ class FrontSurface:
 
     def holds(self, points_mm: Floats) -> NDArray[np.bool_]:
         """Which of the points (N, 3) lie on it."""
-        seen = self._camera.seen(points_mm)
+        seen = self._camera.project(points_mm)
         found = self._within(seen)
         if self.empty:
             return found
@@ -214,7 +214,7 @@ class _PointSample:
     def __init__(self) -> None:
         self.count = 0
         self._step = 1
-        self._kept = 0
+        self._stored = 0
         self._parts: list[tuple[Floats, NDArray[np.int64]]] = []
 
     def add(self, points: Floats, frame: NDArray[np.int64]) -> None:
@@ -222,25 +222,25 @@ class _PointSample:
         self.count += len(points)
         part = (points[first :: self._step], frame[first :: self._step])
         self._parts.append(part)
-        self._kept += len(part[0])
-        if self._kept > 2 * MOST_FITTED:
+        self._stored += len(part[0])
+        if self._stored > 2 * MOST_FITTED:
             self._thin(2)
 
     def all(self) -> tuple[Floats, NDArray[np.int64]]:
         """At most ``MOST_FITTED`` points and their frames."""
-        if self._kept > MOST_FITTED:
-            self._thin(-(-self._kept // MOST_FITTED))
-        points, frame = self._joined()
+        if self._stored > MOST_FITTED:
+            self._thin(-(-self._stored // MOST_FITTED))
+        points, frame = self._concatenate()
         return points, frame
 
-    def _joined(self) -> tuple[Floats, NDArray[np.int64]]:
+    def _concatenate(self) -> tuple[Floats, NDArray[np.int64]]:
         return (
             np.concatenate([points for points, _ in self._parts]),
             np.concatenate([frame for _, frame in self._parts]),
         )
 
     def _thin(self, by: int) -> None:
-        points, frame = self._joined()
+        points, frame = self._concatenate()
         self._step *= by
         self._parts = [(points[::by], frame[::by])]
-        self._kept = len(self._parts[0][0])
+        self._stored = len(self._parts[0][0])

@@ -251,7 +251,7 @@ class ViewController:
         """On the fitter's thread."""
         begun = self._scene.begun
         try:
-            picked = select_points(camera, rectangle, self._shown())
+            picked = select_points(camera, rectangle, self._visible_clouds())
             measured = measure_shape(shape, picked.points_mm, picked.frame)
             with self._lock:
                 self._drop_old_fits()
@@ -293,12 +293,12 @@ class ViewController:
         measured = self._fits[-1][1]
         self._scene.aim_at(ReferenceShape(measured.distances, measured.fit.rms_mm))
 
-    def _shown(self) -> list[VisibleCloud]:
+    def _visible_clouds(self) -> list[VisibleCloud]:
         """All that is in the picture, with the files of the scans that are complete."""
         found = []
         for name in self._scene.scans:
             with contextlib.suppress(KeyError):  # taken out meanwhile
-                points_mm, traits, voxel_mm = self._scene.points_of(name)
+                points_mm, traits, voxel_mm = self._scene.visible_points(name)
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
                 if len(points_mm):

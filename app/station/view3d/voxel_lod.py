@@ -88,7 +88,7 @@ class Voxels:
                 tiers[done:],
             )
             if done < len(points):
-                self._make_room()
+                self._enlarge_table()
         self._copy_on(_COPIED_SLOTS)
         self._counts += np.bincount(tiers[tiers >= 0], minlength=2 * SIZES)
         return tiers
@@ -101,7 +101,7 @@ class Voxels:
         self.finest -= 1
         return False
 
-    def _make_room(self) -> None:
+    def _enlarge_table(self) -> None:
         """A larger table, without the bricks of sizes that are not shown any more."""
         self._copy_on(len(self._old))
         self._bricks[: self.finest // 2] = 0

@@ -84,13 +84,13 @@ class ArmDevice:
         self._button_lock = threading.Lock()
         self._born_ns = now_ns() - int(self._rng.integers(1, 4_000)) * 1_000_000_000
         self._sequence = int(self._rng.integers(0, 1 << 31))
-        self._held_up: deque[tuple[int, bytes]] = deque()
+        self._outbox: deque[tuple[int, bytes]] = deque()
         self._free_ns = 0
-        self._heard = b""
+        self._request_tail = b""
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
         self._skip = 0
-        self._stands: int | None = None
+        self._frozen_count: int | None = None
 
     def start(self) -> None:
         self._stopping.clear()
@@ -138,7 +138,7 @@ class ArmDevice:
                 stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
                 self._take(stamps)
                 taken = due
-            self._let_go(now)
+            self._send_due(now)
 
     def _take(self, stamps_ns: NDArray[np.int64]) -> None:
         q = self._motion.at_all(stamps_ns)
@@ -147,18 +147,20 @@ class ArmDevice:
         for stamp, row in zip(stamps_ns.tolist(), counts.tolist(), strict=True):
             device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
             self._sequence += 1
-            self._lie(row)
+            self._apply_encoder_faults(row)
             made = sample_packet(self._sequence, device_us, self._bits_at(stamp), row)
             self._dispatch(made, stamp)
 
-    def _lie(self, counts: list[int]) -> None:
+    def _apply_encoder_faults(self, counts: list[int]) -> None:
         """Makes of the encoders' counts what lying ones say."""
         faults, frozen = self._faults, self._faults.frozen_joint
         if frozen is None:
-            self._stands = None
+            self._frozen_count = None
         else:
-            self._stands = counts[frozen] if self._stands is None else self._stands
-            counts[frozen] = self._stands
+            self._frozen_count = (
+                counts[frozen] if self._frozen_count is None else self._frozen_count
+            )
+            counts[frozen] = self._frozen_count
         if faults.odd_joint is not None and self._sequence % faults.odd_every == 0:
             per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
             counts[faults.odd_joint] += round(faults.odd_rad * per_rad)
@@ -178,19 +180,19 @@ class ArmDevice:
             made = self._rng.bytes(int(self._rng.integers(1, 40))) + made
         if chance[3] < faults.late_rate:
             self._free_ns = max(self._free_ns, stamp_ns + round(faults.late_s * 1e9))
-        self._held_up.append((max(self._free_ns, stamp_ns), made))
+        self._outbox.append((max(self._free_ns, stamp_ns), made))
 
-    def _let_go(self, now: int) -> None:
+    def _send_due(self, now: int) -> None:
         ready = b""
-        while self._held_up and self._held_up[0][0] <= now:
-            ready += self._held_up.popleft()[1]
+        while self._outbox and self._outbox[0][0] <= now:
+            ready += self._outbox.popleft()[1]
         if ready:
             self._line.send(ready)
 
     def _answer(self, said: bytes) -> None:
-        self._heard = (self._heard + said)[-256:]
-        while HELLO_REQUEST in self._heard:
-            self._heard = self._heard.split(HELLO_REQUEST, 1)[1]
+        self._request_tail = (self._request_tail + said)[-256:]
+        while HELLO_REQUEST in self._request_tail:
+            self._request_tail = self._request_tail.split(HELLO_REQUEST, 1)[1]
             self.requests += 1
             if not self._faults.stalled:
-                self._held_up.append((now_ns(), hello_packet(self._joints, self._encoders)))
+                self._outbox.append((now_ns(), hello_packet(self._joints, self._encoders)))

@@ -84,10 +84,12 @@ class Motion:
         with self._lock:
             pieces = [self._piece_at(int(stamp)) for stamp in (stamps_ns[0], stamps_ns[-1])]
             if pieces[0] is pieces[1]:
-                return self._on(pieces[0], stamps_ns)
-            return np.concatenate([self._on(self._piece_at(int(t)), t[None]) for t in stamps_ns])
+                return self._evaluate(pieces[0], stamps_ns)
+            return np.concatenate(
+                [self._evaluate(self._piece_at(int(t)), t[None]) for t in stamps_ns]
+            )
 
-    def resting_at(self, stamp_ns: int) -> bool:
+    def is_resting(self, stamp_ns: int) -> bool:
         """Whether the hand moved nothing at that moment (it may have trembled)."""
         with self._lock:
             return stamp_ns >= self._piece_at(stamp_ns).end_ns
@@ -98,7 +100,7 @@ class Motion:
                 return piece
         return self._pieces[0]
 
-    def _on(self, piece: _Piece, stamps_ns: NDArray[np.int64]) -> Floats:
+    def _evaluate(self, piece: _Piece, stamps_ns: NDArray[np.int64]) -> Floats:
         held_s = (stamps_ns - piece.end_ns) / 1e9
         inside = np.clip(stamps_ns, piece.start_ns, piece.end_ns)
         q = piece.spline((inside - piece.start_ns) / 1e9)

@@ -17,7 +17,7 @@ class SensorMount:
     """What the sensor sees and lights, and where the arm carries it."""
 
     optics: Optics
-    sheet: LightPlane
+    light_plane: LightPlane
     T_flange_sensor: Floats  # (4, 4)
 
 
@@ -64,7 +64,7 @@ def sensor_over_board(
     Begins anew after the last of ``VIEWPOINTS``.
     """
     wanted = VIEWPOINTS[view % len(VIEWPOINTS)]
-    T = _view_at_laser(sight.optics, sight.sheet) @ translation(0.0, 0.0, -wanted.away_mm)
+    T = _view_at_laser(sight.optics, sight.light_plane) @ translation(0.0, 0.0, -wanted.away_mm)
     T = T @ rotation_about("z", np.radians(wanted.turn_deg))
     T = T @ rotation_about("x", np.radians(wanted.about_x_deg))
     T = T @ rotation_about("y", np.radians(wanted.about_y_deg))

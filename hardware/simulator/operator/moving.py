@@ -45,7 +45,7 @@ class MoveExecutor:
         press: Callable[[Button, bool, int], None],
         halted: Callable[[], None],
     ) -> None:
-        self._motion, self._press, self._halted = motion, press, halted
+        self._motion, self._press, self._after_cancel = motion, press, halted
         self._lock = threading.Lock()
         self._cancelled = threading.Event()
         self._state = OperatorState()
@@ -69,7 +69,7 @@ class MoveExecutor:
                 yield
             except _CancelledError:
                 self._motion.halt(now_ns())
-                self._halted()
+                self._after_cancel()
                 threading.Event().wait(HALT_S)
             finally:
                 self._state = OperatorState()

@@ -77,24 +77,24 @@ class ScriptedOperator:
         seed: int = 0,
     ) -> None:
         self._arm, self._scene = arm, scene
-        self._sight, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
+        self._sensor_mount, self._T_sensor_flange = sight, np.linalg.inv(sight.T_flange_sensor)
         self._contact_sd_mm = contact_sd_mm
         self._rng = np.random.default_rng(seed)
-        self.ways = PathPlanner(arm, motion, pace, contact_sd_mm, self._rng)
-        self._moving = MoveExecutor(motion, press, self._forget_touched)
-        self._touched: str | None = None
-        block = scene.thing("block")
+        self.planner = PathPlanner(arm, motion, pace, contact_sd_mm, self._rng)
+        self._executor = MoveExecutor(motion, press, self._forget_contact)
+        self._last_contact: str | None = None
+        block = scene.find_object("block")
         assert isinstance(block.shape, CrenellatedBlock)
         self.faces = reachable_faces(block.shape, arm.tip_diameter_mm / 2)
         """Faces of the block that ``touch`` takes."""
         self.parts = tuple(
-            thing.name for thing in scene.things if plan_sweeps(thing) and thing.name != "block"
+            thing.name for thing in scene.objects if plan_sweeps(thing) and thing.name != "block"
         )
         """Parts that ``scan_part`` takes."""
 
     @property
     def state(self) -> OperatorState:
-        return self._moving.state
+        return self._executor.state
 
     @property
     def bar_mm(self) -> float:
@@ -108,7 +108,7 @@ class ScriptedOperator:
 
     def cancel(self) -> None:
         """Makes the move under way stop smoothly and end; later moves are not affected."""
-        self._moving.cancel()
+        self._executor.cancel()
 
     def touch(self, face: str, index: int) -> bool:
         """Touches the ``index``-th place of a face and presses the primary button.
@@ -119,9 +119,9 @@ class ScriptedOperator:
         if face not in (*self.faces, BOARD):
             known = ", ".join((*self.faces, BOARD))
             raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
-        thing = self._scene.thing("board" if face == BOARD else "block")
+        thing = self._scene.find_object("board" if face == BOARD else "block")
         assert isinstance(thing.shape, CrenellatedBlock | Board)
-        with self._moving.move(
+        with self._executor.move(
             "touching the board" if face == BOARD else f"touching the {face} face"
         ):
             spot = choose_contact_point(
@@ -129,15 +129,17 @@ class ScriptedOperator:
             )
             away = thing.T_arm_obj[:3, :3] @ outward_normal(face)
             clear = (CLEAR_MM + _depth(thing.shape, face)) * away
-            left = None if self._touched == GAUGE else self._touched
-            to_spot, contact = self.ways.to_touch(thing.T_arm_obj, face, spot, clear, left)
-            self._moving.play(to_spot, 0.0, 0.4)
+            left = None if self._last_contact == GAUGE else self._last_contact
+            to_spot, contact = self.planner.path_to_contact(
+                thing.T_arm_obj, face, spot, clear, left
+            )
+            self._executor.play(to_spot, 0.0, 0.4)
             slower = 1.5 if face == "floor" else 1.0
-            self._moving.play(self.ways.straight(contact, slower * APPROACH_S), 0.4, 0.5)
-            self._moving.press_primary()
+            self._executor.play(self.planner.straight_path(contact, slower * APPROACH_S), 0.4, 0.5)
+            self._executor.press_primary()
             lifted = translation(*clear.tolist()) @ contact
-            self._moving.play(self.ways.straight(lifted, slower * RETRACT_S), 0.9, 1.0)
-            self._touched = face
+            self._executor.play(self.planner.straight_path(lifted, slower * RETRACT_S), 0.9, 1.0)
+            self._last_contact = face
             return True
         return False
 
@@ -147,32 +149,36 @@ class ScriptedOperator:
 
         Returns False when cancelled. Raises KeyError for any other name.
         """
-        thing = self._scene.thing(name)
+        thing = self._scene.find_object(name)
         if not isinstance(thing.shape, CrenellatedBlock | Board):
             raise KeyError(f"the hand does not hold the sensor over {name!r}")
-        with self._moving.move("placing the sensor"):
+        with self._executor.move("placing the sensor"):
             for _ in range(TRIES):
-                T = thing.T_arm_obj @ self._held_over(thing.shape, view)
+                T = thing.T_arm_obj @ self._draw_sensor_pose(thing.shape, view)
                 try:
-                    path = self.ways.to(T @ self._T_sensor_flange, 60.0)
+                    path = self.planner.path_to(T @ self._T_sensor_flange, 60.0)
                 except UnreachableError:
                     continue
-                self._moving.play(path, 0.0, 1.0, trembles=True)
+                self._executor.play(path, 0.0, 1.0, trembles=True)
                 return True
             raise UnreachableError(f"the arm cannot hold the sensor over the {name}")
         return False
 
-    def _held_over(self, shape: CrenellatedBlock | Board, view: int) -> Floats:
+    def _draw_sensor_pose(self, shape: CrenellatedBlock | Board, view: int) -> Floats:
         """``T_obj_sensor`` (4, 4), another one each time."""
         if isinstance(shape, Board):
-            return sensor_over_board(shape, self._sight, view, self._rng)
+            return sensor_over_board(shape, self._sensor_mount, view, self._rng)
         return sensor_over_block(shape, self._rng)
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
-        with self._moving.move("going to the next pose"):
-            self._moving.play(self.ways.turned_to(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9)
-            self._moving.play(self.ways.turned_to(self.ways.now()), 0.9, 1.0, trembles=True)
+        with self._executor.move("going to the next pose"):
+            self._executor.play(
+                self.planner.turn_joints(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9
+            )
+            self._executor.play(
+                self.planner.turn_joints(self.planner.current_joints()), 0.9, 1.0, trembles=True
+            )
             return True
         return False
 
@@ -180,28 +186,28 @@ class ScriptedOperator:
         """Sweeps the sensor over one of ``parts``; False when cancelled. Raises KeyError."""
         if name not in self.parts:
             raise KeyError(f"there is no part {name!r}; there are {', '.join(self.parts)}")
-        thing = self._scene.thing(name)
-        with self._moving.move(f"scanning the {name}"):
+        thing = self._scene.find_object(name)
+        with self._executor.move(f"scanning the {name}"):
             sweeps = plan_sweeps(thing)
             for i, sweep in enumerate(sweeps):
                 begin, share = i / len(sweeps), 1 / len(sweeps)
                 start = thing.T_arm_obj @ sweep.start @ self._T_sensor_flange
-                self._moving.play(self.ways.to(start, 50.0), begin, begin + 0.25 * share)
+                self._executor.play(self.planner.path_to(start, 50.0), begin, begin + 0.25 * share)
                 poses = sweep_poses(thing.T_arm_obj, sweep) @ self._T_sensor_flange
-                path = self.ways.over(poses, sweep.seconds)
-                self._moving.play(path, begin + 0.25 * share, begin + share)
+                path = self.planner.path_through(poses, sweep.duration_s)
+                self._executor.play(path, begin + 0.25 * share, begin + share)
             return True
         return False
 
     def pass_over_plate(self) -> bool:
         """Goes over the plate and back, nearer and away again; False when cancelled."""
-        plate = self._scene.thing("plate")
+        plate = self._scene.find_object("plate")
         assert isinstance(plate.shape, Box)
-        with self._moving.move("passing over the plate"):
+        with self._executor.move("passing over the plate"):
             poses = passing_poses(plate.T_arm_obj, 0.7 * plate.shape.high_mm[1])
             poses = poses @ self._T_sensor_flange
-            self._moving.play(self.ways.to(poses[0], 50.0), 0.0, 0.2)
-            self._moving.play(self.ways.over(poses, PASS_S), 0.2, 1.0)
+            self._executor.play(self.planner.path_to(poses[0], 50.0), 0.0, 0.2)
+            self._executor.play(self.planner.path_through(poses, PASS_S), 0.2, 1.0)
             return True
         return False
 
@@ -210,46 +216,50 @@ class ScriptedOperator:
 
         A ``posture`` other than 0: with the elbow or the wrist turned over.
         """
-        return self._go_into(f"seat {seat + 1}", seat_centre(self._arm, seat), posture)
+        return self._enter_seat(f"seat {seat + 1}", seat_centre(self._arm, seat), posture)
 
     def go_to_bar(self, position: int, end: int, posture: int = 0) -> bool:
         """Puts the tip into an end (0 or 1) of the ball bar; False when cancelled."""
-        return self._go_into("the bar", bar_end(self._arm, position, end), posture)
+        return self._enter_seat("the bar", bar_end(self._arm, position, end), posture)
 
     def touch_ball(self, ball: int, index: int) -> bool:
         """Touches the sphere in its ``ball``-th place and presses the primary button."""
-        with self._moving.move("touching the sphere"):
+        with self._executor.move("touching the sphere"):
             centre = seat_centre(self._arm, ball)
-            self._tap(lambda q: self._onto_ball(centre, SPHERE_MM / 2, index, q))
+            self._tap(lambda q: self._path_onto_sphere(centre, SPHERE_MM / 2, index, q))
             return True
         return False
 
     def touch_gauge(self, name: str, index: int) -> bool:
         """Touches the ``index``-th place of the plate or the sphere on the table and presses
         the primary button; False when cancelled. Raises KeyError for any other name."""
-        thing = self._scene.thing(name)
+        thing = self._scene.find_object(name)
         shape, T = thing.shape, thing.T_arm_obj
         if not isinstance(shape, GaugeSphere | Box):
             raise KeyError(f"{name!r} is no gauge")
-        with self._moving.move(f"touching the {name}"):
+        with self._executor.move(f"touching the {name}"):
             if isinstance(shape, GaugeSphere):
                 radius, centre = shape.radius_mm, T[:3, 3]
                 self._tap(
-                    lambda q: self._onto_ball(centre, radius, index, q, MIN_HEIGHT, PATH_TRIES)
+                    lambda q: self._path_onto_sphere(
+                        centre, radius, index, q, MIN_HEIGHT, PATH_TRIES
+                    )
                 )
             else:
                 low, high = np.array(shape.low_mm), np.array(shape.high_mm)
                 spot = choose_plate_point(low, high, index, self._rng)
                 self._tap(
-                    lambda q: path_onto_plate(self._arm, T, spot, self.ways.gap_mm(), q, self._rng)
+                    lambda q: path_onto_plate(
+                        self._arm, T, spot, self.planner.gap_mm(), q, self._rng
+                    )
                 )
             return True
         return False
 
-    def _forget_touched(self) -> None:
-        self._touched = None
+    def _forget_contact(self) -> None:
+        self._last_contact = None
 
-    def _onto_ball(
+    def _path_onto_sphere(
         self,
         centre: Floats,
         radius_mm: float,
@@ -258,7 +268,7 @@ class ScriptedOperator:
         lowest: float = -0.1,
         ways: int = 1,
     ) -> JointPath:
-        reach_mm = radius_mm + self.ways.gap_mm()
+        reach_mm = radius_mm + self.planner.gap_mm()
         for beside in INDEX_OFFSETS:
             with suppress(UnreachableError):
                 place = index + beside
@@ -269,38 +279,44 @@ class ScriptedOperator:
 
     def _tap(self, way: Callable[[Floats], JointPath]) -> None:
         """Goes the way onto something from where the arm is, presses, and goes back off."""
-        onto = self.ways.paced(way(self.ways.now()))
-        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
-        if self._touched != GAUGE:
+        onto = self.planner.apply_pace(way(self.planner.current_joints()))
+        up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.planner.current_joints())
+        if self._last_contact != GAUGE:
             with suppress(UnreachableError):
-                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
-        self._moving.play(self.ways.turned_to(onto.q_rad[0]), 0.1, 0.5)
-        self._moving.play(onto, 0.5, 0.6)
-        self._moving.press_primary()
-        self._moving.play(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
-        self._touched = GAUGE
+                self._executor.play(self.planner.straight_path(up, LIFT_S), 0.0, 0.1)
+        self._executor.play(self.planner.turn_joints(onto.q_rad[0]), 0.1, 0.5)
+        self._executor.play(onto, 0.5, 0.6)
+        self._executor.press_primary()
+        self._executor.play(JointPath(onto.times_s, onto.q_rad[::-1].copy()), 0.9, 1.0)
+        self._last_contact = GAUGE
 
-    def _go_into(self, name: str, centre_mm: Floats, posture: int) -> bool:
-        with self._moving.move(f"going to {name}"):
+    def _enter_seat(self, name: str, centre_mm: Floats, posture: int) -> bool:
+        with self._executor.move(f"going to {name}"):
             limits = self._arm.limits_rad
             start = (
-                0.8 * self._rng.uniform(limits[:, 0], limits[:, 1]) if posture else self.ways.now()
+                0.8 * self._rng.uniform(limits[:, 0], limits[:, 1])
+                if posture
+                else self.planner.current_joints()
             )
-            into = path_into_seat(self._arm, centre_mm, start, self._rng, self.ways.pace)
-            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(self._arm, self.ways.now())
+            into = path_into_seat(self._arm, centre_mm, start, self._rng, self.planner.pace)
+            up = translation(0.0, 0.0, LIFT_MM) @ flange_pose(
+                self._arm, self.planner.current_joints()
+            )
             with suppress(UnreachableError):
-                self._moving.play(self.ways.straight(up, LIFT_S), 0.0, 0.1)
-            self._moving.play(self.ways.turned_to(into.q_rad[0]), 0.1, 0.8)
-            self._moving.play(into, 0.8, 1.0)
-            self._touched = None
+                self._executor.play(self.planner.straight_path(up, LIFT_S), 0.0, 0.1)
+            self._executor.play(self.planner.turn_joints(into.q_rad[0]), 0.1, 0.8)
+            self._executor.play(into, 0.8, 1.0)
+            self._last_contact = None
             return True
         return False
 
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip where it is; False when cancelled."""
-        with self._moving.move("swinging the arm"):
-            path = swing_path(self._arm, self.ways.now(), self._rng, self._contact_sd_mm / 4)
-            self._moving.play(self.ways.paced(path), 0.0, 1.0)
+        with self._executor.move("swinging the arm"):
+            path = swing_path(
+                self._arm, self.planner.current_joints(), self._rng, self._contact_sd_mm / 4
+            )
+            self._executor.play(self.planner.apply_pace(path), 0.0, 1.0)
             return True
         return False
 

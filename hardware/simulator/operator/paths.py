@@ -46,7 +46,7 @@ class PathPlanner:
         self._contact_sd_mm, self._rng = contact_sd_mm, rng
         self._flange_x = flange_pose(arm, motion.at(now_ns()))[:3, 0]
 
-    def now(self) -> Floats:
+    def current_joints(self) -> Floats:
         """(n,) joint angles of this moment."""
         return self._motion.at(now_ns())
 
@@ -54,15 +54,15 @@ class PathPlanner:
         """From the tip's centre to what it touches, with the error of this contact."""
         return self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
 
-    def paced(self, path: JointPath) -> JointPath:
+    def apply_pace(self, path: JointPath) -> JointPath:
         """An operator's path, as fast as this hand goes it."""
         return JointPath(path.times_s / self.pace, path.q_rad)
 
-    def over(self, poses: Floats, seconds: float) -> JointPath:
+    def path_through(self, poses: Floats, seconds: float) -> JointPath:
         """Through flange poses (K, 4, 4), in an operator's seconds."""
-        return plan_path(self._arm, poses, self.now(), seconds / self.pace)
+        return plan_path(self._arm, poses, self.current_joints(), seconds / self.pace)
 
-    def to_touch(
+    def path_to_contact(
         self, T_arm_obj: Floats, face: str, spot: Floats, clear: Floats, left: str | None
     ) -> tuple[JointPath, Floats]:
         """The way to a place in front of the contact, and the flange's pose in contact.
@@ -72,7 +72,7 @@ class PathPlanner:
             clear: from the contact to the place in front of it, arm frame.
             left: the face touched before.
         """
-        q, tip = self.now(), np.array(self._arm.tip_mm)
+        q, tip = self.current_joints(), np.array(self._arm.tip_mm)
         up = T_arm_obj[:3, 2]
         if left == face:
             lifts = (0.3 * clear, 0.3 * clear)
@@ -88,7 +88,7 @@ class PathPlanner:
                 self._arm, T_arm_obj, face, spot, gap, self._rng, self._flange_x, SWAY_RAD
             )
             before = translation(*clear.tolist()) @ contact
-            wanted_s = self._seconds(q, before, tip)
+            wanted_s = self._duration_s(q, before, tip)
             try:
                 path = plan_approach(self._arm, q, before, tip, lifts, wanted_s)
                 plan_path(self._arm, np.stack([before, contact]), path.q_rad[-1], 1.0)
@@ -100,34 +100,36 @@ class PathPlanner:
                 break
         return best or (self._detour(q, before), contact)
 
-    def to(self, target: Floats, lift_mm: float) -> JointPath:
+    def path_to(self, target: Floats, lift_mm: float) -> JointPath:
         """To a flange pose (4, 4), in a curve that is drawn up by so much."""
-        q, tip = self.now(), np.array(self._arm.tip_mm)
+        q, tip = self.current_joints(), np.array(self._arm.tip_mm)
         up = np.array([0.0, 0.0, lift_mm])
         try:
-            return plan_approach(self._arm, q, target, tip, (up, up), self._seconds(q, target, tip))
+            return plan_approach(
+                self._arm, q, target, tip, (up, up), self._duration_s(q, target, tip)
+            )
         except UnreachableError:
             return self._detour(q, target)
 
-    def turned_to(self, goal: Floats) -> JointPath:
+    def turn_joints(self, goal: Floats) -> JointPath:
         """Straight in the joints from where they are."""
-        q = self.now()
+        q = self.current_joints()
         share = min_jerk_progress(np.linspace(0.0, 1.0, 24))[:, None]
         seconds = 2.0 * float(np.max(np.abs(goal - q))) / OPERATOR_RAD_S / self.pace
         return JointPath(np.linspace(0.0, max(seconds, 0.3), 24), q + share * (goal - q))
 
-    def straight(self, target: Floats, seconds: float) -> JointPath:
+    def straight_path(self, target: Floats, seconds: float) -> JointPath:
         """To a flange pose (4, 4) near by, in an operator's seconds."""
-        q = self.now()
+        q = self.current_joints()
         zero = np.zeros(3)
         tip = np.array(self._arm.tip_mm)
         return plan_approach(self._arm, q, target, tip, (zero, zero), seconds / self.pace)
 
     def _detour(self, q: Floats, target: Floats) -> JointPath:
         """Straight in the joints, where the arm cannot follow a straight way in space."""
-        return self.turned_to(solve_joints(self._arm, target, q, self._rng))
+        return self.turn_joints(solve_joints(self._arm, target, q, self._rng))
 
-    def _seconds(self, q: Floats, target: Floats, tool: Floats) -> float:
+    def _duration_s(self, q: Floats, target: Floats, tool: Floats) -> float:
         """How long a hand takes from here to a flange pose."""
         start = flange_pose(self._arm, q)
         way = target[:3, :3] @ tool + target[:3, 3] - start[:3, :3] @ tool - start[:3, 3]

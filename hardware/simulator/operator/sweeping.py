@@ -18,7 +18,7 @@ class Sweep:
     end: Floats
 
     @property
-    def seconds(self) -> float:
+    def duration_s(self) -> float:
         """How long an operator takes."""
         return float(np.linalg.norm(self.end[:3, 3] - self.start[:3, 3])) / SPEED_MM_S
 

@@ -67,12 +67,12 @@ class DegradedImage:
     """
 
     image: RawImage
-    lit: bool
+    laser_on: bool
     certificate: CrenellatedBlock
-    made: CrenellatedBlock
+    true_block: CrenellatedBlock
     optics: Optics
     nuisances: frozenset[str]
-    in_sight: float
+    visible_share: float
 
 
 def draw_degraded_image(seed: int) -> DegradedImage:
@@ -94,7 +94,7 @@ def draw_degraded_image(seed: int) -> DegradedImage:
     brightest = float(np.percentile(renderer.room_light(np.eye(4), RAYS)[::4, ::4], 97))
     exposure = rng.uniform(0.45, 1.5) / max(brightest, 0.05)
     laser = float(rng.uniform(0.5, 1.1)) if "stripe" in spoilt else 0.0
-    image = renderer.picture(np.eye(4), exposure, laser, RAYS)
+    image = renderer.render(np.eye(4), exposure, laser, RAYS)
     return DegradedImage(image, laser > 0, certificate, made, optics, spoilt, share)
 
 
@@ -306,12 +306,12 @@ def visible_edge_share(scene: SimulatedScene, optics: Optics) -> float:
 
     The block is the scene's first thing, in whose frame the camera's pose is given.
     """
-    comb = scene.things[0].shape
+    comb = scene.objects[0].shape
     assert isinstance(comb, CrenellatedBlock)
     points = _edge_points(comb)
     kinds, rows = shape_rows(scene)
     T = np.linalg.inv(optics.T_cam_sensor)
-    into = np.stack([np.linalg.inv(thing.T_arm_obj) @ T for thing in scene.things])
+    into = np.stack([np.linalg.inv(thing.T_arm_obj) @ T for thing in scene.objects])
     eyes = ray_bundle(into, rows, np.zeros(3))
     in_cam = points @ optics.T_cam_sensor[:3, :3].T + optics.T_cam_sensor[:3, 3]
     pixels = to_pixels(optics, points)

@@ -55,7 +55,7 @@ class Renderer:
         detector: Detector,
         seed: int = 0,
     ) -> None:
-        self.scene, self.optics, self.sheet, self.detector = scene, optics, sheet, detector
+        self.scene, self.optics, self.light_plane, self.detector = scene, optics, sheet, detector
         self._rng = np.random.default_rng(seed)
         self._kinds, self._rows = shape_rows(scene)
         self._grain = grain_tile(np.random.default_rng(seed + 1))
@@ -82,15 +82,15 @@ class Renderer:
         self._laser_light = np.zeros((height, width), dtype=np.float32)
         self._band = np.zeros((height, width), dtype=np.int32)
 
-    def _things_in_view(self, T_arm_sensor: Floats) -> tuple[Ints, Floats, Floats]:
+    def _visible_objects(self, T_arm_sensor: Floats) -> tuple[Ints, Floats, Floats]:
         """Kinds, rows, and (K, 4, 4) the camera's frame into each thing's.
 
         Only of things that the camera may see or that may stand in the laser's way; of all
         where a lamp may cast their shadows into view.
         """
         T_arm_cam = T_arm_sensor @ np.linalg.inv(self.optics.T_cam_sensor)
-        into = [np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.things]
-        _, emitter, _, _ = self._sheet_in_camera
+        into = [np.linalg.inv(thing.T_arm_obj) @ T_arm_cam for thing in self.scene.objects]
+        _, emitter, _, _ = self._light_plane_in_camera
         middle = np.array([0.0, 0.0, np.linalg.norm(self.optics.centre_mm)])
         near = []
         for k, (T, row) in enumerate(zip(into, self._rows, strict=True)):
@@ -124,7 +124,7 @@ class Renderer:
         kept = self._room
         if kept is not None and kept[1] >= rays and np.array_equal(kept[0], T_arm_sensor):
             return kept[2]
-        kinds, rows, into = self._things_in_view(T_arm_sensor)
+        kinds, rows, into = self._visible_objects(T_arm_sensor)
         eyes = ray_bundle(into, rows, np.zeros(3))
         light = self.scene.light
         towards = np.array(light.direction) / np.linalg.norm(light.direction)
@@ -134,14 +134,14 @@ class Renderer:
         look = np.array([light.directed, light.ambient, light.groove_shade, light.texture, away_mm])
         lamps = self._lamp_bundles(into, rows)
         lines = self._lines if rays > SMEARED else np.ascontiguousarray(self._lines[::2, ::2])
-        codes, wide = self._cast_for(T_arm_sensor, lines.shape[:2])
+        codes, wide = self._cast_buffers(T_arm_sensor, lines.shape[:2])
         scene = (kinds, rows, eyes, lights, lamps, look, self._grain, codes, wide)
         if self._cast is None:
             cast_room(lines, *scene)
             self._cast = (T_arm_sensor.copy(), codes, wide)
         if rays > SMEARED:
             refine_room(lines, lattice(rays), *scene)
-            image = self._blurred(wide)[1:-1, 1:-1].copy()
+            image = self._blur(wide)[1:-1, 1:-1].copy()
         else:
             height, width = self._lines.shape[:2]
             half = np.array([[0.5, 0.0, 0.0], [0.0, 0.5, 0.0]])
@@ -153,7 +153,7 @@ class Renderer:
         self._room = (T_arm_sensor.copy(), rays, image)
         return image
 
-    def _cast_for(self, T_arm_sensor: Floats, shape: tuple[int, ...]) -> tuple[Codes, Image]:
+    def _cast_buffers(self, T_arm_sensor: Floats, shape: tuple[int, ...]) -> tuple[Codes, Image]:
         """Codes and light of one ray a pixel: those of before where the sensor has not moved,
         which a finer picture only refines; else empty, and ``_cast`` is None."""
         kept = self._cast
@@ -170,11 +170,13 @@ class Renderer:
         kept = self._stripe
         if kept is not None and np.array_equal(kept[0], T_arm_sensor):
             return kept[1:]
-        kinds, rows, into = self._things_in_view(T_arm_sensor)
-        fan, emitter, sheet, lens = self._sheet_in_camera
+        kinds, rows, into = self._visible_objects(T_arm_sensor)
+        fan, emitter, sheet, lens = self._light_plane_in_camera
         eyes, lamps = ray_bundle(into, rows, np.zeros(3)), ray_bundle(into, rows, emitter)
         shapes = (kinds, rows)
-        angles = np.linspace(-self.sheet.half_angle_rad, self.sheet.half_angle_rad, FAN_RAYS)
+        angles = np.linspace(
+            -self.light_plane.half_angle_rad, self.light_plane.half_angle_rad, FAN_RAYS
+        )
         landed = np.empty((8 * FAN_RAYS, 5))
         ray_count = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps, landed)
         count = band_around(landed[:ray_count], self._laser_codes, self._band)
@@ -201,13 +203,13 @@ class Renderer:
         if count:
             first = max(int(marked.min()) // width - 4, 0)
             last = min(int(marked.max()) // width + 5, height)
-            light[first:last] = self._blurred(light[first:last])
+            light[first:last] = self._blur(light[first:last])
             shift = SPECKLE_PER_MM @ T_arm_sensor[:3, 3]
             speckle(light[first:last], self._speckle, int(shift[0]) + first, int(shift[1]))
         self._stripe = (T_arm_sensor.copy(), light, first, last)
         return light, first, last
 
-    def _blurred(self, image: Image) -> Image:
+    def _blur(self, image: Image) -> Image:
         sigma = self.detector.blur_px
         if sigma <= 0:
             return image
@@ -215,9 +217,9 @@ class Renderer:
         return cast(Image, cv2.GaussianBlur(image, (size, size), sigma))
 
     @cached_property
-    def _sheet_in_camera(self) -> tuple[Floats, Floats, Floats, Floats]:
+    def _light_plane_in_camera(self) -> tuple[Floats, Floats, Floats, Floats]:
         """In the camera's frame: fan's middle and side (2, 3), emitter, sheet (5,), lens (9,)."""
-        T, sheet = self.optics.T_cam_sensor, self.sheet
+        T, sheet = self.optics.T_cam_sensor, self.light_plane
         normal = T[:3, :3] @ np.array(sheet.normal)
         offset = sheet.offset_mm + float(normal @ T[:3, 3])
         emitter = T[:3, :3] @ np.array(sheet.emitter_mm) + T[:3, 3]
@@ -232,7 +234,7 @@ class Renderer:
             self.optics.lens,
         )
 
-    def picture(
+    def render(
         self,
         T_arm_sensor: Floats,
         room: float = 1.0,

@@ -61,8 +61,8 @@ class SharedRenderer:
         lamps: Lighting,
         faults: Faults,
     ) -> None:
-        self._make, self._sensor_pose, self._resting = make, sensor_pose, resting
-        self.lamps, self.faults = lamps, faults
+        self._make, self._sensor_pose, self._is_resting = make, sensor_pose, resting
+        self.lighting, self.faults = lamps, faults
         self._lock = threading.Lock()
         self._renderer: Renderer | None = None
         self._last: Floats | None = None
@@ -79,17 +79,17 @@ class SharedRenderer:
             renderer = self._renderer
             assert renderer is not None, "prepare comes first"
             share = exposure_us / renderer.detector.nominal_exposure_us
-            lit = self.lamps.room if self.lamps.room_with_laser or not laser_on else 0.0
+            lit = self.lighting.room if self.lighting.room_with_laser or not laser_on else 0.0
             T = self._sensor_pose(mid_ns)
             rays = self._rays(T, mid_ns, exposure_us)
             self._last = T
-            return renderer.picture(T, lit * share, share if laser_on else 0.0, rays)
+            return renderer.render(T, lit * share, share if laser_on else 0.0, rays)
 
     def _rays(self, T: Floats, mid_ns: int, exposure_us: float) -> int:
         """How finely it is worth to render a picture taken at a pose."""
         if self._last is not None and np.array_equal(T, self._last):
             return STILL
-        if self._resting(mid_ns):
+        if self._is_resting(mid_ns):
             return TREMBLING
         half_ns = round(exposure_us * 500)
         first, last = self._sensor_pose(mid_ns - half_ns), self._sensor_pose(mid_ns + half_ns)
@@ -116,7 +116,7 @@ class SimulatedSensor:
     ) -> None:
         """``early_ns``: by how much its stamps are before the middle of the exposure."""
         self._early_ns = early_ns
-        self._studio, self._info, self._period_ns = studio, info, 1e9 / rate_hz
+        self._shared_renderer, self._info, self._period_ns = studio, info, 1e9 / rate_hz
         self._rng = np.random.default_rng(seed)
         self._health = LinkHealth()
         self._state = threading.Condition()
@@ -150,14 +150,14 @@ class SimulatedSensor:
                 exposure_us, laser_on = self._exposure_us, self._laser_on
                 self._sequence += 1
             before_s = time.thread_time()
-            image = self._studio.expose(mid_ns, exposure_us, laser_on)
+            image = self._shared_renderer.expose(mid_ns, exposure_us, laser_on)
             cost_ns = (time.thread_time() - before_s) * 1e9
             with self._state:
                 self._check_open()
                 late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
                 wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns + _rest_ns(cost_ns))
                 self._due_ns = max(self._due_ns, mid_ns + wait_ns)
-                if self._rng.random() < self._studio.faults.frame_drop_rate:
+                if self._rng.random() < self._shared_renderer.faults.frame_drop_rate:
                     self._health.lost += 1
                     continue
                 self._health.received += 1
@@ -181,15 +181,15 @@ class SimulatedSensor:
         low, high = EXPOSURE_RANGE_US
         with self._state:
             self._exposure_us = float(min(max(exposure_us, low), high))
-            self._expose_afresh()
+            self._restart_exposure()
 
     def set_laser(self, on: bool) -> None:
         with self._state:
             if self._laser_on != on:
                 self._laser_on = on
-                self._expose_afresh()
+                self._restart_exposure()
 
-    def _expose_afresh(self) -> None:
+    def _restart_exposure(self) -> None:
         """The next frame's exposure lies wholly behind a change of its settings."""
         self._due_ns = max(self._due_ns, now_ns() + self._exposure_us * 500)
         self._state.notify_all()
@@ -201,7 +201,7 @@ class SimulatedSensor:
             self._state.notify_all()
 
     def _check_camera(self) -> None:
-        if self._studio.faults.camera_lost:
+        if self._shared_renderer.faults.camera_lost:
             self._open = False
             raise DeviceError(
                 "The simulated camera is lost", "Its fault switch camera_lost is on; turn it off."

@@ -20,10 +20,10 @@ FINISH = 48
 
 
 class ShapeKind(IntEnum):
-    COMB = 0
+    BLOCK = 0
     BOX = 1
-    BALL = 2
-    SHELL = 3
+    SPHERE = 2
+    FREEFORM = 3
     BOARD = 4
 
 
@@ -158,12 +158,12 @@ class Light:
 
 @dataclass(frozen=True)
 class SimulatedScene:
-    things: tuple[SceneObject, ...]
+    objects: tuple[SceneObject, ...]
     light: Light = field(default_factory=Light)
 
-    def thing(self, name: str) -> SceneObject:
+    def find_object(self, name: str) -> SceneObject:
         """The thing of that name; raises KeyError."""
-        for thing in self.things:
+        for thing in self.objects:
             if thing.name == name:
                 return thing
         raise KeyError(name)
@@ -210,28 +210,28 @@ def shape_rows(scene: SimulatedScene) -> tuple[NDArray[np.int64], Floats]:
     A row holds the bounding sphere (0-3), albedo (4), bounds (8-13), what the kind
     needs besides (from 14), and the finish (48-51).
     """
-    kinds = np.zeros(len(scene.things), dtype=np.int64)
-    rows = np.zeros((len(scene.things), ROW))
-    for k, thing in enumerate(scene.things):
+    kinds = np.zeros(len(scene.objects), dtype=np.int64)
+    rows = np.zeros((len(scene.objects), ROW))
+    for k, thing in enumerate(scene.objects):
         row = rows[k]
         row[4] = thing.albedo
         finish = thing.finish
         row[FINISH : FINISH + 4] = finish.gloss, finish.sharpness, finish.marks, finish.mark_mm
         shape = thing.shape
         if isinstance(shape, CrenellatedBlock):
-            kinds[k] = ShapeKind.COMB
+            kinds[k] = ShapeKind.BLOCK
             _block_row(shape, row)
         elif isinstance(shape, Box):
             kinds[k] = ShapeKind.BOX
             _box_row(np.array(shape.low_mm), np.array(shape.high_mm), row)
         elif isinstance(shape, GaugeSphere):
-            kinds[k] = ShapeKind.BALL
+            kinds[k] = ShapeKind.SPHERE
             row[3] = shape.radius_mm
         elif isinstance(shape, Board):
             kinds[k] = ShapeKind.BOARD
             _board_row(shape, row)
         else:
-            kinds[k] = ShapeKind.SHELL
+            kinds[k] = ShapeKind.FREEFORM
             top = shape.height_mm + shape.rib_mm
             reach = np.array([shape.half_width_mm, shape.half_depth_mm, top])
             _box_row(reach * [-1, -1, 0], reach, row)

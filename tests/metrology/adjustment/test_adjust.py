@@ -33,7 +33,7 @@ def draw() -> Draw:
 def everything(draw: Draw, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """All residuals after a step from the truth, and their derivatives there."""
     at = parameter_layout(draw.problem)
-    linear = linearise(draw.problem, at, draw.truth.moved(step, at))
+    linear = linearise(draw.problem, at, draw.truth.apply_step(step, at))
     assert linear.contacts is not None
     residuals, jacobians = [linear.contacts.residuals_mm], [linear.contacts.jacobian]
     for scene, groups in zip(linear.scenes, linear.rows, strict=True):
@@ -93,9 +93,9 @@ def test_claims_hold_over_many_solves() -> None:
     (kept,) = run(60, (replace(SET_UPS[0], contacts_per_face=8),))
     assert kept.failed == 0
     assert 0.8 < kept.over_bound.value < 1.2
-    assert 0.9 < kept.without_luck.value < 1.1
-    assert 0 < kept.without_luck.error < kept.over_bound.error < 0.1
-    assert 0.8 < kept.claimed_over_seen < 1.25
+    assert 0.9 < kept.without_sampling.value < 1.1
+    assert 0 < kept.without_sampling.error < kept.over_bound.error < 0.1
+    assert 0.8 < kept.claimed_over_observed < 1.25
 
 
 def test_more_poses_are_known_better() -> None:

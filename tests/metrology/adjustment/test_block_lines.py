@@ -33,9 +33,9 @@ def shifted(inputs: BlockInputs, places: Collection[int], by_px: float) -> Block
     """The laser seen so far across, as if the sensor had been bumped between the pictures."""
     seen = [
         replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + by_px * (place in places)))
-        for place, pose in enumerate(inputs.seen)
+        for place, pose in enumerate(inputs.observations)
     ]
-    return replace(inputs, seen=tuple(seen))
+    return replace(inputs, observations=tuple(seen))
 
 
 def apart_um(a: BlockCalibration, b: BlockCalibration) -> float:
@@ -57,12 +57,12 @@ def test_one_line_off_the_others_plane_is_named_and_left_out(
 ) -> None:
     result = calibrate_block(shifted(inputs, {place}, 3.0))
     (said,) = about(result, "laser-moved")
-    assert (said.quality, said.pose) == ("attention", inputs.seen[place].number)
+    assert (said.quality, said.pose) == ("attention", inputs.observations[place].number)
     of_pose = next(pose for pose in result.poses if pose.number == said.pose)
     assert of_pose.used
     assert "its laser line was left out" in of_pose.reason
     assert of_pose.stripe_points == 0
-    assert apart_um(result, found) < found.known.total_um
+    assert apart_um(result, found) < found.uncertainty.total_um
     assert about(result, "laser-plane")[0].quality == "good"
 
 
@@ -74,32 +74,32 @@ def test_no_line_is_named_where_all_agree(found: BlockCalibration) -> None:
 def test_a_laser_picture_without_a_line_is_named(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    seen = list(inputs.seen)
+    seen = list(inputs.observations)
     none = np.zeros(0)
     dark = replace(seen[3].stripe, u=none, v=none, intensity=none, sigma_px=none)
     seen[3] = replace(seen[3], stripe=dark)
-    result = calibrate_block(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, observations=tuple(seen)))
     (said,) = about(result, "line-missing")
     assert (said.quality, said.pose) == ("attention", seen[3].number)
     assert "the laser was on" in said.remedy
     of_pose = next(pose for pose in result.poses if pose.number == said.pose)
     assert of_pose.used
     assert of_pose.reason == "its picture shows no laser line on the object"
-    assert apart_um(result, found) < found.known.total_um
+    assert apart_um(result, found) < found.uncertainty.total_um
     assert not about(found, "line-missing")
 
 
 def test_laser_pictures_that_were_exchanged_are_named(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    seen = list(inputs.seen)
+    seen = list(inputs.observations)
     seen[2], seen[5] = (
         replace(seen[2], stripe=seen[5].stripe),
         replace(seen[5], stripe=seen[2].stripe),
     )
-    result = calibrate_block(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, observations=tuple(seen)))
     assert {said.pose for said in about(result, "laser-moved")} == {2, 5}
-    assert apart_um(result, found) < found.known.total_um
+    assert apart_um(result, found) < found.uncertainty.total_um
 
 
 def test_lines_in_two_planes_are_refused(inputs: BlockInputs) -> None:
@@ -112,8 +112,8 @@ def test_lines_in_two_planes_are_refused(inputs: BlockInputs) -> None:
 def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: BlockInputs) -> None:
     seen = [
         replace(pose, stripe=replace(pose.stripe, v=pose.stripe.v + 2.0 * place))
-        for place, pose in enumerate(inputs.seen)
+        for place, pose in enumerate(inputs.observations)
     ]
-    result = calibrate_block(replace(inputs, seen=tuple(seen)))
+    result = calibrate_block(replace(inputs, observations=tuple(seen)))
     assert about(result, "laser-plane")[0].quality == "attention"
     assert "the laser sits firmly" in about(result, "laser-plane")[0].remedy

@@ -62,19 +62,21 @@ def found(five: BoardInputs) -> BoardCalibration:
 
 @pytest.fixture(scope="module")
 def advice(arm: Arm, five: BoardInputs, found: BoardCalibration) -> list[PoseAdvice]:
-    return next_poses(found.adjusted, arm, PAPER_BOARD, five.readings)
+    return next_poses(found.adjustment, arm, PAPER_BOARD, five.readings)
 
 
 def test_the_advised_pose_brings_what_was_foretold(
     arm: Arm, five: BoardInputs, found: BoardCalibration, advice: list[PoseAdvice]
 ) -> None:
     best, worst = advice[0], advice[-1]
-    assert best.total_um < worst.total_um <= 1.02 * found.known.total_um
+    assert best.total_um < worst.total_um <= 1.02 * found.uncertainty.total_um
     reached = (
-        found.adjusted.state.T_arm_obj @ best.T_obj_cam @ inverse(found.adjusted.state.T_flange_cam)
+        found.adjustment.state.T_arm_obj
+        @ best.T_obj_cam
+        @ inverse(found.adjustment.state.T_flange_cam)
     )
     np.testing.assert_allclose(flange_pose(arm, best.q_rad), reached, atol=REACHED_MM)
-    uv = measuring_volume(found.adjusted).uv_px
+    uv = measuring_volume(found.adjustment).uv_px
     after = {}
     for one in (best, worst):
         more = calibrate_board(taken(arm, (*POSES[:5], inverse(one.T_obj_cam))))
@@ -85,8 +87,8 @@ def test_the_advised_pose_brings_what_was_foretold(
 
 def rms_um(found: BoardCalibration, uv_px: Floats) -> float:
     """Standard uncertainty of the points that pixels (N, 2) show, over all of them."""
-    by = sensor_jacobian(found.adjusted.state, uv_px)
-    covariance = found.adjusted.covariance[SENSOR, SENSOR]
+    by = sensor_jacobian(found.adjustment.state, uv_px)
+    covariance = found.adjustment.covariance[SENSOR, SENSOR]
     return float(1e3 * np.sqrt(np.mean(np.einsum("gik,kl,gil->g", by, covariance, by))))
 
 

@@ -31,11 +31,11 @@ def station(poses: int, faces: tuple[str, ...], scales: Scales = USUAL) -> Simul
 def said(on: SimulatedSetup, seed: int, tips_mm: Floats | None = None) -> list[CalibrationFinding]:
     """Of a session in which the contacts are off by (N, 3), arm frame."""
     session = draw_session(on, np.random.default_rng(seed))
-    touches = touches_of(session.problem.touches)
+    touches = touches_of(session.problem.contacts)
     off_mm = np.zeros(3) if tips_mm is None else tips_mm
     moved = replace(touches, tips_mm=touches.tips_mm + off_mm)
     return block_fault_findings(
-        solve_adjustment(replace(session.problem, touches=moved), session.start), LIMITS
+        solve_adjustment(replace(session.problem, contacts=moved), session.start), LIMITS
     )
 
 
@@ -45,7 +45,7 @@ def touches_of(touches: ContactObservations | None) -> ContactObservations:
 
 
 def touches_on(on: SimulatedSetup) -> ContactObservations:
-    return touches_of(draw_session(on, np.random.default_rng(0)).problem.touches)
+    return touches_of(draw_session(on, np.random.default_rng(0)).problem.contacts)
 
 
 def inward(on: SimulatedSetup, mm: dict[str, float]) -> Floats:

@@ -43,7 +43,7 @@ def test_points_lie_where_the_truth_has_them(found: BlockCalibration, samples: P
     in_flange = apply(found.T_flange_sensor, points) - np.array(truth["points_flange_frame_mm"])
     error_um = 1e3 * float(np.sqrt(np.mean(np.sum(in_flange**2, axis=1))))
     # the arm's own errors are in the claim, so that it holds
-    assert error_um < 2.0 * found.known.total_um
+    assert error_um < 2.0 * found.uncertainty.total_um
     assert all(pose.used for pose in found.poses)
     # the one contact that the sample has wrong
     assert next(point.name for point in found.worst if point.kind == "contact") == "crest 10"
@@ -70,13 +70,13 @@ def test_a_pose_that_is_slightly_astray_is_left_out_too(
     (out,) = [pose for pose in result.poses if not pose.used]
     assert out.number == 2
     assert "fits the joint angles" not in out.reason
-    assert result.known.total_um < 1.2 * found.known.total_um
+    assert result.uncertainty.total_um < 1.2 * found.uncertainty.total_um
 
 
 def test_one_stray_of_few_is_left_out_though_it_draws_the_others_along(
     inputs: BlockInputs,
 ) -> None:
-    few = replace(inputs, seen=inputs.seen[:4], q_rad=inputs.q_rad[:4].copy())
+    few = replace(inputs, observations=inputs.observations[:4], q_rad=inputs.q_rad[:4].copy())
     few.q_rad[1, 2] += np.radians(0.1)
     result = calibrate_block(few)
     assert [pose.number for pose in result.poses if not pose.used] == [1]
@@ -95,16 +95,18 @@ def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: BlockInpu
     refusal = OperationError(
         "no-contrast", "the picture shows no contrast", "", "turn up the light"
     )
-    some = replace(inputs, seen=inputs.seen[1:], q_rad=inputs.q_rad[1:])
-    result = calibrate_block(replace(some, unseen=(FailedPose(inputs.seen[0].number, refusal),)))
+    some = replace(inputs, observations=inputs.observations[1:], q_rad=inputs.q_rad[1:])
+    result = calibrate_block(
+        replace(some, failed_poses=(FailedPose(inputs.observations[0].number, refusal),))
+    )
     (said,) = [finding for finding in result.findings if finding.code == "pose-left-out"]
     assert said.text.endswith("shows no contrast. Turn up the light.")
     assert not said.remedy
 
 
 def test_poses_all_alike_are_said_to_tell_little(inputs: BlockInputs) -> None:
-    few = replace(inputs, seen=inputs.seen[:1] * 2, q_rad=inputs.q_rad[[0, 0]])
-    few = replace(few, seen=(few.seen[0], replace(few.seen[1], number=9)))
+    few = replace(inputs, observations=inputs.observations[:1] * 2, q_rad=inputs.q_rad[[0, 0]])
+    few = replace(few, observations=(few.observations[0], replace(few.observations[1], number=9)))
     assert "poses-alike" in codes(calibrate_block(few))
 
 
@@ -129,9 +131,11 @@ def test_the_right_tip_is_not_doubted(found: BlockCalibration) -> None:
 
 
 def test_one_pose_is_the_special_case(inputs: BlockInputs, found: BlockCalibration) -> None:
-    alone = calibrate_block(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
+    alone = calibrate_block(
+        replace(inputs, observations=inputs.observations[:1], q_rad=inputs.q_rad[:1])
+    )
     assert "one-pose" in codes(alone)
-    assert alone.known.total_um > found.known.total_um
+    assert alone.uncertainty.total_um > found.uncertainty.total_um
 
 
 def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
@@ -143,10 +147,12 @@ def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
 def test_the_advised_pose_helps_more_than_the_same_again(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    one = calibrate_block(replace(inputs, seen=inputs.seen[:1], q_rad=inputs.q_rad[:1]))
-    advice = next_poses(one.adjusted, inputs.arm, inputs.block, inputs.q_rad[:1])
-    assert advice[0].total_um < advice[-1].total_um <= one.known.total_um * 1.02
-    assert advice[0].total_um < 0.9 * one.known.total_um
+    one = calibrate_block(
+        replace(inputs, observations=inputs.observations[:1], q_rad=inputs.q_rad[:1])
+    )
+    advice = next_poses(one.adjustment, inputs.arm, inputs.block, inputs.q_rad[:1])
+    assert advice[0].total_um < advice[-1].total_um <= one.uncertainty.total_um * 1.02
+    assert advice[0].total_um < 0.9 * one.uncertainty.total_um
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in move.words
     assert (

@@ -31,10 +31,10 @@ def found(request: pytest.FixtureRequest) -> AdjustmentResult:
 
 def in_full(found: AdjustmentResult) -> np.ndarray:
     """The second moment of the steps to the minima of all sizes, each by its likelihood."""
-    equations, at = assemble_normal_equations(found.linear, found.judgements), found.layout
+    equations, at = assemble_normal_equations(found.linear, found.weights), found.layout
     links = found.state.links
     steps, logs = [], []
-    held = links / found.scales.of_links(len(links) // 6) ** 2
+    held = links / found.scales.link_error_sds(len(links) // 6) ** 2
     for turn in FACTORS:
         for shift in FACTORS:
             size = replace(
@@ -42,7 +42,7 @@ def in_full(found: AdjustmentResult) -> np.ndarray:
                 links_rad=found.scales.links_rad * turn,
                 links_mm=found.scales.links_mm * shift,
             )
-            sd = size.of_links(len(links) // 6)
+            sd = size.link_error_sds(len(links) // 6)
             parts, _ = equations.with_scales(size)
             # the gradient at the minimum comes of the change of the size alone
             g = np.zeros(at.count)
@@ -63,14 +63,16 @@ def test_the_covariance_grows_by_what_every_size_would_give(found: AdjustmentRes
     sd = np.sqrt(np.diag(found.covariance))[found.free]
     both = np.ix_(found.free, found.free)
     expected = in_full(found)[both] / np.outer(sd, sd)
-    np.testing.assert_allclose(found.by_link_sizes[both] / np.outer(sd, sd), expected, atol=1e-5)
+    np.testing.assert_allclose(
+        found.link_size_covariance[both] / np.outer(sd, sd), expected, atol=1e-5
+    )
     assert np.diag(expected)[SENSOR].max() > 1e-3
 
 
 def test_sizes_that_are_known_add_nothing() -> None:
     draw = draw_session(draw_setup(SET_UPS[0]), np.random.default_rng(1))
     known = solve_adjustment(draw.problem, draw.start, SET_UPS[0].scales)
-    assert not known.by_link_sizes.any()
+    assert not known.link_size_covariance.any()
 
 
 def test_before_anything_is_told_the_usual_size_is_likeliest() -> None:

@@ -107,14 +107,14 @@ class DetectionCache:
 
     def __init__(self) -> None:
         self._session_id = ""
-        self._seen: dict[int, AnyDetection | OperationError] = {}
+        self._detections: dict[int, AnyDetection | OperationError] = {}
 
     def keep(self, session_id: str, number: int, seen: AnyDetection | OperationError) -> None:
         """Remembers what a pose's pictures showed."""
         if session_id != self._session_id:
-            self._session_id, self._seen = session_id, {}
-        self._seen[number] = seen
+            self._session_id, self._detections = session_id, {}
+        self._detections[number] = seen
 
     def of(self, session_id: str) -> Mapping[int, AnyDetection | OperationError]:
         """What is known of a session's poses, by number."""
-        return dict(self._seen) if session_id == self._session_id else {}
+        return dict(self._detections) if session_id == self._session_id else {}

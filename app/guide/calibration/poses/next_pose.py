@@ -80,16 +80,18 @@ def _so_far(
         of_board = board_inputs(session, limits, known=known)
         assert isinstance(of_board.arm, Arm)  # a station's own arm has joints
         on_board = calibrate_board(of_board)
-        numbers = [pose.number for pose in of_board.seen]
-        q_rad = _select_used(numbers, of_board.readings, on_board.adjusted)
+        numbers = [pose.number for pose in of_board.observations]
+        q_rad = _select_used(numbers, of_board.readings, on_board.adjustment)
         return _SoFar(
-            of_board.arm, of_board.board, on_board.adjusted, on_board.known.total_um, q_rad
+            of_board.arm, of_board.board, on_board.adjustment, on_board.uncertainty.total_um, q_rad
         )
     of_block = joint_inputs(session, limits, known=known)
     on_block = calibrate_block(of_block)
-    numbers = [pose.number for pose in of_block.seen]
-    q_rad = _select_used(numbers, of_block.q_rad, on_block.adjusted)
-    return _SoFar(of_block.arm, of_block.block, on_block.adjusted, on_block.known.total_um, q_rad)
+    numbers = [pose.number for pose in of_block.observations]
+    q_rad = _select_used(numbers, of_block.q_rad, on_block.adjustment)
+    return _SoFar(
+        of_block.arm, of_block.block, on_block.adjustment, on_block.uncertainty.total_um, q_rad
+    )
 
 
 def _select_used(numbers: list[int], q_rad: Floats, found: AdjustmentResult) -> Floats:

@@ -27,7 +27,7 @@ NEAR_DEG, NEAR_MM = 5.0, 5.0
 
 def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Bring the sensor over the object and clamp the arm."""
-    found = live.corners_seen >= FEWEST_CORNERS
+    found = live.corners_detected >= FEWEST_CORNERS
     there = live.to_move is None or is_reached(live.to_move)
     planned, picture = _plan_view(state, live), _camera(state, live)
     goal = "Hold the sensor over the object, in another way than before."
@@ -144,7 +144,7 @@ def is_reached(left: PoseDelta) -> bool:
 def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Take another pose, or compute the calibration from the points and the pictures."""
     advice = live.advice
-    findings = list(live.seen.findings) if live.seen else []
+    findings = list(live.latest_outcome.findings) if live.latest_outcome else []
     findings.sort(key=lambda finding: finding.quality != "bad")
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
@@ -234,8 +234,8 @@ def _stillness(live: CalibrationLive) -> LiveNumber:
 
 def _picture_findings(live: CalibrationLive) -> list[Finding]:
     """What is to be said of the live picture, each thing once."""
-    if live.corners_seen >= FEWEST_CORNERS:
-        found = Finding("good", f"{live.corners_seen} corners of the object are found.")
+    if live.corners_detected >= FEWEST_CORNERS:
+        found = Finding("good", f"{live.corners_detected} corners of the object are found.")
         # their number stands below the picture, too: what needs attention has the room
         return _once(live.picture_findings) or [found]
     if live.laser_on:

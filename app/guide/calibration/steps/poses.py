@@ -25,7 +25,7 @@ def pose_pictures(
         _pose(
             capture,
             f"/api/flow/image/{capture.ambient.rsplit('/', 1)[-1]}?session={state.session_id}",
-            live.looked_at.get(capture.number),
+            live.capture_outcomes.get(capture.number),
             rows.get(capture.number),
             drawings.get(capture.number),
             None if state.ended else _action(state, live, capture),

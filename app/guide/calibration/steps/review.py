@@ -13,7 +13,7 @@ from app.guide.common.view import Action, LiveNumber, ResultPicture
 
 def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """The numbers, the verdict with its reasons, and accept or repeat."""
-    seen, item = live.seen, live.chosen.object
+    seen, item = live.latest_outcome, live.chosen.object
     if seen is None or seen.result is None or item is None:
         return solve_step(state, live)
     result, stale = seen.result, state.outcome is None

@@ -60,22 +60,22 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
     arms = [
         ChoiceOption(
             entry.id,
-            entry.sheet.name,
-            f"serial number {entry.sheet.serial_number}, {entry.sheet.joint_count} joints, "
-            f"tip Ø {entry.sheet.tip.diameter_mm:.3f} mm",
+            entry.datasheet.name,
+            f"serial number {entry.datasheet.serial_number}, {entry.datasheet.joint_count} joints, "
+            f"tip Ø {entry.datasheet.tip.diameter_mm:.3f} mm",
         )
         for entry in library.arms.values()
     ]
     objects = [
-        ChoiceOption(entry.id, entry.sheet.name, _object_detail(entry.sheet))
+        ChoiceOption(entry.id, entry.datasheet.name, _object_detail(entry.datasheet))
         for entry in library.objects.values()
     ]
     sensors = [
         ChoiceOption(
             entry.id,
-            entry.sheet.name,
-            f"serial number {entry.sheet.serial_number}, "
-            f"{entry.sheet.width_px} × {entry.sheet.height_px} pixels",
+            entry.datasheet.name,
+            f"serial number {entry.datasheet.serial_number}, "
+            f"{entry.datasheet.width_px} × {entry.datasheet.height_px} pixels",
         )
         for entry in library.sensors.values()
     ]

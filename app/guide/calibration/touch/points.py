@@ -22,7 +22,7 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
     """
     with guide.lock:
         state = guide.state
-        chosen = guide.sheets.chosen(state)
+        chosen = guide.datasheets.selection(state)
         arm = chosen.arm
         if arm is None or chosen.object is None:
             raise OperationError("no-arm-model", "The arm that was chosen cannot be read any more")
@@ -82,8 +82,8 @@ def void_point(guide: CalibrationGuide, index: int, key: str | None) -> None:
 
 def _go_on(guide: CalibrationGuide) -> None:
     """Turns to the next face when this point completed its face."""
-    state, item = guide.state, guide.sheets.chosen(guide.state).object
-    report = guide.sheets.touch(state)
+    state, item = guide.state, guide.datasheets.selection(guide.state).object
+    report = guide.datasheets.touch(state)
     if report is None or item is None:
         return
     faces = face_progress(report, face_in_use(state.face, item), item)
@@ -95,7 +95,7 @@ def _go_on(guide: CalibrationGuide) -> None:
 
 def _report_point(guide: CalibrationGuide) -> None:
     """Says what the new point is worth, for an operator who looks at the arm."""
-    point, report = guide.state.counted[-1], guide.sheets.touch(guide.state)
+    point, report = guide.state.counted[-1], guide.datasheets.touch(guide.state)
     text = f"Point {point.index + 1} on the {point.face} face"
     if point.face == BOARD:
         text = f"Point {point.index + 1} on the board"

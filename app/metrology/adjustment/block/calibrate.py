@@ -84,9 +84,9 @@ class BlockInputs:
     block: Crenellated
     features: tuple[str, ...]  # (N) the face of each contact
     contact_q_rad: Floats  # (N, n)
-    seen: tuple[BlockObservation, ...]
+    observations: tuple[BlockObservation, ...]
     q_rad: Floats
-    unseen: tuple[FailedPose, ...] = ()
+    failed_poses: tuple[FailedPose, ...] = ()
     limits: Limits = LIMITS
 
 
@@ -98,14 +98,14 @@ class BlockCalibration:
     choice, which lets one pose give what the paper gives.
     """
 
-    adjusted: AdjustmentResult
+    adjustment: AdjustmentResult
     alignment: Alignment
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
     poses: tuple[PoseResult, ...]
-    known: CalibrationUncertainty
+    uncertainty: CalibrationUncertainty
     stripe_rms_um: float  # of the stripe's points to the laser plane
     depth_range_mm: tuple[float, float]
     findings: tuple[CalibrationFinding, ...]
@@ -148,7 +148,7 @@ def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> Bl
     found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
     found, astray = remove_outlier_lines(found)
     say("Working out the uncertainty", 0.8)
-    result = _assemble_result(inputs, alignment, found, mounting, start.lines_out | astray)
+    result = _assemble_result(inputs, alignment, found, mounting, start.excluded_lines_mm | astray)
     say("Done", 1.0)
     return result
 
@@ -170,26 +170,27 @@ class _Start:
     problem: AdjustmentProblem
     state: AdjustmentState
     mounting: Mounting
-    lines_out: dict[int, float]
+    excluded_lines_mm: dict[int, float]
 
 
 def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
     """All that is to agree without poses that contradict the others, and a start for it."""
     arm, block = inputs.arm, inputs.block
-    camera, plane = common_camera(inputs.seen, block)
-    T_cam_obj = np.array([estimate_block_pose(camera, pose, block) for pose in inputs.seen])
-    plane, lines_out = fit_common_plane(inputs.seen, block, camera, T_cam_obj, plane)
+    camera, plane = common_camera(inputs.observations, block)
+    T_cam_obj = np.array([estimate_block_pose(camera, pose, block) for pose in inputs.observations])
+    plane, lines_out = fit_common_plane(inputs.observations, block, camera, T_cam_obj, plane)
     moves = arm_motion(arm, inputs.q_rad)
     mounting = mounting_by_contacts(
         moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
     )
-    refuse_contradictions(mounting, [pose.number for pose in inputs.seen], "object")
+    refuse_contradictions(mounting, [pose.number for pose in inputs.observations], "object")
     papers = block_prior(block)
     views = tuple(
-        _view(pose, block, camera, plane, T) for pose, T in zip(inputs.seen, T_cam_obj, strict=True)
+        _view(pose, block, camera, plane, T)
+        for pose, T in zip(inputs.observations, T_cam_obj, strict=True)
     )
     problem = AdjustmentProblem(
-        tuple(pose.number for pose in inputs.seen),
+        tuple(pose.number for pose in inputs.observations),
         views,
         moves,
         block_contacts(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
@@ -231,7 +232,7 @@ def _view(
         block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
     )
     placed, in_obj = in_frame(camera, plane, inverse(T_cam_obj))
-    return view.sorted_anew(placed, in_obj, block_prior(block).coordinates)
+    return view.reclassify_stripe(placed, in_obj, block_prior(block).coordinates)
 
 
 def _adjust_twice(problem: AdjustmentProblem, start: AdjustmentState) -> AdjustmentResult:
@@ -261,16 +262,18 @@ def _assemble_result(
     camera, plane, T_flange_sensor = express_in_sensor_frame(state, T_cam_sensor)
     used = [
         replace(pose, reason=_line_problem(pose, lines_out))
-        for pose in pose_results(found, inputs.seen, inputs.block)
+        for pose in pose_results(found, inputs.observations, inputs.block)
     ]
-    out = outlier_pose_results([pose.number for pose in inputs.seen], mounting)
-    unseen = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
+    out = outlier_pose_results([pose.number for pose in inputs.observations], mounting)
+    unseen = [
+        PoseResult(one.number, False, str(one.error).rstrip(".")) for one in inputs.failed_poses
+    ]
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
     evidence = BlockEvidence(
         inputs.block,
         alignment,
         inputs.features,
-        inputs.seen,
+        inputs.observations,
         found,
         worth,
         poses,
@@ -301,7 +304,7 @@ def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> str:
 
 
 def _refuse_unusable(inputs: BlockInputs) -> None:
-    require_observations(inputs.seen, inputs.unseen, "object")
+    require_observations(inputs.observations, inputs.failed_poses, "object")
     joints = inputs.arm.joint_count
     for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
         if q.ndim != 2 or q.shape[1] != joints:
@@ -313,7 +316,9 @@ def _refuse_unusable(inputs: BlockInputs) -> None:
             )
         if not np.isfinite(q).all():
             raise OperationError("angles-not-finite", f"{name}: a joint angle is not a number")
-    sizes = {(p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.seen}
+    sizes = {
+        (p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.observations
+    }
     if len(sizes) > 1:
         raise OperationError(
             "image-size",

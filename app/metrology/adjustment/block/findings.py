@@ -43,25 +43,27 @@ class BlockEvidence:
     block: Crenellated
     alignment: Alignment
     features: Sequence[str]
-    seen: Sequence[BlockObservation]
-    found: AdjustmentResult
-    known: CalibrationUncertainty
+    observations: Sequence[BlockObservation]
+    result: AdjustmentResult
+    uncertainty: CalibrationUncertainty
     poses: Sequence[PoseResult]
-    lines_out: dict[int, float]  # mm off the plane of the others, by the poses' numbers
+    excluded_lines_mm: dict[int, float]  # mm off the plane of the others, by the poses' numbers
     limits: Limits
 
 
 def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
-    state, covariance = evidence.found.state, evidence.found.covariance
+    state, covariance = evidence.result.state, evidence.result.covariance
     found = (
-        uncertainty_verdict(evidence.known.total_um, evidence.known.rows, evidence.limits),
+        uncertainty_verdict(
+            evidence.uncertainty.total_um, evidence.uncertainty.rows, evidence.limits
+        ),
         *contact_findings(evidence.alignment, evidence.features, evidence.limits),
-        *block_fault_findings(evidence.found, evidence.limits),
+        *block_fault_findings(evidence.result, evidence.limits),
         *_pose_findings(evidence),
         *_arm_findings(evidence),
         *_image_findings(evidence),
-        *size_coverage_findings([pose.detection for pose in evidence.seen]),
+        *size_coverage_findings([pose.detection for pose in evidence.observations]),
         *pixel_aspect_findings(state.camera, covariance[:2, :2]),
         *_line_findings(evidence),
         _stripe_finding(evidence),
@@ -72,7 +74,7 @@ def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
 def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     out = [pose for pose in evidence.poses if not pose.used]
-    seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
+    seen = {pose.number for pose in evidence.observations}  # others' reasons say what to do
     found = [
         CalibrationFinding(
             "attention",
@@ -106,7 +108,7 @@ def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             pose=furthest.number,
         )
     )
-    turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
+    turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
         found.append(
             CalibrationFinding(
@@ -131,9 +133,9 @@ def largest_turn_deg(T_arm_flange: Floats) -> float:
 
 
 def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
-    scales: Scales = evidence.found.scales
+    scales: Scales = evidence.result.scales
     links_um = next(
-        (row.value_um for row in evidence.known.rows if row.source == "arm geometry"), 0.0
+        (row.value_um for row in evidence.uncertainty.rows if row.source == "arm geometry"), 0.0
     )
     poor = 1e3 * scales.links_mm > evidence.limits.good_um
     found = [
@@ -160,7 +162,7 @@ def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             )
         )
     remedy = "Check that the pictures' joint angles are those of their poses."
-    found += sensor_distance_findings(evidence.known.pivot_mm, remedy)
+    found += sensor_distance_findings(evidence.uncertainty.pivot_mm, remedy)
     return found
 
 
@@ -183,8 +185,8 @@ def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
         )
     ]
     told: set[str] = set()
-    for pose in evidence.seen:
-        for item in pose.picture:
+    for pose in evidence.observations:
+        for item in pose.image_findings:
             if item.code not in told:
                 told.add(item.code)
                 text = f"Pose {pose.number}: {item.text}"
@@ -205,7 +207,7 @@ def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             "its two pictures, and that the laser sits firmly; take the pose again.",
             number,
         )
-        for number, off_mm in sorted(evidence.lines_out.items())
+        for number, off_mm in sorted(evidence.excluded_lines_mm.items())
     ]
     missing = [
         CalibrationFinding(
@@ -217,17 +219,21 @@ def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             pose.number,
         )
         for pose in evidence.poses
-        if pose.used and not pose.stripe_points and pose.number not in evidence.lines_out
+        if pose.used and not pose.stripe_points and pose.number not in evidence.excluded_lines_mm
     ]
     return [*moved, *missing]
 
 
 def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
-    used = [pose for pose in evidence.poses if pose.used and pose.number not in evidence.lines_out]
+    used = [
+        pose
+        for pose in evidence.poses
+        if pose.used and pose.number not in evidence.excluded_lines_mm
+    ]
     points = sum(pose.stripe_points for pose in used)
     square = sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1)
     numbers = {pose.number for pose in used}
-    extracted = sum(len(pose.stripe.u) for pose in evidence.seen if pose.number in numbers)
+    extracted = sum(len(pose.stripe.u) for pose in evidence.observations if pose.number in numbers)
     share, rms_px = points / max(extracted, 1), float(np.sqrt(square))
     remedy = ""
     if rms_px > STRIPE_RMS_PX:

@@ -54,17 +54,19 @@ class BlockView:
             shape = empty_rows(scene)
         return shape, stripe_rows(scene, self.stripe, self.level)
 
-    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BlockView":
+    def reclassify_stripe(
+        self, camera: Camera, plane: LaserPlane, coordinates: Floats
+    ) -> "BlockView":
         block = with_coordinates(self.block, coordinates)
         return replace(self, level=agreeing_levels(camera, block, self.stripe, plane))
 
-    def merged(
+    def bin_points(
         self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
     ) -> tuple["BlockView", tuple[RobustWeights, RobustWeights]]:
         shape, stripe = self.edges, self.stripe
         as_shape = judged[0]
         if self.edges:
-            shape = self._merged_edges(rows[0], judged[0])
+            shape = self._bin_edges(rows[0], judged[0])
             as_shape = unit_weights(sum(len(edge.uv_px) for edge in shape))
         used = np.flatnonzero(self.level != "")
         few = bin_neighbours(rows[1].places, stripe.sigma_px[used], rows[1].line, judged[1])
@@ -74,7 +76,7 @@ class BlockView:
         view = replace(self, edges=shape, stripe=fewer, level=level)
         return view, (as_shape, unit_weights(len(level)))
 
-    def _merged_edges(self, rows: Rows, judged: RobustWeights) -> tuple[EdgePoints, ...]:
+    def _bin_edges(self, rows: Rows, judged: RobustWeights) -> tuple[EdgePoints, ...]:
         few = bin_neighbours(rows.places, rows.sigma, rows.line, judged)
         normal = np.concatenate([edge.normal for edge in self.edges])[few.first]
         line = rows.line[few.first]

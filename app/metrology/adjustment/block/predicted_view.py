@@ -35,12 +35,12 @@ class ObservationNoise:
     corner_px: float = 0.04
     stripe_px: float = 0.11
     axis: str = "u"
-    merged: int = 1
+    bin_size: int = 1
 
     @property
-    def share(self) -> float:
+    def sd_factor(self) -> float:
         """Of one point's standard deviation, what several together have."""
-        return float(self.merged**-0.5)
+        return float(self.bin_size**-0.5)
 
 
 def predict_view(
@@ -81,13 +81,13 @@ def _predict_edge(
 ) -> EdgePoints:
     ends = project(camera, np.array([start_mm, end_mm]))
     length = float(np.linalg.norm(ends[1] - ends[0]))
-    step = EDGE_STEP_PX * seeing.merged
+    step = EDGE_STEP_PX * seeing.bin_size
     count = int(max(length - 2 * END_PX, 0.0) / step)
     share = (END_PX + step * (np.arange(count) + 0.5)) / max(length, 1.0)
     uv = project(camera, start_mm + share[:, None] * (end_mm - start_mm))
     uv = uv[inside(camera, uv, END_PX)]
     across = np.array([-(ends[1] - ends[0])[1], (ends[1] - ends[0])[0]]) / max(length, 1e-9)
-    sigma = np.full(len(uv), seeing.edge_px * seeing.share)
+    sigma = np.full(len(uv), seeing.edge_px * seeing.sd_factor)
     return EdgePoints(name, uv, np.broadcast_to(across, uv.shape), sigma)
 
 
@@ -127,14 +127,14 @@ def _predict_stripe(
         step = float(np.linalg.norm(pixels[-1] - pixels[0])) / max(len(pixels) - 1, 1)
         margin = max(int(EDGE_MARGIN_PX / max(step, 1e-6)), 1)
         chosen = pixels[
-            margin : -margin : max(1, round(STRIPE_STEP_PX * seeing.merged / max(step, 1e-6)))
+            margin : -margin : max(1, round(STRIPE_STEP_PX * seeing.bin_size / max(step, 1e-6)))
         ]
         chosen = chosen[inside(camera, chosen, EDGE_MARGIN_PX)]
         uv.append(chosen)
         level += [name] * len(chosen)
     all_uv = np.concatenate(uv)
     bright = np.full(len(all_uv), 150.0)
-    sigma = np.full(len(all_uv), seeing.stripe_px * seeing.share)
+    sigma = np.full(len(all_uv), seeing.stripe_px * seeing.sd_factor)
     stripe = Stripe(all_uv[:, 0], all_uv[:, 1], bright, sigma, seeing.axis)
     return stripe, np.array(level, dtype="<U5")
 

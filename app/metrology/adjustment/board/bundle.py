@@ -37,13 +37,13 @@ class Bundle:
     ``T_cam_obj``."""
 
     cameras: tuple[Camera, ...]
-    sheet: TargetPrior
+    surface_prior: TargetPrior
     scatter_px: Floats
     covariance: Floats
 
     @property
     def coordinates(self) -> Floats:
-        return self.sheet.coordinates
+        return self.surface_prior.coordinates
 
 
 def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
@@ -64,14 +64,14 @@ def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bund
 
 def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPrior) -> Bundle:
     """One round of Gauss-Newton; the sheet's deviations are told anew."""
-    certified, sd, board = papers.coordinates, at.sheet.sd, views[0].board
+    certified, sd, board = papers.coordinates, at.surface_prior.sd, views[0].board
     shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
     sheet = np.arange(len(COMMON), shared)
     count = shared + len(PER_POSE) * len(views)
     N, g = np.zeros((count, count)), np.zeros(count)
     normed, scatter = [], np.zeros(len(views))
     for p, (view, camera) in enumerate(zip(views, at.cameras, strict=True)):
-        rows = view.corner_rows(camera, at.sheet.coordinates)
+        rows = view.corner_rows(camera, at.surface_prior.coordinates)
         J, r = np.zeros((len(rows.residuals), count)), rows.residuals
         J[:, : len(COMMON)] = rows.jacobian[:, COMMON]
         J[:, len(COMMON) : shared] = rows.jacobian[:, BLOCK]
@@ -85,7 +85,7 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPri
     N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
     g[common] += pull[OF_PRIOR]
     N[sheet, sheet] += sd**-2.0
-    g[sheet] += (at.sheet.coordinates - certified) / sd**2
+    g[sheet] += (at.surface_prior.coordinates - certified) / sd**2
     scale = np.diag(N) ** -0.5
     C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
     step = -C @ g
@@ -94,7 +94,7 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPri
     r = np.concatenate(normed)
     degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - told, 1)
     factor = float(np.sqrt(r @ r / degrees))
-    coordinates = at.sheet.coordinates + step[sheet]
+    coordinates = at.surface_prior.coordinates + step[sheet]
     variances = np.minimum(factor**2 * np.diag(C)[sheet], sd**2)
     return Bundle(
         tuple(_step_camera(camera, step, shared, p) for p, camera in enumerate(at.cameras)),

@@ -67,14 +67,14 @@ class BoardCalibration:
     The sensor frame is the board's frame as the first used pose saw it.
     """
 
-    adjusted: AdjustmentResult
+    adjustment: AdjustmentResult
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
     corners_mm: Floats  # (N, 3) where they truly are, in the board's frame
     poses: tuple[PoseResult, ...]
-    known: CalibrationUncertainty
+    uncertainty: CalibrationUncertainty
     contacts: BoardContacts | None
     stripe_rms_um: float  # of the line's points to the laser plane
     depth_range_mm: tuple[float, float]
@@ -108,7 +108,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
         Refusal: whatever makes the calibration impossible, by its reason.
     """
     say = progress or (lambda _what, _share: None)
-    require_observations(inputs.seen, inputs.unseen, "board")
+    require_observations(inputs.observations, inputs.failed_poses, "board")
     say("Finding a start", 0.0)
     start = board_problem(inputs)
     say("Adjusting all poses together", 0.3)
@@ -127,7 +127,7 @@ def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[Adjustment
     found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
     found = remove_outlier_contacts(found)
     again = reclassify_stripes(found)
-    if start.moved:
+    if start.laser_moved:
         return solve_adjustment(again, found.state), mounting
     # The start's lines can lie so far off that nothing is made of them at first.
     for _ in range(SCATTER_ROUNDS):
@@ -152,13 +152,13 @@ def _assemble_result(
     contacts = board_contacts(found)
     evidence = BoardEvidence(
         inputs.board,
-        inputs.seen,
+        inputs.observations,
         found,
         worth,
         poses,
         inputs.limits,
-        start.lines_out if start.moved else {},
-        start.apart,
+        start.excluded_lines_mm if start.laser_moved else {},
+        start.contradicting_lines_mm,
         contacts,
     )
     return BoardCalibration(
@@ -197,19 +197,22 @@ def _pose_results(
     inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
 ) -> tuple[PoseResult, ...]:
     """Of the poses used, of those that contradict, and of those that show no board."""
-    results = [PoseResult(one.number, False, str(one.refusal).rstrip(".")) for one in inputs.unseen]
-    numbers = [pose.number for pose in inputs.seen]
+    results = [
+        PoseResult(one.number, False, str(one.error).rstrip(".")) for one in inputs.failed_poses
+    ]
+    numbers = [pose.number for pose in inputs.observations]
     readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
     results += outlier_pose_results(numbers, start.mounting, readings)
-    for pose in board_pose_results(found, inputs.seen, inputs.board):
+    for pose in board_pose_results(found, inputs.observations, inputs.board):
         results.append(replace(pose, reason=_line_problem(pose.number, start)))
     return tuple(sorted(results, key=lambda pose: pose.number))
 
 
 def _line_problem(number: int, start: BoardStart) -> str:
     """What is wrong with the laser's line of a pose that was used, if anything."""
-    if number in start.lines_out:
-        return line_exclusion_reason(start.lines_out[number])
-    if number in start.apart:
-        return f"its laser line lies {start.apart[number]:.1f} mm off the plane of the others"
+    if number in start.excluded_lines_mm:
+        return line_exclusion_reason(start.excluded_lines_mm[number])
+    if number in start.contradicting_lines_mm:
+        off_mm = start.contradicting_lines_mm[number]
+        return f"its laser line lies {off_mm:.1f} mm off the plane of the others"
     return ""

@@ -51,19 +51,19 @@ class BoardEvidence:
     """All that a calibration on a board can be judged by."""
 
     board: Chessboard
-    seen: Sequence[BoardObservation]
-    found: AdjustmentResult
-    known: CalibrationUncertainty
+    observations: Sequence[BoardObservation]
+    result: AdjustmentResult
+    uncertainty: CalibrationUncertainty
     poses: Sequence[PoseResult]
     limits: Limits
-    lines_before: dict[int, float]  # mm by pose number: of a laser that moved, left out
-    lines_apart: dict[int, float]  # the same, where they count
+    excluded_lines_mm: dict[int, float]  # mm by pose number: of a laser that moved, left out
+    contradicting_lines_mm: dict[int, float]  # the same, where they count
     contacts: BoardContacts | None
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
-    found = evidence.found
+    found = evidence.result
     told = (
         _verdict(evidence),
         *_contact_findings(evidence),
@@ -72,7 +72,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
         _bend_finding(evidence),
         *_pose_findings(evidence),
         *_rocking_findings(found),
-        *_image_findings(evidence.seen),
+        *_image_findings(evidence.observations),
         *pixel_aspect_findings(found.state.camera, found.covariance[:2, :2]),
         *_line_findings(evidence),
         _stripe_finding(evidence),
@@ -82,8 +82,8 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
 
 def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
     """By the user's limits; what helps is more pictures, or a laser that stays."""
-    known, limits = evidence.known, evidence.limits
-    poses = len(evidence.found.problem.views)
+    known, limits = evidence.uncertainty, evidence.limits
+    poses = len(evidence.result.problem.views)
     limit = limits.good_um if known.total_um <= limits.usable_um else limits.usable_um
     asked = int(np.ceil(poses * (known.total_um / limit) ** 2))
     more = "Take more pictures, tilted to all sides"
@@ -98,16 +98,16 @@ def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
         ROBOT_ROW: f"{more}. If that is all the robot can do, set the limits to what the scans need"
         " (--good-um, --usable-um).",
     }
-    if evidence.lines_before or evidence.lines_apart:
+    if evidence.excluded_lines_mm or evidence.contradicting_lines_mm:
         remedies["stripe"] = "Let the laser come to rest, and take the pictures again."
     return uncertainty_verdict(known.total_um, known.rows, limits, remedies)
 
 
 def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
-    contacts, touches, limits = evidence.contacts, evidence.found.problem.touches, evidence.limits
+    contacts, touches, limits = evidence.contacts, evidence.result.problem.contacts, evidence.limits
     if contacts is None or touches is None:
         return []
-    count, rms_um = int((~contacts.left_out).sum()), contacts.rms_um
+    count, rms_um = int((~contacts.excluded).sum()), contacts.rms_um
     text = f"{count} contacts lie on the board to {rms_um:.0f} µm rms."
     found = [CalibrationFinding("good", "contacts", text)]
     if rms_um > limits.good_um:
@@ -119,13 +119,13 @@ def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
             "Check that the tip is the one of the arm's file, and that board and arm stood firm."
         )
         found = [CalibrationFinding("attention", "contacts", text, remedy)]
-    left_out = contact_outlier_findings(touches.features, contacts.residuals_um, contacts.left_out)
+    left_out = contact_outlier_findings(touches.features, contacts.residuals_um, contacts.excluded)
     return [*found, *left_out]
 
 
 def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """The corners' places one by one against the certificate, which may be silent on them."""
-    board, papers = evidence.board, evidence.found.problem.papers
+    board, papers = evidence.board, evidence.result.problem.prior
     told_mm = float(papers.sd[coordinate_groups(board)[1]][0])
     if told_mm < PRINT_TIMES * board.standard_uncertainty_mm:
         return []
@@ -141,7 +141,7 @@ def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
 
 
 def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
-    found, board = evidence.found, evidence.board
+    found, board = evidence.result, evidence.board
     bend = evaluate_surface(board, found.state.coordinates, corner_points(board)[:, :2]).height_mm
     rms_mm = float(np.sqrt(np.mean(bend**2)))
     if rms_mm > BENT_TIMES * max(board.flatness_mm, FLATTEST_MM):
@@ -158,8 +158,10 @@ def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
 
 def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
-    seen = {pose.number for pose in evidence.seen}  # others' reasons say what to do
-    about_lines = evidence.lines_before | evidence.lines_apart  # are told with the lines
+    seen = {pose.number for pose in evidence.observations}  # others' reasons say what to do
+    about_lines = (
+        evidence.excluded_lines_mm | evidence.contradicting_lines_mm
+    )  # are told with the lines
     said = [
         CalibrationFinding(
             "attention",
@@ -184,7 +186,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
             "Take more pictures, tilted to all sides." if len(used) < FEW_POSES else "",
         )
     )
-    turn = largest_turn_deg(evidence.found.problem.motion.T_arm_flange)
+    turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
         said.append(
             CalibrationFinding(
@@ -219,7 +221,9 @@ def _rocking_findings(found: AdjustmentResult) -> list[CalibrationFinding]:
 
 def _image_findings(seen: Sequence[BoardObservation]) -> list[CalibrationFinding]:
     """What a single picture suffers from, each kind once, by the first pose that shows it."""
-    first = {item.code: (pose.number, item) for pose in reversed(seen) for item in pose.picture}
+    first = {
+        item.code: (pose.number, item) for pose in reversed(seen) for item in pose.image_findings
+    }
     return [
         CalibrationFinding(
             "attention",
@@ -233,7 +237,7 @@ def _image_findings(seen: Sequence[BoardObservation]) -> list[CalibrationFinding
 
 def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """Lines that contradict the others, and are too many to be mistakes."""
-    before, apart = evidence.lines_before, evidence.lines_apart
+    before, apart = evidence.excluded_lines_mm, evidence.contradicting_lines_mm
     remedy = "Let the laser warm up, check its mount, and take the pictures again."
     if before:
         text = (

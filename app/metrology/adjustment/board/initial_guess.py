@@ -33,7 +33,7 @@ class BoardObservation:
     number: int
     detection: BoardDetection
     stripe: Stripe
-    picture: tuple[ImageFinding, ...] = ()
+    image_findings: tuple[ImageFinding, ...] = ()
 
 
 def board_camera(

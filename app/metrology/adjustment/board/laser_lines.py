@@ -51,9 +51,9 @@ class LaserLines:
 
     plane: LaserPlane
     off_mm: Floats
-    left_out: tuple[int, ...]
-    apart: tuple[int, ...]
-    moved: bool
+    excluded: tuple[int, ...]
+    contradicting: tuple[int, ...]
+    laser_moved: bool
     scatter_mm: float
     scatter_rad: float
 
@@ -184,7 +184,7 @@ def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[Las
         scatter = _estimate_scatter(np.sum(left**2, axis=0), len(off) - fitted)
         if moved:
             scatter[1] = max(scatter[1], scatter[0] / half_mm)
-        plane = plane.stepped(step)
+        plane = plane.apply_step(step)
     return plane, scatter
 
 
@@ -211,11 +211,11 @@ def estimate_line_scatter(found: AdjustmentResult) -> Floats:
     the adjustment did not determine (Foerstner)."""
     square, free = np.zeros(2), np.zeros(2)
     for scene, (_, rows), (_, judgement) in zip(
-        found.linear.scenes, found.linear.rows, found.judgements, strict=True
+        found.linear.scenes, found.linear.rows, found.weights, strict=True
     ):
         if rows.shared is None:
             continue
-        kept = judgement.kept
+        kept = judgement.inliers
         own = np.linalg.pinv(rows.shared[kept])  # each line's offset and turn, in deviations
         J = own @ rows.jacobian[kept] @ scene.by_unknowns
         square += (own @ rows.residuals[kept]) ** 2

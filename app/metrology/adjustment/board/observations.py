@@ -54,7 +54,9 @@ class BoardView:
             self._stripe_rows(camera, plane, coordinates),
         )
 
-    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "BoardView":
+    def reclassify_stripe(
+        self, camera: Camera, plane: LaserPlane, coordinates: Floats
+    ) -> "BoardView":
         points = intersect_surface(self.board, camera, coordinates, self.stripe.uv_px)
         near = around_pattern(self.board, points)
         off = np.full(len(points), np.inf)
@@ -64,7 +66,7 @@ class BoardView:
         usual = float(np.median(np.abs(off[near]))) if near.any() else 0.0
         return replace(self, used=np.abs(off) < max(OFF_PLANE_MM, OFF_PLANE_TIMES * usual))
 
-    def merged(
+    def bin_points(
         self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
     ) -> tuple["BoardView", tuple[RobustWeights, RobustWeights]]:
         used = np.flatnonzero(self.used)
@@ -84,7 +86,7 @@ class BoardView:
             self, stripe=empty_stripe(self.stripe.axis), used=np.zeros(0, dtype=np.bool_)
         )
 
-    def _bends(self) -> slice:
+    def _bend_columns(self) -> slice:
         own = bend_slice(self.board)
         return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
 
@@ -100,7 +102,7 @@ class BoardView:
         own = by_point[:, :, :2] + by_point[:, :, 2:] * bent.slope[:, None, :]  # by x and y
         share = (corner_grid(board) / (np.array(board.inner_corners) - 1))[seen.number]
         J[:, :, BLOCK.start : BLOCK.start + 2] = own * share[:, None, :]
-        bends = self._bends()
+        bends = self._bend_columns()
         J[:, :, bends] = by_point[:, :, 2:] * bent.by_bend[:, None, :]
         prints = bends.stop + seen.number
         every = np.arange(len(at))
@@ -145,7 +147,7 @@ class BoardView:
         J[:, PLANE.start : PLANE.start + 2] = -(start @ tangents(n).T) * by_offset[:, None]
         J[:, PLANE.start + 2] = by_offset
         by_height = np.sum(to_normal * lifted, axis=1)
-        bends = self._bends()
+        bends = self._bend_columns()
         J[:, bends] = by_height[:, None] * bent.by_bend
         residuals = np.sum((uv - seen) * normal, axis=1)
         return Rows(
@@ -154,10 +156,10 @@ class BoardView:
             -J,
             uv,
             np.zeros(len(uv), dtype=np.int64),
-            shared=self._shared(on, by_offset),
+            shared=self._common_errors(on, by_offset),
         )
 
-    def _shared(self, on_mm: Floats, px_per_mm: Floats) -> Floats | None:
+    def _common_errors(self, on_mm: Floats, px_per_mm: Floats) -> Floats | None:
         """(N, 2) by how much points follow the line's own offset and turn, each one deviation."""
         if not len(on_mm) or not self.line_off_mm:
             return None

@@ -41,7 +41,7 @@ def predict_board_view(
     number = np.flatnonzero(inside(camera, uv, BORDER_PX))
     covariance = np.tile(seeing.corner_px**2 * np.eye(2), (len(number), 1, 1))
     line = _predict_line(camera, plane, board, seeing)
-    sigma = np.full(len(line), seeing.stripe_px * seeing.share)
+    sigma = np.full(len(line), seeing.stripe_px * seeing.sd_factor)
     return replace(
         like,
         detection=BoardDetection(uv[number], covariance, number),
@@ -67,5 +67,5 @@ def _predict_line(
         return np.zeros((0, 2))
     uv = project(camera, points)
     step = float(np.linalg.norm(uv[-1] - uv[0])) / (len(uv) - 1)
-    uv = uv[:: max(1, round(STRIPE_STEP_PX * seeing.merged / max(step, 1e-6)))]
+    uv = uv[:: max(1, round(STRIPE_STEP_PX * seeing.bin_size / max(step, 1e-6)))]
     return np.asarray(uv[inside(camera, uv, BORDER_PX)])

@@ -58,11 +58,11 @@ class BoardInputs:
 
     arm: Arm | RobotArm
     board: Chessboard
-    seen: tuple[BoardObservation, ...]
+    observations: tuple[BoardObservation, ...]
     readings: Floats
     size_px: tuple[int, int]
     contact_readings: Floats | None = None
-    unseen: tuple[FailedPose, ...] = ()
+    failed_poses: tuple[FailedPose, ...] = ()
     limits: Limits = LIMITS
 
 
@@ -77,9 +77,9 @@ class BoardStart:
     problem: AdjustmentProblem
     state: AdjustmentState
     mounting: Mounting
-    lines_out: dict[int, float]
-    apart: dict[int, float]
-    moved: bool
+    excluded_lines_mm: dict[int, float]
+    contradicting_lines_mm: dict[int, float]
+    laser_moved: bool
 
 
 def board_problem(inputs: BoardInputs) -> BoardStart:
@@ -90,7 +90,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     """
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
-    numbers = tuple(pose.number for pose in inputs.seen)
+    numbers = tuple(pose.number for pose in inputs.observations)
     views, found = _bundle_views(inputs, moves)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
@@ -101,7 +101,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     if isinstance(arm, RobotArm):
         mounting, noise = _robot_noise(found, mounting, board)
         moves = with_noise(moves, noise, mounting.T_arm_obj, pattern_centre(board))
-    papers = replace(board_prior(board), sd=found.sheet.sd)
+    papers = replace(board_prior(board), sd=found.surface_prior.sd)
     problem = AdjustmentProblem(
         numbers,
         tuple(_with_line(view, found, p, lines) for p, view in enumerate(views)),
@@ -119,17 +119,17 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
         np.zeros(moves.by_links.shape[2]),
         np.zeros((len(problem.views), moves.by_noise.shape[2])),
     )
-    lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.left_out}
-    apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.apart}
-    return BoardStart(problem, state, mounting, lines_out, apart, lines.moved)
+    lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.excluded}
+    apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.contradicting}
+    return BoardStart(problem, state, mounting, lines_out, apart, lines.laser_moved)
 
 
 def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:
     """The corners of all pictures adjusted by themselves."""
     board = inputs.board
     refuse_alike(moves.T_arm_flange)
-    camera, _ = board_camera(inputs.seen, board, inputs.size_px)
-    seen = number_corners(inputs.seen, board, camera, moves.T_arm_flange)
+    camera, _ = board_camera(inputs.observations, board, inputs.size_px)
+    seen = number_corners(inputs.observations, board, camera, moves.T_arm_flange)
     camera, T_cam_obj = board_camera(seen, board, inputs.size_px)
     views = [_view(pose, board) for pose in seen]
     found = adjust_bundle(
@@ -150,7 +150,7 @@ def _robot_noise(
     )
     while True:
         agree = np.flatnonzero(~mounting.contradicts)
-        seen = every.only(agree)
+        seen = every.select(agree)
         stray = find_robot_outlier(seen, *start)
         if stray is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
             return mounting, estimate_robot_noise(seen, *start)
@@ -186,7 +186,7 @@ def _contact_observations(
     by_bend = np.zeros((len(touches), coordinates))
     by_bend[:, bend_slice(inputs.board)] = bend_modes(inputs.board).by_strength(in_obj[:, :2])
     kept = np.abs(off_mm - usual) < CONTACT_OUTLIER_MM
-    return replace(touches, offset_by_coordinates=by_bend, kept=kept)
+    return replace(touches, offset_by_coordinates=by_bend, inliers=kept)
 
 
 def _view(pose: BoardObservation, board: Chessboard) -> BoardView:
@@ -197,9 +197,9 @@ def _view(pose: BoardObservation, board: Chessboard) -> BoardView:
 def _with_line(view: BoardView, found: Bundle, pose: int, lines: LaserLines) -> BoardView:
     """With the line's points judged by their plane, or without a line that is left out."""
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
-    if pose in lines.left_out:
+    if pose in lines.excluded:
         return view.without_line()
     camera = found.cameras[pose]
     T_cam_obj = rigid(camera.rotation, camera.translation_mm)
     plane = lines.plane.in_frame(inverse(T_cam_obj))
-    return view.sorted_anew(camera, plane, found.coordinates)
+    return view.reclassify_stripe(camera, plane, found.coordinates)

@@ -28,12 +28,12 @@ class BoardContacts:
     """Of N contacts: how far each lies off the sheet, and which were left out."""
 
     residuals_um: Floats
-    left_out: NDArray[np.bool_]
+    excluded: NDArray[np.bool_]
 
     @property
     def rms_um(self) -> float:
         """Of those that count."""
-        return rms(self.residuals_um[~self.left_out])
+        return rms(self.residuals_um[~self.excluded])
 
 
 def board_pose_results(
@@ -44,7 +44,7 @@ def board_pose_results(
     results = []
     for p, number in enumerate(found.problem.numbers):
         corners, stripe = found.linear.rows[p]
-        kept_corners, kept_stripe = (one.kept for one in found.judgements[p])
+        kept_corners, kept_stripe = (one.inliers for one in found.weights[p])
         results.append(
             PoseResult(
                 number,
@@ -91,10 +91,10 @@ def _label_corners(
 
 def board_contacts(found: AdjustmentResult) -> BoardContacts | None:
     """Of a session in which the board was touched."""
-    rows, touches = found.linear.contact_rows, found.problem.touches
+    rows, touches = found.linear.contact_rows, found.problem.contacts
     if rows is None or touches is None:
         return None
-    return BoardContacts(1e3 * rows.residuals_mm, ~touches.kept)
+    return BoardContacts(1e3 * rows.residuals_mm, ~touches.inliers)
 
 
 def board_worst_points(

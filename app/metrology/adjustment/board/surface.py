@@ -60,7 +60,7 @@ class BendModes:
         flat = np.column_stack([np.ones(len(xy_mm)), xy_mm]) @ self.planes
         return np.asarray(bells @ self.weights - flat)
 
-    def summed(self, strengths: Floats, xy_mm: Floats) -> tuple[Floats, Floats]:
+    def evaluate(self, strengths: Floats, xy_mm: Floats) -> tuple[Floats, Floats]:
         """Height (N,) and slopes (N, 2) of all shapes together."""
         along_x, along_y, slope_x, slope_y = self.bells(xy_mm)
         at_nodes = (self.weights @ strengths).reshape(len(self.nodes_y_mm), -1)
@@ -133,13 +133,13 @@ def board_prior(board: Chessboard) -> TargetPrior:
 def evaluate_surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> SurfacePoints:
     """The bent sheet at places (N, 2) of the board's frame."""
     own = bend_modes(board)
-    height, slope = own.summed(coordinates[bend_slice(board)], xy_mm)
+    height, slope = own.evaluate(coordinates[bend_slice(board)], xy_mm)
     return SurfacePoints(height, slope, own.by_strength(xy_mm))
 
 
 def surface_height_mm(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
     """Heights (N,) of the bent sheet at places (N, 2) of the board's frame."""
-    return bend_modes(board).summed(coordinates[bend_slice(board)], xy_mm)[0]
+    return bend_modes(board).evaluate(coordinates[bend_slice(board)], xy_mm)[0]
 
 
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:

@@ -61,9 +61,9 @@ class AdjustmentResult:
     free: NDArray[np.bool_]
     covariance: Floats
     parts: dict[str, Floats]
-    judgements: PoseWeights
+    weights: PoseWeights
     rounds: int
-    scales_told: bool
+    scales_estimated: bool
 
     @property
     def problem(self) -> AdjustmentProblem:
@@ -78,18 +78,18 @@ class AdjustmentResult:
         return self.linear.at
 
     @cached_property
-    def by_link_sizes(self) -> Floats:
+    def link_size_covariance(self) -> Floats:
         """(U, U) what comes beside of not knowing how large the links' errors are."""
-        if not (self.scales_told and len(self.state.links)):
+        if not (self.scales_estimated and len(self.state.links)):
             return np.zeros_like(self.covariance)
         return estimate_link_size_covariance(
-            assemble_normal_equations(self.linear, self.judgements), self.scales, self.free
+            assemble_normal_equations(self.linear, self.weights), self.scales, self.free
         )
 
     @property
     def uncertainty(self) -> Floats:
         """(U, U) covariance of the state, all told."""
-        return np.asarray(self.covariance + self.by_link_sizes)
+        return np.asarray(self.covariance + self.link_size_covariance)
 
 
 def solve_adjustment(
@@ -120,7 +120,7 @@ def solve_adjustment(
         if _alike(again, judgements):
             break
         judgements = again
-    return replace(found, linear=linear, judgements=judgements)
+    return replace(found, linear=linear, weights=judgements)
 
 
 def _weigh_observations(linear: Linearisation) -> PoseWeights:
@@ -135,9 +135,9 @@ def _alike(a: PoseWeights, b: PoseWeights) -> bool:
     """Whether nearly the same points count, for nearly as much."""
     for ours, theirs in zip(a, b, strict=True):
         for one, other in zip(ours, theirs, strict=True):
-            if not len(one.kept):
+            if not len(one.inliers):
                 continue
-            if np.mean(one.kept != other.kept) > SAME_POINTS:
+            if np.mean(one.inliers != other.inliers) > SAME_POINTS:
                 return False
             if np.mean(np.abs(np.log(one.inflation / other.inflation))) > SAME_WEIGHTS:
                 return False
@@ -160,13 +160,13 @@ def _drop_lens_terms(found: AdjustmentResult, rounds_of_scales: int) -> Adjustme
             if term == (2, 3):
                 continue
             break  # lower terms stay with the higher ones
-        state = state.moved(-C[:, where] @ answer[:, 0], found.layout)
+        state = state.apply_step(-C[:, where] @ answer[:, 0], found.layout)
         C = C - C[:, where] @ answer[:, 1:]
         free[where] = False
     if np.array_equal(free, found.free):
         return found
     linear = linearise(found.problem, found.layout, _without_lens(state, free))
-    return _iterate(linear, found.judgements, found.scales, free, rounds_of_scales)
+    return _iterate(linear, found.weights, found.scales, free, rounds_of_scales)
 
 
 def _without_lens(state: AdjustmentState, free: NDArray[np.bool_]) -> AdjustmentState:
@@ -180,7 +180,7 @@ def _bin_views(linear: Linearisation, judgements: PoseWeights) -> tuple[Linearis
     """The same with neighbouring points put together, for the rounds of the adjustment."""
     problem = linear.problem
     few = [
-        view.merged(rows, judgement)
+        view.bin_points(rows, judgement)
         for view, rows, judgement in zip(problem.views, linear.rows, judgements, strict=True)
     ]
     fewer = replace(problem, views=tuple(view for view, _ in few))
@@ -215,7 +215,7 @@ def _iterate(
             return AdjustmentResult(
                 linear, scales, free, covariance, parts, judgements, turn + 1, told
             )
-        linear = linearise(linear.problem, at, linear.state.moved(step, at))
+        linear = linearise(linear.problem, at, linear.state.apply_step(step, at))
     raise no_convergence_error()
 
 
@@ -259,7 +259,7 @@ def _update_scales(equations: NormalEquations, free: NDArray[np.bool_], scales: 
 
 
 def _require_enough(judgements: PoseWeights, problem: AdjustmentProblem) -> None:
-    found = sum(int(np.sum(one.kept)) for pair in judgements for one in pair)
+    found = sum(int(np.sum(one.inliers)) for pair in judgements for one in pair)
     wanted = 11 + 6 * len(problem.views)
     if found < wanted + 4:
         raise OperationError(

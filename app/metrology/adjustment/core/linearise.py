@@ -63,13 +63,13 @@ class NormalEquations:
     """``J' W J`` (U, U) by ``SOURCES`` and ``J' W r`` (U,); scales may still change."""
 
     linear: Linearisation
-    pictures: dict[str, Floats]
+    image_parts: dict[str, Floats]
     gradient: Floats
 
     def with_scales(self, scales: Scales) -> tuple[dict[str, Floats], Floats]:
         """All parts, contacts and what is known beforehand weighed by the scales."""
         linear, at = self.linear, self.linear.at
-        parts = {source: np.zeros((at.count, at.count)) for source in SOURCES} | self.pictures
+        parts = {source: np.zeros((at.count, at.count)) for source in SOURCES} | self.image_parts
         g = self.gradient.copy()
         if linear.contacts is not None:
             _add_contacts(parts, g, linear.contacts, scales)
@@ -91,7 +91,7 @@ def linearise(
         view.rows(scene.camera, scene.plane, state.coordinates)
         for view, scene in zip(problem.views, scenes, strict=True)
     )
-    touches = problem.touches
+    touches = problem.contacts
     if touches is None:
         return Linearisation(problem, at, state, scenes, rows, None, None)
     told = contact_rows(touches, state.T_arm_obj, state.coordinates, state.links)
@@ -99,7 +99,7 @@ def linearise(
     J[:, PLACE] = told.by_place
     J[:, at.links] = told.by_links
     J[:, at.coordinates] = told.by_coordinates
-    kept = touches.kept
+    kept = touches.inliers
     contacts = ContactEquations(told.residuals_mm[kept], J[kept], told.noise_mm2[kept])
     return Linearisation(problem, at, state, scenes, rows, told, contacts)
 
@@ -134,7 +134,7 @@ def _add_image(
     The object's coordinates are unknowns themselves, and of the noise it knows its own only.
     """
     own, coordinates = slice(0, BLOCK.start), slice(BLOCK.start, None)
-    shared, noise = slice(0, at.noise.start), at.noise_of(pose)
+    shared, noise = slice(0, at.noise.start), at.noise_slice(pose)
     by = np.hstack([scene.by_unknowns[own, shared], scene.by_unknowns[own, noise]])
     among, along = by.T @ N[own, own] @ by, by.T @ pull[own]
     across = N[coordinates, own] @ by
@@ -166,11 +166,11 @@ def prior_information(
     """Source, unknowns, their standard deviations and how far they are off: the certificate,
     the errors of the arm's links, the noise of its readings."""
     problem, at, state = linear.problem, linear.at, linear.state
-    papers, count = problem.papers, len(problem.views)
+    papers, count = problem.prior, len(problem.views)
     noise_sd = np.tile(scales.noise * problem.motion.noise_sd, count)
     return [
         ("certificate", at.coordinates, papers.sd, state.coordinates - papers.coordinates),
-        ("links", at.links, scales.of_links(len(state.links) // 6), state.links),
+        ("links", at.links, scales.link_error_sds(len(state.links) // 6), state.links),
         ("encoders", at.noise, noise_sd, state.noise.ravel()),
     ]
 

@@ -48,8 +48,10 @@ def estimate_link_size_covariance(
         for shift in FACTORS
     ]
     # At the minimum the data pull the links as hard as the size told holds them back.
-    pull = -start / scales.of_links(len(start) // 6) ** 2
-    found = [link_likelihood(S, pull, start, size.of_links(len(start) // 6)) for size in sizes]
+    pull = -start / scales.link_error_sds(len(start) // 6) ** 2
+    found = [
+        link_likelihood(S, pull, start, size.link_error_sds(len(start) // 6)) for size in sizes
+    ]
     log = np.array([one + size_prior(size) for (one, *_), size in zip(found, sizes, strict=True)])
     weight = np.exp(log - log.max())
     steps = np.array([step for _, step, _ in found]) * np.sqrt(weight / weight.sum())[:, None]

@@ -36,11 +36,13 @@ class PoseView(Protocol):
         """
         ...
 
-    def sorted_anew(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> "PoseView":
+    def reclassify_stripe(
+        self, camera: Camera, plane: LaserPlane, coordinates: Floats
+    ) -> "PoseView":
         """The same, with the stripe's points judged against this camera and plane."""
         ...
 
-    def merged(
+    def bin_points(
         self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
     ) -> tuple["PoseView", tuple[RobustWeights, RobustWeights]]:
         """Fewer points that tell as much, by what was judged of the ``rows`` of these, and
@@ -85,7 +87,7 @@ class ContactObservations:
     R_arm_flange: Floats
     by_links: Floats
     noise_mm2: Floats
-    kept: NDArray[np.bool_]
+    inliers: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return len(self.features)
@@ -98,8 +100,8 @@ class AdjustmentProblem:
     numbers: tuple[int, ...]
     views: tuple[PoseView, ...]
     motion: FlangeMotion
-    touches: ContactObservations | None
-    papers: TargetPrior
+    contacts: ContactObservations | None
+    prior: TargetPrior
     width_px: int
     height_px: int
 
@@ -154,7 +156,7 @@ class FailedPose:
     """A pose whose pictures could not be used, and why."""
 
     number: int
-    refusal: OperationError
+    error: OperationError
 
 
 def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], thing: str) -> None:
@@ -166,7 +168,7 @@ def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], t
     if seen:
         return
     if unseen:
-        raise unseen[0].refusal
+        raise unseen[0].error
     raise OperationError("no-images", "no pose was given", "", f"take a picture of the {thing}")
 
 
@@ -177,4 +179,4 @@ class BlockObservation:
     number: int
     detection: ObjectDetection
     stripe: Stripe
-    picture: tuple[ImageFinding, ...] = ()
+    image_findings: tuple[ImageFinding, ...] = ()

@@ -34,14 +34,14 @@ class ParameterLayout:
     noise_per_pose: int
     count: int
 
-    def noise_of(self, pose: int) -> slice:
+    def noise_slice(self, pose: int) -> slice:
         start = self.noise.start + pose * self.noise_per_pose
         return slice(start, start + self.noise_per_pose)
 
 
 def parameter_layout(problem: AdjustmentProblem) -> ParameterLayout:
     first = PLACE.stop
-    after_object = first + len(problem.papers.names)
+    after_object = first + len(problem.prior.names)
     after_links = after_object + problem.motion.by_links.shape[2]
     per_pose = problem.motion.by_noise.shape[2]
     end = after_links + per_pose * len(problem.views)
@@ -71,18 +71,18 @@ class AdjustmentState:
     links: Floats
     noise: Floats
 
-    def moved(self, step: Floats, at: ParameterLayout) -> "AdjustmentState":
+    def apply_step(self, step: Floats, at: ParameterLayout) -> "AdjustmentState":
         """After a step of all unknowns: the mounting moves by a right twist, in the camera's
         frame; the object's place by a left one, in the arm's."""
         return replace(
-            self.sensor_moved(step[SENSOR]),
+            self.apply_sensor_step(step[SENSOR]),
             T_arm_obj=_orthonormalise(se3_exp(step[PLACE]) @ self.T_arm_obj),
             coordinates=self.coordinates + step[at.coordinates],
             links=self.links + step[at.links],
             noise=self.noise + step[at.noise].reshape(self.noise.shape),
         )
 
-    def sensor_moved(self, step: Floats) -> "AdjustmentState":
+    def apply_sensor_step(self, step: Floats) -> "AdjustmentState":
         """After a step (17,) of camera, plane and mounting alone."""
         camera = self.camera
         matrix, distortion = camera.matrix.copy(), camera.distortion.copy()
@@ -93,7 +93,7 @@ class AdjustmentState:
         return replace(
             self,
             camera=replace(camera, matrix=matrix, distortion=distortion),
-            plane=self.plane.stepped(step[PLANE]),
+            plane=self.plane.apply_step(step[PLANE]),
             T_flange_cam=_orthonormalise(self.T_flange_cam @ se3_exp(step[MOUNT])),
         )
 
@@ -132,7 +132,7 @@ def pose_scene(
     twist[:, MOUNT] = -np.eye(6)
     twist[:, PLACE] = seen_from_cam
     twist[:, at.links] = -seen_from_cam @ moves.by_links[pose]
-    twist[:, at.noise_of(pose)] = -seen_from_cam @ moves.by_noise[pose]
+    twist[:, at.noise_slice(pose)] = -seen_from_cam @ moves.by_noise[pose]
 
     count = len(state.coordinates)
     J = np.zeros((COUNT + 3 + count, at.count))

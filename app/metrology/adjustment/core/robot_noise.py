@@ -56,7 +56,7 @@ class PosePairs:
     covariance: Floats
     middle_mm: Floats
 
-    def only(self, kept: NDArray[np.int64]) -> "PosePairs":
+    def select(self, kept: NDArray[np.int64]) -> "PosePairs":
         own = (6 * kept[:, None] + np.arange(6)).ravel()
         return replace(
             self,
@@ -95,7 +95,7 @@ def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats)
     squares = [_mahalanobis_square(seen, told, p, with_fit=False) for p in range(count)]
     worst = int(np.argmax(squares))
     others = np.delete(np.arange(count), worst)
-    told = _fit_noise(seen.only(others), T_flange_cam, T_arm_obj)
+    told = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
     freedom = 6 * len(others) - 12
     limit = 6 * float(fdtri(6, freedom, 1 - OUTLIER_CHANCE))
     return worst if _mahalanobis_square(seen, told, worst, with_fit=True) > limit else None

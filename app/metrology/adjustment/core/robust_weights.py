@@ -19,7 +19,7 @@ BIN_SIZE, APART_PX = 8, 12.0
 class RobustWeights:
     """Which rows (N,) of a kind agree, and the factors (N,) on their standard deviations."""
 
-    kept: NDArray[np.bool_]
+    inliers: NDArray[np.bool_]
     inflation: Floats
 
 
@@ -72,7 +72,7 @@ def bin_neighbours(
     A line's image bends by far less than a point's deviation over so few points, so
     that their weighted mean tells as much as they do.
     """
-    kept = np.flatnonzero(judgement.kept)
+    kept = np.flatnonzero(judgement.inliers)
     uv, own = uv_px[kept], line[kept]
     weight = (sigma_px * judgement.inflation)[kept] ** -2.0
     new_line = np.diff(own, prepend=own[:1] - 1) != 0
@@ -100,7 +100,7 @@ def normal_equations(rows: Rows, judgement: RobustWeights) -> tuple[Floats, Floa
     pair of them, or plus that of its ``shared`` errors; its inverse takes a row for each
     of these from the sum (Sherman-Morrison, Woodbury).
     """
-    kept = judgement.kept
+    kept = judgement.inliers
     J, r = rows.jacobian[kept], rows.residuals[kept]
     weight = (rows.sigma * judgement.inflation)[kept] ** -2.0
     WJ = J * weight[:, None]

@@ -148,7 +148,7 @@ def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
         for source, names in BUDGET
     }
     split["distortion"] = found.covariance - C
-    split["arm geometry"] = split["arm geometry"] + found.by_link_sizes
+    split["arm geometry"] = split["arm geometry"] + found.link_size_covariance
     return split
 
 
@@ -161,7 +161,7 @@ def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
         h = 1e-3 if k < 4 else 1e-6
         step = np.zeros(SENSOR.stop)
         step[k] = h
-        ahead, behind = (_points(state.sensor_moved(way * step), uv_px) for way in (1, -1))
+        ahead, behind = (_points(state.apply_sensor_step(way * step), uv_px) for way in (1, -1))
         J[:, :, k] = (ahead - behind) / (2 * h) @ R.T
     for g, point in enumerate(in_cam):
         J[g, :, MOUNT] = R @ np.hstack([-skew(point), np.eye(3)])

@@ -38,7 +38,7 @@ class Scales:
     noise: float
     touch_mm: float
 
-    def of_links(self, count: int) -> Floats:
+    def link_error_sds(self, count: int) -> Floats:
         """(6 count,) of the errors of so many links."""
         return np.tile(np.repeat([self.links_rad, self.links_mm], 3), count)
 

@@ -35,7 +35,7 @@ class FaultHypothesis:
     likely."""
 
     by: Floats
-    by_papers: Floats
+    by_prior: Floats
     sds: tuple[Floats, ...]
 
 
@@ -75,7 +75,7 @@ def estimate_faults(
     """Of each suspect by itself, all else taken as linear at the minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in suspects])
-    by_papers = np.hstack([one.by_papers for one in suspects])
+    by_papers = np.hstack([one.by_prior for one in suspects])
     ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
     own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
     none: list[_ConditionalEstimate] = []
@@ -83,7 +83,7 @@ def estimate_faults(
     for noise in _noise_levels(found):
         reduced = _reduce_system(found, by, by_papers, replace(scales, noise=noise))
         for size in _link_scales(scales):
-            prior, sd = size_prior(size), size.of_links(len(start) // 6)
+            prior, sd = size_prior(size), size.link_error_sds(len(start) // 6)
             none.append(_estimate_conditional(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
             for told, suspect, columns in zip(each, suspects, own, strict=True):
                 told += [
@@ -132,7 +132,7 @@ def _average_estimates(
 def _reduce_system(
     found: AdjustmentResult, by: Floats, by_papers: Floats, scales: Scales
 ) -> _ReducedSystem:
-    equations = assemble_normal_equations(found.linear, found.judgements)
+    equations = assemble_normal_equations(found.linear, found.weights)
     at, start = equations.linear.at, equations.linear.state.links
     parts, g = equations.with_scales(scales)
     N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
@@ -140,7 +140,7 @@ def _reduce_system(
     others = np.setdiff1d(np.flatnonzero(found.free), links)
     across, among, pull, log = _hypothesis_terms(found, by, by_papers, scales)
     # what the data pull the links with, without what holds these back
-    pull = np.concatenate([g[links] - start / scales.of_links(len(start) // 6) ** 2, pull])
+    pull = np.concatenate([g[links] - start / scales.link_error_sds(len(start) // 6) ** 2, pull])
     scale = 1 / np.sqrt(np.diag(N)[others])
     A = N[np.ix_(others, others)] * np.outer(scale, scale)
     B = np.hstack([N[np.ix_(others, links)], across[others]]) * scale[:, None]
@@ -156,7 +156,7 @@ def _hypothesis_terms(
 ) -> tuple[Floats, Floats, Floats, float]:
     """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
     likely contacts and noise are as they are, without them."""
-    papers, at = found.problem.papers, found.layout
+    papers, at = found.problem.prior, found.layout
     weighed = by_papers / papers.sd[:, None] ** 2
     across = np.zeros((at.count, by.shape[1]))
     across[at.coordinates] = weighed

@@ -18,15 +18,15 @@ LEAST_REDUNDANCY = 0.05
 def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
     """Adjusted without the contacts that disagree with the others, worst first; the touches say
     which were kept. Fewer than half are set aside."""
-    touches = found.problem.touches
+    touches = found.problem.contacts
     if touches is None:
         return found
-    while 2 * (int((~touches.kept).sum()) + 1) < len(touches):
+    while 2 * (int((~touches.inliers).sum()) + 1) < len(touches):
         stray = find_outlier_contact(found)
         if stray is None:
             break
-        touches = replace(touches, kept=touches.kept & (np.arange(len(touches)) != stray))
-        found = solve_adjustment(replace(found.problem, touches=touches), found.state)
+        touches = replace(touches, inliers=touches.inliers & (np.arange(len(touches)) != stray))
+        found = solve_adjustment(replace(found.problem, contacts=touches), found.state)
     return found
 
 
@@ -34,7 +34,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     """The row of the contact that is furthest off by what the others scatter (their median, which
     a few strays do not move), and beyond what a usual touch and the noise of the readings
     explain; None where none is."""
-    contacts, touches = found.linear.contacts, found.problem.touches
+    contacts, touches = found.linear.contacts, found.problem.contacts
     if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
         return None
     J, variance = contacts.jacobian, contacts.variances(found.scales)
@@ -48,4 +48,4 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     limit = SIGMAS * (1 + 4.0 / len(off_mm))
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
     worst = int(np.argmax(off))
-    return int(np.flatnonzero(touches.kept)[worst]) if off[worst] > 1 else None
+    return int(np.flatnonzero(touches.inliers)[worst]) if off[worst] > 1 else None

@@ -49,13 +49,13 @@ DescribeFault = Callable[[FaultEstimate], CalibrationFinding | None]
 
 @dataclass(frozen=True)
 class _Fault:
-    suspect: FaultHypothesis
-    said: DescribeFault
+    hypothesis: FaultHypothesis
+    describe: DescribeFault
 
 
 def block_fault_findings(found: AdjustmentResult, limits: Limits) -> list[CalibrationFinding]:
     """The fault that is most likely, if one is, and whether the block's size was seen."""
-    touches = found.problem.touches
+    touches = found.problem.contacts
     assert touches is not None
     pairs = _pairs(touches)
     faces = [
@@ -81,7 +81,7 @@ def board_fault_findings(
     found: AdjustmentResult, square_mm: float, limits: Limits
 ) -> list[CalibrationFinding]:
     """The fault that is most likely, if one is; the board need not have been touched."""
-    touches = found.problem.touches
+    touches = found.problem.contacts
     in_all = _Fault(_scale_hypothesis(found), partial(_board_size_finding, square_mm, limits))
     contacts = [] if touches is None else _contact_faults(found, touches, limits)
     return _most_likely_fault(found, [in_all, *contacts])[0]
@@ -104,17 +104,17 @@ def _most_likely_fault(
     found: AdjustmentResult, faults: Sequence[_Fault]
 ) -> tuple[list[CalibrationFinding], list[FaultEstimate]]:
     """The one that stands out most, if any, and what is told of each."""
-    told = estimate_faults(found, [fault.suspect for fault in faults])
+    told = estimate_faults(found, [fault.hypothesis for fault in faults])
     doubted = [
         (one.evidence, finding)
         for one, fault in zip(told, faults, strict=True)
-        if one.evidence >= EVIDENCE and (finding := fault.said(one)) is not None
+        if one.evidence >= EVIDENCE and (finding := fault.describe(one)) is not None
     ]
     return ([max(doubted, key=lambda one: one[0])[1]] if doubted else []), told
 
 
 def _pairs(touches: ContactObservations) -> list[tuple[str, str]]:
-    labels = np.array(touches.features)[touches.kept]
+    labels = np.array(touches.features)[touches.inliers]
     return [pair for pair in OPPOSITE if all(face in labels for face in pair)]
 
 
@@ -135,7 +135,7 @@ def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) ->
     """The object elsewhere when it was touched: turned about the contacts' middle (rad) and
     shifted (mm), arm frame."""
     normals = _normals(found, touches)
-    arms = touches.tips_mm - touches.tips_mm[touches.kept].mean(axis=0)
+    arms = touches.tips_mm - touches.tips_mm[touches.inliers].mean(axis=0)
     by = -np.column_stack([np.cross(arms, normals), normals])
     sds = tuple(np.repeat(pair, 3) for pair in zip(MOVED_SDS_RAD, MOVED_SDS_MM, strict=True))
     return _contact_hypothesis(found, by, sds)
@@ -143,7 +143,7 @@ def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) ->
 
 def _scale_hypothesis(found: AdjustmentResult) -> FaultHypothesis:
     """The object larger than its papers say, by a share of all its lengths."""
-    papers, contacts = found.problem.papers.coordinates[:, None], found.linear.contacts
+    papers, contacts = found.problem.prior.coordinates[:, None], found.linear.contacts
     nothing = np.zeros((0 if contacts is None else len(contacts.residuals_mm), 1))
     return FaultHypothesis(nothing, -papers, tuple(np.array([sd]) for sd in SHARE_SDS))
 
@@ -152,9 +152,11 @@ def _contact_hypothesis(
     found: AdjustmentResult, by: Floats, sds: tuple[Floats, ...]
 ) -> FaultHypothesis:
     """Of a fault that changes what the contacts (N) are off by ``by`` (N, K)."""
-    touches, papers = found.problem.touches, found.problem.papers
+    touches, papers = found.problem.contacts, found.problem.prior
     assert touches is not None
-    return FaultHypothesis(by[touches.kept], np.zeros((len(papers.coordinates), by.shape[1])), sds)
+    return FaultHypothesis(
+        by[touches.inliers], np.zeros((len(papers.coordinates), by.shape[1])), sds
+    )
 
 
 def _normals(found: AdjustmentResult, touches: ContactObservations) -> Floats:

@@ -112,11 +112,11 @@ def next_poses(
         found: the adjustment of the P poses so far.
         q_rad: (P, n) their encoder angles.
     """
-    seeing = seeing or ObservationNoise(merged=BIN_SIZE)
+    seeing = seeing or ObservationNoise(bin_size=BIN_SIZE)
     reference = pose_scene(found.state, found.problem, found.layout, 0)
     T_cam_obj = rigid(reference.camera.rotation, reference.camera.translation_mm)
     volume = sensor_jacobian(found.state, measuring_volume(found).uv_px)
-    by_sizes = found.by_link_sizes[SENSOR, SENSOR]
+    by_sizes = found.link_size_covariance[SENSOR, SENSOR]
     advice = []
     for T_obj_cam in _candidates(inverse(T_cam_obj), item):
         q = _joints(found, arm, T_obj_cam, q_rad)
@@ -141,13 +141,13 @@ def _predict_rows(
             return None
         block = predict_view(camera, plane, item, seeing)
         on_each = (int(np.sum(block.level == name)) for name in ("crest", "floor"))
-        return block.rows if min(on_each) * seeing.merged >= STRIPE_POINTS else None
+        return block.rows if min(on_each) * seeing.bin_size >= STRIPE_POINTS else None
     like = found.problem.views[0]
     assert isinstance(like, BoardView)
     if not is_fully_visible(camera, item):
         return None
     board = predict_board_view(camera, plane, like, seeing)
-    return board.rows if len(board.stripe.u) * seeing.merged >= STRIPE_POINTS else None
+    return board.rows if len(board.stripe.u) * seeing.bin_size >= STRIPE_POINTS else None
 
 
 def pose_delta(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationTarget) -> PoseDelta:
@@ -223,7 +223,7 @@ def _covariance_after(found: AdjustmentResult, moves: FlangeMotion, rows_of: Row
     scene = pose_scene(moved, more, wider, new)
     N = np.zeros((wider.count, wider.count))
     N[: at.count, : at.count] = np.sum(list(found.parts.values()), axis=0)
-    index = np.arange(wider.count)[wider.noise_of(new)]
+    index = np.arange(wider.count)[wider.noise_slice(new)]
     N[index, index] += (found.scales.noise * motion.noise_sd) ** -2.0
     for rows in rows_of(scene.camera, scene.plane, state.coordinates):
         everything = RobustWeights(np.ones(len(rows.sigma), np.bool_), np.ones(len(rows.sigma)))

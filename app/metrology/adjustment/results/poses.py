@@ -57,7 +57,7 @@ def pose_results(
     results = []
     for p, number in enumerate(found.problem.numbers):
         shape, stripe = found.linear.rows[p]
-        kept_shape, kept_stripe = (one.kept for one in found.judgements[p])
+        kept_shape, kept_stripe = (one.inliers for one in found.weights[p])
         results.append(
             PoseResult(
                 number,
@@ -145,9 +145,9 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
     ]
     on_stripe = []
     for number, (_, rows), (_, judgement) in zip(
-        found.problem.numbers, found.linear.rows, found.judgements, strict=True
+        found.problem.numbers, found.linear.rows, found.weights, strict=True
     ):
-        off_px = np.abs(rows.residuals) * judgement.kept
+        off_px = np.abs(rows.residuals) * judgement.inliers
         on_stripe += [
             (float(off_px[i]), number, float(rows.places[i, 0]), float(rows.places[i, 1]))
             for i in np.argsort(-off_px)[:WORST_OF_A_KIND]

@@ -22,7 +22,7 @@ def reclassify_stripes(found: AdjustmentResult) -> AdjustmentProblem:
     views = []
     for p, view in enumerate(problem.views):
         scene = pose_scene(state, problem, found.layout, p)
-        views.append(view.sorted_anew(scene.camera, scene.plane, state.coordinates))
+        views.append(view.reclassify_stripe(scene.camera, scene.plane, state.coordinates))
     return replace(problem, views=tuple(views))
 
 
@@ -39,8 +39,8 @@ def stripe_rms_mm(found: AdjustmentResult) -> float:
     """Rms distance from the laser plane of the stripe's points on their levels."""
     off = np.concatenate(
         [
-            off_plane_mm(rows)[judgement.kept]
-            for (_, rows), (_, judgement) in zip(found.linear.rows, found.judgements, strict=True)
+            off_plane_mm(rows)[judgement.inliers]
+            for (_, rows), (_, judgement) in zip(found.linear.rows, found.weights, strict=True)
         ]
     )
     off = off[np.isfinite(off)]

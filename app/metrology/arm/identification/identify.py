@@ -95,11 +95,11 @@ class Identification:
     """The arm as identified, and what it rests on."""
 
     arm: Arm
-    moved: tuple[ParameterChange, ...]
-    held: tuple[FixedParameter, ...]
+    changes: tuple[ParameterChange, ...]
+    fixed: tuple[FixedParameter, ...]
     covariance: Floats
     """(p, p) of ``moved``, mm and rad, k = 1."""
-    correlated: tuple[tuple[str, str, float], ...]
+    correlations: tuple[tuple[str, str, float], ...]
     """Pairs of ``moved`` beyond ±0.95, the strongest first."""
     scatter_mm: float
     """Per coordinate, of the points beyond what the encoders' noise explains."""
@@ -122,7 +122,7 @@ class Identification:
     @property
     def size_known(self) -> bool:
         """Whether a calibrated length told the arm's size."""
-        return all(held.reason != "scale" for held in self.held)
+        return all(held.reason != "scale" for held in self.fixed)
 
 
 def identify(
@@ -156,7 +156,7 @@ def identify(
     check_scatter(fit)
     check_tip_diameter(arm, data, fit)
     tell(0.4, "Checking on places held out")
-    good = without_points(observations, fit.kept)
+    good = without_points(observations, fit.inliers)
     if check is None:
         validation = cross_validate(arm, good, fit.scatter_mm)
     else:
@@ -167,10 +167,10 @@ def identify(
     spheres = bool(observations.spheres)
     return Identification(
         arm=fit.at.arm,
-        moved=_parameter_changes(arm, fit),
-        held=_list_fixed(arm, fit),
+        changes=_parameter_changes(arm, fit),
+        fixed=_list_fixed(arm, fit),
         covariance=fit.covariance,
-        correlated=_correlations(arm, fit),
+        correlations=_correlations(arm, fit),
         scatter_mm=fit.scatter_mm,
         radius_excess_mm=fit.at.radius_excess_mm if spheres else 0.0,
         radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if spheres else None,
@@ -225,7 +225,7 @@ def _parameter_changes(arm: Arm, fit: ArmFit) -> tuple[ParameterChange, ...]:
 
 def _list_fixed(arm: Arm, fit: ArmFit) -> tuple[FixedParameter, ...]:
     names = parameter_names(arm)
-    return tuple(FixedParameter(names[i], fit.held[i]) for i in sorted(fit.held))
+    return tuple(FixedParameter(names[i], fit.fixed[i]) for i in sorted(fit.fixed))
 
 
 def _correlations(arm: Arm, fit: ArmFit) -> tuple[tuple[str, str, float], ...]:
@@ -241,7 +241,7 @@ def _correlations(arm: Arm, fit: ArmFit) -> tuple[tuple[str, str, float], ...]:
 def _outliers(data: StackedObservations, fit: ArmFit) -> tuple[Outlier, ...]:
     off = residuals(data, fit.at, fit.scatter_mm).distances_mm
     found: list[Outlier] = []
-    for i in np.flatnonzero(~fit.kept):
+    for i in np.flatnonzero(~fit.inliers):
         place = data.places[data.place_of[i]]
         found.append(Outlier(place.label, int(i) - place.rows.start + 1, float(off[i])))
     return tuple(found)

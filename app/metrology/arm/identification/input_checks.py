@@ -161,7 +161,7 @@ def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
     for number, place in enumerate(data.places):
         own = data.place_of == number
         points = vectors[own]
-        out = int(np.sum(~fit.kept[own]))
+        out = int(np.sum(~fit.inliers[own]))
         untrusted = out >= 3 and out > OUTLIER_SHARE * len(points)
         split, gap_mm = _find_split(points) if place.diameter_mm is None else (0, 0.0)
         if gap_mm > max(MOVED_SIGMAS * sd, 1e-2):
@@ -229,7 +229,7 @@ def _far_moves(arm: Arm, fit: ArmFit) -> list[str]:
 
 def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> float:
     """Per coordinate, how far a point in a seat typically lies from the centre, mm."""
-    seated = fit.kept & ~data.on_sphere
+    seated = fit.inliers & ~data.on_sphere
     if not seated.any():
         return fit.scatter_mm
     return float(np.sqrt(np.median(np.sum(vectors[seated] ** 2, axis=1))) / 1.5382)

@@ -48,7 +48,7 @@ class Candidates:
     """Parameters that could move, those to be kept first, and those that never do."""
 
     order: NDArray[np.intp]
-    held: dict[int, FixedReason]
+    fixed: dict[int, FixedReason]
 
 
 def candidates(arm: Arm, with_lengths: bool) -> Candidates:

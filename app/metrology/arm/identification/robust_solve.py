@@ -46,14 +46,14 @@ class ArmFit:
 
     at: Unknowns
     moved: Indices
-    held: dict[int, FixedReason]
+    fixed: dict[int, FixedReason]
     covariance: Floats
     """(p, p) of the parameters moved, mm and rad, k = 1."""
     others_covariance: Floats
     """(o, o) of the spheres' radius excess (if there are spheres) and the bars' errors."""
     scatter_mm: float
     """Per coordinate, of the points beyond what the encoders explain."""
-    kept: NDArray[np.bool_]
+    inliers: NDArray[np.bool_]
     """(N,) points that are no outliers."""
     freedom: int
 
@@ -90,7 +90,7 @@ def fit_arm(
     return ArmFit(
         at,
         columns,
-        {**choice.held, **held},
+        {**choice.fixed, **held},
         covariance[others:, others:],
         covariance[:others, :others],
         scatter,

@@ -29,7 +29,7 @@ class ImplausibleReading:
     """By how much it jumped."""
 
     @property
-    def refusal(self) -> OperationError:
+    def error(self) -> OperationError:
         """What is said of it: the joint, the reading, what it may be, and what to do."""
         reading = f"{math.degrees(self.reading_rad):.1f}°"
         if self.kind == "number":
@@ -86,5 +86,5 @@ def limits_error(q_rad: Sequence[float], arm: Arm) -> OperationError | None:
     for joint, angle_rad in zip(arm.joints, q_rad, strict=True):
         low, high = joint.limits_rad
         if not low - STOP_TOLERANCE_RAD <= angle_rad <= high + STOP_TOLERANCE_RAD:
-            return ImplausibleReading("limits", 0, joint.name, angle_rad, joint.limits_rad).refusal
+            return ImplausibleReading("limits", 0, joint.name, angle_rad, joint.limits_rad).error
     return None

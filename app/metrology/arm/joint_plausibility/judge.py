@@ -65,13 +65,13 @@ class PlausibilityFilter(Generic[R]):
         self._spikes = Spikes(joint_count)
         self._standstill = Standstill(joint_count, rate_hz)
         self._count = 0
-        self._held: deque[tuple[int, R]] = deque()
+        self._pending: deque[tuple[int, R]] = deque()
         """What waits, and the how many-th reading each is."""
-        self._bad: deque[tuple[int, ImplausibleReading]] = deque(maxlen=REMEMBERED)
+        self._rejected: deque[tuple[int, ImplausibleReading]] = deque(maxlen=REMEMBERED)
         self.set_arm(arm)
 
     @property
-    def kept_back(self) -> int:
+    def rejected_count(self) -> int:
         return self.impossible + self.frozen
 
     def set_arm(self, arm: Arm | None) -> None:
@@ -93,14 +93,14 @@ class PlausibilityFilter(Generic[R]):
         self._reach.forget()
         self._spikes.forget()
 
-    def between(self, first_ns: int, last_ns: int) -> ImplausibleReading | None:
+    def first_between(self, first_ns: int, last_ns: int) -> ImplausibleReading | None:
         """The first reading kept back in a stretch of time; None where all were plausible."""
-        return next((one for at, one in tuple(self._bad) if first_ns <= at <= last_ns), None)
+        return next((one for at, one in tuple(self._rejected) if first_ns <= at <= last_ns), None)
 
-    def passed(self, readings: Sequence[R]) -> list[R]:
+    def filter(self, readings: Sequence[R]) -> list[R]:
         """The readings, oldest first, that are now known to be plausible."""
         good: list[R] = []
-        held = self._held
+        held = self._pending
         for reading in readings:
             stamp_ns, q_rad = reading.stamp_ns, reading.joints_rad
             self._count += 1
@@ -112,19 +112,19 @@ class PlausibilityFilter(Generic[R]):
             if wrong is not None:
                 self.impossible += 1
                 self.outside += wrong.kind == "limits"
-                self._keep_back(stamp_ns, wrong)
+                self._reject(stamp_ns, wrong)
             else:
                 held.append((self._count, reading))
                 self._drop_spike(stamp_ns, q_rad)
-            self._settle(good)
+            self._release_pending(good)
             if not held:
                 self.judged_ns = stamp_ns
         return good
 
-    def rest(self) -> list[R]:
+    def flush(self) -> list[R]:
         """What still waits at the end of the readings: too few to be judged."""
-        rest = [reading for _, reading in self._held]
-        self._held.clear()
+        rest = [reading for _, reading in self._pending]
+        self._pending.clear()
         if rest:
             self.judged_ns = rest[-1].stamp_ns
         return rest
@@ -160,19 +160,19 @@ class PlausibilityFilter(Generic[R]):
         spike = self._spikes.find(stamp_ns, q_rad)
         if spike is None:
             return
-        place = len(self._held) - 1 - LATER
-        if place < 0 or self._held[place][1].stamp_ns != spike.stamp_ns:
+        place = len(self._pending) - 1 - LATER
+        if place < 0 or self._pending[place][1].stamp_ns != spike.stamp_ns:
             return  # it was let go, where readings between were no good either
-        reading = self._held[place][1]
-        del self._held[place]
+        reading = self._pending[place][1]
+        del self._pending[place]
         self.impossible += 1
         angle_rad = reading.joints_rad[spike.joint]
         wrong = self._implausible("spike", spike.stamp_ns, spike.joint, angle_rad, spike.off_rad)
-        self._keep_back(spike.stamp_ns, wrong)
+        self._reject(spike.stamp_ns, wrong)
 
-    def _settle(self, good: list[R]) -> None:
+    def _release_pending(self, good: list[R]) -> None:
         """Lets go what waited long enough, and keeps back what a frozen joint says."""
-        held, (suspected, joint) = self._held, self._standstill.find()
+        held, (suspected, joint) = self._pending, self._standstill.find()
         if joint is not None:
             since_ns = self._standstill.encoders[joint].since_ns
             for _, reading in held:
@@ -181,7 +181,7 @@ class PlausibilityFilter(Generic[R]):
                     continue
                 self.frozen += 1
                 stamp_ns, angle_rad = reading.stamp_ns, reading.joints_rad[joint]
-                self._keep_back(stamp_ns, self._implausible("frozen", stamp_ns, joint, angle_rad))
+                self._reject(stamp_ns, self._implausible("frozen", stamp_ns, joint, angle_rad))
             held.clear()
             # where the joint is meanwhile, nobody knows
             self._reach.lose()
@@ -203,6 +203,6 @@ class PlausibilityFilter(Generic[R]):
             kind, stamp_ns, self._names[joint], angle_rad, limits_rad, step_rad
         )
 
-    def _keep_back(self, stamp_ns: int, wrong: ImplausibleReading) -> None:
+    def _reject(self, stamp_ns: int, wrong: ImplausibleReading) -> None:
         self.newest, self.first = wrong, self.first or wrong
-        self._bad.append((stamp_ns, wrong))
+        self._rejected.append((stamp_ns, wrong))

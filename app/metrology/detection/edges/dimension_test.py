@@ -174,7 +174,7 @@ def _gather_pieces(
     effects = np.column_stack([effects[:, list(free)], _shift_effects(found, rows, faces)])
     depth = at.points_mm[rows] @ camera.rotation[2] + camera.translation_mm[2]
     certificate_px = certificate_mm * camera.matrix[0, 0] / depth
-    weight = 1 / found.own_px[rows] ** 2
+    weight = 1 / found.sigma_along_px[rows] ** 2
     off, variance, means = [], [], []
     for one in np.unique(part):
         own = np.flatnonzero(part == one)

@@ -72,7 +72,7 @@ class EdgeMeasurements:
     at: EdgeStations
     uv_px: Floats
     sigma_px: Floats
-    own_px: Floats
+    sigma_along_px: Floats
     marks_px: Floats
     off_px: Floats
     step: Floats
@@ -175,7 +175,7 @@ def stations_along_x(found: EdgeMeasurements, points_mm: Floats, row: int) -> Ed
         points_mm=points_mm,
         uv_px=uv,
         normal=normal,
-        room_px=np.full((count, 2), np.inf),
+        clearance_px=np.full((count, 2), np.inf),
         length_px=np.ones(count),
     )
     return select_stations(at, np.all((uv > 0) & (uv < limit), axis=1))
@@ -298,7 +298,7 @@ def _fit_camera(
         off_px=np.where(found.shows, off, np.nan),
         used=used,
         sigma_px=found.sigma_px * along * together,
-        own_px=found.sigma_px * along,
+        sigma_along_px=found.sigma_px * along,
     ), covariance
 
 

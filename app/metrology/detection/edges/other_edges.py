@@ -145,7 +145,7 @@ def _lines_about(grey: Floats, found: EdgeMeasurements) -> _Lines:
     there = cv2.dilate(peak.astype(np.uint8), np.ones((1, 3), np.uint8)) > 0
     offset = np.arange(-reach, reach + 1)
     clear = 2 * blur + 1
-    free = (offset < at.room_px[:, :1] - clear) & (offset > -(at.room_px[:, 1:] - clear))
+    free = (offset < at.clearance_px[:, :1] - clear) & (offset > -(at.clearance_px[:, 1:] - clear))
     return _Lines(at, there, free)
 
 

@@ -65,7 +65,7 @@ class EdgeStations:
     points_mm: Floats
     uv_px: Floats
     normal: Floats
-    room_px: Floats
+    clearance_px: Floats
     length_px: Floats
     regions: NDArray[np.int64]
     half_length_px: float
@@ -150,7 +150,7 @@ def search_edges(image: Floats, at: EdgeStations, radius_px: float) -> tuple[Flo
     found = np.empty((len(at.uv_px), 2))
     workspace = np.empty((2, 2 * (int(np.ceil(radius_px)) + 2) + 1))
     half = int(at.half_length_px)
-    _search(image, at.uv_px, at.normal, at.room_px, radius_px, half, found, workspace)
+    _search(image, at.uv_px, at.normal, at.clearance_px, radius_px, half, found, workspace)
     return found[:, 0], found[:, 1]
 
 

@@ -65,7 +65,7 @@ class StepMeasurements:
 def with_clearance(at: EdgeStations, blur_px: float) -> EdgeStations:
     """The stations whose next edges are far enough for a blur of this standard deviation."""
     needed = (_NEIGHBOUR_BLURS + _NEEDED_BLURS) * blur_px + _NEEDED_PX
-    return select_stations(at, at.room_px.min(axis=1) >= needed)
+    return select_stations(at, at.clearance_px.min(axis=1) >= needed)
 
 
 def select_stations(at: EdgeStations, keep: NDArray[np.bool_] | NDArray[np.int64]) -> EdgeStations:
@@ -77,7 +77,7 @@ def select_stations(at: EdgeStations, keep: NDArray[np.bool_] | NDArray[np.int64
         points_mm=at.points_mm[keep],
         uv_px=at.uv_px[keep],
         normal=at.normal[keep],
-        room_px=at.room_px[keep],
+        clearance_px=at.clearance_px[keep],
         length_px=at.length_px[keep],
     )
 
@@ -91,7 +91,7 @@ def join_stations(one: EdgeStations, other: EdgeStations) -> EdgeStations:
         points_mm=np.concatenate([one.points_mm, other.points_mm]),
         uv_px=np.concatenate([one.uv_px, other.uv_px]),
         normal=np.concatenate([one.normal, other.normal]),
-        room_px=np.concatenate([one.room_px, other.room_px]),
+        clearance_px=np.concatenate([one.clearance_px, other.clearance_px]),
         length_px=np.concatenate([one.length_px, other.length_px]),
     )
 
@@ -110,7 +110,7 @@ def measure_steps(
         blur_px: standard deviation of the picture's blur; fitted too if ``free_blur``.
     """
     reach = max(_LEAST_REACH_PX, _REACH_BLURS * blur_px + _REACH_PX)
-    room = np.minimum(reach, at.room_px - _NEIGHBOUR_BLURS * blur_px)
+    room = np.minimum(reach, at.clearance_px - _NEIGHBOUR_BLURS * blur_px)
     windows = np.column_stack([room, np.full(len(room), at.half_length_px)])
     places = np.column_stack([at.uv_px, at.normal])
     reach = np.ceil(np.hypot(room.max(axis=1), at.half_length_px)).astype(np.int64)

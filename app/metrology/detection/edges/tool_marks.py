@@ -38,7 +38,11 @@ def texture(
     offset = np.arange(-reach, reach + 1)
     beside = np.abs(offset) > 2 * window
     clear = window + 2 * blur_px
-    free = beside & (offset < at.room_px[:, :1] - clear) & (offset > clear - at.room_px[:, 1:])
+    free = (
+        beside
+        & (offset < at.clearance_px[:, :1] - clear)
+        & (offset > clear - at.clearance_px[:, 1:])
+    )
     ratio, moved = np.zeros(len(at.part)), np.zeros(len(at.part))
     sums = np.cumsum(np.pad(along, ((0, 0), (1, 0))), axis=1)
     trend = (sums[:, 2 * window + 1 :] - sums[:, : -2 * window - 1]) / (2 * window + 1)

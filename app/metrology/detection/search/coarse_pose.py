@@ -64,7 +64,7 @@ class SearchResult:
     the picture's middle and over its longer side.
     """
 
-    found: tuple[CoarsePose, ...]
+    poses: tuple[CoarsePose, ...]
     explained: float
     segments: Floats
 

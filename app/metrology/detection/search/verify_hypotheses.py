@@ -48,7 +48,7 @@ class CameraHypothesis:
 
     camera: Camera
     mirrored: bool
-    shown_px: float = np.inf
+    visible_px: float = np.inf
 
 
 @dataclass(frozen=True)
@@ -59,11 +59,11 @@ class AttemptResult:
     ``doubted``: whether the block may as well stand the other way round.
     """
 
-    found: SearchResult
+    search: SearchResult
     good: list[tuple[CoarsePose, EdgeMeasurements]]
     nearest: EdgeMeasurements | None = None
     against: RejectionReason | None = None
-    doubted: bool = False
+    mirror_doubt: bool = False
 
     @property
     def measured(self) -> EdgeMeasurements | None:
@@ -71,39 +71,39 @@ class AttemptResult:
         return self.good[0][1] if self.good else self.nearest
 
     @property
-    def shown_px(self) -> float:
+    def visible_px(self) -> float:
         """Length of its edges that the picture shows."""
         return _visible_length_px(self.measured) if self.measured is not None else 0.0
 
     @property
-    def borne_out_px(self) -> float:
+    def confirmed_px(self) -> float:
         """The same, where the picture bears a placing out."""
         return _visible_length_px(self.good[0][1]) if self.good else 0.0
 
     @property
-    def share_shown(self) -> float:
+    def visible_share(self) -> float:
         """Of the length of the edges drawn."""
         if self.measured is None:
             return 0.0
-        return self.shown_px / max(float(self.measured.at.length_px.sum()), 1e-9)
+        return self.visible_px / max(float(self.measured.at.length_px.sum()), 1e-9)
 
     @property
-    def sure_of_another(self) -> bool:
+    def is_other_object(self) -> bool:
         """Whether the nearest placing is an object very like the block; no other try tells more."""
         if self.nearest is None or self.against is None or not self.against.edges:
             return False
-        well_drawn = self.found.found[0].support > _SURE
-        return self.against.definite and well_drawn and self.share_shown > _MOST
+        well_drawn = self.search.poses[0].support > _SURE
+        return self.against.definite and well_drawn and self.visible_share > _MOST
 
     @property
-    def more_than_one_way(self) -> bool:
+    def is_ambiguous(self) -> bool:
         """Whether another placing is as good, or the other way round may be."""
-        return len(self.good) > 1 or self.doubted
+        return len(self.good) > 1 or self.mirror_doubt
 
     @property
     def doubtful(self) -> bool:
         """Whether another look at the picture may tell better which way the block stands."""
-        return self.good[0][0].mirrored or self.more_than_one_way
+        return self.good[0][0].mirrored or self.is_ambiguous
 
 
 NO_ATTEMPT = AttemptResult(SearchResult((), 0.0, np.empty((0, 4))), [])
@@ -118,19 +118,21 @@ def verify_hypotheses(
     declined: list[CameraHypothesis],
 ) -> AttemptResult:
     """Measures the likeliest placings but those ``declined`` before, to which it adds."""
-    if not found.found or found.found[0].support < _LEAST_SUPPORT:
+    if not found.poses or found.poses[0].support < _LEAST_SUPPORT:
         return AttemptResult(found, [])
-    best = found.found[0].support
+    best = found.poses[0].support
     looks = _HypothesisVerifier(grey, hidden, scale, block, declined)
-    for rank, rival in enumerate(found.found):
+    for rank, rival in enumerate(found.poses):
         # The other way round may be drawn as well by one that comes late.
         if rival.support >= (_RIVAL if rank < _RIVALS else _DOUBTFUL) * best:
-            looks.at(rival)
+            looks.verify(rival)
     good = sorted(looks.good, key=lambda one: -_visible_length_px(one[1]))
     if good:
         enough_px = _MORE * _visible_length_px(good[0][1])
         rivals = [one for one in good if _visible_length_px(one[1]) >= enough_px]
-        return AttemptResult(found, rivals, doubted=looks.doubted(good[0][0], enough_px))
+        return AttemptResult(
+            found, rivals, mirror_doubt=looks.mirror_is_likely(good[0][0], enough_px)
+        )
     # What hardly looks like the block says nothing against it either.
     if best < acceptance.LEAST_SUPPORT:
         return AttemptResult(found, [])
@@ -160,7 +162,7 @@ class _HypothesisVerifier:
         self.good: list[tuple[CoarsePose, EdgeMeasurements]] = []
         self.rejected: list[tuple[EdgeMeasurements, RejectionReason]] = []
 
-    def at(self, rival: CoarsePose) -> None:
+    def verify(self, rival: CoarsePose) -> None:
         """Measures a placing, unless it was before."""
         block, reverse = self._block, rival.mirrored
         known = [CameraHypothesis(found.camera, located.mirrored) for located, found in self.good]
@@ -175,7 +177,7 @@ class _HypothesisVerifier:
         # Several starts may lead to one placing; it is measured once.
         before = _find_same(camera, reverse, self._declined, block, _VERY_SAME)
         if before is not None:
-            self._others.append((rival, before.shown_px))
+            self._others.append((rival, before.visible_px))
         if before is not None or _find_same(camera, reverse, known, block, _SAME):
             return
         made_mm = block.standard_uncertainty_mm
@@ -191,7 +193,7 @@ class _HypothesisVerifier:
         elif not _find_same(measured.camera, reverse, known, block, _SAME):
             self.good.append((rival, measured))
 
-    def doubted(self, best: CoarsePose, enough_px: float) -> bool:
+    def mirror_is_likely(self, best: CoarsePose, enough_px: float) -> bool:
         """Whether the other way round is drawn about as well, and the full picture does not
         show that it explains less: it could not be measured, or as much of it shows."""
         return any(
