@@ -69,11 +69,11 @@ def bundle(context: Context) -> bytes:
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, make in parts.items():
             # what is no character stands as JSON spells it
-            archive.writestr(name, _made(redactor, make).encode("utf-8", "backslashreplace"))
+            archive.writestr(name, _build_part(redactor, make).encode("utf-8", "backslashreplace"))
     return packed.getvalue()
 
 
-def _made(redactor: Redactor, make: Callable[[], str]) -> str:
+def _build_part(redactor: Redactor, make: Callable[[], str]) -> str:
     try:
         return make()
     except Exception as error:

@@ -202,7 +202,7 @@ class _File(logging.handlers.RotatingFileHandler):
         if self.failing and not failed:
             print("The log cannot be written; the Health page says more.", file=sys.stderr)
 
-    def handleError(self, record: logging.LogRecord) -> None:
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - of an interface by others
         self.failing = True
 
 

@@ -187,7 +187,7 @@ class _ArmProber:
             if 0 < k == count // 2:
                 q = self._posture()
             seated = centre_mm + self.rng.normal(0.0, 1.0, 3) * self.plan.touch_sd_mm
-            q = self._held(seated, leaning, q)
+            q = self._solve_joints(seated, leaning, q)
             path.append(q)
         return path
 
@@ -202,11 +202,11 @@ class _ArmProber:
             flat = np.sqrt(1 - height**2)
             outward = np.array([flat * np.cos(round_), flat * np.sin(round_), height])
             gap = radius + self.rng.normal(0.0, self.plan.touch_sd_mm)
-            q = self._held(centre_mm + gap * outward, leaning, q)
+            q = self._solve_joints(centre_mm + gap * outward, leaning, q)
             path.append(q)
         return path
 
-    def _held(self, tip_mm: Floats, leaning: Floats, q_rad: Floats) -> Floats:
+    def _solve_joints(self, tip_mm: Floats, leaning: Floats, q_rad: Floats) -> Floats:
         """Joint angles (n,) with the tip's centre at a place; the stylus as it comes."""
         for _ in range(TRIES):
             R = leaning @ rotation_about("x", float(self.rng.uniform(-1, 1) * MAX_LEAN_RAD))

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import httpx
-from app.formats.recording.raw import MAGIC
 
 from app.formats.clouds.files import read_cloud
+from app.formats.recording.raw import MAGIC
 from app.store.store import Store
 from tests.api.processes import PATIENCE_S, demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd

@@ -88,7 +88,7 @@ def move_camera(camera: Camera, T_cam_frame: Floats) -> Camera:
     )
 
 
-def T_cam_of(camera: Camera) -> Floats:
+def camera_pose_of(camera: Camera) -> Floats:
     return rigid(camera.rotation, camera.translation_mm)
 
 
@@ -112,11 +112,12 @@ def pattern_scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) ->
 
 
 def _scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame], points_mm: Floats) -> float:
-    T_flange_cam = solved.T_flange_sensor @ inverse(T_cam_of(solved.camera))
+    T_flange_cam = solved.T_flange_sensor @ inverse(camera_pose_of(solved.camera))
     at = np.array(
         [
             apply(
-                frame.T_arm_flange @ T_flange_cam @ T_cam_of(board_from(solved, frame)), points_mm
+                frame.T_arm_flange @ T_flange_cam @ camera_pose_of(board_from(solved, frame)),
+                points_mm,
             )
             for frame in frames
         ]
@@ -128,7 +129,7 @@ def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
     """(K, 3) where the line's points near the pattern lie on the sheet, sensor frame."""
     camera = board_from(solved, frame)
     points = solved.board_surface(camera, frame.stripe_px[frame.near_pattern()])
-    return apply(inverse(T_cam_of(solved.camera)) @ T_cam_of(camera), points)
+    return apply(inverse(camera_pose_of(solved.camera)) @ camera_pose_of(camera), points)
 
 
 def laser_plane_rms_mm(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> float:

@@ -131,7 +131,7 @@ def run(progress: Progress = no_progress) -> list[DeviceFaultRow]:
                 return list(_walk(_StationClient(http, told, twin), progress))
 
 
-def done_count(view: View) -> int:
+def count_done(view: View) -> int:
     """How much of a step is done."""
     return int((view["progress"] or {"done": 0})["done"])
 
@@ -232,7 +232,7 @@ class _StationClient:
         """The step, and how much there is in it."""
         view = self.view()
         points = len(view["picture"].get("points") or ())
-        return view["step"], points, done_count(view)
+        return view["step"], points, count_done(view)
 
 
 def _walk(bench: _StationClient, progress: Progress) -> Iterator[DeviceFaultRow]:

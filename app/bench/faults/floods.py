@@ -45,7 +45,7 @@ def run(data: Path, seconds: float = SECONDS, progress: Progress = no_progress) 
         base = station.http.base_url
         address = (base.host, base.port or 0)
         with station.live(max_queue=1, ping_interval=None):
-            stop_bytes = _logged_by_stop(station, seconds)
+            stop_bytes = _log_bytes_of_stop(station, seconds)
             for number, name in enumerate(FLOODS):
                 progress(number / len(FLOODS), f"flood: {name}")
                 rows.append(_measure_under(station, name, address, seconds, stop_bytes))
@@ -89,7 +89,7 @@ class _Logged:
         return max(early, 0.0) + max(late, 0.0) * HOUR_S / (time.monotonic() - self._from_s)
 
 
-def _logged_by_stop(station: StationProcess, seconds: float) -> float:
+def _log_bytes_of_stop(station: StationProcess, seconds: float) -> float:
     """Bytes that a station without a flood logs for each Stop."""
     logged, until_s = _Logged(station, SETTLED * seconds), time.monotonic() + seconds
     while time.monotonic() < until_s or not logged.pressed:

@@ -182,7 +182,7 @@ def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
     return dict(station.wait(there))
 
 
-def _stored_items(view: View) -> set[Any]:
+def _list_items(view: View) -> set[Any]:
     """What an operator has done in this step, as the page shows it."""
     picture, step = view["picture"], view["step"]
     if step == "touch":
@@ -195,7 +195,7 @@ def _stored_items(view: View) -> set[Any]:
 
 def _has_reached(view: View, step: str, count: int) -> bool:
     order = [each["id"] for each in view["steps"]]
-    return (order.index(view["step"]), len(_stored_items(view))) >= (order.index(step), count)
+    return (order.index(view["step"]), len(_list_items(view))) >= (order.index(step), count)
 
 
 def differences(before: View, after: View) -> Iterator[str]:
@@ -207,5 +207,5 @@ def differences(before: View, after: View) -> Iterator[str]:
     # what the hand did between the last look and the kill may have ended the step
     if order.index(after["step"]) - order.index(before["step"]) not in (0, 1):
         yield f"{before['step']}: resumed at {after['step']}"
-    elif after["step"] == before["step"] and not _stored_items(before) <= _stored_items(after):
-        yield f"{before['step']}: {len(_stored_items(before) - _stored_items(after))} are missing"
+    elif after["step"] == before["step"] and not _list_items(before) <= _list_items(after):
+        yield f"{before['step']}: {len(_list_items(before) - _list_items(after))} are missing"

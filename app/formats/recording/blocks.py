@@ -8,7 +8,7 @@ from mcap.exceptions import McapError
 from mcap.records import Channel, Chunk, Message, Schema
 
 from app.formats.recording import wire_format as wire
-from app.formats.recording.raw import opened_bytes, parsed
+from app.formats.recording.raw import decompress, parse_records
 from app.metrology.transforms import Floats
 
 CHANNEL, SCHEMA = 4, 3
@@ -55,18 +55,18 @@ def open_chunk(chunk: Chunk) -> ChunkRecords:
     Raises:
         what ``recording_raw.DAMAGE`` names.
     """
-    data = opened_bytes(chunk)
+    data = decompress(chunk)
     table = wire.find_records(np.frombuffer(data, np.uint8))
-    return ChunkRecords(data, table, tuple(_described(data, table)))
+    return ChunkRecords(data, table, tuple(_read_descriptions(data, table)))
 
 
-def _described(data: bytes, table: wire.Table) -> Iterator[Schema | Channel]:
+def _read_descriptions(data: bytes, table: wire.Table) -> Iterator[Schema | Channel]:
     rows = table[(table[:, 0] == SCHEMA) | (table[:, 0] == CHANNEL)]
     if rows[:, 4].sum() > MOST_DESCRIBED:
         raise McapError(f"a chunk with {len(rows)} schemas and channels")
     for row in rows:
         opcode, _, _, first, length = row.tolist()
-        record = parsed(opcode, data[first : first + length])
+        record = parse_records(opcode, data[first : first + length])
         assert isinstance(record, Schema | Channel)
         yield record
 

@@ -89,7 +89,7 @@ def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapR
             continue
         if length > largest:
             raise RecordLengthLimitExceeded(opcode, length, largest)
-        record = parsed(opcode, _read(file, length))
+        record = parse_records(opcode, _read(file, length))
         yield record
         if isinstance(record, Footer):
             if _read(file, len(MAGIC)) != MAGIC:
@@ -97,7 +97,7 @@ def raw_records(file: BinaryIO, largest: int = LARGEST_RECORD) -> Iterator[McapR
             return
 
 
-def parsed(opcode: int, content: bytes) -> McapRecord:
+def parse_records(opcode: int, content: bytes) -> McapRecord:
     """A record by what it holds; its kind is one of ``PARSED``, or a message.
 
     Raises:
@@ -129,7 +129,7 @@ def summary_statistics(file: BinaryIO) -> Statistics | None:
     return next(found, None)
 
 
-def opened_bytes(chunk: Chunk) -> bytes:
+def decompress(chunk: Chunk) -> bytes:
     """What a chunk opens to, checked; never more than it announces, nor than ``LARGEST_CHUNK``.
 
     Raises:
@@ -139,9 +139,9 @@ def opened_bytes(chunk: Chunk) -> bytes:
     if announced > LARGEST_CHUNK:
         raise McapError(f"a chunk of {announced} bytes")
     if chunk.compression == "zstd":
-        data = _unpacked_zstd(chunk.data, announced)
+        data = _unpack_zstd(chunk.data, announced)
     elif chunk.compression == "lz4":
-        data = _unpacked_lz4(chunk.data, announced)
+        data = _unpack_lz4(chunk.data, announced)
     elif chunk.compression == "":
         data = chunk.data
     else:
@@ -155,7 +155,7 @@ def opened_bytes(chunk: Chunk) -> bytes:
     return data
 
 
-def _unpacked_zstd(data: bytes, announced: int) -> bytes:
+def _unpack_zstd(data: bytes, announced: int) -> bytes:
     told = zstandard.get_frame_parameters(data).content_size
     if told not in (announced, zstandard.CONTENTSIZE_UNKNOWN):
         raise McapError(f"a chunk of {announced} bytes opens to {told}")
@@ -163,7 +163,7 @@ def _unpacked_zstd(data: bytes, announced: int) -> bytes:
     return opener.decompress(data, max_output_size=announced)
 
 
-def _unpacked_lz4(data: bytes, announced: int) -> bytes:
+def _unpack_lz4(data: bytes, announced: int) -> bytes:
     opener = lz4.frame.LZ4FrameDecompressor()
     opened: bytes = opener.decompress(data, max_length=announced + 1)  # the end mark is behind it
     if not opener.eof:

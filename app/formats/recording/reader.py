@@ -255,7 +255,7 @@ class _JointState(Protocol):
 class _StampedMessage(Protocol):
     timestamp: Stamp
 
-    def HasField(self, name: str) -> bool: ...
+    def HasField(self, name: str) -> bool: ...  # noqa: N802 - of an interface by others
 
 
 class _JointStates(_StampedMessage, Protocol):

@@ -56,7 +56,7 @@ class StripeMessage(Protocol):
     sigma_px: MutableSequence[float]
     axis: str
 
-    def SerializeToString(self) -> bytes: ...
+    def SerializeToString(self) -> bytes: ...  # noqa: N802 - of an interface by others
 
 
 def stripe_descriptors() -> bytes:

@@ -24,7 +24,7 @@ def restore_result(
     Raises:
         Refusal: the session was never solved, or its files cannot be read any more.
     """
-    state, solved = _solved(journal, session_id)
+    state, solved = _load_outcome(journal, session_id)
     chosen = folder.datasheets()
     if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
         raise OperationError(
@@ -44,7 +44,7 @@ def restore_result(
     return picture, list(solved.findings)
 
 
-def _solved(
+def _load_outcome(
     journal: Journal, session_id: str
 ) -> tuple[CalibrationState, CalibrationOutcome | None]:
     """How the session ended; without an outcome where its rows cannot be read."""

@@ -147,7 +147,7 @@ class DeviceReader(Generic[D, I_co]):
             if self._ever_connected:
                 return LinkState.LOST, self._error or f"The {self._title} was lost; reconnecting"
             return LinkState.CONNECTING, self._error or f"Connecting to the {self._title}"
-        fresh_s = self._allowed_silence_s(FRESH_S)
+        fresh_s = self._silence_limit_s(FRESH_S)
         if age_s is not None and age_s <= fresh_s:
             return LinkState.CONNECTED, f"The {self._title} is connected"
         if now - self._opened_s <= fresh_s:
@@ -215,13 +215,13 @@ class DeviceReader(Generic[D, I_co]):
             if count:
                 self._note(now, time.monotonic(), count)
             elif now - max(self._opened_s, self._last_data_s or 0.0) > (
-                silence_s := self._allowed_silence_s(SILENCE_S)
+                silence_s := self._silence_limit_s(SILENCE_S)
             ):
                 raise DeviceError(
                     f"The {self._title} sent nothing for {silence_s:.0f} s; opening it again"
                 )
 
-    def _allowed_silence_s(self, usual_s: float) -> float:
+    def _silence_limit_s(self, usual_s: float) -> float:
         """The usual silence, or a longer one that the device announces."""
         return usual_s if self._info is None else max(usual_s, self._longest_gap_s(self._info))
 

@@ -127,7 +127,7 @@ class Reach:
         self._last, self._step_s = (stamp_ns, q_rad), None
         self._speeds_rad_s = [0.0] * len(q_rad)
         if self._aside is not None:
-            return self._told()
+            return self._newest_jump()
         self._good_since_ns = self._good_ns = stamp_ns
         return None
 
@@ -179,7 +179,7 @@ class Reach:
         else:
             self._stay(stamp_ns)
         self._go_on(stamp_ns, q_rad, moves, step_s)
-        return None if self._aside is None else self._told()
+        return None if self._aside is None else self._newest_jump()
 
     def _believe(self, stamp_ns: int) -> None:
         self._aside, self._slipped = None, False
@@ -213,6 +213,6 @@ class Reach:
             self._believe(stamp_ns)
             self._good_since_ns = stamp_ns
 
-    def _told(self) -> Jump:
+    def _newest_jump(self) -> Jump:
         assert self._aside is not None, "nothing jumped"
         return Jump(self._jumped, self._aside[self._jumped], self._slipped)
