@@ -311,7 +311,7 @@ def test_many_reports_keep_nobody_from_stop(
         return b"%PDF"
 
     monkeypatch.setattr(reports, "_verification", lambda *_: server.data)
-    monkeypatch.setattr(reports, "report_as", slow)
+    monkeypatch.setattr(reports, "render_report", slow)
     with ThreadPoolExecutor(60) as many:
         asked = [many.submit(server.http.get, "/api/verifications/1/report.pdf") for _ in range(60)]
         try:

@@ -44,7 +44,7 @@ def test_cold_rounds_find_nothing_that_another_left_and_warm_ones_do(
 
     monkeypatch.setattr(start, "_demo", no_demo)
     monkeypatch.setattr(start, "DemoProcess", Rested)
-    monkeypatch.setattr(InstalledCopy, "installed_mb", lambda self: 500.0)
+    monkeypatch.setattr(InstalledCopy, "size_mb", lambda self: 500.0)
     (tmp_path / "session" / "images").mkdir(parents=True)
     script(tmp_path / "one", COMPILES)
     copies = [find_copy("this", tmp_path / "one"), find_copy("against", tmp_path / "one")]

@@ -84,7 +84,7 @@ def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     def refused(*_: object) -> str:
         raise OperationError("database-unreadable", "The database cannot be read")
 
-    monkeypatch.setattr("app.operations.health_checks.set_aside", broken)
+    monkeypatch.setattr("app.operations.health_checks.list_unreadable", broken)
     monkeypatch.setattr(type(context.store), "check", refused)
     items = {item.id: item for item in HealthChecker(context).look().items}
     assert items["not-made-records"].what == "The check records cannot be made: IndexError."
@@ -99,7 +99,7 @@ def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
     def broken(_: Context) -> object:
         raise IndexError(f"in {context.store.folder}")
 
-    monkeypatch.setattr("app.api.support.report_of", broken)
+    monkeypatch.setattr("app.api.support.build_report", broken)
     files = bundled(context)
     assert files["report.json"].startswith("This part cannot be made.\n")
     assert "IndexError: in DATA" in files["report.json"]
