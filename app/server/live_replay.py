@@ -17,9 +17,10 @@ from app.formats.recording.joint_samples import JointReader
 from app.formats.recording.reader import ImageRecord, last_stamp_ns, open_recording
 from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
+from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, rigid
+from app.metrology.transforms import Floats, apply, rigid
 from app.station.bus import Bus
 from app.station.view3d.scene import Scene
 from app.workflows.reconstruct import reconstruct_into
@@ -116,8 +117,8 @@ class Replay:
         with ThreadPoolExecutor(1, "replay-joints") as pool:
             for block in read_blocks(open_recording(self._path), pool, 1):
                 for samples in block.joints:
-                    stamps_ns, q_rad = reader.readings(samples)
-                    yield from zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
+                    yield from _pair(*reader.readings(samples))
+        yield from _pair(*reader.last_readings())
 
     def _pictures(self) -> RecordedImages:
         with ThreadPoolExecutor(1, "replay-pictures") as pool:
@@ -188,6 +189,11 @@ class Replay:
 
 class _ReplayEndedError(Exception):
     """Told to stop."""
+
+
+def _pair(stamps_ns: Stamps, q_rad: Floats) -> Readings:
+    """Each stamp with its angles."""
+    return zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
 
 
 def _first(readings: Readings, count: int) -> Iterator[tuple[int, tuple[float, ...]]]:

@@ -146,7 +146,7 @@ import resource, signal, sys
 import numpy as np
 from pathlib import Path
 from app.formats.clouds.files import cloud_writer
-from app.errors import Refusal
+from app.errors import OperationError
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 list(map(__import__, ("pye57", "laspy", "lazrs")))
 path, rng = Path(sys.argv[1]), np.random.default_rng(0)
@@ -157,7 +157,7 @@ try:
     with cloud_writer(path) as cloud:
         for i in range(4):
             cloud.write(rng.normal(0, 300, (70_000, 3)), *rng.uniform(0, 99, (2, 70_000)), i)
-except Refusal as refusal:
+except OperationError as refusal:
     print(refusal.line)
 """
     path = tmp_path / f"c{suffix}"

@@ -21,7 +21,7 @@ import resource, signal, sys, time
 from pathlib import Path
 import numpy as np
 from app.formats.recording.writer import RecordingWriter
-from app.errors import Refusal
+from app.errors import OperationError
 from app.metrology.stripe import Stripe
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH
 
@@ -49,7 +49,7 @@ try:
             if time.monotonic() - flushed_s > 0.5:  # as the station does
                 writer.flush()
                 flushed_s = time.monotonic()
-except Refusal as refusal:
+except OperationError as refusal:
     print(refusal.line, flush=True)
 """
 

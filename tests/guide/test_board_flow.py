@@ -103,7 +103,7 @@ def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
     outlines = set()
     for taken, view in enumerate(VIEWS):
         state = at("place", *pictures(taken, SEEN))
-        shown = build_view(state, make_live(state, arm, BOARD, corners_seen=0))
+        shown = build_view(state, make_live(state, arm, BOARD, corners_detected=0))
         assert isinstance(shown.picture, CameraPicture)
         outlines.add(tuple(shown.picture.target))
         assert plan_view(state.listed) == view

@@ -101,7 +101,7 @@ def test_every_step_tells_what_to_do_and_why_not(
     contacts: list[tuple[str, dict[str, object]]],
 ) -> None:
     state = states(contacts)[step]
-    live = make_live(state, arm, block, seen=outcome() if step == "review" else None)
+    live = make_live(state, arm, block, latest_outcome=outcome() if step == "review" else None)
     if not connected:
         lost = replace(CONNECTED, state="lost", text="The arm was lost; reconnecting.")
         live = replace(live, arm_link=lost)
@@ -189,7 +189,7 @@ def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
 def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
     state = state_after(start_row("place"))
     dark = (Finding("attention", "the picture is dark", "open the iris"),) * 2
-    live = make_live(state, arm, block, corners_seen=0, picture_findings=dark)
+    live = make_live(state, arm, block, corners_detected=0, picture_findings=dark)
     view = build_view(state, live)
     assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
     for_it = Finding("attention", "no board was found: the picture is dark", "open the iris")
@@ -197,7 +197,7 @@ def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Cren
     assert said.text == "No board was found: the picture is dark."
     (hint,) = build_view(state, replace(live, laser_on=True)).findings
     assert "laser is on" in hint.text
-    (found,) = build_view(state, make_live(state, arm, block, corners_seen=20)).findings
+    (found,) = build_view(state, make_live(state, arm, block, corners_detected=20)).findings
     assert found.text == "20 corners of the object are found."
     assert build_view(state, replace(live, corners_detected=20)).findings == view.findings
 
@@ -228,11 +228,11 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
     assert action(view, "retake").primary
     of_picture = Finding("bad", f"Exposure is at fault. {said}", "Raise the exposure.")
     declined = CalibrationOutcome([], [], [], [of_picture], None, fault="exposure")
-    told = build_view(state, make_live(state, arm, block, seen=declined))
+    told = build_view(state, make_live(state, arm, block, latest_outcome=declined))
     assert told.findings == [of_picture]
     dim, none = Finding("attention", "It is dim."), Finding("bad", "There is no stripe.")
     declined = CalibrationOutcome([], [], [], [dim, none], None)
-    told = build_view(state_after(*rows), make_live(state, arm, block, seen=declined))
+    told = build_view(state_after(*rows), make_live(state, arm, block, latest_outcome=declined))
     assert told.findings == [none, dim]
     state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
     assert build_view(state, make_live(state, arm, block)).findings == []
@@ -242,11 +242,11 @@ def test_a_bad_calibration_cannot_be_accepted(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = solved_state(contacts)
-    view = build_view(state, make_live(state, arm, block, seen=outcome("bad")))
+    view = build_view(state, make_live(state, arm, block, latest_outcome=outcome("bad")))
     assert isinstance(view.picture, ResultPicture)
     assert action(view, "accept").why_not == "It should not be used: the findings say why."
     assert action(view, "repeat").primary
-    live = make_live(state, arm, block, seen=outcome("attention"))
+    live = make_live(state, arm, block, latest_outcome=outcome("attention"))
     assert action(build_view(state, live), "accept").enabled
     assert live.arm is not None
     exchanged = replace(live, arm=replace(live.arm, serial_number="A-9"))
@@ -268,7 +268,7 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
 
     def shown(*more: tuple[str, dict[str, object]]) -> tuple[FlowView, ResultPicture]:
         state = state_after(*rows, *more)
-        view = build_view(state, make_live(state, arm, block, seen=there))
+        view = build_view(state, make_live(state, arm, block, latest_outcome=there))
         assert isinstance(view.picture, ResultPicture)
         return view, view.picture
 
@@ -311,14 +311,14 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     assert view.picture.shown == 2
     assert [pose.note for pose in view.picture.poses] == ["", "Not usable: focus"]
     assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
-    told = build_view(state, make_live(state, arm, block, seen=blurred))
+    told = build_view(state, make_live(state, arm, block, latest_outcome=blurred))
     assert "cannot be used" in told.instruction
     assert action(told, "retake").primary
     assert told.progress is not None
     assert (told.progress.done, told.progress.text) == (2, "2 of up to 6 poses")
     assert action(told, "solve").enabled
     alone = state_after(start_row("touch"), *contacts, capture_row(outcome=bad))
-    told = build_view(alone, make_live(alone, arm, block, seen=blurred))
+    told = build_view(alone, make_live(alone, arm, block, latest_outcome=blurred))
     assert action(told, "solve").why_not == "No picture shows the object yet. Take one anew."
     assert action(told, "retake").enabled
 
@@ -350,7 +350,7 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     state = replace(solved_state(contacts), ended="accepted")
-    live = make_live(state, arm, block, seen=outcome())
+    live = make_live(state, arm, block, latest_outcome=outcome())
     view = build_view(state, live)
     assert not view.running
     assert [a.name for a in view.actions] == ["repeat"]
@@ -408,7 +408,7 @@ def test_a_pose_used_without_its_laser_line_says_so(
     row = PoseRow(1, True, "its laser line was left out, 2.1 mm off", 0.1, None, 3.0)
     there = replace(there, result=replace(there.result, poses=[row]))
     state = solved_state(contacts)
-    picture = build_view(state, make_live(state, arm, block, seen=there)).picture
+    picture = build_view(state, make_live(state, arm, block, latest_outcome=there)).picture
     assert isinstance(picture, ResultPicture)
     (pose,) = picture.poses
     assert (pose.state, pose.note) == ("used", f"Used, but {row.reason}")
@@ -419,10 +419,10 @@ def test_no_outline_is_spoken_of_where_none_is_drawn(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     first = state_after(start_row("place"), *contacts)
-    live = make_live(first, arm, block, corners_seen=0)
+    live = make_live(first, arm, block, corners_detected=0)
     assert "dashed outline" in build_view(first, live).instruction
     # after a picture of which no advice came
     later = state_after(start_row("touch"), *contacts, capture_row(), ("another_pose", {}))
-    view = build_view(later, make_live(later, arm, block, corners_seen=0))
+    view = build_view(later, make_live(later, arm, block, corners_detected=0))
     assert view.step == "place"
     assert "outline" not in view.instruction
