@@ -2,6 +2,7 @@
 
 import math
 import time
+from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
@@ -17,6 +18,9 @@ MOST_STATIONS = 200
 """Whatever may be on the broker."""
 ESTABLISHED_S = 60.0
 """A station that was heard for so long is kept before those that just came."""
+RETURN_AFTER_S = 0.5
+"""A station that was turned away and sends again no sooner is taken for one that goes on."""
+TURNED_AWAY_STORED = 8192
 
 State = Literal["live", "lost", "off", "waiting", "unknown"]
 
@@ -63,6 +67,8 @@ class Fleet:
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
         self._stations: dict[str, _TrackedStation] = {}
+        self._turned_away: OrderedDict[str, float] = OrderedDict()
+        """When stations first found no place; the latest of them."""
         self._broker_since: float | None = None
         self.unread = Unread(clock)
 
@@ -84,7 +90,7 @@ class Fleet:
         if getattr(message, "station", None) != station:
             self.unread.add("strange")
             return
-        if station not in self._stations and not self._make_space(retained):
+        if station not in self._stations and not self._make_space(station, retained):
             self.unread.add("crowded")
             return
         known = self._stations.setdefault(station, _TrackedStation(station, self._clock()))
@@ -93,21 +99,36 @@ class Fleet:
     def knows(self, station: str) -> bool:
         return station in self._stations
 
-    def _make_space(self, retained: bool) -> bool:
+    def _make_space(self, station: str, retained: bool) -> bool:
         """Whether one more may come; for it the one that is silent longest goes.
 
         None goes that still sends, so that however many are invented hide none that was there
-        before; and what the broker kept of somebody is no reason to forget another.
+        before; what the broker kept of somebody is no reason to forget another. One that sent
+        once only makes place for one that comes again, so that a flood of new names keeps
+        nobody out who goes on.
         """
         if len(self._stations) < MOST_STATIONS:
             return True
         if retained:
             return False
+        returns = self._returns(station)
         id_, silent = min(self._stations.items(), key=lambda item: _eviction_rank(item[1]))
-        if silent.heard_s is not None and self._clock() - silent.heard_s <= LOST_AFTER_S:
+        sends = silent.heard_s is not None and self._clock() - silent.heard_s <= LOST_AFTER_S
+        if sends and not (returns and silent.heard_s == silent.first_s):
             return False
+        self._turned_away.pop(station, None)
         del self._stations[id_]
         return True
+
+    def _returns(self, station: str) -> bool:
+        """Whether a station without a place has asked for one before."""
+        now_s = self._clock()
+        first_s = self._turned_away.setdefault(station, now_s)
+        if now_s - first_s > LOST_AFTER_S:
+            self._turned_away[station] = now_s
+        while len(self._turned_away) > TURNED_AWAY_STORED:
+            self._turned_away.popitem(last=False)
+        return RETURN_AFTER_S <= now_s - first_s <= LOST_AFTER_S
 
     def _fold(self, known: _TrackedStation, message: BaseModel, retained: bool) -> None:
         if isinstance(message, Presence):

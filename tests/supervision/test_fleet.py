@@ -145,6 +145,18 @@ def test_invented_stations_hide_none_that_sends() -> None:
     assert not any(name.startswith("kept") for name in names(made))
 
 
+def test_a_station_that_goes_on_finds_a_place_among_new_names() -> None:
+    """A flood that sends each name once keeps nobody out who sends every second."""
+    made, clock = fleet()
+    for second in range(3):  # sooner than any of them is lost
+        for number in range(MOST_STATIONS):
+            take_of(made, f"invented-{second}-{number}")
+            clock.now_s += 1.0 / MOST_STATIONS
+        take_of(made, "real")
+    assert "real" in names(made)
+    assert len(names(made)) == MOST_STATIONS
+
+
 def test_a_lost_station_that_was_there_long_outlasts_those_that_just_came() -> None:
     made, clock = fleet()
     for _ in range(70):
