@@ -41,7 +41,7 @@ def announced_size(raw: bytes) -> Announced | None:
         if raw.startswith(signatures):
             try:
                 return read(raw)
-            except (struct.error, IndexError):  # it ends before it has told
+            except (struct.error, IndexError, OverflowError):  # it ends before that place
                 return None
     return None
 

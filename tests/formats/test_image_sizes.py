@@ -8,7 +8,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from app.errors import OperationError
@@ -120,6 +120,7 @@ STARTS = [*LARGE.values(), tiff(3, 3), png(3, 3), b"P5 3 3 255\n", b"\xff\xd8\xf
 
 
 @given(st.sampled_from(STARTS), st.integers(0, 80), st.binary(max_size=200))
+@example(b"II+\x00\x08\x00\x00\x00\x10\x00\x00\x00\x00\x00\x00\x80", 16, b"")
 def test_any_header_is_told_or_not(start: bytes, kept: int, rest: bytes) -> None:
     announced = announced_size(start[:kept] + rest)
     assert announced is None or announced.pixels >= 0
