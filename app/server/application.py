@@ -7,12 +7,21 @@ from contextlib import AbstractAsyncContextManager, asynccontextmanager
 
 from fastapi import Depends, FastAPI
 
-from app.api import accounts as people
-from app.api import auth as session
-from app.api import calibrations, health, live, metrics, problems, records, reports, settings
-from app.api import notifications as telling
-from app.api import scan as machine
-from app.api import scene as view
+from app.api import (
+    accounts,
+    auth,
+    calibrations,
+    health,
+    live,
+    metrics,
+    notifications,
+    problems,
+    records,
+    reports,
+    scan,
+    scene,
+    settings,
+)
 from app.api.authorization import authorise
 from app.api.files import client
 from app.api.sessions import arm
@@ -48,20 +57,20 @@ def build_app(parts: StationParts) -> FastAPI:
     app.state.context = context
     problems.install(app)
     for room in (
-        session,
-        people,
+        auth,
+        accounts,
         flow,
         arm,
         verify,
         calibrations,
-        machine,
+        scan,
         settings,
         records,
         reports,
         health,
-        telling,
+        notifications,
         metrics,
-        view,
+        scene,
         live,
         viewer,
         client,

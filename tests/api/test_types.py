@@ -22,7 +22,6 @@ from app.station.preview import capture_aids as aids
 from app.station.preview import preview
 from app.store import audit
 from app.wire import readiness, schema
-from app.wire import schema as record_schema
 
 API = Path(__file__).resolve().parents[2] / "frontend/src/api"
 SUBJECTS = ("access", "device", "flow", "home", "live", "record", "result", "scan", "settings")
@@ -77,8 +76,8 @@ SHAPES: dict[str, type] = {
     "AuditEntry": audit.AuditEntry,
     "Band": distance_band.Band,
     "Aid": aids.CaptureAid,
-    "RecordedCalibration": record_schema.RecordedCalibration,
-    "CalibrationPoint": record_schema.CalibrationPoint,
+    "RecordedCalibration": schema.RecordedCalibration,
+    "CalibrationPoint": schema.CalibrationPoint,
 }
 PICTURES = {
     "devices": view.DevicesPicture,

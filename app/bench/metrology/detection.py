@@ -136,9 +136,9 @@ class DetectionBench:
         named = sum(d.wrongly_accepted and d.named for d in telling)
         found.append(
             f"wrong certificates: {len(telling)} that the picture shows to be wrong,"
-            f" {self.wrongly_accepted} accepted ({named} of them with the remark that the"
-            " picture hides"
-            f" what is wrong); {len(self.wrong_certificates) - len(telling)} that it does not show,"
+            f" {self.wrongly_accepted} accepted ({named} of them with the remark that the picture"
+            f" hides what is wrong); {len(self.wrong_certificates) - len(telling)} that it does not"
+            " show,"
             f" {sum(d.accepted for d in self.wrong_certificates) - self.wrongly_accepted} accepted"
         )
         found.append(f"right: {self.right} of {total}, wrong: {self.wrong}")
