@@ -185,6 +185,9 @@ class _HypothesisVerifier:
         if measured is None:
             self._others.append((rival, np.inf))
             return
+        if self.good and _visible_length_px(measured) < _MORE * self._most_visible_px():
+            # Dropping outliers only shortens it: it cannot become a rival.
+            return
         measured, against = acceptance.check_measurements(self._masked, measured, made_mm)
         if against is not None:
             self.rejected.append((measured, against))
@@ -192,6 +195,9 @@ class _HypothesisVerifier:
             self._others.append((rival, _visible_length_px(measured)))
         elif not _find_same(measured.camera, reverse, known, block, _SAME):
             self.good.append((rival, measured))
+
+    def _most_visible_px(self) -> float:
+        return max(_visible_length_px(measured) for _, measured in self.good)
 
     def mirror_is_likely(self, best: CoarsePose, enough_px: float) -> bool:
         """Whether the other way round is drawn about as well, and the full picture does not
