@@ -37,7 +37,7 @@ class ReportTable:
 
 
 @dataclass(frozen=True)
-class Text:
+class TextBlock:
     text: str
     small: bool = False
 
@@ -69,7 +69,7 @@ class Signatures:
     lines: Sequence[tuple[str, str]]
 
 
-Block = Facts | ReportTable | Text | Findings | Pictures | Signatures
+Block = Facts | ReportTable | TextBlock | Findings | Pictures | Signatures
 
 
 @dataclass(frozen=True)

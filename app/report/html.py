@@ -15,7 +15,7 @@ from app.report.content import (
     ReportTable,
     Section,
     Signatures,
-    Text,
+    TextBlock,
 )
 from app.report.fonts import REGULAR, SEMIBOLD
 from app.report.formatting import join_units
@@ -154,7 +154,7 @@ def _block(block: Block, say: Translate) -> str:
             return f'<dl class="facts">{rows}</dl>'
         case ReportTable():
             return _table(block)
-        case Text():
+        case TextBlock():
             kind = ' class="small"' if block.small else ""
             return f"<p{kind}>{escape(block.text)}</p>"
         case Findings():

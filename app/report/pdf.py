@@ -33,7 +33,7 @@ from app.report.content import (
     ReportTable,
     Section,
     Signatures,
-    Text,
+    TextBlock,
 )
 from app.report.figure import FAINT, INK, SOFT
 from app.report.fonts import REGULAR, SEMIBOLD
@@ -206,7 +206,7 @@ def _block(block: Block, say: Translate) -> list[Flowable]:
             return [_facts(block)]
         case ReportTable():
             return [_table(block), Spacer(1, 6)]
-        case Text():
+        case TextBlock():
             size, colour = (7.5, SOFT) if block.small else (8.5, INK)
             return [_paragraph(block.text, size, colour), Spacer(1, 4)]
         case Findings():

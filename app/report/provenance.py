@@ -5,7 +5,7 @@ from pathlib import Path
 
 from app.formats.json_document import file_sha256
 from app.formats.results.calibration import Input
-from app.report.content import Block, Findings, ReportFinding, ReportTable, Section, Text
+from app.report.content import Block, Findings, ReportFinding, ReportTable, Section, TextBlock
 
 SAME, RESULT = "unchanged", "the result"
 
@@ -24,7 +24,10 @@ def inputs_section(
         told = ReportFinding("bad", text, "The result cannot be traced to them.")
         blocks: list[Block] = [Findings([told]), table]
     else:
-        blocks = [table, Text("Every file has the content that the result was made from.", True)]
+        blocks = [
+            table,
+            TextBlock("Every file has the content that the result was made from.", True),
+        ]
     return Section("Inputs", blocks, together=False)
 
 

@@ -14,7 +14,7 @@ from app.report.content import (
     ReportTable,
     Section,
     Signatures,
-    Text,
+    TextBlock,
     Verdict,
 )
 from app.report.figure import Figure, Label
@@ -63,7 +63,7 @@ def _block(block: Block, say: Translate) -> Block:
         case ReportTable():
             rows = [[say(cell) for cell in row] for row in block.rows]
             return replace(block, columns=[say(cell) for cell in block.columns], rows=rows)
-        case Text():
+        case TextBlock():
             return replace(block, text=say(block.text))
         case Findings():
             found = [

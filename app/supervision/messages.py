@@ -32,7 +32,7 @@ def _keep_first(number: int) -> BeforeValidator:
     )
 
 
-Text = Annotated[str, Field(max_length=400)]
+ShortText = Annotated[str, Field(max_length=400)]
 Name = Annotated[str, Field(max_length=80)]
 Count = Annotated[int, Field(ge=0, le=MOST)]
 Amount = Annotated[float, Field(ge=0, le=MOST, allow_inf_nan=False)]
@@ -52,7 +52,7 @@ class DeviceReport(Payload):
 
     name: Literal["arm", "camera"]
     state: Literal["connected", "connecting", "lost", "off"]
-    text: Text
+    text: ShortText
     age_s: Amount | None = Field(description="Age of the newest data when this was written")
     rate_hz: Amount | None
     received: Count
@@ -64,10 +64,10 @@ class ActivityReport(Payload):
     """What the station is doing."""
 
     kind: Activity
-    title: Text
+    title: ShortText
     step: Count = Field(description="Counted from 1; 0 where there are no steps")
     steps: Count
-    progress: Text
+    progress: ShortText
     points: Count = Field(description="Of the running scan, or of the last")
     rate_points_s: Amount
     lost_frames: Count
@@ -76,7 +76,7 @@ class ActivityReport(Payload):
 class CalibrationReport(Payload):
     """The calibration in use."""
 
-    name: Text
+    name: ShortText
     accepted_at: Moment
     age_days: Amount
     total_um: Amount = Field(description="Standard uncertainty of a scanned point, k = 1")
@@ -88,18 +88,18 @@ class CalibrationReport(Payload):
 class VerificationReport(Payload):
     """The last verification against a gauge."""
 
-    title: Text
+    title: ShortText
     at: Moment
     quality: Quality
-    text: Text
+    text: ShortText
 
 
 class Alarm(Payload):
     """Something that somebody should know of, for as long as it is so."""
 
     quality: Quality
-    text: Text
-    remedy: Text
+    text: ShortText
+    remedy: ShortText
 
 
 class StationReport(Payload):
@@ -151,7 +151,7 @@ class StationEvent(Payload):
     at: Moment
     kind: Name
     quality: Quality
-    text: Text
+    text: ShortText
 
 
 KINDS: dict[str, type[Payload]] = {

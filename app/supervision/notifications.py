@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from app.station.bus import Event
-from app.supervision.messages import Count, Moment, Name, Payload, Text
+from app.supervision.messages import Count, Moment, Name, Payload, ShortText
 
 NoticeKind = Literal["done", "fault", "due", "test"]
 DONE = {"accepted", "scan-saved", "replay"}
@@ -25,7 +25,7 @@ class Notice(Payload):
     name: Name = Field(description="The station's, for people")
     kind: NoticeKind
     at: Moment
-    text: Text
+    text: ShortText
 
 
 def notice_kind(event: Event) -> NoticeKind | None:

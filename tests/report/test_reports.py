@@ -22,7 +22,7 @@ from app.formats.results.verification import VerificationFile, write_verificatio
 from app.formats.session.arm_session import write_observations
 from app.formats.software import SOFTWARE
 from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
-from app.report.content import Pictures, Report, Section, Text, Verdict
+from app.report.content import Pictures, Report, Section, TextBlock, Verdict
 from app.report.contents.calibration import calibration_report
 from app.report.contents.verification import LABELS
 from app.report.figure import Figure, magnification
@@ -339,7 +339,7 @@ def test_words_are_printed_as_read() -> None:
 def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
     """A row of pictures that finds no room below takes its title along to the next page."""
     picture = (Figure(100, 60, "A picture"), "What it shows")
-    filling = Section("Before", [Text("A line.")] * lines, together=False)
+    filling = Section("Before", [TextBlock("A line.")] * lines, together=False)
     pictures = Section("Pictures", [Pictures([picture])], together=False)
     report = Report("Report", "1", "Room", "", Verdict("good", "Good", ""), [filling, pictures])
     document = pypdfium2.PdfDocument(pdf_document(report))

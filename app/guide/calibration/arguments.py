@@ -9,17 +9,17 @@ from app.guide.common.arguments import (
     IndexArguments,
     NumberArguments,
     OperatorArguments,
-    Text,
+    ShortText,
 )
 
 
 class _Choice(Arguments):
     field: Literal["arm", "object", "sensor"]
-    id: Text
+    id: ShortText
 
 
 class _Face(Arguments):
-    face: Text
+    face: ShortText
 
 
 ARGUMENTS: ArgumentTable = {

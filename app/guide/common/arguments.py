@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from app.errors import OperationError
 
 Args = Mapping[str, object]
-Text = Annotated[str, Field(max_length=200)]
+ShortText = Annotated[str, Field(max_length=200)]
 """Valid Unicode: pydantic takes no lone surrogates."""
 Number = Annotated[int, Field(ge=0, le=1_000_000)]
 
@@ -20,7 +20,7 @@ class Arguments(BaseModel):
 
 
 class IdArguments(Arguments):
-    id: Text
+    id: ShortText
 
 
 class IndexArguments(Arguments):
@@ -32,7 +32,7 @@ class NumberArguments(Arguments):
 
 
 class BackArguments(Arguments):
-    to: Text | None = None
+    to: ShortText | None = None
 
 
 class OperatorArguments(Arguments):

@@ -15,7 +15,7 @@ from app.report.content import (
     Report,
     ReportTable,
     Section,
-    Text,
+    TextBlock,
     Verdict,
     signatures,
 )
@@ -107,13 +107,13 @@ def _limit(check: ArmCheckFile) -> str:
     return "none" if check.limit_um is None else f"≤ {check.limit_um:g} µm"
 
 
-def _rule() -> list[Text]:
+def _rule() -> list[TextBlock]:
     return [
-        Text(
+        TextBlock(
             "Decision rule: (max − min)/2 of each axis is compared with its limit directly; "
             "there is no guard band: what the form of seat and tip adds is not stated."
         ),
-        Text(
+        TextBlock(
             "Not to standard: one seat and a continuous swing, not the positions and points of "
             "ASME B89.4.22 or ISO 10360-12. No result of theirs is claimed."
         ),

@@ -25,7 +25,7 @@ from app.report.content import (
     ReportFinding,
     ReportTable,
     Section,
-    Text,
+    TextBlock,
     Verdict,
     signatures,
 )
@@ -191,7 +191,7 @@ def _limits(accepted: Acceptance | None) -> str:
     return f"good ≤ {accepted.good_um:g} µm, usable ≤ {accepted.usable_um:g} µm"
 
 
-def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[Text]:
+def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock]:
     texts = [
         "Decision rule: the limits are set on the standard uncertainty itself and compared with it "
         "directly, without a guard band."
@@ -214,7 +214,7 @@ def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[Text]:
             f"{micrometres(moved.rms_um)} ({millimetres(moved.rms_um)}) rms, "
             f"{micrometres(moved.max_um)} ({millimetres(moved.max_um)}) at most."
         )
-    return [Text(text) for text in texts]
+    return [TextBlock(text) for text in texts]
 
 
 def _findings(sheet: CalibrationFile) -> Section:
@@ -350,5 +350,5 @@ def _parameters(sheet: CalibrationFile) -> Section:
     ]
     rows = [tuple(f"{value:.7f}" for value in row) for row in sheet.probe_matrix]
     probe = ReportTable(("x", "y", "z", "Origin, mm"), rows, (1, 1, 1, 1), 0)
-    words = Text("Probe matrix: the sensor's frame in that of the arm's last joint.")
-    return Section("Parameters", [Facts(facts), Text(""), words, probe])
+    words = TextBlock("Probe matrix: the sensor's frame in that of the arm's last joint.")
+    return Section("Parameters", [Facts(facts), TextBlock(""), words, probe])

@@ -18,7 +18,7 @@ from app.report.content import (
     ReportFinding,
     ReportTable,
     Section,
-    Text,
+    TextBlock,
     Verdict,
     signatures,
 )
@@ -134,17 +134,17 @@ def _explanation(found: IdentificationPart) -> list[Block]:
     seen = found.validation
     how = "in a folder of their own" if seen.method == "separate" else "held out in turn"
     blocks: list[Block] = [
-        Text(
+        TextBlock(
             "Over the reach: before, the difference from the arm as identified; after, the "
             "standard uncertainty, k = 1."
         ),
-        Text(
+        TextBlock(
             f"Held out: on {seen.places} places that the fit did not see, {how}; the encoders' "
             f"noise is included. In standard deviations of the points {seen.before.normalised:.1f} "
             f"before and {seen.after.normalised:.2f} after, where 1 is noise alone."
         ),
-        Text("No limit is set for an identification: a check of the arm judges it."),
-        Text(
+        TextBlock("No limit is set for an identification: a check of the arm judges it."),
+        TextBlock(
             "The flange's frame is now this arm's: calibrations made with the arm before do not "
             "belong to it."
         ),

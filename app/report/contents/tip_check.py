@@ -16,7 +16,7 @@ from app.report.content import (
     Report,
     ReportTable,
     Section,
-    Text,
+    TextBlock,
     Verdict,
     signatures,
 )
@@ -95,14 +95,14 @@ def _um(value_um: float) -> tuple[str, str]:
     return micrometres(value_um), millimetres(value_um)
 
 
-def _rule() -> list[Text]:
+def _rule() -> list[TextBlock]:
     return [
-        Text(
+        TextBlock(
             "Decision rule by ISO 14253-1: the error of the diameter passes where it is proven "
             "within its limit, by more than its expanded uncertainty (k = 2); it fails where it is "
             "proven beyond. The scatter is compared with its limit directly."
         ),
-        Text(
+        TextBlock(
             "Not to standard: the touches are not those of the sphere tests of ISO 10360-12, so "
             "that no symbol of theirs is printed."
         ),

@@ -19,7 +19,7 @@ from app.report.content import (
     ReportFinding,
     ReportTable,
     Section,
-    Text,
+    TextBlock,
     Verdict,
     signatures,
 )
@@ -154,14 +154,14 @@ def _value(value: float, unit: str) -> str:
     return f"{value:.0f}″" if unit == "″" else f"{value:.1f} µm"
 
 
-def _rule() -> list[Text]:
+def _rule() -> list[TextBlock]:
     return [
-        Text(
+        TextBlock(
             "Decision rule by ISO 14253-1: pass where the value is proven within its limit, by "
             "more than its expanded uncertainty (k = 2); fail where it is proven beyond; else "
             "undecided."
         ),
-        Text(
+        TextBlock(
             "Not to standard: the positions, articulations and counts of ISO 10360-8 and of "
             "ISO 10360-12 are not run to the letter, so that no symbol of theirs is printed."
         ),
