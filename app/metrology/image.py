@@ -8,10 +8,18 @@ Image = NDArray[np.uint8] | NDArray[np.uint16]
 
 
 def saturation_level(image: Image) -> float:
-    """The grey level at which this image's pixels are clipped.
+    """The grey level at which the pixels of an image are clipped.
 
-    255 for 8 bits; for 16-bit images the sensor's own depth where the brightest
-    pixel shows it (1023, 4095, ..., also shifted to the upper bits), else 65535.
+    Args:
+        image: (H, W) of uint8 or uint16.
+
+    Returns:
+        255 for 8 bits. For 16 bits the full scale of the sensor (1023, 4095, …, also shifted to
+        the upper bits) where the brightest pixel shows it, else 65535.
+
+    Example:
+        >>> saturation_level(np.array([[0, 4095]], dtype=np.uint16))
+        4095.0
     """
     if image.dtype == np.uint8:
         return 255.0

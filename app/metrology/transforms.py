@@ -10,7 +10,19 @@ Floats = NDArray[np.float64]
 
 
 def rigid(rotation: Floats, translation_mm: Floats) -> Floats:
-    """The 4x4 transform of a (3, 3) rotation and a (3,) translation."""
+    """The homogeneous transform of a rotation and a translation.
+
+    Args:
+        rotation: (3, 3) of ``T_ab``, from frame b to frame a.
+        translation_mm: (3,) origin of frame b in frame a.
+
+    Returns:
+        (4, 4) ``T_ab``.
+
+    Example:
+        >>> rigid(np.eye(3), np.array([1.0, 2.0, 3.0]))[:3, 3].tolist()
+        [1.0, 2.0, 3.0]
+    """
     T = np.eye(4)
     T[:3, :3] = rotation
     T[:3, 3] = translation_mm
@@ -18,7 +30,19 @@ def rigid(rotation: Floats, translation_mm: Floats) -> Floats:
 
 
 def inverse(T_ab: Floats) -> Floats:
-    """``T_ba``, for one (4, 4) or a stack (..., 4, 4) of rigid transforms."""
+    """``T_ba`` of ``T_ab``, by the transpose of the rotation.
+
+    Args:
+        T_ab: (4, 4), or a stack (..., 4, 4), of rigid transforms; not checked for rigidity.
+
+    Returns:
+        ``T_ba``, of the shape of ``T_ab``.
+
+    Example:
+        >>> T_ab = rigid(rotation_from_vector(np.array([0.0, 0.0, np.pi / 2])), np.ones(3))
+        >>> np.allclose(inverse(T_ab) @ T_ab, np.eye(4))
+        True
+    """
     rotation_t = np.swapaxes(T_ab[..., :3, :3], -1, -2)
     T_ba = np.zeros_like(T_ab)
     T_ba[..., :3, :3] = rotation_t
@@ -28,7 +52,20 @@ def inverse(T_ab: Floats) -> Floats:
 
 
 def apply(T_ab: Floats, points_b_mm: Floats) -> Floats:
-    """Points (N, 3) of frame b in frame a, by one (4, 4) or N (N, 4, 4) transforms."""
+    """Points of frame b, expressed in frame a.
+
+    Args:
+        T_ab: (4, 4) for all points, or (N, 4, 4), one transform for each point.
+        points_b_mm: (N, 3).
+
+    Returns:
+        (N, 3) mm in frame a.
+
+    Example:
+        >>> T_ab = rigid(np.eye(3), np.array([0.0, 0.0, 5.0]))
+        >>> apply(T_ab, np.array([[1.0, 2.0, 3.0]])).tolist()
+        [[1.0, 2.0, 8.0]]
+    """
     points: Floats = np.asarray(points_b_mm, dtype=np.float64)
     if T_ab.ndim == 2:
         moved: Floats = points @ T_ab[:3, :3].T + T_ab[:3, 3]
@@ -37,13 +74,35 @@ def apply(T_ab: Floats, points_b_mm: Floats) -> Floats:
 
 
 def skew(vector: Floats) -> Floats:
-    """The (3, 3) matrix of the cross product: ``skew(a) @ b == cross(a, b)``."""
+    """The matrix of the cross product: ``skew(a) @ b == cross(a, b)``.
+
+    Args:
+        vector: (3,).
+
+    Returns:
+        (3, 3), antisymmetric.
+    """
     x, y, z = vector
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def rotation_from_vector(vector_rad: Floats) -> Floats:
-    """Rodrigues' formula: the (3, 3) rotation by ``|vector|`` rad about the (3,) vector."""
+    """The rotation by ``|vector_rad|`` about the direction of a vector.
+
+    Args:
+        vector_rad: (3,) rotation vector; a zero vector gives the identity.
+
+    Returns:
+        (3, 3) rotation.
+
+    Source:
+        Rodrigues' formula.
+
+    Example:
+        >>> R = rotation_from_vector(np.array([0.0, 0.0, np.pi / 2]))
+        >>> (R @ [1.0, 0.0, 0.0]).round(12).tolist()
+        [0.0, 1.0, 0.0]
+    """
     angle = float(np.linalg.norm(vector_rad))
     K = skew(np.asarray(vector_rad, dtype=np.float64))
     if angle < 1e-9:
@@ -55,30 +114,61 @@ def rotation_from_vector(vector_rad: Floats) -> Floats:
 
 
 def vector_from_rotation(rotation: Floats) -> Floats:
-    """The (..., 3) rotation vectors, angle in [0, pi] rad, of (..., 3, 3) rotations."""
+    """The rotation vector of a rotation; inverse of ``rotation_from_vector``.
+
+    Args:
+        rotation: (..., 3, 3).
+
+    Returns:
+        (..., 3) rad, each of length 0 to pi.
+
+    Example:
+        >>> vector = np.array([0.1, -0.2, 0.3])
+        >>> np.allclose(vector_from_rotation(rotation_from_vector(vector)), vector)
+        True
+    """
     from scipy.spatial.transform import Rotation  # slow to load, and seldom needed
 
     return np.asarray(Rotation.from_matrix(rotation).as_rotvec(), dtype=np.float64)
 
 
 def nearest_rotation(matrix: Floats) -> Floats:
-    """The rotation closest to a (3, 3) matrix in the Frobenius norm (SVD)."""
+    """The rotation closest to a matrix in the Frobenius norm.
+
+    Args:
+        matrix: (3, 3), for example a mean of rotations.
+
+    Returns:
+        (3, 3) rotation, determinant +1.
+
+    Source:
+        The orthogonal Procrustes problem, by singular values.
+    """
     U, _, Vt = np.linalg.svd(matrix)
     return np.asarray(U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt)
 
 
 def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None = None) -> Floats:
-    """``T_ab`` that brings points b closest to points a (Eq. 5 of the paper).
+    """``T_ab`` that brings points b closest to points a (Eq. 5).
 
     Args:
         points_a_mm, points_b_mm: (N, 3) conjugated pairs, N >= 3, not on one line.
         weights: (N,) non-negative, or None for equal weights.
 
     Returns:
-        (4, 4) least-squares rigid transform (Kabsch / Umeyama without scale).
+        (4, 4) rigid transform of least weighted squares.
 
     Raises:
-        Refusal: fewer than three pairs, or all pairs on one line.
+        OperationError: ``too-few-pairs``, or arrays of different length;
+            ``points-on-a-line``.
+
+    Source:
+        Kabsch (1976), Umeyama (1991) without scale.
+
+    Example:
+        >>> b = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+        >>> rigid_fit(b + [0.0, 0.0, 2.0], b)[:3, 3].round(12).tolist()
+        [0.0, 0.0, 2.0]
     """
     a: Floats = np.asarray(points_a_mm, dtype=np.float64)
     b: Floats = np.asarray(points_b_mm, dtype=np.float64)

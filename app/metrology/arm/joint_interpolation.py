@@ -11,18 +11,23 @@ Stamps = NDArray[np.int64]
 def interpolate_angles(
     stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns: int
 ) -> Floats:
-    """The angles at stamps, each on the straight line between its neighbours.
+    """Joint angles at stamps, each on the straight line between its neighbours in time.
 
     A joint that passes the half turn is followed the short way round.
 
     Args:
-        stamps_ns: (N,) of the samples, rising.
-        q_rad: (N, n) their angles.
-        wanted_ns: (F,) in any order.
-        gap_limit_ns: between samples farther apart than this the hand may have gone anywhere.
+        stamps_ns: (N,) stamps of the samples, rising.
+        q_rad: (N, n) their encoder angles.
+        wanted_ns: (F,) stamps, in any order.
+        gap_limit_ns: samples further apart than this are not interpolated between.
 
     Returns:
-        (F, n); NaN outside the samples, and in gaps.
+        (F, n) rad; NaN outside the samples, and in gaps.
+
+    Example:
+        >>> stamps, q = np.array([0, 10]), np.array([[3.1], [-3.1]])
+        >>> interpolate_angles(stamps, q, np.array([0, 5, 20]), 10).round(3).tolist()
+        [[3.1], [3.142], [nan]]
     """
     found = np.full((len(wanted_ns), q_rad.shape[1]), np.nan)
     if not len(stamps_ns):
@@ -41,5 +46,16 @@ def interpolate_angles(
 
 
 def shortest_turn(difference_rad: Floats) -> Floats:
-    """The shortest turn, in [-pi, pi), of a difference of angles: encoders roll over."""
+    """The shortest turn of a difference of angles, because encoders roll over.
+
+    Args:
+        difference_rad: of any shape.
+
+    Returns:
+        Of the same shape, in [-pi, pi).
+
+    Example:
+        >>> round(float(shortest_turn(np.array(6.2))), 4)
+        -0.0832
+    """
     return np.asarray((difference_rad + np.pi) % (2 * np.pi) - np.pi)

@@ -83,13 +83,16 @@ class RobotArm:
 
 
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
-    """``A_i E_i`` of every joint (Eq. 2-3).
+    """``A_i E_i`` of every joint: Denavit-Hartenberg link and error transform.
 
     Args:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
         (n, N, 4, 4); element i maps frame i+1 to frame i.
+
+    Source:
+        Eq. 2 and 3 of the article.
     """
     q = np.asarray(q_rad, dtype=np.float64)
     links = np.zeros((arm.joint_count, len(q), 4, 4))
@@ -108,7 +111,17 @@ def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
 
 
 def error_transform(error: LinkError) -> Floats:
-    """The (4, 4) matrix ``E = T(x, y, z) Rz Ry Rx`` of Eq. 3."""
+    """``E = T(x, y, z) Rz Ry Rx``, the error transform after a link.
+
+    Args:
+        error: translations in mm, rotations in rad.
+
+    Returns:
+        (4, 4).
+
+    Source:
+        Eq. 3 of the article.
+    """
     cx, sx = np.cos(error.rx_rad), np.sin(error.rx_rad)
     cy, sy = np.cos(error.ry_rad), np.sin(error.ry_rad)
     cz, sz = np.cos(error.rz_rad), np.sin(error.rz_rad)
@@ -123,13 +136,16 @@ def error_transform(error: LinkError) -> Floats:
 
 
 def flange_poses(arm: Arm, q_rad: Floats) -> Floats:
-    """``T_arm_flange`` for many poses at once (Eq. 1, with Eq. 3's error matrices).
+    """``T_arm_flange`` of many poses at once.
 
     Args:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
         (N, 4, 4).
+
+    Source:
+        Eq. 1 of the article, with the error transforms of Eq. 3.
     """
     links = link_transforms(arm, q_rad)
     T = links[0]
@@ -139,12 +155,44 @@ def flange_poses(arm: Arm, q_rad: Floats) -> Floats:
 
 
 def flange_pose(arm: Arm, q_rad: Floats) -> Floats:
-    """``T_arm_flange`` (4, 4) for one pose, encoder angles (n,) (Eq. 1)."""
+    """``T_arm_flange`` of one pose.
+
+    Args:
+        q_rad: (n,) encoder angles, before sign and offset.
+
+    Returns:
+        (4, 4).
+
+    Source:
+        Eq. 1 of the article, with the error transforms of Eq. 3.
+
+    Example:
+        >>> joints = tuple(Joint(f"J{i}", 100.0, 0.0, 0.0, 0.0) for i in range(6))
+        >>> arm = Arm("planar", "1", joints, Tip(0.0, 0.0, 50.0, 6.0))
+        >>> flange_pose(arm, np.zeros(6))[:3, 3].tolist()
+        [600.0, 0.0, 0.0]
+    """
     return np.asarray(flange_poses(arm, np.asarray(q_rad, dtype=np.float64)[None])[0])
 
 
 def tip_centres(arm: Arm, q_rad: Floats) -> Floats:
-    """Centres (N, 3) of the probe's sphere in the arm frame for angles (N, n) (Eq. 1)."""
+    """Centres of the tip's sphere in the arm frame.
+
+    Args:
+        q_rad: (N, n) encoder angles, before sign and offset.
+
+    Returns:
+        (N, 3) mm. A contact point lies one tip radius off its centre, along the surface normal.
+
+    Source:
+        Eq. 1 of the article, with the error transforms of Eq. 3.
+
+    Example:
+        >>> joints = tuple(Joint(f"J{i}", 100.0, 0.0, 0.0, 0.0) for i in range(6))
+        >>> arm = Arm("planar", "1", joints, Tip(0.0, 0.0, 50.0, 6.0))
+        >>> tip_centres(arm, np.zeros((1, 6))).tolist()
+        [[600.0, 0.0, 50.0]]
+    """
     T = flange_poses(arm, q_rad)
     return np.asarray(T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3])
 
@@ -153,19 +201,27 @@ def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floa
     """How a flange-fixed point moves and turns with the joints.
 
     Args:
-        q_rad: (n,) encoder angles.
+        q_rad: (n,) encoder angles, before sign and offset.
         point_flange_mm: (3,) the point, in the flange frame.
 
     Returns:
-        (6, n): rows 0-2 the point's velocity in mm/rad, rows 3-5 the angular
-        velocity, both in the arm frame, per unit rate of each encoder.
+        (6, n) in the arm frame, per unit rate of each encoder: rows 0-2 the velocity of the
+        point in mm/rad, rows 3-5 the angular velocity in rad/rad.
     """
     one = np.asarray(q_rad, dtype=np.float64)[None]
     return np.asarray(geometric_jacobians(arm, one, point_flange_mm)[0])
 
 
 def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
-    """``geometric_jacobian`` (N, 6, n) at encoder angles (N, n)."""
+    """``geometric_jacobian`` of many poses at once.
+
+    Args:
+        q_rad: (N, n) encoder angles, before sign and offset.
+        point_flange_mm: (3,) the point, in the flange frame.
+
+    Returns:
+        (N, 6, n), rows as of ``geometric_jacobian``.
+    """
     links = link_transforms(arm, q_rad)
     before = [np.broadcast_to(np.eye(4), links.shape[1:])]
     for link in links:
@@ -180,14 +236,19 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
 
 
 def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
-    """What the encoders' noise does to the tip's centre, arm frame.
+    """Covariance of the tip's centre by the noise of the encoders, arm frame.
 
     Args:
-        q_rad: (N, n) encoder angles.
+        q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
-        (N, 3, 3) covariance in mm^2 of each tip centre; zero where the arm's
-        model gives no encoder noise.
+        (N, 3, 3) mm², k = 1; zero where the arm's datasheet gives no encoder noise.
+
+    Example:
+        >>> joints = tuple(Joint("J", 100.0, 0.0, 0.0, 0.0, encoder_sd_rad=1e-5) for _ in range(6))
+        >>> arm = Arm("planar", "1", joints, Tip(0.0, 0.0, 50.0, 6.0))
+        >>> np.sqrt(tip_covariances(arm, np.zeros((1, 6)))[0].diagonal()).round(4).tolist()
+        [0.0, 0.0095, 0.0]
     """
     variances = np.diag(arm.encoder_sd_rad**2)
     J = geometric_jacobians(arm, np.asarray(q_rad, dtype=np.float64), arm.tip.centre_mm)[:, :3]

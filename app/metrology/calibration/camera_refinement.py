@@ -108,16 +108,21 @@ class ImageObservations:
 
 
 def fit_camera(camera: Camera, block: Crenellated, seen: ImageObservations) -> CameraFit:
-    """The most likely camera, laser plane and block.
+    """Camera, lens terms, light plane and block of maximum likelihood, from one pose.
+
+    Lens terms are kept only where they clearly exceed their standard uncertainty.
 
     Args:
         camera: a start within a few pixels, sensor frame = object frame.
-        block: the certificate.
-        seen: what the pictures show; edge points are preferred to corners, which
-            are drawn from them.
+        block: the certificate, which enters with its standard uncertainty.
+        seen: what the images show; edge points are preferred to corners, which are computed from
+            them.
+
+    Returns:
+        The adjusted scene with its covariance (k = 1), and how well edges and stripe fit, px.
 
     Raises:
-        Refusal: fewer observations than parameters, or no minimum found.
+        OperationError: ``too-few-edges`` or ``camera-fit-failed``.
     """
     lens: tuple[int, ...] = ()
     start = SceneModel(replace(camera, distortion=np.zeros(5)), seen.levels.plane, block)

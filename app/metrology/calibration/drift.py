@@ -43,7 +43,16 @@ class Drift:
 
 
 def measure_drift(before: MountedSensor, after: MountedSensor, uv_px: Floats) -> Drift | None:
-    """What moved, by the points of the same pixels (N, 2); None where too few are common."""
+    """How far the sensor moved between two calibrations, judged by the points that they give.
+
+    Args:
+        before, after: two calibrations of one sensor on one arm.
+        uv_px: (N, 2) pixels of the measuring volume.
+
+    Returns:
+        Shifts in µm and angles in arcsec, flange frame; None where fewer than ``LEAST_POINTS``
+        pixels give a point by both.
+    """
     old, new = (_points(sensor, uv_px) for sensor in (before, after))
     common = np.isfinite(old).all(axis=1) & np.isfinite(new).all(axis=1)
     if common.sum() < LEAST_POINTS:

@@ -53,10 +53,17 @@ class LaserPlaneFit:
 def classify_levels(
     camera: Camera, block: Crenellated, uv_px: Floats
 ) -> tuple[NDArray[np.str_], Floats]:
-    """On which level the camera sees each pixel (N, 2), and where (N, 3) in the object frame.
+    """On which level of the block the camera sees each pixel, and where.
 
-    ``crest`` or ``floor`` where the pixel's ray meets that face first, on the block,
-    at least ``EDGE_MARGIN_PX`` from its edges; empty elsewhere, with NaN points.
+    Args:
+        camera: with the sensor frame equal to the object frame.
+        block: the block by its certificate.
+        uv_px: (N, 2) distorted pixels.
+
+    Returns:
+        (N,) ``crest`` or ``floor`` where the ray of the pixel meets that face first, at least
+        ``EDGE_MARGIN_PX`` from its edges, else empty; and (N, 3) mm in the object frame, NaN
+        where the level is empty.
     """
     origin, along = rays(camera, uv_px)
     margin_share = EDGE_MARGIN_PX / float(min(camera.matrix[0, 0], camera.matrix[1, 1]))
@@ -86,15 +93,22 @@ def classify_levels(
 
 
 def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str) -> Stripe:
-    """The stripe (N points) on the crests, then on the floors, each sought for itself.
+    """The stripe on the crests, then on the floors, each extracted separately.
 
-    One peak a column is not enough where the camera is turned against the stripe: a
-    column may then cross a crest and a floor. Table and walls are left out.
+    One peak in each column is not enough where the camera is turned against the stripe: a column
+    may then cross a crest and a floor. Table and walls are left out.
 
     Args:
         camera: with the sensor frame equal to the object frame.
+        block: the block by its certificate.
         image: (H, W) with the stripe on it.
         axis: see ``extract_stripe``.
+
+    Returns:
+        Points of both levels; none where the image shows no stripe on the block.
+
+    Raises:
+        OperationError: as ``extract_stripe``.
     """
     height, width = image.shape
     rows, columns = np.mgrid[0:height:LEVEL_STEP_PX, 0:width:LEVEL_STEP_PX]
@@ -118,20 +132,24 @@ def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:
 def fit_laser_plane(
     camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane | None = None
 ) -> LaserPlaneFit:
-    """The laser plane through the stripe's points on crests and floors.
+    """The light plane through the points of the stripe on crests and floors.
 
-    Each point's ray is met with the level that it hits; a plane is fitted to both
-    levels at once, weighted by the points' deviations. Streaks on the walls, the
-    stripe on the table and reflections inside the grooves are left out.
+    The ray of each point is met with the level that it hits; one plane is fitted to both levels,
+    weighted by the standard deviations of the points. Reflections inside the grooves, and the
+    stripe on walls and table, are left out.
 
     Args:
         camera: with the sensor frame equal to the object frame.
-        plane: where it is known already (from ``fit_camera``), the points are judged
-            against it and it stays as it is.
+        block: the block by its certificate.
+        stripe: as of ``stripe_on_levels``.
+        plane: a plane that is known already (from ``fit_camera``): the points are judged against
+            it, and it stays as it is.
+
+    Returns:
+        The plane in the object frame with its covariance (k = 1), and the residual of each point.
 
     Raises:
-        Refusal: too few points, only one level crossed, or a plane through the
-            camera's centre.
+        OperationError: ``stripe-too-short``, ``laser-one-level`` or ``laser-through-camera``.
     """
     level, points = classify_levels(camera, block, stripe.uv_px)
     on = level != ""

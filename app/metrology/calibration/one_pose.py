@@ -1,4 +1,4 @@
-"""The paper's one-step calibration: contact points and one picture pose (section 3.2).
+"""The article's one-step calibration: contact points and one picture pose (section 3.2).
 
 The sensor frame is the object frame in the calibration pose (Eq. 6), so that the
 probe matrix follows from the alignment and the arm's pose alone (Eq. 8).
@@ -115,14 +115,24 @@ class OnePoseCalibration:
 def calibrate_one_pose(
     inputs: OnePoseInputs, progress: Progress | None = None
 ) -> OnePoseCalibration:
-    """Camera, laser plane and probe matrix from contacts and one pose (Eq. 6-8).
+    """Camera, light plane and probe matrix from contact points and one pose.
 
     Args:
-        inputs: contacts and pictures of one block that has not moved in between.
-        progress: told what is being done, and the share done.
+        inputs: contact points and images of one block that has not moved in between.
+        progress: called with what is done, and the share done, 0 to 1.
+
+    Returns:
+        The calibration; its sensor frame is the object frame (Eq. 6). Uncertainties are standard
+        uncertainties, k = 1.
 
     Raises:
-        Refusal: whatever makes the calibration impossible, by its reason.
+        OperationError: inputs that do not belong together (``joint-count``,
+            ``angles-not-finite``, ``contacts-malformed``, ``image-size``); ``stripe-not-found``;
+            and as ``align``, ``refuse_wrong_faces``, ``detect_object``, ``solve_faugeras``,
+            ``fit_laser_plane`` and ``fit_camera``.
+
+    Source:
+        Eq. 6 to 8 and section 3.2 of the article; the refinement is not in the article.
     """
     say = progress or (lambda _what, _share: None)
     _check(inputs)
@@ -153,7 +163,11 @@ def calibrate_one_pose(
 
 
 def align_contacts(inputs: OnePoseInputs) -> Alignment:
-    """``T_arm_obj`` from the contacts; contacts on a wrong face are refused."""
+    """``T_arm_obj`` from the contact points, weighted by the noise of the encoders.
+
+    Raises:
+        OperationError: as ``align`` and ``refuse_wrong_faces``.
+    """
     tips = tip_centres(inputs.arm, inputs.contact_q_rad)
     noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
     known = noise if np.any(noise) else None
@@ -182,7 +196,17 @@ def refine_camera(
 
 
 def probe_matrix(T_arm_flange: Floats, T_arm_sensor: Floats) -> Floats:
-    """``T_flange_sensor`` (4, 4) from both in the calibration pose (Eq. 8)."""
+    """The mounting of the sensor from flange and sensor in the calibration pose.
+
+    Args:
+        T_arm_flange, T_arm_sensor: (4, 4).
+
+    Returns:
+        (4, 4) ``T_flange_sensor``.
+
+    Source:
+        Eq. 8 of the article.
+    """
     return np.asarray(inverse(T_arm_flange) @ T_arm_sensor)
 
 

@@ -47,15 +47,22 @@ class BoardDetection:
 
 
 def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) -> BoardDetection:
-    """Every inner corner that can be measured; those under the laser's line are left out.
+    """Every inner corner of the board that can be measured, without a starting guess.
+
+    Corners under the laser stripe are left out.
 
     Args:
-        image: (H, W) of 8 or 16 bits.
-        stripe: of the same picture, where the laser was on.
+        image: (H, W) grey, 8 to 16 bits.
+        board: the board by its certificate.
+        stripe: the laser stripe in the same image, where the laser was on.
+
+    Returns:
+        Pixels (N, 2) with their covariance, and which corner each one is. Where the colours of
+        the board leave a choice, all numberings are given.
 
     Raises:
-        DetectionRefusal: no board, another board, or too little of it to number its corners
-            surely; with what of the picture is at fault, and what of the board was found.
+        DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen`` or
+            ``board-blurred``, with what is at fault and what was found of the board.
     """
     blocked = _laser_mask(image, stripe)
     saddles = find_saddles(image, blocked)
@@ -93,8 +100,15 @@ def _number_corners(
 
 
 def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
-    """The stripe, or none of it where it is not brighter than a sheet's white: bright squares
-    between black ones look like a stripe where the laser's line is out of the picture."""
+    """The stripe, or an empty one where it is not brighter than the white squares.
+
+    Bright squares between black ones look like a stripe where the laser line is outside the
+    image.
+
+    Args:
+        image: (H, W) grey, 8 to 16 bits, with room light and laser.
+        stripe: as extracted from this image.
+    """
     if not len(stripe.u):
         return stripe
     u, v = (np.round(x).astype(np.int64) for x in (stripe.u, stripe.v))

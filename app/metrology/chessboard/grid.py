@@ -181,12 +181,29 @@ def _even_phase(saddles: Saddles, lattice: Lattice) -> float:
 
 
 def fit_perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Floats:
-    """The (3, 3) perspective that brings places (N, 2) of a board to pixels (N, 2)."""
+    """The homography from places on a board to pixels.
+
+    Args:
+        places: (N, 2) columns and rows, N >= 4.
+        uv_px: (N, 2) distorted pixels.
+        method: of ``cv2.findHomography``; 0 is least squares.
+
+    Returns:
+        (3, 3).
+    """
     H, _ = cv2.findHomography(places.astype(np.float64), uv_px, method)
     return np.asarray(H, dtype=np.float64)
 
 
 def map_places(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
-    """Pixels (N, 2) of places (N, 2) by a perspective (3, 3)."""
+    """Pixels of places on a board.
+
+    Args:
+        H: (3, 3) as of ``fit_perspective``.
+        places: (N, 2) columns and rows; fractions are allowed.
+
+    Returns:
+        (N, 2) px.
+    """
     at = np.column_stack([places, np.ones(len(places))]) @ H.T
     return np.asarray(at[:, :2] / at[:, 2:])

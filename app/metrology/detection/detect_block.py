@@ -96,16 +96,21 @@ def detect_object(
     """Finds, identifies and measures the block in one image, without a starting guess.
 
     Args:
-        ambient: (H, W) grey, 8 to 16 bits, with room light (and the laser's, if
-            ``stripe`` is given).
+        ambient: (H, W) grey, 8 to 16 bits, with room light (and the laser's, if ``stripe`` is
+            given).
         block: the block by its certificate.
-        stripe: the laser's points in this image; its pixels are left out.
+        stripe: the points of the laser stripe in this image; its pixels are left out.
+
+    Returns:
+        Corners and edge points with their uncertainty in px, and a camera whose sensor frame is
+        the object frame.
 
     Raises:
-        Refusal: ``image-not-grey``, ``image-dark``, ``image-saturated``,
-            ``image-blurred``, ``object-not-found``, ``object-unclear``,
-            ``object-does-not-match``, ``object-mirrored``, ``object-ambiguous``,
-            ``object-cut-off``; all but the first as ``DetectionError``, with the evidence.
+        OperationError: ``image-not-grey``.
+        DetectionError: ``image-dark``, ``image-saturated``, ``image-blurred``,
+            ``object-not-found``, ``object-unclear``, ``object-does-not-match``,
+            ``object-mirrored``, ``object-ambiguous`` or ``object-cut-off``, with what is at
+            fault and the evidence in the image.
     """
     grey, clipped = grey_levels(ambient)
     findings = image_findings(ambient)
@@ -146,7 +151,7 @@ def _check_earlier_attempts(
     """Refuses a find where an earlier try drew about as much of the object and found another.
 
     Raises:
-        Refusal: ``object-does-not-match``.
+        OperationError: ``object-does-not-match``.
     """
     for one in before:
         as_much = one.visible_px > _AS_MUCH * tried.visible_px
@@ -160,7 +165,7 @@ def _select_measurement(
     """The measured placing, if there is no other and it is fit to be used.
 
     Raises:
-        Refusal: ``image-blurred``, ``image-saturated``, ``object-ambiguous``,
+        OperationError: ``image-blurred``, ``image-saturated``, ``object-ambiguous``,
             ``object-mirrored``, ``object-cut-off``.
     """
     located, measured = tried.good[0]

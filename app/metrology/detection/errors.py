@@ -18,7 +18,7 @@ def refuse_unusable(findings: list[ImageFinding], clipped: NDArray[np.bool_]) ->
     """Refuses a black picture and one that is clipped all over.
 
     Raises:
-        Refusal: ``image-dark``, ``image-saturated``.
+        OperationError: ``image-dark``, ``image-saturated``.
     """
     for finding in findings:
         hopeless = finding.code == "image-dark" or (
@@ -32,7 +32,7 @@ def refuse_bad_image(findings: list[ImageFinding], consequence: str) -> None:
     """Refuses a picture that is overexposed or blurred, where that is why a step failed.
 
     Raises:
-        Refusal: ``image-saturated``, ``image-blurred``.
+        OperationError: ``image-saturated``, ``image-blurred``.
     """
     for finding in findings:
         if finding.code in ("image-saturated", "image-blurred"):
@@ -151,7 +151,7 @@ def refuse_blurred(found: EdgeMeasurements) -> None:
     """Refuses a picture whose edges are too wide for its lines to keep apart.
 
     Raises:
-        Refusal: ``image-blurred``.
+        OperationError: ``image-blurred``.
     """
     limit_px = BLURRED * max(found.camera.width_px, found.camera.height_px)
     if found.blur_px > limit_px:

@@ -44,10 +44,16 @@ class ImageFinding:
 
 
 def grey_levels(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
-    """Grey levels (H, W) on a scale of 0 to 255, and which pixels are clipped.
+    """Grey levels on a scale of 0 to 255, and which pixels are clipped.
+
+    Args:
+        image: (H, W), 8 to 16 bits, at least 64 pixels each way.
+
+    Returns:
+        (H, W) grey levels; (H, W) True where a pixel is clipped.
 
     Raises:
-        Refusal: not a grey image of 8 to 16 bits.
+        OperationError: ``image-not-grey``.
     """
     array = image
     if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16) or min(array.shape) < 64:
@@ -73,10 +79,16 @@ def is_noisy(grey: Floats) -> bool:
 
 
 def edge_blur_px(grey: NDArray[np.floating]) -> float:
-    """Standard deviation, in px, of the blur at the edges of a picture (H, W).
+    """Standard deviation of the blur at the edges of an image.
 
-    A step of height a blurred by s is steepest by a / (s sqrt(2 pi)); height and
-    steepness are taken where the picture is steepest. inf where there are no edges.
+    A step of height a, blurred by s, is steepest by ``a / (s sqrt(2 pi))``; height and slope
+    are taken where the image is steepest.
+
+    Args:
+        grey: (H, W).
+
+    Returns:
+        Blur in px; inf where there are no edges.
     """
     shrink = max(1, max(grey.shape) // 2000)
     blur = float("inf")
@@ -146,10 +158,16 @@ class ImageQuality:
 
 
 def measure_image_quality(image: Image) -> ImageQuality:
-    """The measures of a picture (H, W), grey, 8 to 16 bits; quick enough for live use.
+    """Exposure and sharpness of an image in figures; fast enough for live use.
+
+    Args:
+        image: (H, W) grey, 8 to 16 bits.
+
+    Returns:
+        Shares of full scale and of the pixels, and the blur in px.
 
     Raises:
-        Refusal: not a grey image.
+        OperationError: ``image-not-grey``.
     """
     step = max(1, min(image.shape) // 500) if image.ndim == 2 else 1
     thin, clipped = grey_levels(image[::step, ::step])
@@ -162,23 +180,34 @@ def measure_image_quality(image: Image) -> ImageQuality:
 
 
 def image_findings(image: Image) -> list[ImageFinding]:
-    """What is wrong with a picture of the object, most serious first; quick enough for live use.
+    """What is wrong with an image of the target, most serious first; fast enough for live use.
 
     Args:
         image: (H, W) grey, 8 to 16 bits.
 
     Returns:
-        findings with the codes ``image-dark``, ``image-dim``, ``image-saturated``,
-        ``image-soft`` and ``image-blurred``; none for a good picture.
+        Findings with the codes ``image-dark``, ``image-dim``, ``image-saturated``,
+        ``image-soft`` and ``image-blurred``; none for a good image.
 
     Raises:
-        Refusal: not a grey image.
+        OperationError: ``image-not-grey``.
+
+    Example:
+        >>> [finding.code for finding in image_findings(np.full((128, 128), 255, np.uint8))]
+        ['image-saturated']
     """
     return quality_findings(measure_image_quality(image))
 
 
 def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
-    """What is wrong with a picture by its measures, as ``image_findings``."""
+    """What is wrong with an image by its figures.
+
+    Args:
+        picture: as of ``measure_image_quality``.
+
+    Returns:
+        Findings as of ``image_findings``.
+    """
     if picture.overexposed:
         return [
             ImageFinding(

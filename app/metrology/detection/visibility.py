@@ -113,7 +113,12 @@ def wireframe(block: Crenellated) -> Wireframe:
 
 
 def find_visible_edges(frame: Wireframe, centre_mm: Floats) -> VisibleEdges:
-    """Visible parts of all edges from a camera's centre (3,) in the object frame."""
+    """Visible parts of all edges from an optical centre, as arrays.
+
+    Args:
+        frame: as of ``wireframe``.
+        centre_mm: (3,) optical centre in the object frame, outside the block.
+    """
     edges = len(frame.starts_mm)
     edge, span = np.empty((edges, edges), np.int64), np.empty((edges, edges, 2))
     sides = np.empty((edges, edges, 2), np.int64)
@@ -135,11 +140,17 @@ def find_visible_edges(frame: Wireframe, centre_mm: Floats) -> VisibleEdges:
 
 
 def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
-    """Every part of every edge that is seen from ``centre_mm`` (3,), object frame.
+    """Every part of every edge of the block that is visible from an optical centre.
 
-    A part ends where it is hidden and where what adjoins it changes. Edges at which
-    a face ends in front of another face are listed too: they show only where the
-    two differ in brightness.
+    A part ends where it is hidden, and where what adjoins it changes. Edges at which a face
+    ends in front of another face are listed, too: they show only where the two differ in
+    brightness.
+
+    Args:
+        centre_mm: (3,) optical centre in the object frame, outside the block.
+
+    Returns:
+        Parts with their ends (3,) in mm, object frame.
     """
     frame = wireframe(block)
     parts = find_visible_edges(frame, centre_mm)
@@ -156,7 +167,11 @@ def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
 
 
 def visible_corners(block: Crenellated, centre_mm: Floats) -> frozenset[str]:
-    """Names of the corners that are seen from ``centre_mm`` (3,), object frame."""
+    """Names of the corners of the block that are visible from an optical centre.
+
+    Args:
+        centre_mm: (3,) optical centre in the object frame, outside the block.
+    """
     frame, points = wireframe(block), corners(block)
     visible = np.empty(len(points), np.bool_)
     _points(

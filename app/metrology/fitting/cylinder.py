@@ -39,16 +39,30 @@ class CylinderFit:
 
 
 def fit_cylinder(points_mm: Floats) -> CylinderFit:
-    """Least-squares cylinder (radial distances) after the paper's filter (section 4).
+    """Least-squares cylinder (radial distances) through a cloud, filtered as in ``fit_plane``.
 
-    The start is the best of many cylinders, each through two points with their surface's
-    normals (Schnabel, Wahl and Klein, 2007): the axis is square to both.
+    The start is the best of many cylinders, each through two points with the normals of the
+    surface there: the axis is perpendicular to both normals.
 
     Args:
-        points_mm: (N, 3), N >= 5; NaN points are never used.
+        points_mm: (N, 3) in any frame, N >= 5; NaN points are never used.
+
+    Returns:
+        The cylinder in the same frame; the sign of its direction is arbitrary.
 
     Raises:
-        Refusal: too few points, or points that fix no cylinder.
+        OperationError: ``too-few-points`` or ``points-fix-no-cylinder``.
+
+    Source:
+        The start is that of Schnabel, Wahl and Klein (2007), the filter that of the article,
+        section 4.
+
+    Example:
+        >>> turn, z = np.linspace(0.0, np.pi, 40), np.arange(10.0)
+        >>> turn, z = (axis.ravel() for axis in np.meshgrid(turn, z))
+        >>> fit = fit_cylinder(np.column_stack([8.0 * np.cos(turn), 8.0 * np.sin(turn), z]))
+        >>> round(fit.radius_mm, 6), abs(fit.direction).round(6).tolist()
+        (8.0, [0.0, 0.0, 1.0])
     """
     points, finite = finite_points(points_mm, 5, "cylinder")
     centre = points.mean(axis=0)
@@ -81,7 +95,19 @@ def cylinder_distances(points_mm: Floats, cylinder: ShapeParameters) -> Floats:
 
 
 def perpendicular_axes(direction: Floats) -> tuple[Floats, Floats]:
-    """Two unit vectors (3,) square to a direction and to each other."""
+    """Two unit vectors perpendicular to a direction and to each other.
+
+    Args:
+        direction: (3,) unit length.
+
+    Returns:
+        (3,) and (3,); with the direction they are right-handed: ``cross(direction, a) == b``.
+
+    Example:
+        >>> a, b = perpendicular_axes(np.array([0.0, 0.0, 1.0]))
+        >>> float(a @ b), np.allclose(np.cross([0.0, 0.0, 1.0], a), b)
+        (0.0, True)
+    """
     aside = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
     aside /= np.linalg.norm(aside)
     return aside, np.cross(direction, aside)

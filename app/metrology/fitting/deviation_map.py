@@ -25,7 +25,16 @@ class DeviationMap:
 
 
 def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
-    """The map of the points (N, 3) that the fit used."""
+    """Deviations of a cloud from its shape, averaged over the cells of a square grid.
+
+    Args:
+        fit: a plane or sphere.
+        points_mm: (N, 3), the points that the fit was given.
+
+    Returns:
+        The cells that hold at least ``LEAST_POINTS`` of the points that the fit used. A sphere is
+        unrolled from the middle of its cap, so that distances from there are kept.
+    """
     points = points_mm[fit.used]
     off_um = 1e3 * distances_from(fit, points)
     if isinstance(fit, PlaneFit):
@@ -49,7 +58,15 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
 
 
 def flat_places(away_mm: Floats, normal: Floats) -> Floats:
-    """(N, 2) of places (N, 3) as seen along a normal (3,) from outside."""
+    """Places projected along a normal, as seen from outside.
+
+    Args:
+        away_mm: (N, 3) places, relative to the point that becomes (0, 0).
+        normal: (3,) unit length, towards the viewer.
+
+    Returns:
+        (N, 2) mm, to the right and up; the X axis of the frame points right as far as it can.
+    """
     right, up = _axes(normal)
     return np.column_stack([away_mm @ right, away_mm @ up])
 

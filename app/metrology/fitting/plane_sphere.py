@@ -1,4 +1,4 @@
-"""Planes and spheres fitted to clouds, with the paper's filter on the distances."""
+"""Planes and spheres fitted to clouds, with the article's filter on the distances."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -49,17 +49,32 @@ class SphereFit:
 
 
 def fit_plane(points_mm: Floats) -> PlaneFit:
-    """Least-squares plane after the paper's filter (section 4).
+    """Least-squares plane through a cloud, with a filter on the distances.
 
-    A robust start (the sample plane with the least median distance) is refined
-    by least squares; points beyond ``FILTER_SIGMAS`` standard deviations of the
-    distances are left out until the choice no longer changes.
+    The start is robust: the sample plane with the least median distance. Points beyond
+    ``FILTER_SIGMAS`` standard deviations of the distances are left out, and the plane is fitted
+    again, until the selection no longer changes.
 
     Args:
-        points_mm: (N, 3), N >= 3; NaN points are never used.
+        points_mm: (N, 3) in any frame, N >= 3; NaN points are never used.
+
+    Returns:
+        The plane in the same frame; the sign of its normal is arbitrary.
 
     Raises:
-        Refusal: too few points, or all on one line.
+        OperationError: ``too-few-points``, or all ``points-on-a-line``.
+
+    Source:
+        The filter is that of the article, section 4; the start is a least median of squares
+        (Rousseeuw, 1984).
+
+    Example:
+        >>> x, y = (axis.ravel() for axis in np.meshgrid(np.arange(9.0), np.arange(9.0)))
+        >>> cloud = np.column_stack([x, y, np.full(81, 5.0)])
+        >>> cloud[0, 2] = 7.0  # an outlier
+        >>> fit = fit_plane(cloud)
+        >>> round(abs(fit.offset_mm), 9), round(fit.rms_mm, 9), int(fit.used.sum())
+        (5.0, 0.0, 80)
     """
     points, finite = finite_points(points_mm, 3, "plane")
     start = _start_plane(points)
@@ -78,13 +93,26 @@ def fit_plane(points_mm: Floats) -> PlaneFit:
 
 
 def fit_sphere(points_mm: Floats) -> SphereFit:
-    """Least-squares sphere (radial distances) after the paper's filter (section 4).
+    """Least-squares sphere (radial distances) through a cloud, filtered as in ``fit_plane``.
 
     Args:
-        points_mm: (N, 3), N >= 4; NaN points are never used.
+        points_mm: (N, 3) in any frame, N >= 4; NaN points are never used.
+
+    Returns:
+        The sphere in the same frame.
 
     Raises:
-        Refusal: too few points, or points that fix no sphere (all in one plane).
+        OperationError: ``too-few-points``; ``points-in-a-plane`` or ``points-fix-no-sphere``.
+
+    Source:
+        The filter is that of the article, section 4.
+
+    Example:
+        >>> outward = np.random.default_rng(0).normal(size=(200, 3))
+        >>> outward /= np.linalg.norm(outward, axis=1)[:, None]
+        >>> fit = fit_sphere(12.7 * outward + [100.0, 0.0, 0.0])
+        >>> round(fit.radius_mm, 6), fit.centre_mm.round(6)[0].item()
+        (12.7, 100.0)
     """
     points, finite = finite_points(points_mm, 4, "sphere")
     start = _start_sphere(points)
@@ -107,7 +135,7 @@ def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, ND
     """The usable points (N, 3) of a cloud (M, 3), and which they are, (M,).
 
     Raises:
-        Refusal: fewer than ``least``.
+        OperationError: fewer than ``least``.
     """
     points = np.asarray(points_mm, dtype=np.float64)
     finite = np.all(np.isfinite(points), axis=1)
@@ -126,7 +154,20 @@ def filter_outliers(
     distances_of: Callable[[Floats, ShapeParameters], Floats],
     least_squares: Callable[[Floats, ShapeParameters], ShapeParameters],
 ) -> tuple[ShapeParameters, NDArray[np.bool_]]:
-    """The paper's filter: fits, and leaves out what lies too far off, until nothing changes."""
+    """Fits a shape and leaves out points that lie too far off, until the selection is stable.
+
+    Args:
+        points: (N, 3) mm.
+        start: a robust first shape.
+        distances_of: signed distances (N,) in mm of points from a shape.
+        least_squares: the least-squares shape of points, from a start.
+
+    Returns:
+        The shape, and (N,) the points within ``FILTER_SIGMAS`` standard deviations of it.
+
+    Source:
+        The article, section 4.
+    """
     shape, off = start, distances_of(points, start)
     # to begin with, what is near the start by a scale that outliers do not stretch
     keep = np.abs(off) <= 5 * max(1.4826 * float(np.median(np.abs(off))), 1e-9)

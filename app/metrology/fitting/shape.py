@@ -30,7 +30,10 @@ FEWEST_RUNS = 10
 def parameter_covariance(
     jacobian: Floats, residuals: Floats, frame: NDArray[np.int64]
 ) -> Floats | None:
-    """Covariance (p, p) of least-squares parameters, k = 1.
+    """Covariance of least-squares parameters (k = 1) by the scatter between runs of frames.
+
+    Points of one frame share the error of the frame, and neighbouring frames share that of the
+    arm. So residuals count as independent only from run to run of consecutive frames.
 
     Args:
         jacobian: (N, p) change of the residuals with the parameters.
@@ -38,7 +41,10 @@ def parameter_covariance(
         frame: (N,) which frame each point came from, numbered in the order of time.
 
     Returns:
-        None where too few frames took part to tell.
+        (p, p); None where the points come from too few frames.
+
+    Source:
+        Clustered residuals: Liang and Zeger (1986).
     """
     numbers, of_frame = np.unique(frame, return_inverse=True)
     parameters = jacobian.shape[1]
@@ -82,10 +88,18 @@ class MeasuredShape:
 
 
 def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) -> MeasuredShape:
-    """Fits a shape to points (N, 3) that came from frames (N,); see ``primitives``.
+    """Fits a shape to the points of a scan, with the covariance of its parameters.
+
+    Args:
+        name: ``plane``, ``sphere`` or ``cylinder``.
+        points_mm: (N, 3) in any frame.
+        frame: (N,) which frame each point came from, numbered in the order of time.
+
+    Returns:
+        The fit in the same frame; its covariance is None where too few frames took part.
 
     Raises:
-        Refusal: too few points, or points that fix no such shape.
+        OperationError: as ``fit_plane``, ``fit_sphere`` and ``fit_cylinder``.
     """
     fit: PlaneFit | SphereFit | CylinderFit
     if name == "plane":
@@ -101,7 +115,15 @@ def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) 
 
 
 def distances_from(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
-    """Signed distances (N,) in mm; outside, or on the normal's side, is positive."""
+    """Signed distances of points from a fitted shape.
+
+    Args:
+        fit: a plane, sphere or cylinder.
+        points_mm: (N, 3) in the frame of the fit.
+
+    Returns:
+        (N,) mm; positive outside, or on the side of the plane's normal.
+    """
     if isinstance(fit, PlaneFit):
         return np.asarray(points_mm @ fit.normal - fit.offset_mm)
     if isinstance(fit, SphereFit):

@@ -1,1 +1,6 @@
-"""Errors of probed and scanned gauges against their certificates (ISO 14253-1)."""
+"""Errors of probed and scanned gauges against their certificates (ISO 14253-1).
+
+Entry points: ``probed_gauge`` fits a gauge to contact points, ``scanned_gauge`` to a cloud;
+``errors`` compares fits with nominals and states repeatability, ``conformity.decide`` applies the
+decision rule, and ``tip_check.check_tip`` judges the tip on a sphere.
+"""

@@ -6,8 +6,24 @@ Decision = Literal["pass", "fail", "uncertain", "none"]
 
 
 def decide(value: float, limit: float | None, expanded_uncertainty: float) -> Decision:
-    """Passed only inside the limit by more than the uncertainty (k = 2), failed only beyond
-    it by more than that; ``none`` without a limit, which is one of the absolute value."""
+    """Whether a value keeps its limit, with its expanded uncertainty taken into account.
+
+    Args:
+        value: the measured error; its sign does not matter.
+        limit: the largest permissible absolute value, in the same unit; None: no limit.
+        expanded_uncertainty: k = 2, in the same unit.
+
+    Returns:
+        ``pass`` or ``fail`` where that holds in spite of the uncertainty, else ``uncertain``;
+        ``none`` without a limit.
+
+    Source:
+        The decision rules of ISO 14253-1 for proving conformity and nonconformity.
+
+    Example:
+        >>> decide(-8.0, 10.0, 1.5), decide(9.0, 10.0, 1.5), decide(12.0, 10.0, 1.5)
+        ('pass', 'uncertain', 'fail')
+    """
     if limit is None:
         return "none"
     if abs(value) + expanded_uncertainty <= limit:

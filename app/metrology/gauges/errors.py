@@ -1,4 +1,4 @@
-"""How well clouds of gauges agree with their nominals: the paper's figures (Eq. 10-12)."""
+"""How well clouds of gauges agree with their nominals: the article's figures (Eq. 10-12)."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ ARCSEC_PER_RAD = 180 / np.pi * 3600
 
 @dataclass(frozen=True)
 class NominalPlane:
-    """A gauge plane as known beforehand, in the arm frame."""
+    """A gauge plane by its certificate or by probing, in the arm frame."""
 
     point_mm: Floats  # (3,)
     normal: Floats  # (3,) unit length
@@ -25,7 +25,7 @@ class NominalPlane:
 
 @dataclass(frozen=True)
 class NominalSphere:
-    """A gauge sphere as known beforehand, in the arm frame."""
+    """A gauge sphere by its certificate or by probing, in the arm frame."""
 
     centre_mm: Floats  # (3,)
     radius_mm: float
@@ -51,16 +51,33 @@ class SphereCheck:
 
     fit: SphereFit
     radius_error_um: float | None = None
-    """Nominal minus measured, as the paper's section 4 has it."""
+    """Nominal minus measured, as the article's section 4 has it."""
     centre_error_um: float | None = None
     """Distance between the centres."""
 
 
 def check_plane(points_mm: Floats, nominal: NominalPlane | None = None) -> PlaneCheck:
-    """Fits a plane to a cloud (N, 3) and compares it with the nominal (Eq. 10-12).
+    """Fits a plane to a cloud and compares it with the nominal.
+
+    Args:
+        points_mm: (N, 3), arm frame; NaN points are never used.
+        nominal: None where only the fit is wanted.
+
+    Returns:
+        The fit, its normal towards the side of the nominal's, and the errors in arcsec and µm.
 
     Raises:
-        Refusal: see ``primitives.fit_plane``.
+        OperationError: as ``fit_plane``.
+
+    Source:
+        Eq. 10 to 12 of the article.
+
+    Example:
+        >>> x, y = (axis.ravel() for axis in np.meshgrid(np.arange(9.0), np.arange(9.0)))
+        >>> cloud = np.column_stack([x, y, np.full(81, 0.002)])
+        >>> nominal = NominalPlane(np.zeros(3), np.array([0.0, 0.0, 1.0]))
+        >>> round(check_plane(cloud, nominal).offset_um, 6)
+        2.0
     """
     fit = fit_plane(points_mm)
     if nominal is None:
@@ -73,7 +90,14 @@ def check_plane(points_mm: Floats, nominal: NominalPlane | None = None) -> Plane
 
 
 def compare_plane(fit: PlaneFit, nominal: NominalPlane) -> PlaneCheck:
-    """A fitted plane against its nominal (Eq. 10-12); the normals' senses do not matter."""
+    """The errors of a fitted plane against its nominal; the signs of the normals do not matter.
+
+    Args:
+        fit, nominal: in the same frame.
+
+    Source:
+        Eq. 10 to 12 of the article.
+    """
     return PlaneCheck(
         fit=fit,
         angle_arcsec=angle_between_rad(fit.normal, nominal.normal) * ARCSEC_PER_RAD,
@@ -83,10 +107,20 @@ def compare_plane(fit: PlaneFit, nominal: NominalPlane) -> PlaneCheck:
 
 
 def check_sphere(points_mm: Floats, nominal: NominalSphere | None = None) -> SphereCheck:
-    """Fits a sphere to a cloud (N, 3) and compares it with the nominal (paper, Fig. 11).
+    """Fits a sphere to a cloud and compares it with the nominal.
+
+    Args:
+        points_mm: (N, 3), arm frame; NaN points are never used.
+        nominal: None where only the fit is wanted.
+
+    Returns:
+        The fit, and the errors in µm: nominal minus measured radius, distance of the centres.
 
     Raises:
-        Refusal: see ``primitives.fit_sphere``.
+        OperationError: as ``fit_sphere``.
+
+    Source:
+        The article, section 4 and Fig. 11.
     """
     fit = fit_sphere(points_mm)
     if nominal is None:
@@ -99,9 +133,20 @@ def check_sphere(points_mm: Floats, nominal: NominalSphere | None = None) -> Sph
 
 
 def angle_between_rad(a: Floats, b: Floats) -> float:
-    """Angle in [0, pi/2] between two normals (3,) whose signs do not matter (Eq. 10).
+    """Angle between two planes by their normals, whose signs do not matter.
 
-    By the arctangent: the arccosine of Eq. 10 loses half the digits near zero.
+    Args:
+        a, b: (3,) unit length.
+
+    Returns:
+        Rad, 0 to pi/2.
+
+    Source:
+        Eq. 10 of the article, by the arctangent: the arccosine loses half the digits near zero.
+
+    Example:
+        >>> angle_between_rad(np.array([0.0, 0.0, 1.0]), np.array([0.0, 1e-9, -1.0]))
+        1e-09
     """
     return float(np.arctan2(np.linalg.norm(np.cross(a, b)), abs(float(a @ b))))
 
@@ -127,7 +172,21 @@ class Repeatability:
 
 
 def compute_repeatability(values: list[float]) -> Repeatability:
-    """Mean, standard deviation (n - 1) and range of a figure over two or more clouds."""
+    """Mean, standard deviation (n - 1) and range of a figure over several clouds.
+
+    Args:
+        values: one of each cloud, two at least, in one unit.
+
+    Raises:
+        OperationError: ``too-few-clouds``.
+
+    Source:
+        The article, Fig. 7 to 10.
+
+    Example:
+        >>> compute_repeatability([1.0, 2.0, 3.0])
+        Repeatability(mean=2.0, standard_deviation=1.0, range=2.0)
+    """
     if len(values) < 2:
         raise OperationError("too-few-clouds", "a spread needs at least two clouds")
     return Repeatability(
@@ -136,11 +195,25 @@ def compute_repeatability(values: list[float]) -> Repeatability:
 
 
 def angle_ranges_arcsec(normals: Floats) -> Floats:
-    """The largest angle (K,) between any two of the C normals (C, K, 3), of one sense."""
+    """The largest angle between any two of several normals, for several planes at once.
+
+    Args:
+        normals: (C, K, 3) unit normals of C clouds for K planes, of one sense.
+
+    Returns:
+        (K,) arcsec.
+    """
     apart = np.linalg.norm(normals[:, None] - normals[None], axis=3)
     return np.asarray(2 * np.arcsin((apart / 2).clip(0, 1)).max(axis=(0, 1)) * ARCSEC_PER_RAD)
 
 
 def offset_ranges_um(offsets_mm: Floats) -> Floats:
-    """Largest minus smallest (K,) of the C offsets (C, K)."""
+    """Largest minus smallest offset over several clouds, for several planes at once.
+
+    Args:
+        offsets_mm: (C, K) of C clouds for K planes.
+
+    Returns:
+        (K,) µm.
+    """
     return np.asarray(1e3 * np.ptp(offsets_mm, axis=0))

@@ -62,7 +62,7 @@ class ProbedSphere:
     covariance: Floats
     """(3, 3) of the centre, mm²."""
     radius_mm: float
-    """As the contacts alone have it, not its paper."""
+    """By the contact points alone, not by the certificate."""
     radius_sd_mm: float
 
     @property
@@ -76,10 +76,17 @@ class ProbedSphere:
 
 
 def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
-    """The plane that the tip touched at encoder angles (N, n).
+    """The plane that the tip touched, with its uncertainty.
+
+    Args:
+        arm: its tip radius is taken off, its encoder noise limits the uncertainty from below.
+        q_rad: (N, n) encoder angles at the contact points, N >= ``PLANE_LEAST``.
+
+    Returns:
+        The plane in the arm frame, its normal towards the flange, with covariance (k = 1).
 
     Raises:
-        Refusal: fewer than ``PLANE_LEAST`` touches, or all about one line.
+        OperationError: ``too-few-touches`` or ``touches-on-a-line``.
     """
     tips = _tips(arm, q_rad, PLANE_LEAST, "plane")
     middle = tips.mean(axis=0)
@@ -103,10 +110,19 @@ def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
 
 
 def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere:
-    """The sphere of a known radius that the tip touched at encoder angles (N, n).
+    """The sphere of known radius that the tip touched, with its uncertainty.
+
+    Args:
+        arm: its tip radius is taken off, its encoder noise limits the uncertainty from below.
+        q_rad: (N, n) encoder angles at the contact points, N >= ``SPHERE_LEAST``.
+        radius_mm: by the certificate.
+
+    Returns:
+        The sphere in the arm frame with the covariance of its centre (k = 1), and the radius as
+        the contact points alone give it.
 
     Raises:
-        Refusal: fewer than ``SPHERE_LEAST`` touches, or all about one circle or place.
+        OperationError: ``too-few-touches`` or ``touches-too-close``.
     """
     tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
     reach_mm = radius_mm + arm.tip.radius_mm
@@ -175,7 +191,14 @@ def _contact_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameter
 
 
 def sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
-    """Centre (3,), radius and the residuals' Jacobian (N, 4), by Gauss-Newton."""
+    """Least-squares sphere through tip centres, without a filter, by Gauss-Newton.
+
+    Args:
+        tips: (N, 3) mm, N >= 4.
+
+    Returns:
+        Centre (3,) and radius in mm, and the Jacobian (N, 4) of the residuals.
+    """
     system = np.column_stack([2 * tips, np.ones(len(tips))])
     start = np.linalg.lstsq(system, np.sum(tips**2, axis=1), rcond=None)[0]
     centre: Floats = start[:3]

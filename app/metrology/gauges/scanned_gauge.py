@@ -40,10 +40,22 @@ class GaugeCloud:
 
 
 def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
-    """The plane gauge in a cloud (N, 3) of frames (N,).
+    """The plane gauge in a scanned cloud.
+
+    Frames that lie where an earlier frame lay are left out, so that a pause of the operator
+    gains no weight.
+
+    Args:
+        points_mm: (N, 3), arm frame; NaN points are never used.
+        frame: (N,) which frame each point came from, numbered in the order of time.
+
+    Returns:
+        The fitted plane with its covariance (k = 1), and the width of the zone that holds 95 %
+        of the points used.
 
     Raises:
-        Refusal: too few points, too narrow a strip, or no plane.
+        OperationError: ``too-few-points``, ``points-on-a-line``; ``cloud-too-small``, also for
+            too narrow a strip; ``another-gauge``.
     """
     points, frames = _usable(points_mm, frame)
     found = measure_shape("plane", points, frames)
@@ -63,10 +75,23 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
 
 
 def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
-    """The sphere gauge of a known radius in a cloud (N, 3) of frames (N,).
+    """The sphere gauge of known radius in a scanned cloud, which may show other things as well.
+
+    Frames that lie where an earlier frame lay are left out, so that a pause of the operator
+    gains no weight.
+
+    Args:
+        points_mm: (N, 3), arm frame; NaN points are never used.
+        frame: (N,) which frame each point came from, numbered in the order of time.
+        radius_mm: by the certificate; it finds the sphere, and the fit is free of it.
+
+    Returns:
+        The fitted sphere with its covariance (k = 1), and the width of the zone that holds 95 %
+        of the points used.
 
     Raises:
-        Refusal: no such sphere, or too small a part of it.
+        OperationError: ``too-few-points``; ``cloud-too-small``, also for too small a cap;
+            ``another-gauge``.
     """
     points, frames = _usable(points_mm, frame)
     near = _near_sphere(points, radius_mm)
@@ -109,7 +134,18 @@ def _assemble_cloud(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud
 
 
 def zone_mm(off_mm: Floats) -> float:
-    """Width of the narrowest zone that holds 95 % of the distances (N,)."""
+    """Width of the narrowest zone that holds 95 % of the distances.
+
+    Args:
+        off_mm: (N,) signed distances from the shape, N >= 1.
+
+    Source:
+        As ``D95%`` of ISO 10360-8.
+
+    Example:
+        >>> zone_mm(np.array([*np.linspace(0.0, 1.0, 95), 9.0, 9.0, 9.0, 9.0, 9.0]))
+        1.0
+    """
     ordered = np.sort(off_mm)
     held = max(int(np.ceil(SHARE_IN_ZONE * len(ordered))), 1)
     return float(np.min(ordered[held - 1 :] - ordered[: len(ordered) - held + 1]))

@@ -1,7 +1,7 @@
-"""Whether the probe's tip is what the arm's papers say: a sphere of known size is touched.
+"""Whether the probe's tip is as in the arm's datasheet: a sphere of known size is probed.
 
-Its apparent size tells the tip's diameter, the scatter over touches with the wrist turned
-another way each time tells whether the tip sits where the papers have it.
+Its apparent size gives the tip's diameter; the scatter, with the wrist turned differently each
+time, shows whether the tip sits where the datasheet has it.
 """
 
 from dataclasses import dataclass
@@ -33,13 +33,13 @@ class TipCheck:
     diameter_mm: float
     """Of the tip, by the touches and the sphere's certificate."""
     error_um: float
-    """Of the diameter against the papers."""
+    """Of the diameter against the datasheet."""
     expanded_uncertainty_um: float
     """Of the same, k = 2."""
     scatter_um: float
     """Largest distance of a touch from the sphere that fits them all."""
     bend_um: float | None
-    """How far the tip's centre seems to be from where the papers have it; None where the
+    """How far the tip's centre seems to be from where the datasheet has it; None where the
     wrist was not turned enough to tell."""
     decision: Decision
     cause: Cause
@@ -52,10 +52,22 @@ def check_tip(
     sphere_sd_mm: float = 0.0,
     limit_um: float | None = None,
 ) -> TipCheck:
-    """Judges the tip by contacts on a sphere, at encoder angles (N, n).
+    """Judges the tip by contact points on a calibrated sphere.
+
+    The apparent size of the sphere gives the diameter of the tip; the scatter, with the wrist
+    turned differently each time, shows whether the tip sits where the datasheet has it.
+
+    Args:
+        arm: the arm with its tip by the datasheet.
+        q_rad: (N, n) encoder angles at the contact points.
+        sphere_diameter_mm, sphere_sd_mm: by the certificate, with its standard uncertainty.
+        limit_um: of the error of the diameter and of the scatter; None: nothing is decided.
+
+    Returns:
+        Errors in µm, the expanded uncertainty (k = 2), the decision by ISO 14253-1 and the cause.
 
     Raises:
-        Refusal: as ``touched_gauge.touched_sphere``.
+        OperationError: as ``fit_probed_sphere``.
     """
     found = fit_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
     # the touches have the sphere bigger by what the tip is bigger than its papers

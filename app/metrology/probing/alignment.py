@@ -1,4 +1,4 @@
-"""Where the object lies in the arm: ``T_arm_obj`` from contact points (the paper's M_CAL->CMA).
+"""Where the object lies in the arm: ``T_arm_obj`` from contact points (the article's M_CAL->CMA).
 
 Every contact gives one equation: the tip's centre lies one tip radius outside the
 face that was touched. All faces are fitted at once by least squares.
@@ -77,20 +77,28 @@ def align(
     block: Crenellated,
     tip_covariances_mm2: Floats | None = None,
 ) -> Alignment:
-    """Fits the block's faces to contact points, all at once (paper, section 3.2, Fig. 3).
+    """Fits all faces of the block to the contact points together.
 
-    Contacts that disagree with all others are left out and named by ``outliers``.
+    Contact points that contradict the others are left out and marked in ``outliers``.
 
     Args:
-        features: N faces, each one of ``FACES``.
-        tip_centres_mm: (N, 3) centres of the probe's sphere, arm frame.
-        tip_radius_mm: radius of that sphere, taken off along each face's normal.
+        features: the face of each of the N contact points, one of ``FACES``.
+        tip_centres_mm: (N, 3) centres of the tip's sphere, arm frame.
+        tip_radius_mm: radius of that sphere, taken off along the normal of each face.
         tip_covariances_mm2: (N, 3, 3) noise of each centre by the arm's encoders
-            (``arm.tip_covariances``), which weighs the contacts; None: all alike.
+            (``kinematics.tip_covariances``), which weights the contact points; None: equal
+            weights.
+
+    Returns:
+        ``T_arm_obj`` with its covariance, and the residual of each contact point.
 
     Raises:
-        Refusal: unknown face, too few contacts, contacts on one line, or contacts
-            that do not fit on the block as they are labelled.
+        OperationError: ``unknown-face``, ``bad-contacts``; ``too-few-contacts`` or
+            ``contacts-on-a-line``, which do not fix the pose; ``contacts-mirrored`` or
+            ``contacts-do-not-fit`` where the block does not fit them as labelled.
+
+    Source:
+        The article, section 3.2 and Fig. 3.
     """
     contacts = build_contacts(
         tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2
@@ -128,15 +136,19 @@ def align(
 
 
 def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Crenellated) -> None:
-    """Refuses contacts that were labelled with one face and lie on another.
+    """Refuses contact points that are labelled with one face and lie on another.
 
-    A contact that merely slipped is an outlier and stays one; a contact that
-    misses its own face by millimetres and lies on another is a mistake in the
-    data that the operator must know of. Where the others do not agree either, no
-    single contact is at fault.
+    A contact point that slipped is an outlier and stays one. One that misses its own face by
+    millimetres is a mistake in the data, which the operator must know of. Where the others do
+    not agree either, no single contact point is at fault.
+
+    Args:
+        alignment: the result of ``align`` for these contact points.
+        features: the face of each of the N contact points.
 
     Raises:
-        Refusal: names the first such contact and the face that it lies on.
+        OperationError: ``contact-on-wrong-face`` names the first such contact point and the face
+            that it lies on; ``contacts-do-not-fit``.
     """
     far = alignment.outliers & (np.abs(alignment.residuals_mm) >= FACE_SLACK_MM)
     count = int(far.sum())

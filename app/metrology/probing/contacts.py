@@ -50,7 +50,7 @@ def missing_contacts(features: Sequence[str]) -> str:
     """What must still be probed before an alignment is possible; empty when nothing is.
 
     Args:
-        features: the face of each contact taken so far.
+        features: the face of each contact point so far.
     """
     wanted = []
     for faces in DIRECTIONS:

@@ -35,7 +35,24 @@ class Camera:
 
 
 def project(camera: Camera, points_mm: Floats) -> Floats:
-    """Pixels (N, 2), distortion included, of points (N, 3) in the sensor frame."""
+    """Pixels of points, lens distortion included.
+
+    Args:
+        points_mm: (N, 3) in the sensor frame, in front of the camera; points behind it are
+            projected, too, through the optical centre.
+
+    Returns:
+        (N, 2) distorted pixels (u, v), also outside the image.
+
+    Source:
+        Pinhole camera with the distortion of Brown (1971), terms in OpenCV's order.
+
+    Example:
+        >>> K = np.array([[1000.0, 0.0, 320.0], [0.0, 1000.0, 256.0], [0.0, 0.0, 1.0]])
+        >>> camera = Camera(K, np.eye(3), np.array([0.0, 0.0, 100.0]), 640, 512)
+        >>> project(camera, np.array([[1.0, -2.0, 0.0]])).tolist()
+        [[330.0, 236.0]]
+    """
     in_cam = np.asarray(points_mm, dtype=np.float64) @ camera.rotation.T + camera.translation_mm
     x, y = in_cam[:, 0] / in_cam[:, 2], in_cam[:, 1] / in_cam[:, 2]
     k1, k2, p1, p2, k3 = camera.distortion
@@ -48,7 +65,14 @@ def project(camera: Camera, points_mm: Floats) -> Floats:
 
 
 def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
-    """Undistorted directions (N, 2), x/z and y/z in the camera frame, of pixels (N, 2)."""
+    """Undistorted directions of pixels, by iteration.
+
+    Args:
+        uv_px: (N, 2) distorted pixels.
+
+    Returns:
+        (N, 2) x/z and y/z in the camera frame.
+    """
     uv = np.ascontiguousarray(uv_px, dtype=np.float64).reshape(-1, 1, 2)
     if not len(uv):  # OpenCV has no answer for no points
         return np.empty((0, 2))
@@ -60,7 +84,22 @@ def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
 
 
 def rays(camera: Camera, uv_px: Floats) -> tuple[Floats, Floats]:
-    """Origin (3,) and directions (N, 3), not of unit length, in the sensor frame."""
+    """Rays of pixels, lens distortion removed.
+
+    Args:
+        uv_px: (N, 2) distorted pixels.
+
+    Returns:
+        Origin (3,) in mm, which is the optical centre, and directions (N, 3), not of unit
+        length, both in the sensor frame.
+
+    Example:
+        >>> K = np.array([[1000.0, 0.0, 320.0], [0.0, 1000.0, 256.0], [0.0, 0.0, 1.0]])
+        >>> camera = Camera(K, np.eye(3), np.array([0.0, 0.0, 100.0]), 640, 512)
+        >>> origin, along = rays(camera, np.array([[330.0, 236.0]]))
+        >>> (origin + 100.0 * along).round(9).tolist()
+        [[1.0, -2.0, 0.0]]
+    """
     xy = undistort_pixels(camera, uv_px)
     return camera.centre_mm, np.column_stack([xy, np.ones(len(xy))]) @ camera.rotation
 

@@ -1,4 +1,4 @@
-"""The camera's perspective matrix by Faugeras and Toscani: the paper's intrinsic calibration.
+"""The camera's perspective matrix by Faugeras and Toscani: the article's intrinsic calibration.
 
 The twelve numbers of the matrix follow linearly from points known in the object
 frame and in the image, under ``|m3| = 1`` (m3: the first three elements of the
@@ -40,16 +40,22 @@ class FaugerasSolution:
 def solve_faugeras(
     points_mm: Floats, uv_px: Floats, width_px: int, height_px: int
 ) -> FaugerasSolution:
-    """Perspective matrix, intrinsics and pose from known points.
+    """Perspective matrix, intrinsics and pose of a camera from known points, linearly.
 
     Args:
         points_mm: (N, 3) in the object frame, N >= 6, on more than one plane.
-        uv_px: (N, 2) where the camera sees them.
-        width_px, height_px: the image's size.
+        uv_px: (N, 2) where the camera sees them; distortion is not modelled.
+        width_px, height_px: size of the image.
+
+    Returns:
+        The camera, whose sensor frame is the object frame, with figures of its quality.
 
     Raises:
-        Refusal: too few points, or points on which the matrix does not depend
-            uniquely (``degenerate-...``), or a mirror image.
+        OperationError: ``points-malformed``, ``points-not-finite``; points that do not determine
+            the matrix (``degenerate-...``); ``object-mirrored``.
+
+    Source:
+        Faugeras and Toscani, with the constraint ``|m3| = 1``; normalisation by Hartley (1997).
     """
     points = np.asarray(points_mm, dtype=np.float64)
     uv = np.asarray(uv_px, dtype=np.float64)

@@ -33,7 +33,15 @@ class LaserPlane:
 
 
 def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Camera, LaserPlane]:
-    """The same camera and laser plane in another sensor frame."""
+    """The same camera and light plane in another sensor frame.
+
+    Args:
+        camera, plane: in the old sensor frame.
+        T_new_old: (4, 4).
+
+    Returns:
+        Camera and plane in the new sensor frame; intrinsics and distortion are unchanged.
+    """
     rotation = camera.rotation @ T_new_old[:3, :3].T
     shift_mm = camera.translation_mm - rotation @ T_new_old[:3, 3]
     moved = replace(camera, rotation=rotation, translation_mm=shift_mm)
@@ -41,7 +49,14 @@ def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Came
 
 
 def tangents(normal: Floats) -> Floats:
-    """(2, 3): two unit vectors across a unit normal (3,) and across one another."""
+    """Two unit vectors in a plane, perpendicular to each other.
+
+    Args:
+        normal: (3,) unit length.
+
+    Returns:
+        (2, 3); tilts of a light plane are stated along these two.
+    """
     least = int(np.argmin(np.abs(normal)))
     axis = [float(k == least) for k in range(3)]
     x, y, z = _cross([float(value) for value in normal], axis)
@@ -56,7 +71,15 @@ def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
 
 
 def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:
-    """Where the rays of pixels (N, 2) meet the height(s) ``z_mm``: (N, 3)."""
+    """Where the rays of pixels meet planes of constant z of the sensor frame.
+
+    Args:
+        uv_px: (N, 2) distorted pixels.
+        z_mm: one height, or (N,) heights.
+
+    Returns:
+        (N, 3) mm in the sensor frame; not finite where a ray is parallel to the plane.
+    """
     origin, along = rays(camera, uv_px)
     with np.errstate(divide="ignore", invalid="ignore"):
         depth = (z_mm - origin[2]) / along[:, 2]
@@ -64,10 +87,14 @@ def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:
 
 
 def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
-    """Refuses a plane that the camera looks along, by its lines of sight (M, 3) to the stripe.
+    """Refuses a light plane that the camera looks along.
+
+    Args:
+        sight: (M, 3) lines of sight to the stripe, sensor frame.
 
     Raises:
-        Refusal: ``laser-through-camera``.
+        OperationError: ``laser-through-camera``, where the median angle between the lines of
+            sight and the plane is less than ``LEAST_ANGLE_DEG``.
     """
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)
     angle = float(np.degrees(np.arcsin(np.median(sine))))

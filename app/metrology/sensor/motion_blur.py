@@ -35,15 +35,17 @@ def pass_speed(
     exposure_s: float,
     period_s: float,
 ) -> PassSpeed | None:
-    """From the stripe and the sensor's poses shortly before and after.
+    """How far the stripe moves over the surface during an exposure and between frames.
 
     Args:
-        stripe_mm: (N, 3) the frame's points in their order, sensor frame.
+        stripe_mm: (N, 3) points of the frame in their order, sensor frame; NaN is ignored.
         T_before, T_after: (4, 4) ``T_arm_sensor``, ``between_s`` apart.
-        period_s: from the frame before to this one.
+        between_s: time from ``T_before`` to ``T_after``.
+        exposure_s: exposure time of the frame.
+        period_s: time from the frame before to this one.
 
     Returns:
-        None where fewer than two points are known.
+        None where the frame has no two distinct points, or no time has passed.
     """
     points = stripe_mm[np.isfinite(stripe_mm).all(axis=1)]
     if len(points) < 2 or between_s <= 0:

@@ -32,12 +32,20 @@ _frame_points = Function(
 def sensor_points(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:
     """Points of the stripe in the sensor frame: the ``X_LSS`` of Eq. 9.
 
+    The ray of each pixel is met with the light plane.
+
     Args:
         uv_px: (N, 2) distorted pixels, as extracted from the image.
 
     Returns:
-        (N, 3) mm; NaN where the pixel's ray does not meet the laser plane in
-        front of the camera.
+        (N, 3) mm; NaN where the ray does not meet the light plane in front of the camera.
+
+    Example:
+        >>> K = np.array([[1000.0, 0.0, 320.0], [0.0, 1000.0, 256.0], [0.0, 0.0, 1.0]])
+        >>> camera = Camera(K, np.eye(3), np.array([0.0, 0.0, 100.0]), 640, 512)
+        >>> plane = LaserPlane(np.array([0.0, 0.0, 1.0]), 20.0)
+        >>> sensor_points(camera, plane, np.array([[330.0, 256.0]])).round(9).tolist()
+        [[1.2, 0.0, 20.0]]
     """
     return _in_one_pose(camera, plane, uv_px, np.eye(4))
 
@@ -49,15 +57,18 @@ def arm_points(
     uv_px: Floats,
     T_arm_flange: Floats,
 ) -> Floats:
-    """Points of the stripe in the arm frame (Eq. 9).
+    """Points of the stripe in the arm frame.
 
     Args:
-        T_flange_sensor: (4, 4), the paper's probe matrix (Eq. 8).
+        T_flange_sensor: (4, 4), the probe matrix (Eq. 8).
         uv_px: (N, 2) distorted pixels.
-        T_arm_flange: (4, 4) the arm's pose at mid-exposure, or (N, 4, 4) one a pixel.
+        T_arm_flange: (4, 4) pose of the arm at mid-exposure, or (N, 4, 4), one for each pixel.
 
     Returns:
         (N, 3) mm; NaN as in ``sensor_points``.
+
+    Source:
+        Eq. 9 of the article.
     """
     if np.ndim(T_arm_flange) == 2:
         return _in_one_pose(camera, plane, uv_px, np.asarray(T_arm_flange @ T_flange_sensor))
@@ -74,7 +85,7 @@ def frame_points(
     T_arm_sensor: Floats,
     points_mm: Floats | None = None,
 ) -> Floats:
-    """Points of frames that follow one another in the arm frame (Eq. 9), each in its pose.
+    """Points of consecutive frames in the arm frame, each frame in its own pose.
 
     Args:
         u_px, v_px: (N,) distorted pixels of all frames, frame after frame.
@@ -86,7 +97,10 @@ def frame_points(
         (N, 3) mm; NaN as in ``sensor_points``.
 
     Raises:
-        ValueError: the frames have not N pixels.
+        ValueError: the counts of the frames do not add up to N.
+
+    Source:
+        Eq. 9 of the article.
     """
     filled = np.empty((len(u_px), 3)) if points_mm is None else points_mm
     _fill(camera, plane, u_px, v_px, count, T_arm_sensor, filled)
@@ -103,23 +117,26 @@ def scan_points(
     count: PixelCounts,
     T_arm_sensor: Floats,
 ) -> tuple[Floats, Floats]:
-    """Points of some frames in the arm frame (Eq. 9), and their standard uncertainty (k = 1).
+    """Points of consecutive frames in the arm frame, with their standard uncertainty.
 
-    The uncertainty is that of the stripe's fit, in the laser plane: what differs from point
-    to point. Calibration and arm move whole frames together; their part stands in the
-    calibration. It is Eq. 9 differentiated by the pixel, the lens' distortion being the same
-    for neighbouring pixels.
+    The uncertainty is that of the stripe's fit, in the light plane: the part that differs from
+    point to point. Calibration and arm move whole frames together; their part is stated with the
+    calibration. It follows from Eq. 9 differentiated by the pixel, with the lens distortion
+    taken as equal for neighbouring pixels.
 
     Args:
-        sigma_px: (N,) standard deviation across the stripe.
-        axis: ``u`` where there is one point a column, so that ``v`` was fitted.
         u_px, v_px, count, T_arm_sensor: as of ``frame_points``.
+        sigma_px: (N,) standard deviation of the stripe's points across the stripe.
+        axis: ``u`` where there is one point in each column, so that ``v`` was measured; or ``v``.
 
     Returns:
-        (N, 3) mm, NaN as in ``sensor_points``; (N,) µm.
+        (N, 3) mm, NaN as in ``sensor_points``; (N,) µm, k = 1.
 
     Raises:
-        ValueError: the frames have not N pixels.
+        ValueError: the counts of the frames do not add up to N.
+
+    Source:
+        Eq. 9 of the article.
     """
     points_mm, spread_um = np.empty((len(u_px), 3)), np.empty(len(u_px))
     fit = (_contiguous(sigma_px), axis, spread_um)

@@ -31,24 +31,34 @@ def extract_stripe(
     where: NDArray[np.bool_] | None = None,
     settings: StripeSettings = AUTOMATIC,
 ) -> Stripe:
-    """One point per column (axis ``u``) or row (axis ``v``) where the stripe crosses it.
+    """The laser stripe in an image: one point in each column or row where it crosses.
 
-    A Gaussian on a constant background is fitted to each peak, weighted by the
-    pixels' noise, which is estimated from the image itself; clipped pixels are left
-    out. Where a broad core is clipped, the line is placed by its two flanks and smoothed
-    along itself over the core's width.
+    A Gaussian on a constant background is fitted to each peak, weighted by the noise of the
+    pixels, which is estimated from the image itself; clipped pixels are left out. Where a broad
+    core is clipped, the line is placed by its two flanks and smoothed along itself over the
+    width of the core.
 
     Args:
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
-        axis: the image axis along which points are counted.
+        axis: ``u`` for one point in each column, v measured; ``v`` for one point in each row.
         where: (H, W) pixels in which the stripe may lie; None: anywhere.
+        settings: threshold, widths and the choice between several peaks.
 
     Returns:
-        The points in ascending order; none where the image holds no stripe.
+        The points in ascending order, each with its standard deviation; none where the image
+        shows no stripe.
 
     Raises:
-        Refusal: not a grey image of whole numbers, a mask of another size, an unknown
-            axis, or settings that contradict themselves.
+        OperationError: ``image-not-grey``, ``mask-size``, ``axis-unknown``, or
+            ``stripe-settings`` that contradict each other.
+
+    Example:
+        >>> rows = np.arange(48.0)[:, None]
+        >>> grey = 10 + 200 * np.exp(-((rows - 20.3) ** 2) / (2 * 1.5**2)) + np.zeros((48, 64))
+        >>> noise = np.random.default_rng(0).normal(0.0, 1.0, grey.shape)
+        >>> stripe = extract_stripe((grey + noise).round().astype(np.uint8))
+        >>> len(stripe.u), round(float(np.mean(stripe.v)), 1)
+        (64, 20.3)
     """
     grey = orient_image(image, axis)
     whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
@@ -91,7 +101,7 @@ def orient_image(image: Image, axis: str) -> Image:
     """The image with the stripe across its columns, rows contiguous in memory.
 
     Raises:
-        Refusal: not a grey image of whole numbers, or an unknown axis.
+        OperationError: not a grey image of whole numbers, or an unknown axis.
     """
     array = np.asarray(image)
     if array.ndim != 2 or array.dtype not in EXTRACT:
@@ -113,7 +123,7 @@ def orient_mask(
     """The mask turned as the image was.
 
     Raises:
-        Refusal: it is of another size than the image.
+        OperationError: it is of another size than the image.
     """
     if where is None:
         return None

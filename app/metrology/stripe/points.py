@@ -46,12 +46,20 @@ def stripe_from_points(points: Floats, axis: str) -> Stripe:
 
 
 def empty_stripe(axis: str) -> Stripe:
-    """A stripe of no points, counted along an axis."""
+    """A stripe without points.
+
+    Args:
+        axis: ``u`` or ``v``, as of ``extract_stripe``.
+    """
     return stripe_from_points(np.zeros((4, 0)), axis)
 
 
 def concatenate_stripes(parts: Sequence[Stripe]) -> Stripe:
-    """The points of stripes that were counted along the same axis, one after the other."""
+    """The points of several stripes, one stripe after the other.
+
+    Args:
+        parts: one stripe at least, all counted along the same axis.
+    """
     return Stripe(
         np.concatenate([part.u for part in parts]),
         np.concatenate([part.v for part in parts]),

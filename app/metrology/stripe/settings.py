@@ -39,7 +39,7 @@ def check_settings(settings: StripeSettings) -> None:
     """Accepts settings that can be meant.
 
     Raises:
-        Refusal: a value is negative, widths do not ascend, or the choice is unknown.
+        OperationError: a value is negative, widths do not ascend, or the choice is unknown.
     """
     least, most = settings.min_width_px, settings.max_width_px
     wrong = ""

@@ -18,7 +18,7 @@ class Chessboard:
     """A board whose inner corners (where four squares meet) stand in columns and rows.
 
     ``standard_uncertainty_mm`` is that of the pattern's width and of its height, between
-    the outermost inner corners; ``flatness_mm`` is by how much the sheet typically bends
+    the outermost inner corners; ``flatness_mm`` is by how much the board typically bends
     over the pattern.
     """
 
@@ -41,20 +41,36 @@ class Chessboard:
 
 
 def corner_grid(board: Chessboard) -> NDArray[np.int64]:
-    """(N, 2) column and row of every inner corner: along the first row, then the next."""
+    """Column and row of every inner corner, row after row.
+
+    Returns:
+        (N, 2); the first corner has column 0 and row 0.
+    """
     columns, rows = board.inner_corners
     row, column = np.divmod(np.arange(columns * rows), columns)
     return np.column_stack([column, row]).astype(np.int64)
 
 
 def corner_points(board: Chessboard) -> Floats:
-    """(N, 3) every inner corner in mm, in the board's frame, in the order of ``corner_grid``."""
+    """Nominal positions of the inner corners.
+
+    Returns:
+        (N, 3) mm in the frame of the board, in the order of ``corner_grid``.
+
+    Example:
+        >>> corner_points(Chessboard("C", "1", (3, 2), 10.0, 0.01)).tolist()[:4]
+        [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [20.0, 0.0, 0.0], [0.0, 10.0, 0.0]]
+    """
     flat = corner_grid(board) * board.square_mm
     return np.column_stack([flat, np.zeros(len(flat))])
 
 
 def pattern_centre(board: Chessboard) -> Floats:
-    """(3,) the middle of the pattern."""
+    """The centre of the pattern.
+
+    Returns:
+        (3,) mm in the frame of the board.
+    """
     return np.array([*(board.extent_mm / 2), 0.0])
 
 

@@ -46,10 +46,19 @@ class BlockEdge:
 
 
 def corners(block: Crenellated) -> dict[str, Floats]:
-    """Every corner (3,) of the block by name.
+    """Every corner of the block, by name.
 
-    ``crest:I:L|R:front|back`` for merlon I, ``floor:J:L|R:front|back`` for the
-    groove J to the right of merlon J, ``base:L|R:front|back`` for the bottom.
+    Returns:
+        (3,) mm in the object frame for each name: ``crest:I:L|R:front|back`` for merlon I,
+        ``floor:J:L|R:front|back`` for the groove J to the right of merlon J,
+        ``base:L|R:front|back`` for the bottom.
+
+    Example:
+        >>> x = (-20.0, -8.0, 4.0, 20.0)
+        >>> block = Crenellated("B", "1", x, -12.0, 12.0, 15.0, 0.0, -12.0, 0.002)
+        >>> at = corners(block)
+        >>> len(at), at["crest:1:R:front"].tolist()
+        (16, [20.0, -12.0, 15.0])
     """
     named: dict[str, Floats] = {}
     x = block.edges_x_mm
@@ -69,12 +78,13 @@ def corners(block: Crenellated) -> dict[str, Floats]:
 
 
 def edges(block: Crenellated) -> list[BlockEdge]:
-    """Every straight edge of the block.
+    """Every straight edge of the block, in the object frame.
 
-    Along X ``crest:I:front|back``, ``floor:J:front|back``, ``base:front|back``;
-    along Y ``crest:I:L|R``, ``floor:J:L|R``, ``base:L|R``; along Z
-    ``wall:I:L|R:front|back``, from merlon I's crest down to the floor beside it
-    (to the base at the block's two ends).
+    Returns:
+        Edges named ``crest:I:front|back``, ``floor:J:front|back`` and ``base:front|back`` along
+        X; ``crest:I:L|R``, ``floor:J:L|R`` and ``base:L|R`` along Y; ``wall:I:L|R:front|back``
+        along Z, from the crest of merlon I down to the floor beside it (to the base at the two
+        ends of the block).
     """
     at = corners(block)
     found: list[BlockEdge] = []
@@ -108,9 +118,24 @@ def edges(block: Crenellated) -> list[BlockEdge]:
 
 
 def probing_face(block: Crenellated, face: str) -> tuple[Floats, float]:
-    """Outward unit normal (3,) and offset in mm of a face that the operator touches.
+    """The plane of a face that is probed, in the object frame.
 
-    ``face`` is one of ``FACES``; its points satisfy ``normal . x = offset``.
+    Args:
+        face: one of ``FACES``.
+
+    Returns:
+        Outward unit normal (3,) and offset in mm: points of the face satisfy
+        ``normal . x = offset``.
+
+    Raises:
+        KeyError: no such face.
+
+    Example:
+        >>> x = (-20.0, -8.0, 4.0, 20.0)
+        >>> block = Crenellated("B", "1", x, -12.0, 12.0, 15.0, 0.0, -12.0, 0.002)
+        >>> normal, offset_mm = probing_face(block, "left")
+        >>> normal.tolist(), offset_mm
+        ([-1.0, 0.0, 0.0], 20.0)
     """
     planes = {
         "crest": ((0.0, 0.0, 1.0), block.crest_z_mm),

@@ -15,8 +15,12 @@ PixelSegment = tuple[tuple[float, float], tuple[float, float]]
 
 
 def target_centre(item: CalibrationTarget) -> Floats:
-    """(3,) about which the sensor is held, object frame: of a block, the middle between its
-    floors and crests; of a board, that of its pattern."""
+    """The point about which the sensor is held.
+
+    Returns:
+        (3,) mm in the object frame: of a block midway between its floors and crests, of a board
+        the centre of its pattern.
+    """
     if isinstance(item, Chessboard):
         return boards.pattern_centre(item)
     x = item.edges_x_mm
@@ -30,15 +34,27 @@ def target_centre(item: CalibrationTarget) -> Floats:
 
 
 def width_mm(item: CalibrationTarget) -> float:
-    """Along X: of a block across its merlons, of a board along its pattern's rows."""
+    """Extent of the target along X, mm.
+
+    Returns:
+        Of a block across its merlons, of a board along the rows of its pattern, outermost
+        squares included.
+    """
     if isinstance(item, Chessboard):
         return float(item.square_mm * (item.inner_corners[0] + 1))
     return float(item.edges_x_mm[-1] - item.edges_x_mm[0])
 
 
 def outline(camera: Camera, item: CalibrationTarget) -> tuple[PixelSegment, ...]:
-    """What of the object is drawn for the eye, as pairs of pixels: the edges of a block's
-    crests and floors; of a board, its pattern's border and two lines across."""
+    """Lines that draw the target in an image.
+
+    Args:
+        camera: with the object frame as its sensor frame.
+
+    Returns:
+        Pairs of pixels ((u0, v0), (u1, v1)): the edges of a block's crests and floors; of a
+        board, the border of its pattern and two lines across.
+    """
     if isinstance(item, Chessboard):
         ends_mm = board_lines(item)
     else:

@@ -53,7 +53,7 @@ class ClockDelay:
     reversals: int
     seconds: float
     speed_mm_s: float
-    """Rms, of the sensor across the plane: what the delay is told by."""
+    """Rms, of the sensor across the plane: what determines the delay."""
     rms_without_um: float
     """Of the points about their plane, with no delay applied."""
     rms_um: float
@@ -61,16 +61,24 @@ class ClockDelay:
 
 
 def estimate_delay(passed: PlanePass) -> ClockDelay:
-    """Estimates the delay between arm and camera, in maximum likelihood.
+    """The delay between arm and camera from a pass over a plane, by maximum likelihood.
 
-    Unknown are the delay and the plane. What calibration and arm do wrong depends on where
-    the sensor is, not on which way it goes: terms in its height over the plane take it up.
-    The spread of the frames about the plane, which holds the encoders' noise, is taken from
-    the frames themselves.
+    Unknown are the delay and the plane. Errors of calibration and arm depend on where the
+    sensor is, not on its direction of motion: terms in its height over the plane absorb them.
+    The spread of the frames about the plane, which holds the noise of the encoders, is
+    estimated from the frames themselves.
+
+    Args:
+        passed: points of the frames in the sensor frame, and where the arm was when.
+
+    Returns:
+        The delay in ms with its standard uncertainty (k = 1): what is added to the stamp of a
+        frame before the arm is asked for its pose.
 
     Raises:
-        Refusal: too few frames, not a plane, no reversal, too slow, or only along the
-            plane, so that the delay cannot be told.
+        OperationError: ``pass-too-short``, ``no-joints-around-frames``, ``not-a-plane``,
+            ``pass-too-slow``, ``pass-along-the-plane``, ``pass-without-reversal`` or
+            ``pass-tells-too-little``.
     """
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     _check_frames(len(usable))

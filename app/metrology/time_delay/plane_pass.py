@@ -75,7 +75,16 @@ class StripeLines:
 
 
 def fit_stripe_lines(passed: PlanePass, on_plane: NDArray[np.bool_]) -> StripeLines:
-    """The line through each frame's points on the plane (N,), weighed by their uncertainty."""
+    """The line through the points of each frame that lie on the plane.
+
+    Args:
+        passed: the pass.
+        on_plane: (N,) points that count.
+
+    Returns:
+        Lines of the F frames with at least ``LEAST_POINTS`` such points, weighted by the
+        uncertainty of the points; sensor frame, mm.
+    """
     frame, count = passed.frame[on_plane], len(passed.stamps_ns)
     points, weight = passed.points_mm[on_plane], passed.sigma_mm[on_plane] ** -2.0
 

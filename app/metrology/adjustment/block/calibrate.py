@@ -1,6 +1,6 @@
 """The calibration over many poses: contacts and pictures of one block, all in one adjustment.
 
-One pose alone gives the paper's method (Eq. 5-8) with the arm's errors counted in.
+One pose alone gives the article's method (Eq. 5-8) with the arm's errors counted in.
 """
 
 from collections.abc import Callable
@@ -95,7 +95,7 @@ class BlockCalibration:
     """A calibration and what it rests on.
 
     The sensor frame is the object's frame as the first used pose saw it (Eq. 6): a
-    choice, which lets one pose give what the paper gives.
+    choice, which lets one pose give what the article gives.
     """
 
     adjustment: AdjustmentResult
@@ -115,14 +115,20 @@ class BlockCalibration:
 def observe_block(
     number: int, block: Crenellated, ambient: Image, laser: Image | None, axis: str
 ) -> BlockObservation:
-    """What the pictures of one pose show, by themselves.
+    """What the images of one pose show, each pose on its own.
 
     Args:
-        ambient: (H, W) with room light; with both lights where ``laser`` is None.
+        number: of the pose.
+        block: the block by its certificate.
+        ambient: (H, W) grey with room light; with both lights where ``laser`` is None.
+        laser: (H, W) grey with the laser alone.
         axis: along which stripe points are counted, see ``extract_stripe``.
 
+    Returns:
+        Detection and stripe in px; the stripe may be empty.
+
     Raises:
-        Refusal: the object or the stripe is not to be found.
+        OperationError: as ``detect_object`` and ``extract_stripe``.
     """
     lit = ambient if laser is None else laser
     in_the_way = extract_stripe(lit, axis) if laser is None else None
@@ -132,10 +138,29 @@ def observe_block(
 
 
 def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> BlockCalibration:
-    """Camera, laser plane and probe matrix from all poses and contacts at once.
+    """Camera, light plane and probe matrix from all poses and contact points together.
+
+    One adjustment by maximum likelihood: the pose and the certificate of the block, the camera,
+    the light plane, the mounting, the errors of the arm's links and encoders. The noise levels
+    are estimated from the data (variance components).
+
+    Args:
+        inputs: P >= 1 poses and N contact points of one block that has not moved.
+        progress: called with what is done, and the share done, 0 to 1.
+
+    Returns:
+        The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
+        frame is the object frame as the first used pose saw it (Eq. 6).
 
     Raises:
-        Refusal: whatever makes the calibration impossible, by its reason.
+        OperationError: inputs that do not belong together (``joint-count``,
+            ``angles-not-finite``, ``image-size``); ``no-images``, or the error of the first pose
+            where none shows the block; ``poses-contradict``, ``lines-contradict``;
+            ``too-few-corners``, ``object-not-placed``, ``too-few-edges``, ``adjustment-failed``;
+            and as ``align``, ``refuse_wrong_faces``, ``fit_laser_plane`` and ``fit_camera``.
+
+    Source:
+        With one pose, Eq. 5 to 8 of the article, with the errors of the arm taken into account.
     """
     say = progress or (lambda _what, _share: None)
     _refuse_unusable(inputs)
@@ -212,6 +237,7 @@ def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
 
 
 def block_size_mm(block: Crenellated) -> float:
+    """The diagonal of the block from floor to crest, which turns angles into lengths."""
     return float(
         np.linalg.norm(
             [

@@ -24,7 +24,7 @@ def common_camera(
     """Camera (its own frame as sensor frame) and plane in it, from the pose that tells most.
 
     Raises:
-        Refusal: of the best pose, where none tells.
+        OperationError: of the best pose, where none tells.
     """
     refusal: OperationError | None = None
     for pose in sorted(seen, key=_observation_weight, reverse=True):
@@ -60,7 +60,7 @@ def estimate_block_pose(camera: Camera, pose: BlockObservation, block: Crenellat
     """``T_cam_obj`` (4, 4) of a pose from its corners, the camera known.
 
     Raises:
-        Refusal: too few corners to place the object by.
+        OperationError: too few corners to place the object by.
     """
     at = corners(block)
     found = pose.detection.corners

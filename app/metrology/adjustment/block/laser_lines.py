@@ -47,7 +47,7 @@ def fit_common_plane(
         the plane, and by the poses' numbers the lines that are far off it, in mm.
 
     Raises:
-        Refusal: ``lines-contradict``: there is no such plane.
+        OperationError: ``lines-contradict``: there is no such plane.
     """
     lines = {
         pose.number: _fit_line(pose, block, camera, T)

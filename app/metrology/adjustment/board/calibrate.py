@@ -85,14 +85,20 @@ class BoardCalibration:
 def observe_board(
     number: int, board: Chessboard, ambient: Image, laser: Image | None, axis: str
 ) -> BoardObservation:
-    """What the pictures of one pose show, by themselves.
+    """What the images of one pose show of a chessboard, each pose on its own.
 
     Args:
-        ambient: (H, W) with room light; with both lights where ``laser`` is None.
+        number: of the pose.
+        board: the board by its certificate.
+        ambient: (H, W) grey with room light; with both lights where ``laser`` is None.
+        laser: (H, W) grey with the laser alone.
         axis: along which stripe points are counted, see ``extract_stripe``.
 
+    Returns:
+        Detection and stripe in px; the stripe may be empty.
+
     Raises:
-        Refusal: the board is not to be found.
+        OperationError: as ``detect_board`` and ``extract_stripe``.
     """
     stripe = extract_stripe(ambient if laser is None else laser, axis)
     if laser is None:
@@ -102,10 +108,29 @@ def observe_board(
 
 
 def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> BoardCalibration:
-    """Camera, laser plane and probe matrix from all poses, and contacts where there are any.
+    """Camera, light plane and probe matrix from images of a chessboard, probed or not.
+
+    One adjustment by maximum likelihood, as ``calibrate_block``; the bent surface of the board
+    and its pose in the arm frame are estimated with everything else.
+
+    Args:
+        inputs: P poses, as joint angles or flange poses, and contact points if there are any.
+        progress: called with what is done, and the share done, 0 to 1.
+
+    Returns:
+        The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
+        frame is the frame of the board as the first used pose saw it.
 
     Raises:
-        Refusal: whatever makes the calibration impossible, by its reason.
+        OperationError: inputs that do not belong together (``joint-count``,
+            ``angles-not-finite``, ``tip-missing``); ``no-images``, or the error of the first pose
+            where none shows the board; too few images or too similar poses
+            (``too-few-images``, ``boards-parallel``, ``too-few-poses``, ``poses-alike``,
+            ``poses-about-one-axis``); data that contradict each other (``poses-contradict``,
+            ``poses-reversed``, ``board-ambiguous``, ``square-size``, ``lines-contradict``,
+            ``contacts-off-board``); a laser that gives no plane (``stripe-not-found``,
+            ``stripe-one-line``, ``laser-along-board``, ``laser-through-camera``); or
+            ``too-few-edges``, ``adjustment-failed``.
     """
     say = progress or (lambda _what, _share: None)
     require_observations(inputs.observations, inputs.failed_poses, "board")

@@ -42,7 +42,7 @@ def board_camera(
     """The camera (its own frame as sensor frame), and ``T_cam_obj`` (P, 4, 4).
 
     Raises:
-        Refusal: too few pictures, or all from straight above.
+        OperationError: too few pictures, or all from straight above.
     """
     if len(seen) < FEWEST_POSES:
         raise OperationError(
@@ -98,7 +98,7 @@ def number_corners(
     The board must turn before the camera by as much as the flange turns.
 
     Raises:
-        Refusal: the arm's poses do not tell either.
+        OperationError: the arm's poses do not tell either.
     """
     if not any(pose.detection.other_numbers for pose in seen):
         return tuple(seen)
@@ -135,7 +135,7 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
     With the turns known, shifts and the one scale of all distances follow linearly.
 
     Raises:
-        Refusal: that, or poses that are not what they should be.
+        OperationError: that, or poses that are not what they should be.
     """
     kept = np.flatnonzero(~mounting.contradicts)
     # one wrong size makes all poses contradict one another: then all of them are asked

@@ -64,7 +64,7 @@ def fit_laser_lines(
     """The lines where the pictures put the sheet.
 
     Raises:
-        Refusal: fewer than two lines on the board, none that most agree on, all in one
+        OperationError: fewer than two lines on the board, none that most agree on, all in one
             place, or the laser's plane along the board.
     """
     in_cam = [_line_points(view, found, p) for p, view in enumerate(views)]

@@ -86,7 +86,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     """All that is to agree without what contradicts the rest, and a start for it.
 
     Raises:
-        Refusal: the poses, the pictures or the lines do not tell enough, or contradict.
+        OperationError: the poses, the pictures or the lines do not tell enough, or contradict.
     """
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
@@ -168,7 +168,7 @@ def _contact_observations(
         noise: of a robot; an arm with joints has its own.
 
     Raises:
-        Refusal: they do not lie on it.
+        OperationError: they do not lie on it.
     """
     if inputs.contact_readings is None or not len(inputs.contact_readings):
         return None

@@ -23,7 +23,7 @@ def flange_motion(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
     """The flange's poses, and how small errors move it.
 
     Raises:
-        Refusal: readings of another arm, or not numbers.
+        OperationError: readings of another arm, or not numbers.
     """
     wanted = (arm.joint_count,) if isinstance(arm, Arm) else (4, 4)
     if readings.shape[1:] != wanted:
@@ -53,7 +53,7 @@ def plane_contacts(
         noise: of a robot, of its flange's turn and shift.
 
     Raises:
-        Refusal: the arm has no tip.
+        OperationError: the arm has no tip.
     """
     if arm.tip is None:
         raise OperationError(

@@ -48,12 +48,12 @@ CONVERGED = 1e-3  # a step this small against every standard deviation
 
 @dataclass(frozen=True)
 class AdjustmentResult:
-    """The most likely state, its covariance (U, U) for the scales told, and how well all agrees
-    with it.
+    """The most likely state, its covariance (U, U) for these noise levels, and how well all
+    observations agree with it.
 
-    ``parts`` splits the normal matrix by ``linear.SOURCES``; ``free`` (U,) are the
+    ``parts`` splits the normal matrix by ``linearise.SOURCES``; ``free`` (U,) are the
     unknowns that were not held (lens terms that are not significant are held at zero).
-    ``scales_told`` is whether the data told the scales; they were known before otherwise.
+    ``scales_estimated`` is whether the noise levels were estimated from the data.
     """
 
     linear: Linearisation
@@ -88,21 +88,32 @@ class AdjustmentResult:
 
     @property
     def uncertainty(self) -> Floats:
-        """(U, U) covariance of the state, all told."""
+        """(U, U) covariance of the state, with that of the unknown sizes of the link errors."""
         return np.asarray(self.covariance + self.link_size_covariance)
 
 
 def solve_adjustment(
     problem: AdjustmentProblem, start: AdjustmentState, known: Scales | None = None
 ) -> AdjustmentResult:
-    """The most likely state for all that was seen, touched and certified.
+    """The state of maximum likelihood for all observations, by Gauss-Newton.
 
-    Lens terms that do not exceed their deviation clearly are held at zero, one group
-    after another. The noise's scales are told by the data, unless they are ``known``; how
-    large the links' errors are is told so loosely that the uncertainty grows by it.
+    Outliers are left out and noise levels estimated on the way. Lens terms that do not clearly
+    exceed their standard uncertainty are held at zero, one group after another. The sizes of the
+    link errors are known only roughly, and the uncertainty grows by that.
+
+    Args:
+        problem: the observations of all poses, contact points and the certificate.
+        start: where the iteration begins.
+        known: noise levels; None: they are estimated from the data.
+
+    Returns:
+        The state of U unknowns with its covariance (U, U), k = 1.
 
     Raises:
-        Refusal: fewer observations than unknowns, or no minimum found.
+        OperationError: ``too-few-edges`` or ``adjustment-failed``.
+
+    Source:
+        Variance components: Förstner's estimate, iterated.
     """
     at = parameter_layout(problem)
     free = np.ones(at.count, dtype=np.bool_)
@@ -271,10 +282,21 @@ def _require_enough(judgements: PoseWeights, problem: AdjustmentProblem) -> None
 
 
 def free_covariance(N: Floats, free: NDArray[np.bool_]) -> Floats:
-    """The covariance (U, U) of the free unknowns, with zeros for those that are held.
+    """The covariance of the free unknowns, with zeros for those that are held.
+
+    Args:
+        N: (U, U) normal matrix.
+        free: (U,) unknowns that are not held.
+
+    Returns:
+        (U, U).
 
     Raises:
-        Refusal: ``adjustment-failed``: some unknown is not determined.
+        OperationError: ``adjustment-failed``, where an unknown is not determined.
+
+    Example:
+        >>> free_covariance(np.diag([4.0, 0.0, 1.0]), np.array([True, False, True])).tolist()
+        [[0.25, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
     """
     own = N[np.ix_(free, free)]
     if not (np.diag(own) > 0).all():

@@ -38,12 +38,18 @@ class Mounting:
 def mounting_by_contacts(
     T_arm_flange: Floats, T_cam_obj: Floats, T_arm_obj: Floats, reach_mm: float
 ) -> Mounting:
-    """The mounting that most poses agree on, where contacts tell the object's place (Eq. 8).
+    """The mounting that most poses agree on, where contact points give the pose of the target.
 
     Args:
         T_arm_flange, T_cam_obj: (P, 4, 4).
-        T_arm_obj: (4, 4) from the contacts.
-        reach_mm: the object's size, which turns angles into lengths.
+        T_arm_obj: (4, 4) from the contact points.
+        reach_mm: the size of the target, which turns angles into lengths.
+
+    Returns:
+        ``T_flange_cam``, and which poses contradict it.
+
+    Source:
+        Eq. 8 of the article, in each pose.
     """
     each = inverse(T_arm_flange) @ T_arm_obj @ inverse(T_cam_obj)
     off = np.array([pose_offsets_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
@@ -56,13 +62,20 @@ def mounting_by_contacts(
 
 
 def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float) -> Mounting:
-    """The mounting from how the object's picture moves with the flange (hand-eye, AX = ZB).
+    """The mounting from how the target's image moves with the flange (hand-eye, AX = ZB).
 
-    The rotations first, as the null vector of a linear system, then the shifts; drawn
-    from few poses many times where some might contradict the others.
+    The rotations first, as the null vector of a linear system, then the translations; from many
+    draws of few poses where some might contradict the others.
+
+    Args:
+        T_arm_flange, T_cam_obj: (P, 4, 4), P >= 3.
+        reach_mm: the size of the target, which turns angles into lengths.
+
+    Returns:
+        ``T_flange_cam``, ``T_arm_obj``, and which poses contradict them.
 
     Raises:
-        Refusal: fewer than three poses, or turns about one axis only.
+        OperationError: ``too-few-poses``, ``poses-alike`` or ``poses-about-one-axis``.
     """
     count = len(T_arm_flange)
     refuse_alike(T_arm_flange)
@@ -86,10 +99,14 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
 
 
 def refuse_alike(T_arm_flange: Floats) -> None:
-    """Refuses poses (P, 4, 4) that turn too little to tell where the sensor sits.
+    """Refuses poses that turn too little to determine the mounting.
+
+    Args:
+        T_arm_flange: (P, 4, 4).
 
     Raises:
-        Refusal: names the direction that cannot be told.
+        OperationError: ``too-few-poses``, ``poses-alike``, or ``poses-about-one-axis``, which
+            names the axis.
     """
     count = len(T_arm_flange)
     if count < 3:
@@ -135,7 +152,7 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str
         thing: what the pictures show, in the operator's words.
 
     Raises:
-        Refusal: says how far apart the poses put it.
+        OperationError: says how far apart the poses put it.
     """
     out = mounting.contradicts
     some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM

@@ -163,7 +163,7 @@ def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], t
     """Refuses where no picture shows the ``thing``, with the reason of the first.
 
     Raises:
-        Refusal: the first picture's own, or that there is no picture.
+        OperationError: the first picture's own, or that there is no picture.
     """
     if seen:
         return

@@ -96,7 +96,12 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
     """Budget, map and covariance of an adjustment.
 
     Args:
+        found: the adjustment.
         T_cam_sensor: (4, 4) where the sensor frame was chosen to be.
+
+    Returns:
+        Standard uncertainties of points in the flange frame, k = 1, µm: by source, over the
+        measuring volume, and over the image.
     """
     volume = measuring_volume(found)
     J = sensor_jacobian(found.state, volume.uv_px)
@@ -122,7 +127,11 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
 
 
 def measuring_volume(found: AdjustmentResult) -> Volume:
-    """The part of the laser plane that the stripes of all poses covered, as a grid."""
+    """The part of the light plane that the stripes of all poses covered, as a grid.
+
+    Returns:
+        (G, 2) px and (G, 3) mm in the flange frame.
+    """
     seen = np.concatenate([view.stripe_px() for view in found.problem.views])
     low, high = seen.min(axis=0), seen.max(axis=0)
     u, v = (np.linspace(a, b, n) for a, b, n in zip(low, high, GRID, strict=True))
@@ -153,7 +162,15 @@ def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
 
 
 def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
-    """(G, 3, 17): how points in the flange frame follow camera, plane and mounting."""
+    """How points in the flange frame follow camera, light plane and mounting.
+
+    Args:
+        state: about which the derivatives are taken.
+        uv_px: (G, 2) distorted pixels.
+
+    Returns:
+        (G, 3, 17) mm per unit of each parameter: camera, light plane, mounting.
+    """
     in_cam = _points(state, uv_px)
     R = state.T_flange_cam[:3, :3]
     J = np.zeros((len(uv_px), 3, SENSOR.stop))

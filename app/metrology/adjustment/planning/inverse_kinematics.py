@@ -14,9 +14,16 @@ LARGEST_STEP_RAD = 0.2
 
 
 def solve_inverse_kinematics(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> Floats | None:
-    """Encoder angles (n,) near ``q_rad`` that bring the flange to a pose; None if out of reach.
+    """Encoder angles near given ones that bring the flange to a pose.
 
-    Damped least squares from the angles given, held within the joints' limits.
+    Damped least squares, held within the limits of the joints.
+
+    Args:
+        T_arm_flange: (4, 4) pose to reach.
+        q_rad: (n,) encoder angles to start from.
+
+    Returns:
+        (n,) rad; None where the pose is out of reach.
     """
     low, high = np.array([joint.limits_rad for joint in arm.joints]).T
     q = np.clip(np.asarray(q_rad, dtype=np.float64), low, high)

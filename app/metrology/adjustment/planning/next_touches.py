@@ -37,17 +37,33 @@ class TouchAdvice:
 def placement_uncertainty_um(
     alignment: Alignment, features: Sequence[str], block: Crenellated
 ) -> float:
-    """Standard uncertainty of a point of the block in the arm, rms over its corners, k = 1."""
+    """Standard uncertainty of a point of the block in the arm frame by its contact points.
+
+    Args:
+        alignment: the result of ``align``.
+        features: the face of each of the N contact points.
+
+    Returns:
+        µm, rms over the corners of the block, k = 1.
+    """
     return _point_uncertainty_um(_information(alignment, features, block), block)
 
 
 def next_touches(
     alignment: Alignment, features: Sequence[str], block: Crenellated, target_um: float
 ) -> TouchAdvice:
-    """How many more touches on which faces reach a target, each where it helps most.
+    """How many more contact points on which faces would reach a target uncertainty.
 
-    Touches are added one at a time, spread over their faces, until the target is met
-    or more would be asked than anyone takes.
+    Contact points are added one at a time where they help most, spread over their faces, until
+    the target is met or ``MOST_MORE`` are asked for.
+
+    Args:
+        alignment: the result of ``align`` for the contact points so far.
+        features: the face of each of the N contact points.
+        target_um: of ``placement_uncertainty_um``.
+
+    Returns:
+        Number of contact points by face, and the uncertainty before and after.
     """
     information = _information(alignment, features, block)
     now = then = _point_uncertainty_um(information, block)

@@ -2,5 +2,6 @@
 
 Entry point: ``identify``. ``input_checks`` refuses what cannot be used, ``parameter_selection``
 chooses what can be estimated, ``robust_solve`` solves, ``cross_validation`` and
-``volumetric_error`` say how good the result is. ``articulation`` is the daily check.
+``volumetric_error`` say how good the result is. ``articulation.check_articulation`` is the daily
+check.
 """

@@ -48,13 +48,22 @@ class Articulation:
 def check_articulation(
     arm: Arm, q_rad: Floats, limits: ArticulationLimits | None = None, label: str = "the seat"
 ) -> Articulation:
-    """The check of one seat.
+    """Single-point articulation: how far the tip seems to move while a seat holds it.
 
     Args:
+        arm: the arm by its datasheet.
         q_rad: (m, n) encoder angles with the tip in the seat, the arm swung about it.
+        limits: what each axis may reach, in µm; None: no verdict.
+        label: the name of the seat, for messages.
+
+    Returns:
+        (max - min)/2 and 2σ along each axis of the arm frame in µm, and the verdict.
 
     Raises:
-        Refusal: too few points, an arm that hardly moved, or a tip that was in no seat.
+        OperationError: ``too-few-points``, ``arm-hardly-moved`` or ``not-seated``.
+
+    Source:
+        The single-point articulation test of ASME B89.4.22.
     """
     q = np.asarray(q_rad, dtype=np.float64)
     if len(q) < LEAST_POINTS:
@@ -88,7 +97,19 @@ def check_articulation(
 
 
 def tip_spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
-    """(max - min)/2 and 2 sigma (3,) of tips (m, 3), in µm; sigma with m - 1."""
+    """(max - min)/2 and 2σ of tip centres, along each axis.
+
+    Args:
+        tips_mm: (m, 3).
+
+    Returns:
+        (3,) and (3,) µm; σ with m - 1, zero for a single point.
+
+    Example:
+        >>> tips = np.array([[0.0, 0.0, 0.0], [0.002, 0.0, 0.0], [0.004, 0.0, 0.0]])
+        >>> [spread.round(9).tolist() for spread in tip_spread_um(tips)]
+        [[2.0, 0.0, 0.0], [4.0, 0.0, 0.0]]
+    """
     half_range = np.ptp(tips_mm, axis=0) / 2 * 1e3
     if len(tips_mm) < 2:
         return half_range, np.zeros(3)

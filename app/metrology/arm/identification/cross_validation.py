@@ -74,7 +74,7 @@ def cross_validate(arm: Arm, observations: ArmObservations, scatter_mm: float) -
     """Every k-th place held out in turn, the whole fit repeated on the rest.
 
     Raises:
-        Refusal: a fold's rest is too little to identify the arm by.
+        OperationError: a fold's rest is too little to identify the arm by.
     """
     count = observations.groups_count
     folds = min(FOLDS, count)

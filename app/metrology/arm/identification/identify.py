@@ -121,7 +121,7 @@ class Identification:
 
     @property
     def size_known(self) -> bool:
-        """Whether a calibrated length told the arm's size."""
+        """Whether a calibrated length determined the arm's size."""
         return all(held.reason != "scale" for held in self.fixed)
 
 
@@ -131,7 +131,10 @@ def identify(
     check: ArmObservations | None = None,
     tell: ProgressCallback = lambda share, text: None,
 ) -> Identification:
-    """Fits D-H parameters, error terms between parallel axes, and the tip (Eq. 2-3).
+    """Fits Denavit-Hartenberg parameters, error terms between parallel axes, and the tip.
+
+    Parameters that the points cannot determine keep their values. The result is checked on
+    places that the fit did not use.
 
     Args:
         arm: as its papers have it; the start of the fit.
@@ -139,9 +142,19 @@ def identify(
             not given, every k-th place is held out in turn.
         tell: told the share done and what is being done.
 
+    Returns:
+        The arm with covariance (mm and rad, k = 1), outliers, and errors before and after.
+
     Raises:
-        Refusal: too few points; an arm that hardly moved; a place that moved; a tip's
-            diameter that the spheres contradict; no improvement on what was held out.
+        OperationError: too few or unsuitable points (``too-few-places``, ``too-few-points``,
+            ``points-twice``, ``arm-hardly-moved``, ``joint-still``, ``check-seen``); points that
+            contradict the arm or each other (``arm-does-not-fit``, ``seat-moved``,
+            ``place-disagrees``, ``bar-length``, ``sphere-diameter``, ``tip-diameter``); or no
+            useful result (``identification-diverges``, ``identification-explains-nothing``,
+            ``identification-no-better``).
+
+    Source:
+        The model is Eq. 2 and 3 of the article.
     """
     check_enough(arm, observations)
     check_arm_fits(arm, observations)

@@ -35,7 +35,14 @@ def tip_index(arm: Arm) -> int:
 
 
 def parameter_values(arm: Arm) -> Floats:
-    """The vector (10 n + 3,) in mm and rad: D-H and error terms of each link (Eq. 2-3), the tip."""
+    """The geometry of an arm as one vector: D-H and error terms of each link, then the tip.
+
+    Returns:
+        (10 n + 3,) in mm and rad, in the order of ``parameter_names``.
+
+    Source:
+        Eq. 2 and 3 of the article.
+    """
     values: list[float] = []
     for joint in arm.joints:
         e = joint.error
@@ -45,7 +52,11 @@ def parameter_values(arm: Arm) -> Floats:
 
 
 def with_parameters(arm: Arm, values: Floats) -> Arm:
-    """The arm with its geometry replaced by a vector (10 n + 3,)."""
+    """The arm with its geometry replaced; inverse of ``parameter_values``.
+
+    Args:
+        values: (10 n + 3,) in mm and rad, in the order of ``parameter_names``.
+    """
     joints: list[Joint] = []
     for i, joint in enumerate(arm.joints):
         a, alpha, d, theta, *error = (float(v) for v in values[i * TERMS : (i + 1) * TERMS])
@@ -64,16 +75,20 @@ def with_parameters(arm: Arm, values: Floats) -> Arm:
 
 
 def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
-    """The tip's centres, and their exact derivatives by every parameter.
+    """Tip centres, and their exact derivatives by every parameter of the arm.
 
-    Each parameter moves the tip along an axis, or turns it about one, of the frame
-    that the parameter stands in (Eq. 2-3).
+    Each parameter moves the tip along an axis, or turns it about one, of the frame that the
+    parameter belongs to.
 
     Args:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
-        (N, 3) in mm, arm frame, and (N, 3, 10 n + 3) in mm per mm and mm per rad.
+        (N, 3) in mm, arm frame, and (N, 3, 10 n + 3) in mm per mm and mm per rad, in the order of
+        ``parameter_names``.
+
+    Source:
+        Eq. 2 and 3 of the article.
     """
     q = np.asarray(q_rad, dtype=np.float64)
     count = len(q)
@@ -113,9 +128,15 @@ def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
 
 
 def encoder_covariances(arm: Arm, J: Floats) -> Floats:
-    """(N, 3, 3) covariance in mm^2 that the encoders' noise gives the tips of ``tip_jacobian``.
+    """Covariance of tip centres by the noise of the encoders, from their Jacobian.
 
-    An encoder's angle acts as its joint's theta does, its sign apart.
+    The angle of an encoder acts as theta of its joint, apart from the sign.
+
+    Args:
+        J: (N, 3, 10 n + 3) as of ``tip_jacobian``.
+
+    Returns:
+        (N, 3, 3) mm², k = 1.
     """
     by_theta = J[:, :, THETA : arm.joint_count * TERMS : TERMS] * arm.encoder_sd_rad
     return np.asarray(by_theta @ np.swapaxes(by_theta, 1, 2))

@@ -68,7 +68,7 @@ def fit_arm(
         moving: move just these, where it was decided before.
 
     Raises:
-        Refusal: too few points for the parameters, or a fit that runs away.
+        OperationError: too few points for the parameters, or a fit that runs away.
     """
     at, scatter = initial_unknowns(arm, data), LEAST_SCATTER_MM
     everything = np.ones(len(data.q_rad))

@@ -98,7 +98,15 @@ class PlausibilityFilter(Generic[R]):
         return next((one for at, one in tuple(self._rejected) if first_ns <= at <= last_ns), None)
 
     def filter(self, readings: Sequence[R]) -> list[R]:
-        """The readings, oldest first, that are now known to be plausible."""
+        """Judges new readings.
+
+        Args:
+            readings: oldest first, with n angles in rad and rising stamps in ns.
+
+        Returns:
+            The readings, oldest first, that are now known to be plausible; the latest ones wait for
+            those after them.
+        """
         good: list[R] = []
         held = self._pending
         for reading in readings:
