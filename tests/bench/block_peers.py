@@ -72,7 +72,8 @@ def calibrate_opencv(
         np.zeros(5),
         flags=K1_ONLY | cv2.CALIB_USE_INTRINSIC_GUESS,
     )
-    camera = Camera(K, np.eye(3), np.zeros(3), *size_px, np.ravel(distortion)[:5])
+    lens = np.ravel(distortion)[:5].astype(np.float64)
+    camera = Camera(np.asarray(K, np.float64), np.eye(3), np.zeros(3), *size_px, lens)
     T_cam_obj = [solve_pose(camera, view.points_mm, view.uv_px) for view in views]
     T_arm_flange = [view.T_arm_flange for view in views]
     lines = []

@@ -30,11 +30,11 @@ def hand_eyes(
     board_R, board_t = [T[:3, :3] for T in T_cam_obj], [T[:3, 3] for T in T_cam_obj]
     for name, method in HAND_EYE.items():
         turn, shift = cv2.calibrateHandEye(R, t, board_R, board_t, method=method)
-        yield name, rigid(turn, np.ravel(shift))
+        yield name, rigid(np.asarray(turn, np.float64), np.ravel(shift))
     back = [inverse(T) for T in T_arm_flange]
     back_R, back_t = [T[:3, :3] for T in back], [T[:3, 3] for T in back]
     for name, method in ROBOT_WORLD.items():
         _, _, turn, shift = cv2.calibrateRobotWorldHandEye(
             board_R, board_t, back_R, back_t, method=method
         )
-        yield name, inverse(rigid(turn, np.ravel(shift)))
+        yield name, inverse(rigid(np.asarray(turn, np.float64), np.ravel(shift)))

@@ -109,7 +109,7 @@ def match_numbers(uv_px: Floats, frame: BoardFrame, board: Chessboard) -> NDArra
     places = corner_points(board)[:, :2]
     H = np.asarray(cv2.findHomography(places[frame.corner], frame.uv_px)[0])
     seen = cv2.perspectiveTransform(places[:, None], H)[:, 0]
-    return np.argmin(np.linalg.norm(seen - uv_px[:, None], axis=2), axis=1)
+    return np.asarray(np.argmin(np.linalg.norm(seen - uv_px[:, None], axis=2), axis=1))
 
 
 def calibrate_opencv(
@@ -126,7 +126,8 @@ def calibrate_opencv(
             np.zeros(5),
             flags=flags,
         )
-        camera = Camera(K, np.eye(3), np.zeros(3), *made.size_px, np.ravel(distortion)[:5])
+        lens = np.ravel(distortion)[:5].astype(np.float64)
+        camera = Camera(np.asarray(K, np.float64), np.eye(3), np.zeros(3), *made.size_px, lens)
         T_cam_obj = [solve_pose(camera, points[frame.corner], frame.uv_px) for frame in frames]
         T_arm_flange = [frame.T_arm_flange for frame in frames]
         start = PeerCalibration("", camera, np.eye(4), points, NO_PLANE)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -21,6 +22,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.formats.results.gauge_report import GaugeReport
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file
+from tests.pictures import read_picture
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -79,12 +81,12 @@ def write_plane(path: Path, z_mm: float = 0.0) -> Path:
 
 
 def write_nominal(path: Path, shape: str) -> Path:
-    fields = {
+    fields: dict[str, dict[str, Any]] = {
         "plane": {"point_mm": [0, 0, 0], "normal": [0, 0, 1]},
         "sphere": {"centre_mm": [0, 0, 0], "radius_mm": 10},
-    }[shape]
+    }
     path.write_text(
-        json.dumps({"format": "crenel/nominal", "version": 1, "shape": shape, **fields})
+        json.dumps({"format": "crenel/nominal", "version": 1, "shape": shape, **fields[shape]})
     )
     return path
 
@@ -113,7 +115,7 @@ def test_extract_tells_several_pictures_apart(tmp_path: Path, stripe_picture: Pa
 
 def test_extract_along_rows_and_for_programs(tmp_path: Path, stripe_picture: Path) -> None:
     turned = tmp_path / "turned.png"
-    cv2.imwrite(str(turned), cv2.imread(str(stripe_picture), cv2.IMREAD_UNCHANGED).T)
+    cv2.imwrite(str(turned), read_picture(stripe_picture).T)
     out = tmp_path / "out.csv"
     along_u = json.loads(crenel("extract", stripe_picture, "-o", out, "--json").stdout)
     along_v = json.loads(crenel("extract", turned, "-o", out, "--axis", "v", "--json").stdout)

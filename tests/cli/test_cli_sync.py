@@ -26,7 +26,8 @@ DELAY_MS = 12.0
 def q_of(seconds: float) -> Floats:
     """Of a hand that goes over a plate in waves."""
     waves = [0.012 * np.sin(5 * seconds), 0.05 * np.sin(6 * seconds), 0.02 * np.sin(1.3 * seconds)]
-    return np.deg2rad(POSE_DEG) + np.array([*waves, 0.01 * np.sin(2 * seconds), 0.0, 0.0])
+    waves += [0.01 * np.sin(2 * seconds), 0.0, 0.0]
+    return np.asarray(np.deg2rad(POSE_DEG) + np.array(waves))
 
 
 def pass_over_a_plate(path: Path, station: dict[str, str] | None = None) -> None:

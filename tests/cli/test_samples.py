@@ -9,12 +9,14 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
 from tests.cli.test_cli import crenel, names_in, refused
 from tests.formats.builders import edit_json
+from tests.pictures import blur, read_picture
 
 
 @pytest.fixture(scope="module")
@@ -112,21 +114,23 @@ def test_one_pose_of_many_says_that_one_is_used(samples: Path, tmp_path: Path) -
     assert fields["probe_matrix"] == json.loads(out.read_text())["probe_matrix"]
 
 
-def every_picture(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[Path], None]:
+def every_picture(
+    change: Callable[[NDArray[np.uint8]], NDArray[np.uint8]],
+) -> Callable[[Path], None]:
     def spoil(session: Path) -> None:
         for path in (session / "images").iterdir():
-            cv2.imwrite(str(path), change(cv2.imread(str(path), cv2.IMREAD_UNCHANGED)))
+            cv2.imwrite(str(path), change(read_picture(path)))
 
     return spoil
 
 
 def ambient_black(session: Path) -> None:
     path = session / "images/pose00_ambient.png"
-    cv2.imwrite(str(path), np.zeros_like(cv2.imread(str(path), cv2.IMREAD_UNCHANGED)))
+    cv2.imwrite(str(path), np.zeros_like(read_picture(path)))
 
 
-def brighter(grey: np.ndarray) -> np.ndarray:
-    return np.clip(grey.astype(float) * 6 + 60, 0, 255).astype(np.uint8)
+def brighter(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.asarray(np.clip(grey.astype(float) * 6 + 60, 0, 255), dtype=np.uint8)
 
 
 def mirror_object(session: Path) -> None:
@@ -163,7 +167,7 @@ def keep_faces(*faces: str) -> Callable[[Path], None]:
         (ambient_black, "no contrast"),
         (every_picture(lambda grey: np.full_like(grey, 255)), "overexposed"),
         (every_picture(brighter), "overexposed"),
-        (every_picture(lambda grey: cv2.GaussianBlur(grey, (0, 0), 25)), "blurred"),
+        (every_picture(lambda grey: blur(grey, 25)), "blurred"),
         (mirror_object, "mirrored"),
         (other_object, "does not match the certificate"),
         (swap_faces, "contacts lie beside the face"),

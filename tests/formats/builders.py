@@ -125,7 +125,7 @@ def stripe_points() -> tuple[Floats, Floats]:
 
 def q_at(stamp_ns: int) -> Floats:
     """The angles of a hand that moves all joints evenly."""
-    return np.deg2rad(POSE_DEG) + 1e-10 * stamp_ns * np.arange(1, 7)
+    return np.asarray(np.deg2rad(POSE_DEG) + 1e-10 * stamp_ns * np.arange(1, 7))
 
 
 def joints_every(writer: RecordingWriter, first_ns: int, last_ns: int, step_ns: int) -> None:

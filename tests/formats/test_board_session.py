@@ -29,7 +29,10 @@ BOARD = Chessboard("board", "C-1", (7, 6), 10.0, 0.02)
 ROBOT = RobotArm("robot", "R-1", Tip(1.0, 2.0, 150.0, 6.0))
 POSES = np.array(
     [
-        rigid(Rotation.from_rotvec([0.1 * k, 0.2, -0.3]).as_matrix(), [1500.0, 20.0 * k, 900.0])
+        rigid(
+            Rotation.from_rotvec([0.1 * k, 0.2, -0.3]).as_matrix(),
+            np.array([1500.0, 20.0 * k, 900.0]),
+        )
         for k in range(3)
     ]
 )

@@ -45,6 +45,7 @@ def test_what_is_written_reads_back(tmp_path: Path, suffix: str) -> None:
     cloud = read_cloud(path)
     np.testing.assert_allclose(cloud.points_mm, table[:, :3], rtol=0, atol=STEP_MM[suffix])
     np.testing.assert_array_equal(cloud.intensity, table[:, 3])
+    assert cloud.uncertainty_um is not None
     np.testing.assert_allclose(cloud.uncertainty_um, table[:, 4], rtol=0, atol=0.0051)
     np.testing.assert_array_equal(cloud.frame, table[:, 5])
 
@@ -107,11 +108,10 @@ def test_what_a_format_cannot_hold_is_refused(tmp_path: Path, suffix: str, far_m
     path.write_bytes(b"what stood there before")
 
     def write() -> None:
+        ones = np.ones(CHUNK_POINTS)
         with cloud_writer(path) as cloud:
             for i in range(3):
-                cloud.write(
-                    np.full((CHUNK_POINTS, 3), far_mm * (i == 2)), *np.ones((2, CHUNK_POINTS)), i
-                )
+                cloud.write(np.full((CHUNK_POINTS, 3), far_mm * (i == 2)), ones, ones, i)
 
     with pytest.raises(OperationError, match="a point lies at"):
         write()
@@ -228,7 +228,9 @@ def test_a_points_uncertainty_is_the_stripes_seen_from_there(axis: str) -> None:
     points = sensor_points(use.camera, use.plane, uv)
     np.testing.assert_allclose(project(use.camera, points), uv, atol=1e-9)
     expected = 1e3 * np.linalg.norm(moved[0] - moved[1], axis=1)
-    in_frame = (sigma, axis, np.array([len(uv)]), np.eye(4)[None])
-    same, spread_um = scan_points(use.camera, use.plane, *uv.T, *in_frame)
+    count, pose = np.array([len(uv)]), np.eye(4)[None]
+    same, spread_um = scan_points(
+        use.camera, use.plane, uv[:, 0], uv[:, 1], sigma, axis, count, pose
+    )
     np.testing.assert_allclose(same, points, atol=1e-12)
     np.testing.assert_allclose(spread_um, expected, rtol=1e-5)

@@ -37,6 +37,7 @@ def test_pieces_read_back_here_and_elsewhere(tmp_path: Path, sizes: list[int]) -
     assert cloud.frame is not None
     np.testing.assert_array_equal(cloud.frame, np.repeat(np.arange(len(sizes)), sizes))
     elsewhere = trimesh.load(path)
+    assert isinstance(elsewhere, trimesh.PointCloud)
     assert np.asarray(elsewhere.vertices).shape == (count, 3)
     np.testing.assert_array_equal(np.asarray(elsewhere.vertices), points)
 

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from app.errors import OperationError
 from app.formats import images
-from app.formats.image_sizes import Announced, announced_size
-from app.formats.images import PNG_SIGNATURE, decode_grey
+from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
+from app.formats.images import decode_grey
 
 KINDS = ("png", "jpg", "bmp", "tiff", "pnm", "webp")
 

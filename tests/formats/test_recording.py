@@ -39,8 +39,8 @@ NAMES = tuple(f"J{i + 1}" for i in range(6))
 def stripe_of_length(count: int) -> Stripe:
     rng = np.random.default_rng(count)
     u, v = rng.uniform(0, 1280, (2, count))
-    floats = rng.uniform(0, 255, (2, count)).astype(np.float32).astype(np.float64)
-    return Stripe(u, v, *floats, axis="v" if count % 2 else "u")
+    height, sigma = rng.uniform(0, 255, (2, count)).astype(np.float32).astype(np.float64)
+    return Stripe(u, v, height, sigma, axis="v" if count % 2 else "u")
 
 
 def read(path: Path) -> tuple[Recording, list[Record]]:

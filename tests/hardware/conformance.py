@@ -73,7 +73,7 @@ class SensorBench(ABC):
 
 
 def read_until(
-    driver: ArmDriver, enough: Callable[[list[ArmRecord]], bool], within_s: float = LONG_S
+    driver: ArmDriver, enough: Callable[[list[ArmRecord]], object], within_s: float = LONG_S
 ) -> list[ArmRecord]:
     """Reads on until the records satisfy ``enough``."""
     records: list[ArmRecord] = []

@@ -70,7 +70,8 @@ def test_a_driver_of_another_package_is_found(site: Path) -> None:
     )
     install(site, "bench-arm", "crenel.arms", "bench = bench_arm:from_options")
     assert registry.arm_drivers() == ["bench", "serial-encoder"]
-    assert registry.arm_driver("bench", {"port": 3}) == ("bench", {"port": 3})
+    made: object = registry.arm_driver("bench", {"port": 3})
+    assert made == ("bench", {"port": 3})
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ def picture(index: int) -> NDArray[np.uint8]:
 
 def write_video(path: Path, codec: str) -> None:
     writer = cv2.VideoWriter(
-        str(path), cv2.VideoWriter_fourcc(*codec), RATE_HZ, (WIDTH, HEIGHT), isColor=False
+        str(path), cv2.VideoWriter.fourcc(*codec), RATE_HZ, (WIDTH, HEIGHT), isColor=False
     )
     assert writer.isOpened()
     for index in range(PICTURES):

@@ -109,7 +109,7 @@ def test_counts_become_radians(arm: FakeSerialArm, driver: ArmDriver) -> None:
     assert (info.name, info.serial_number, info.joint_count) == ("Bench arm", "B-1", 6)
     assert info.rate_hz == arm.rate_hz
     for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
-        assert sample.joints_rad == (pytest.approx(2 * pi * sample.sequence / COUNTS),) * 6
+        assert sample.joints_rad == pytest.approx((2 * pi * sample.sequence / COUNTS,) * 6)
 
 
 @pytest.mark.parametrize("counts", [1000, [1000, 2000, 3000, 4000, 5000, 6000]])

@@ -7,7 +7,7 @@ import pytest
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
 from hardware.simulator.rendering.noise import NOISELESS, Detector, speckle_tile
 from hardware.simulator.rendering.render import SMEARED, Renderer
-from hardware.simulator.scene.camera import sight_lines, to_pixels
+from hardware.simulator.scene.camera import Optics, sight_lines, to_pixels
 from hardware.simulator.scene.random_scenes import draw_sensor
 from hardware.simulator.scene.world import (
     Box,
@@ -26,24 +26,25 @@ PLAIN = Light(texture=0.0)
 EXACT = Detector(
     read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0, bits=16, stripe_dn=120.0, crest_dn=100.0
 )
-LENSES = [(0.0,) * 5, (-0.09, 0.08, 4e-4, -3e-4, 0.02)]
+Lens = tuple[float, float, float, float, float]
+LENSES: list[Lens] = [(0.0,) * 5, (-0.09, 0.08, 4e-4, -3e-4, 0.02)]
 
 
-def opencv_pixels(optics: object, points: Floats) -> Floats:
-    T = optics.T_cam_sensor  # type: ignore[attr-defined]
+def opencv_pixels(optics: Optics, points: Floats) -> Floats:
+    T = optics.T_cam_sensor
     found, _ = cv2.projectPoints(
         points,
         cv2.Rodrigues(T[:3, :3])[0],
         T[:3, 3],
-        optics.matrix,  # type: ignore[attr-defined]
-        np.array(optics.distortion),  # type: ignore[attr-defined]
+        optics.matrix,
+        np.array(optics.distortion),
     )
     return np.asarray(found.reshape(-1, 2))
 
 
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("roll", [0.0, 1.6, -2.9])
-def test_projection_is_opencvs(distortion: tuple[float, ...], roll: float) -> None:
+def test_projection_is_opencvs(distortion: Lens, roll: float) -> None:
     rng = np.random.default_rng(1)
     optics, _ = draw_sensor(BLOCK, rng, roll_rad=roll, distortion=distortion)
     points = rng.uniform([-22, -12, -15], [22, 12, 10], (200, 3))
@@ -51,7 +52,7 @@ def test_projection_is_opencvs(distortion: tuple[float, ...], roll: float) -> No
 
 
 @pytest.mark.parametrize("distortion", LENSES)
-def test_a_sight_line_leads_back_to_its_pixel(distortion: tuple[float, ...]) -> None:
+def test_a_sight_line_leads_back_to_its_pixel(distortion: Lens) -> None:
     optics, _ = draw_sensor(BLOCK, np.random.default_rng(2), distortion=distortion)
     lines = sight_lines(optics).astype(np.float64)
     v, u = np.indices(lines.shape[:2]) - 1
@@ -111,7 +112,7 @@ def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
 
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("name", EDGES)
-def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, ...]) -> None:
+def test_edges_are_where_geometry_puts_them(name: str, distortion: Lens) -> None:
     optics, sheet = draw_sensor(BLOCK, distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
@@ -127,7 +128,7 @@ def test_edges_are_where_geometry_puts_them(name: str, distortion: tuple[float, 
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("patch", [(-22, -14, 15), (5, 10, 15), (-2, 5, 0)])
 def test_the_stripe_is_where_geometry_puts_it(
-    patch: tuple[float, float, float], distortion: tuple[float, ...]
+    patch: tuple[float, float, float], distortion: Lens
 ) -> None:
     optics, sheet = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
     scene = block_scene()

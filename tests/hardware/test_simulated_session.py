@@ -4,7 +4,6 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 
@@ -17,6 +16,7 @@ from hardware.simulator.operator.contact import (
 from hardware.simulator.scene.random_scenes import random_block
 from hardware.simulator.scene.world import CrenellatedBlock, GaugeSphere
 from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
+from tests.pictures import read_picture
 
 
 def read_rows(path: Path) -> list[dict[str, str]]:
@@ -40,9 +40,8 @@ def test_a_session_holds_all_that_an_operator_brings(
     images = read_rows(tmp_path / "images.csv")
     assert len(images) == plan.poses * (2 if plan.lighting == "pair" else 1)
     for row in images:
-        image = cv2.imread(str(tmp_path / row["file"]), cv2.IMREAD_UNCHANGED)
+        image = read_picture(tmp_path / row["file"])
         assert image.shape == (plan.height_px, plan.width_px)
-        assert image.dtype == np.uint8
     rows = read_rows(tmp_path / "probing.csv")
     assert len(rows) == len(plan.faces) * plan.contacts_per_face
     rig = draw_rig(seed, plan)

@@ -5,6 +5,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from typing import Any
 
 import cv2
 import numpy as np
@@ -80,7 +81,8 @@ def model_of(paper: object) -> ArmModel:
 
 def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
     papers = twin.datasheets()
-    model, block = model_of(papers["arm.json"]), papers["object.json"]
+    model = model_of(papers["arm.json"])
+    block: dict[str, Any] = papers["object.json"]
     T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
     driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
     driver.open()
@@ -98,7 +100,7 @@ def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
         T = flange_pose(model, q)
         tip = T_obj_arm @ T @ [*model.tip_mm, 1.0]
         heights.append(float(tip[2]) - model.tip_diameter_mm / 2)
-        assert block["edges_x_mm"][0] < tip[0] < block["edges_x_mm"][-1]  # type: ignore[index]
+        assert block["edges_x_mm"][0] < tip[0] < block["edges_x_mm"][-1]
     driver.close()
     assert np.array(heights) == pytest.approx(np.full(3, block["crest_z_mm"]), abs=0.3)
     assert np.ptp(heights) < 0.1
@@ -198,7 +200,7 @@ def stripe_in_arm_frame(twin: SimulatedStation, frame: Frame) -> Floats:
     return np.asarray(points @ T_arm_sensor[:3, :3].T + T_arm_sensor[:3, 3])
 
 
-def lit_points(camera: dict, sheet: object, u: np.ndarray, v: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+def lit_points(camera: dict[str, Any], sheet: object, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Where the light at pixels came from, in the sensor frame, by OpenCV and a plane."""
     T = np.array(camera["T_cam_sensor"])
     pixels = np.column_stack([u, v]).astype(np.float64).reshape(-1, 1, 2)

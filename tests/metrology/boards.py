@@ -101,7 +101,7 @@ def picture(T_cam_obj: Floats, look: Look, seed: int = 0) -> NDArray[np.uint8]:
     image = level.reshape(SIZE[1], fine, SIZE[0], fine).mean(axis=(1, 3))
     image = cv2.GaussianBlur(image, (0, 0), look.blur_px)
     image += np.random.default_rng(seed).normal(0, look.noise, image.shape)
-    return np.clip(np.round(image), 0, 255).astype(np.uint8)
+    return np.asarray(np.clip(np.round(image), 0, 255), dtype=np.uint8)
 
 
 def inputs(look: Look | None = None, robot_mm: float = 0.02) -> BoardInputs:

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from app.metrology.arm.kinematics import Arm, Joint, Tip
@@ -32,7 +33,7 @@ class Sample:
 @dataclass(frozen=True)
 class Judged:
     judge: PlausibilityFilter[Sample]
-    passed: Floats
+    passed: NDArray[np.bool_]
     """(N,) whether each reading passed."""
 
 

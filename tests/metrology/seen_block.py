@@ -91,11 +91,11 @@ def simulate_edges(
 
 def volume_points(camera: Camera, plane: LaserPlane, block: Crenellated) -> tuple[Floats, Floats]:
     """Pixels (N, 2) and points (N, 3) of the laser plane all over the measuring volume."""
-    x, z = np.meshgrid(
+    across, up = np.meshgrid(
         np.linspace(block.edges_x_mm[0], block.edges_x_mm[-1], 9),
         np.linspace(block.floor_z_mm, block.crest_z_mm, 5),
     )
-    x, z = x.ravel(), z.ravel()
+    x, z = across.ravel(), up.ravel()
     y = (plane.offset_mm - plane.normal[0] * x - plane.normal[2] * z) / plane.normal[1]
     points = np.column_stack([x, y, z])
     return project(camera, points), points

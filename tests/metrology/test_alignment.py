@@ -55,12 +55,13 @@ def test_contacts_are_weighed_by_the_encoders_noise() -> None:
     features, exact = contacts_on(rng, T_arm_obj, per_face=15)
     sds = rng.choice([0.002, 0.05], len(features))
     covariances = np.array([np.eye(3) * sd**2 for sd in sds])
-    plain, weighed = [], []
+    plain: list[float] = []
+    weighed: list[float] = []
     for _ in range(60):
         tips = exact + rng.normal(size=exact.shape) * sds[:, None]
         for out, noise in ((plain, None), (weighed, covariances)):
             T = align(features, tips, TIP_RADIUS_MM, BLOCK, noise).T_arm_obj
-            out.append(np.linalg.norm((T @ inverse(T_arm_obj))[:3, :3] - np.eye(3)))
+            out.append(float(np.linalg.norm((T @ inverse(T_arm_obj))[:3, :3] - np.eye(3))))
     assert np.mean(weighed) < 0.6 * np.mean(plain)
 
 

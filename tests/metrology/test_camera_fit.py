@@ -1,5 +1,7 @@
 """The joint refinement against known cameras, and its covariance against scatter."""
 
+from collections.abc import Callable
+
 import cv2
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ from app.errors import OperationError
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
 from app.metrology.calibration.observation_model import (
+    Rows,
     SceneModel,
     corner_rows,
     edge_rows,
@@ -19,6 +22,7 @@ from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.faugeras import solve_faugeras
 from app.metrology.sensor.projection import COUNT, project_with_jacobian, step_camera
 from app.metrology.sensor.triangulation import sensor_points
+from app.metrology.stripe import empty_stripe
 from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats, apply, rigid_fit
 from tests.metrology.builders import BLOCK
@@ -161,7 +165,7 @@ def test_a_picture_without_edges_is_refused() -> None:
     camera = camera_over(BLOCK)
     stripe = simulate_stripe(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
     levels = fit_laser_plane(camera, BLOCK, stripe)
-    nothing = ImageObservations((), (), type(stripe)(*[np.zeros(0)] * 4), levels)
+    nothing = ImageObservations((), (), empty_stripe("u"), levels)
     few = levels.used[:0]
     empty = type(levels)(
         levels.plane,
@@ -219,19 +223,17 @@ def test_observation_rows_have_the_derivatives_that_differences_show(kind: str) 
     levels = fit_laser_plane(camera, BLOCK, stripe)
     edges = simulate_edges(camera, BLOCK, rng, 0.1)
     at = corners(BLOCK)
+    uv = project(camera, np.array([*at.values()])) + 0.1
     seen = [
-        Corner(
-            name,
-            *(project(camera, at[name][None])[0] + 0.1),
-            np.array([[0.02, 0.01], [0.01, 0.03]]),
-        )
-        for name in at
+        Corner(name, u, v, np.array([[0.02, 0.01], [0.01, 0.03]]))
+        for name, (u, v) in zip(at, uv.tolist(), strict=True)
     ]
-    rows = {
+    of_kind: dict[str, Callable[[SceneModel], Rows]] = {
         "edges": lambda scene: edge_rows(scene, edges),
         "stripe": lambda scene: stripe_rows(scene, stripe, np.where(levels.used, levels.level, "")),
         "corners": lambda scene: corner_rows(scene, seen),
-    }[kind]
+    }
+    rows = of_kind[kind]
     scene = SceneModel(camera, levels.plane, BLOCK)
     found = rows(scene).jacobian
     for k in range(len(scene.names)):

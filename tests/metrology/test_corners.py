@@ -1,8 +1,8 @@
 """The object found, named and measured in pictures that the twin renders."""
 
 from dataclasses import replace
+from typing import Any
 
-import cv2
 import numpy as np
 import pytest
 
@@ -10,27 +10,31 @@ from app.errors import OperationError
 from app.metrology.detection.acceptance import is_cut_off
 from app.metrology.detection.corner_fit import fit_corners
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.detection.edges.measure_all import measure_edges
+from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
 from app.metrology.detection.edges.stations import place_stations
 from app.metrology.detection.search.line_segments import Segments
 from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
 from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.detection.visibility import wireframe
+from app.metrology.image import Image
 from app.metrology.sensor.camera import project
-from app.metrology.stripe import extract_stripe
+from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
+from app.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, render_block
+from tests.pictures import blur
 
 
-def corner_errors(found: ObjectDetection, shown: RenderedBlock) -> np.ndarray:
+def corner_errors(found: ObjectDetection, shown: RenderedBlock) -> Floats:
     """Distances (N,) in px of the corners from where the true camera has them."""
     points = corners_of(shown.block)
     true = project(shown.camera, np.array([points[corner.name] for corner in found.corners]))
     got = np.array([[corner.u, corner.v] for corner in found.corners])
-    return np.hypot(*(got - true).T)
+    return np.asarray(np.hypot(*(got - true).T))
 
 
-def refused(image, block, stripe=None) -> OperationError:
+def refused(image: Image, block: Crenellated, stripe: Stripe | None = None) -> OperationError:
     with pytest.raises(OperationError) as caught:
         detect_object(image, block, stripe)
     return caught.value
@@ -53,7 +57,7 @@ def plain() -> RenderedBlock:
         (8, {"merlons": 6, "azimuth": -0.2, "shade": 0.0}),
     ],
 )
-def test_any_block_from_any_side(seed, look):
+def test_any_block_from_any_side(seed: int, look: dict[str, Any]) -> None:
     shown = render_block(seed, **look)
     found = detect_object(shown.image, shown.block)
     errors = corner_errors(found, shown)
@@ -63,7 +67,7 @@ def test_any_block_from_any_side(seed, look):
     assert errors.max() < 1.5
 
 
-def test_the_stripe_over_the_edges_is_left_out(plain):
+def test_the_stripe_over_the_edges_is_left_out(plain: RenderedBlock) -> None:
     lit = render_block(1, merlons=4, laser=0.9)
     stripe = extract_stripe(lit.image)
     found = detect_object(lit.image, lit.block, stripe)
@@ -76,7 +80,7 @@ def test_the_stripe_over_the_edges_is_left_out(plain):
     assert np.abs(points[beside, 1] - on_stripe[beside]).min() > 2.0
 
 
-def test_deviations_of_edge_points_are_those_of_their_scatter(plain):
+def test_deviations_of_edge_points_are_those_of_their_scatter(plain: RenderedBlock) -> None:
     found = detect_object(plain.image, plain.block)
     at = place_stations(wireframe(plain.block), found.camera, 1.0, 0.0)
     names = np.array(wireframe(plain.block).names)
@@ -90,7 +94,7 @@ def test_deviations_of_edge_points_are_those_of_their_scatter(plain):
     assert 0.5 < np.concatenate(z).std() < 1.3
 
 
-def test_corner_covariances_hold(plain):
+def test_corner_covariances_hold(plain: RenderedBlock) -> None:
     found = detect_object(plain.image, plain.block)
     points = corners_of(plain.block)
     true = project(plain.camera, np.array([points[c.name] for c in found.corners]))
@@ -104,13 +108,15 @@ def test_corner_covariances_hold(plain):
 
 
 @pytest.mark.parametrize("flip", [np.s_[:, ::-1], np.s_[::-1]])
-def test_a_mirrored_picture_is_refused(plain, flip):
+def test_a_mirrored_picture_is_refused(
+    plain: RenderedBlock, flip: slice | tuple[slice, slice]
+) -> None:
     refusal = refused(np.ascontiguousarray(plain.image[flip]), plain.block)
     assert refusal.code == "object-mirrored"
     assert "mirror" in refusal.line
 
 
-def test_a_mirrored_certificate_is_refused(plain):
+def test_a_mirrored_certificate_is_refused(plain: RenderedBlock) -> None:
     edges = tuple(-x for x in reversed(plain.block.edges_x_mm))
     refusal = refused(plain.image, replace(plain.block, edges_x_mm=edges))
     assert refusal.code == "object-mirrored"
@@ -118,7 +124,9 @@ def test_a_mirrored_certificate_is_refused(plain):
 
 @pytest.mark.parametrize("edge", [0, 3, 4, 7])
 @pytest.mark.parametrize("by_mm", [0.15, 1.0])
-def test_one_edge_of_other_measure_is_refused(plain, edge, by_mm):
+def test_one_edge_of_other_measure_is_refused(
+    plain: RenderedBlock, edge: int, by_mm: float
+) -> None:
     edges = list(plain.block.edges_x_mm)
     edges[edge] += by_mm
     refusal = refused(plain.image, replace(plain.block, edges_x_mm=tuple(edges)))
@@ -126,16 +134,16 @@ def test_one_edge_of_other_measure_is_refused(plain, edge, by_mm):
     assert plain.block.name in refusal.what
 
 
-def test_another_block_is_refused(plain):
+def test_another_block_is_refused(plain: RenderedBlock) -> None:
     assert refused(plain.image, render_block(9).block).code == "object-does-not-match"
 
 
-def test_a_longer_block_that_begins_alike_is_refused(plain):
+def test_a_longer_block_that_begins_alike_is_refused(plain: RenderedBlock) -> None:
     shorter = replace(plain.block, edges_x_mm=plain.block.edges_x_mm[:-2])
     assert refused(plain.image, shorter).code == "object-does-not-match"
 
 
-def test_a_block_that_reads_alike_both_ways_is_refused(plain):
+def test_a_block_that_reads_alike_both_ways_is_refused(plain: RenderedBlock) -> None:
     edges = (-20.0, -12.0, -5.0, 5.0, 12.0, 20.0)
     shown = render_block(2)
     assert refused(shown.image, replace(shown.block, edges_x_mm=edges)).code in (
@@ -144,7 +152,7 @@ def test_a_block_that_reads_alike_both_ways_is_refused(plain):
     )
 
 
-def test_pictures_without_a_block(plain):
+def test_pictures_without_a_block(plain: RenderedBlock) -> None:
     rng = np.random.default_rng(1)
     noise = rng.integers(20, 200, plain.image.shape).astype(np.uint8)
     assert refused(noise, plain.block).code == "object-not-found"
@@ -156,29 +164,35 @@ def test_pictures_without_a_block(plain):
     assert refused(np.zeros(plain.image.shape, np.uint8), plain.block).code == "image-dark"
 
 
-def test_a_blurred_picture_is_measured_or_refused_as_blurred(plain):
-    soft = cv2.GaussianBlur(plain.image, (0, 0), 1.5)
+def test_a_blurred_picture_is_measured_or_refused_as_blurred(plain: RenderedBlock) -> None:
+    soft = blur(plain.image, 1.5)
     assert np.median(corner_errors(detect_object(soft, plain.block), plain)) < 0.5
-    assert refused(cv2.GaussianBlur(plain.image, (0, 0), 6.0), plain.block).code == "image-blurred"
+    assert refused(blur(plain.image, 6.0), plain.block).code == "image-blurred"
 
 
-def test_an_overexposed_picture_is_refused_as_such(plain):
+def test_an_overexposed_picture_is_refused_as_such(plain: RenderedBlock) -> None:
     bright = np.clip(plain.image.astype(float) * 4, 0, 255).astype(np.uint8)
     assert refused(bright, plain.block).code == "image-saturated"
 
 
-def test_a_noisy_picture(plain):
+def test_a_noisy_picture(plain: RenderedBlock) -> None:
     noise = np.random.default_rng(3).normal(0, 10, plain.image.shape)
     noisy = np.clip(plain.image + noise, 0, 255).astype(np.uint8)
     found = detect_object(noisy, plain.block)
     assert np.median(corner_errors(found, plain)) < 0.6
 
 
-def test_edges_of_a_few_long_pieces_make_corners(plain):
-    """As in noise: what each piece gathers is worth many, but short edges have few of them."""
+def edges_of(shown: RenderedBlock) -> EdgeMeasurements:
     found = measure_edges(
-        plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002
+        shown.image.astype(float), wireframe(shown.block), shown.camera, 0.7, 0.002
     )
+    assert found is not None
+    return found
+
+
+def test_edges_of_a_few_long_pieces_make_corners(plain: RenderedBlock) -> None:
+    """As in noise: what each piece gathers is worth many, but short edges have few of them."""
+    found = edges_of(plain)
     at, used, length = found.at, found.used.copy(), found.at.length_px.copy()
     fronts = [k for k, name in enumerate(found.frame.names) if name.startswith("crest:1:front")]
     rows = np.flatnonzero(used & np.isin(at.edge, fronts))
@@ -193,17 +207,15 @@ def test_edges_of_a_few_long_pieces_make_corners(plain):
         assert off @ np.linalg.solve(corner.covariance_px2 + 0.05**2 * np.eye(2), off) < 12.0
 
 
-def test_a_block_half_out_of_the_picture_is_refused(plain):
+def test_a_block_half_out_of_the_picture_is_refused(plain: RenderedBlock) -> None:
     shown = np.ascontiguousarray(plain.image[:, : plain.image.shape[1] // 3])
     assert refused(shown, plain.block).code in ("object-cut-off", "object-does-not-match")
 
 
-def test_a_cut_off_block_needs_a_level_below_its_crests(plain):
-    found = measure_edges(
-        plain.image.astype(float), wireframe(plain.block), plain.camera, 0.7, 0.002
-    )
+def test_a_cut_off_block_needs_a_level_below_its_crests(plain: RenderedBlock) -> None:
+    found = edges_of(plain)
 
-    def without(*kinds):
+    def without(*kinds: str) -> EdgeMeasurements:
         names = np.array(found.frame.names)[found.at.edge]
         left_out = np.array([name.startswith(kinds) for name in names])
         return replace(found, used=found.used & ~left_out)
@@ -212,12 +224,12 @@ def test_a_cut_off_block_needs_a_level_below_its_crests(plain):
     assert is_cut_off(without("floor", "base"), plain.block, 0.8)
 
 
-def test_twelve_bits(plain):
+def test_twelve_bits(plain: RenderedBlock) -> None:
     found = detect_object(plain.image.astype(np.uint16) * 16, plain.block)
     assert np.median(corner_errors(found, plain)) < 0.25
 
 
-def test_directions_that_no_segment_follows_place_nothing(plain):
+def test_directions_that_no_segment_follows_place_nothing(plain: RenderedBlock) -> None:
     lines = np.array([[10.0, 10.0, 90.0, 20.0], [30.0, 80.0, 70.0, 15.0]])
     nobody = Directions(np.eye(3), 1.5, np.array([-1, -1]), 0.0)
     assert pose_hypotheses(nobody, Segments(lines, np.ones(2)), plain.block) == []

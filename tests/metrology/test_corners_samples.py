@@ -6,6 +6,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from app.errors import OperationError
@@ -13,7 +14,8 @@ from app.metrology.detection.detect_block import ObjectDetection, detect_object
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
-from app.metrology.transforms import rotation_from_vector
+from app.metrology.transforms import Floats, rotation_from_vector
+from tests.pictures import read_picture
 
 PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0), ("metal", 2)]
 
@@ -24,8 +26,8 @@ def block_of(session: Path) -> Crenellated:
     return Crenellated(**{k: v for k, v in sheet.items() if k not in ("format", "version")})
 
 
-def picture_of(session: Path, pose: int) -> np.ndarray:
-    return cv2.imread(str(session / "images" / f"pose{pose:02d}_ambient.png"), cv2.IMREAD_GRAYSCALE)
+def picture_of(session: Path, pose: int) -> NDArray[np.uint8]:
+    return read_picture(session / "images" / f"pose{pose:02d}_ambient.png")
 
 
 def off_the_true_lens(found: ObjectDetection, session: Path) -> float:
@@ -38,7 +40,7 @@ def off_the_true_lens(found: ObjectDetection, session: Path) -> float:
     sd = np.hypot(spread, 0.05)[:, None]
     start = found.camera
 
-    def off(step):
+    def off(step: Floats) -> Floats:
         turn = rotation_from_vector(step[:3])
         camera = Camera(
             np.array(truth["matrix"]),
@@ -48,13 +50,13 @@ def off_the_true_lens(found: ObjectDetection, session: Path) -> float:
             1024,
             np.array(truth["distortion"]),
         )
-        return ((project(camera, points) - pixels) / sd).ravel()
+        return np.ravel((project(camera, points) - pixels) / sd)
 
     return float(np.sqrt(np.mean(off(least_squares(off, np.zeros(6)).x) ** 2)))
 
 
 @pytest.mark.parametrize(("name", "pose"), PICTURES)
-def test_corners_lie_where_the_true_lens_puts_them(samples, name, pose):
+def test_corners_lie_where_the_true_lens_puts_them(samples: Path, name: str, pose: int) -> None:
     session = samples / name
     found = detect_object(picture_of(session, pose), block_of(session))
     assert len(found.corners) >= 20
@@ -64,7 +66,7 @@ def test_corners_lie_where_the_true_lens_puts_them(samples, name, pose):
 
 
 @pytest.mark.parametrize("quarter", [1, 2, 3])
-def test_the_camera_may_be_rolled(samples, quarter):
+def test_the_camera_may_be_rolled(samples: Path, quarter: int) -> None:
     session = samples / "one-pose"
     image = picture_of(session, 0)
     upright = detect_object(image, block_of(session))
@@ -74,7 +76,9 @@ def test_the_camera_may_be_rolled(samples, quarter):
 
 
 @pytest.mark.parametrize(("angle_deg", "zoom"), [(87.0, 1.0), (0.0, 1.18)])
-def test_merlons_of_one_pitch_are_read_from_the_right_side(samples, angle_deg, zoom):
+def test_merlons_of_one_pitch_are_read_from_the_right_side(
+    samples: Path, angle_deg: float, zoom: float
+) -> None:
     session = samples / "one-pose"
     image = picture_of(session, 0)
     height, width = image.shape
@@ -84,14 +88,14 @@ def test_merlons_of_one_pitch_are_read_from_the_right_side(samples, angle_deg, z
     )
     upright = detect_object(image, block_of(session))
     expected = {c.name: M @ [c.u, c.v, 1.0] for c in upright.corners}
-    found = detect_object(moved, block_of(session))
+    found = detect_object(np.asarray(moved, dtype=np.uint8), block_of(session))
     off = [np.hypot(*(expected[c.name] - [c.u, c.v])) for c in found.corners if c.name in expected]
     assert len(off) >= 20
     assert max(off) < 1.0
 
 
 @pytest.mark.parametrize("name", ["one-pose", "metal"])
-def test_wrong_readings_are_refused(samples, name):
+def test_wrong_readings_are_refused(samples: Path, name: str) -> None:
     session = samples / name
     image = picture_of(session, 0)
     with pytest.raises(OperationError) as caught:

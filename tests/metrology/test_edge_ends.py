@@ -50,14 +50,16 @@ def covered(
     return grey
 
 
-def test_a_block_that_is_as_its_certificate_says(shown):
+def test_a_block_that_is_as_its_certificate_says(shown: RenderedBlock) -> None:
     grey = shown.image.astype(float)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("edge", [0, 1, 4, 7])
 @pytest.mark.parametrize("by_mm", [-1.4, -0.9, 0.9, 1.4])
-def test_the_size_that_is_wrong_is_told_and_by_how_much(shown, edge, by_mm):
+def test_the_size_that_is_wrong_is_told_and_by_how_much(
+    shown: RenderedBlock, edge: int, by_mm: float
+) -> None:
     grey = shown.image.astype(float)
     found = surveyed(shown, grey, with_wrong_size(shown.block, edge, by_mm))
     against = elsewhere_by_ends(grey, found)
@@ -74,7 +76,9 @@ def test_the_size_that_is_wrong_is_told_and_by_how_much(shown, edge, by_mm):
 
 
 @pytest.mark.parametrize("other_end_shows", [True, False])
-def test_a_thing_over_one_corner_is_no_wrong_size(shown, other_end_shows):
+def test_a_thing_over_one_corner_is_no_wrong_size(
+    shown: RenderedBlock, other_end_shows: bool
+) -> None:
     grey = covered(shown, shown.image.astype(float), "crest:1:R:back")
     if not other_end_shows:
         grey = covered(shown, grey, "crest:1:R:front", np.nan)
@@ -82,7 +86,7 @@ def test_a_thing_over_one_corner_is_no_wrong_size(shown, other_end_shows):
 
 
 @pytest.mark.parametrize("by_mm", [-1.4, 0.9])
-def test_one_end_that_lines_elsewhere_bear_out(shown, by_mm):
+def test_one_end_that_lines_elsewhere_bear_out(shown: RenderedBlock, by_mm: float) -> None:
     grey = covered(shown, shown.image.astype(float), "crest:1:R:front", np.nan)
     found = surveyed(shown, grey, with_wrong_size(shown.block, 3, by_mm))
     against = elsewhere_by_ends(grey, found)
@@ -91,14 +95,14 @@ def test_one_end_that_lines_elsewhere_bear_out(shown, by_mm):
 
 
 @pytest.mark.parametrize("by_mm", [-1.4, 1.4])
-def test_a_wrong_size_in_a_noisy_picture(shown, by_mm):
+def test_a_wrong_size_in_a_noisy_picture(shown: RenderedBlock, by_mm: float) -> None:
     grey = shown.image + np.random.default_rng(5).normal(0.0, 20.0, shown.image.shape)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
     against = elsewhere_by_ends(grey, surveyed(shown, grey, with_wrong_size(shown.block, 4, by_mm)))
     assert against is not None
 
 
-def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
+def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown: RenderedBlock) -> None:
     grey = shown.image.astype(float)
     block = shown.block
     outward = np.where(np.arange(len(block.edges_x_mm)) % 2, 0.6, -0.6)
@@ -108,7 +112,9 @@ def test_broken_edges_that_shorten_all_alike_are_no_wrong_size(shown):
 
 @pytest.mark.parametrize("side", ["crest:1:R", "crest:3:R"])
 @pytest.mark.parametrize("level", [40.0, 128.0, 220.0])
-def test_things_over_both_ends_of_an_edge_that_shows_between_them(shown, side, level):
+def test_things_over_both_ends_of_an_edge_that_shows_between_them(
+    shown: RenderedBlock, side: str, level: float
+) -> None:
     grey = covered(shown, shown.image.astype(float), f"{side}:front", level)
     grey = covered(shown, grey, f"{side}:back", level)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
@@ -132,30 +138,36 @@ def striped(
     return grey
 
 
-def test_an_end_of_the_base_where_it_should_be_outweighs_crests_that_end_short(shown):
+def test_an_end_of_the_base_where_it_should_be_outweighs_crests_that_end_short(
+    shown: RenderedBlock,
+) -> None:
     grey = striped(shown, "crest:3:R", 14, 15, 128.0)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("askew", [0, 20])
-def test_a_strip_along_an_edge_is_no_wrong_size_where_the_floor_shows_it_in_place(shown, askew):
+def test_a_strip_along_an_edge_is_no_wrong_size_where_the_floor_shows_it_in_place(
+    shown: RenderedBlock, askew: int
+) -> None:
     grey = striped(shown, "crest:1:R", 14, 15, 128.0, askew)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
-def test_two_ends_moved_by_different_lengths_tell_nothing(shown):
+def test_two_ends_moved_by_different_lengths_tell_nothing(shown: RenderedBlock) -> None:
     grey = covered(shown, shown.image.astype(float), "crest:0:R:front")
     found = surveyed(shown, grey, with_wrong_size(shown.block, 1, 0.9))
     assert elsewhere_by_ends(grey, found) is None
 
 
-def test_ends_within_what_is_clipped_are_not_known(shown):
+def test_ends_within_what_is_clipped_are_not_known(shown: RenderedBlock) -> None:
     grey = striped(shown, "crest:1:R", 6, 36, np.nan)
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
 @pytest.mark.parametrize("right", [0, 8])
-def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go_on(shown, right):
+def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go_on(
+    shown: RenderedBlock, right: int
+) -> None:
     claimed = with_wrong_size(shown.block, 1, -1.4)
     grey = striped(replace(shown, block=claimed), "floor:0:L", 8 - right, right, 220.0)
     found = surveyed(shown, grey, claimed)
@@ -168,7 +180,7 @@ def test_a_line_where_a_floor_is_drawn_by_chance_does_not_outweigh_edges_that_go
     assert against.edges == edges
 
 
-def test_ends_in_place_gainsay_lines_elsewhere(shown):
+def test_ends_in_place_gainsay_lines_elsewhere(shown: RenderedBlock) -> None:
     grey = shown.image.astype(float)
     ends = measure_ends(grey, surveyed(shown, grey, shown.block))
     at_mm = shown.block.edges_x_mm[4]

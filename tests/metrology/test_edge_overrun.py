@@ -31,7 +31,9 @@ def runs_on(shown: RenderedBlock, block: Crenellated, noise: float) -> Rejection
 
 @pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])
 @pytest.mark.parametrize("kept", [slice(2, None), slice(0, -2)])
-def test_a_block_longer_than_its_certificate_is_told(shown, noise, kept):
+def test_a_block_longer_than_its_certificate_is_told(
+    shown: RenderedBlock, noise: float, kept: slice
+) -> None:
     shorter = replace(shown.block, edges_x_mm=shown.block.edges_x_mm[kept])
     against = runs_on(shown, shorter, noise)
     assert against is not None
@@ -39,5 +41,7 @@ def test_a_block_longer_than_its_certificate_is_told(shown, noise, kept):
 
 
 @pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])
-def test_the_block_of_the_certificate_ends_where_it_should(shown, noise):
+def test_the_block_of_the_certificate_ends_where_it_should(
+    shown: RenderedBlock, noise: float
+) -> None:
     assert runs_on(shown, shown.block, noise) is None

@@ -37,7 +37,7 @@ def with_one_edge_off(shown: RenderedBlock, by_px: float) -> EdgeMeasurements:
     )
 
 
-def test_an_edge_a_little_off_is_left_out_and_its_side_named(shown):
+def test_an_edge_a_little_off_is_left_out_and_its_side_named(shown: RenderedBlock) -> None:
     found = with_one_edge_off(shown, 0.6)
     assert SIDE in np.array(found.frame.names)[found.at.edge[found.used]]
     rest, against = check_measurements(shown.image.astype(float), found, MADE_MM)
@@ -46,7 +46,7 @@ def test_an_edge_a_little_off_is_left_out_and_its_side_named(shown):
     assert "the left side of merlon 2" in find_unobserved_planes(rest)
 
 
-def test_an_edge_further_off_is_doubtful(shown):
+def test_an_edge_further_off_is_doubtful(shown: RenderedBlock) -> None:
     _, against = check_measurements(
         shown.image.astype(float), with_one_edge_off(shown, 1.4), MADE_MM
     )

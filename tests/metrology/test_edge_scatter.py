@@ -21,7 +21,9 @@ def on_edges() -> EdgeStations:
     ("moved_px", "certificate_px", "least", "most"),
     [(0.0, 0.0, 1.0, 1.3), (0.08, 0.08, 1.0, 12.0), (0.08, 0.0, 15.0, 30.0)],
 )
-def test_what_the_certificate_moves_is_not_counted_twice(moved_px, certificate_px, least, most):
+def test_what_the_certificate_moves_is_not_counted_twice(
+    moved_px: float, certificate_px: float, least: float, most: float
+) -> None:
     rng = np.random.default_rng(4)
     at = on_edges()
     sigma, none = np.full(len(at.part), SIGMA_PX), np.zeros(len(at.part))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app.metrology.detection.edges.dimension_test import (
+    PlaneShift,
     estimate_shifts,
     find_unobserved_planes,
     planes,
@@ -16,6 +17,7 @@ from app.metrology.detection.image_quality import grey_levels
 from app.metrology.detection.rejection import describe_edge
 from app.metrology.detection.visibility import wireframe
 from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated
 from tests.metrology.rendered_block import RenderedBlock, render_block
 
 
@@ -24,28 +26,31 @@ def plain() -> RenderedBlock:
     return render_block(1, merlons=4)
 
 
-def told(picture: RenderedBlock, claimed):
+def told(picture: RenderedBlock, claimed: Crenellated) -> PlaneShift:
     grey, _ = grey_levels(picture.image)
     found = measure_edges(grey, wireframe(claimed), picture.camera, 0.8, 0.002)
     assert found is not None
     return max(estimate_shifts(found, 0.002), key=lambda one: one.ratio)
 
 
-def test_the_block_itself_is_nowhere_shifted(plain):
+def test_the_block_itself_is_nowhere_shifted(plain: RenderedBlock) -> None:
     assert told(plain, plain.block).ratio < 4.0
 
 
 @pytest.mark.parametrize(("edge", "by_mm"), [(2, 0.08), (3, -0.08), (5, 0.08)])
-def test_a_side_of_a_merlon_is_told_with_its_amount(plain, edge, by_mm):
+def test_a_side_of_a_merlon_is_told_with_its_amount(
+    plain: RenderedBlock, edge: int, by_mm: float
+) -> None:
     x = list(plain.block.edges_x_mm)
     x[edge] += by_mm
     shift = told(plain, replace(plain.block, edges_x_mm=tuple(x)))
     assert shift.ratio > 6.0
-    assert (shift.axis, shift.at_mm) == (0, pytest.approx(x[edge]))
+    assert shift.axis == 0
+    assert shift.at_mm == pytest.approx(x[edge])
     assert shift.by_mm == pytest.approx(-by_mm, rel=0.3)
 
 
-def test_a_side_whose_edges_do_not_show_is_named(plain):
+def test_a_side_whose_edges_do_not_show_is_named(plain: RenderedBlock) -> None:
     grey, _ = grey_levels(plain.image)
     found = measure_edges(grey, wireframe(plain.block), plain.camera, 0.8, 0.002)
     assert found is not None
@@ -58,11 +63,13 @@ def test_a_side_whose_edges_do_not_show_is_named(plain):
 
 
 @pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])
-def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
+def test_a_face_seen_edge_on_is_not_measured(
+    plain: RenderedBlock, aside_mm: float, measured: bool
+) -> None:
     """A camera in the plane of the block's left end: what it sees there may be either edge."""
     frame = wireframe(plain.block)
-    x, y, z = plain.block.edges_x_mm[0] + aside_mm, *plain.camera.centre_mm[1:]
-    camera = replace(plain.camera, translation_mm=-plain.camera.rotation @ np.array([x, y, z]))
+    eye_mm = np.array([plain.block.edges_x_mm[0] + aside_mm, *plain.camera.centre_mm[1:]])
+    camera = replace(plain.camera, translation_mm=-plain.camera.rotation @ eye_mm)
     # The picture follows the block.
     K = camera.matrix.copy()
     middle = np.array([400.0, 320.0])
@@ -82,5 +89,5 @@ def test_a_face_seen_edge_on_is_not_measured(plain, aside_mm, measured):
         ("base:front", "the base's front edge"),
     ],
 )
-def test_edges_are_named_in_words(edge, words):
+def test_edges_are_named_in_words(edge: str, words: str) -> None:
     assert describe_edge(edge) == words

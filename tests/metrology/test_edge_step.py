@@ -53,23 +53,23 @@ def stations(angle: float, count: int = 20) -> EdgeStations:
 
 @pytest.mark.parametrize("angle", [0.0, 0.013, 0.4, np.pi / 4, 1.56, 3.0])
 @pytest.mark.parametrize("offset", [-0.47, 0.0, 0.31, 0.9])
-def test_no_bias_however_the_edge_lies(angle, offset):
+def test_no_bias_however_the_edge_lies(angle: float, offset: float) -> None:
     seen = measure_steps(picture(angle, offset, 0.8), stations(angle), BLUR)
     assert np.abs(seen.offset_px.mean() - offset) < 0.004
     assert np.abs(seen.offset_px - offset).max() < 0.02
 
 
-def test_no_bias_from_shading_on_one_side():
+def test_no_bias_from_shading_on_one_side() -> None:
     seen = measure_steps(picture(0.3, 0.2, 0.8, slopes=(0.0, 4.0)), stations(0.3), BLUR)
     assert np.abs(seen.offset_px.mean() - 0.2) < 0.01
 
 
-def test_the_blur_is_found():
+def test_the_blur_is_found() -> None:
     seen = measure_steps(picture(0.3, 0.1, 1.7), stations(0.3), 1.3, free_blur=True)
     assert np.median(seen.blur_px) == pytest.approx(np.hypot(1.7, np.sqrt(1 / 12)), rel=0.02)
 
 
-def test_deviations_are_those_of_the_scatter():
+def test_deviations_are_those_of_the_scatter() -> None:
     z = []
     for seed in range(12):
         seen = measure_steps(picture(0.3, 0.2, 0.8, noise=4.0, seed=seed), stations(0.3), BLUR)
@@ -77,14 +77,14 @@ def test_deviations_are_those_of_the_scatter():
     assert 0.85 < np.concatenate(z).std() < 1.15
 
 
-def test_the_step_has_the_sign_of_the_normal():
+def test_the_step_has_the_sign_of_the_normal() -> None:
     up, down = stations(0.0), stations(np.pi)
     image = picture(0.0, 0.0, 0.8)
     assert np.median(measure_steps(image, up, BLUR).step) == pytest.approx(80, abs=1)
     assert np.median(measure_steps(image, down, BLUR).step) == pytest.approx(-80, abs=1)
 
 
-def test_hidden_pixels_give_no_edge():
+def test_hidden_pixels_give_no_edge() -> None:
     image = picture(0.0, 0.0, 0.8)
     image[60:100] = np.nan
     seen = measure_steps(image, stations(0.0), BLUR)

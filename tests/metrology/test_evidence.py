@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import cv2
 import numpy as np
 import pytest
 
@@ -13,13 +12,16 @@ from app.metrology.detection.errors import contradiction_error
 from app.metrology.detection.failure_evidence import DetectionError, with_evidence
 from app.metrology.detection.image_quality import ImageFinding, edge_blur_px
 from app.metrology.detection.rejection import RejectionReason
+from app.metrology.image import Image
 from app.metrology.sensor.camera import project
+from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
 from hardware.simulator.rendering.degradations import draw_degraded_image
 from tests.metrology.rendered_block import RenderedBlock, render_block
+from tests.pictures import blur
 
 
-def refused(image, block) -> DetectionError:
+def refused(image: Image, block: Crenellated) -> DetectionError:
     with pytest.raises(DetectionError) as caught:
         detect_object(image, block)
     return caught.value
@@ -36,7 +38,7 @@ def plain() -> RenderedBlock:
     return render_block(1, merlons=4)
 
 
-def test_overexposed_faces_are_framed(plain):
+def test_overexposed_faces_are_framed(plain: RenderedBlock) -> None:
     bright = np.clip(plain.image.astype(float) * 4, 0, 255).astype(np.uint8)
     refusal = refused(bright, plain.block)
     assert refusal.fault == "exposure"
@@ -46,11 +48,11 @@ def test_overexposed_faces_are_framed(plain):
     assert boxes[:, [1, 3]].max() == pytest.approx(v.max(), abs=8)
 
 
-def test_a_blurred_picture_is_the_focus_s_fault(plain):
-    assert refused(cv2.GaussianBlur(plain.image, (0, 0), 6.0), plain.block).fault == "focus"
+def test_a_blurred_picture_is_the_focus_s_fault(plain: RenderedBlock) -> None:
+    assert refused(blur(plain.image, 6.0), plain.block).fault == "focus"
 
 
-def test_in_a_dim_picture_more_light_is_the_first_remedy():
+def test_in_a_dim_picture_more_light_is_the_first_remedy() -> None:
     dim = ImageFinding("image-dim", "the picture is dim", "turn up the light", 0.04, 0.15)
     unclear = OperationError(
         "object-unclear", "it is not seen well", "few edges show", "come nearer"
@@ -61,14 +63,14 @@ def test_in_a_dim_picture_more_light_is_the_first_remedy():
     assert refusal.remedy == "turn up the light; come nearer"
 
 
-def test_a_picture_with_hardly_an_edge_out_of_its_noise_is_declined(plain):
+def test_a_picture_with_hardly_an_edge_out_of_its_noise_is_declined(plain: RenderedBlock) -> None:
     noise = np.random.default_rng(0).normal(size=(5, *plain.image.shape))[-1]
     dim = np.clip(np.rint(4 + 0.027 * plain.image + 2.5 * noise), 0, 255).astype(np.uint8)
     assert np.isinf(edge_blur_px(dim.astype(float)))
     assert refused(dim, plain.block).fault == "exposure"
 
 
-def test_a_wrong_size_is_marked_where_it_disagrees(plain):
+def test_a_wrong_size_is_marked_where_it_disagrees(plain: RenderedBlock) -> None:
     edges = list(plain.block.edges_x_mm)
     edges[3] += 1.0
     claimed = replace(plain.block, edges_x_mm=tuple(edges))
@@ -83,7 +85,7 @@ def test_a_wrong_size_is_marked_where_it_disagrees(plain):
 
 
 @pytest.mark.parametrize("begin", [440, 480])
-def test_what_is_out_of_the_frame_is_marked(plain, begin):
+def test_what_is_out_of_the_frame_is_marked(plain: RenderedBlock, begin: int) -> None:
     # A window on the right of the picture shows one whole merlon.
     refusal = refused(np.ascontiguousarray(plain.image[:, begin:]), plain.block)
     assert (refusal.code, refusal.fault) == ("object-cut-off", "framing")
@@ -92,14 +94,14 @@ def test_what_is_out_of_the_frame_is_marked(plain, begin):
     assert (outside[:, [0, 2]] < 0).all()
 
 
-def test_straight_edges_are_shown_where_there_is_no_block(plain):
+def test_straight_edges_are_shown_where_there_is_no_block(plain: RenderedBlock) -> None:
     board = (np.indices(plain.image.shape) // 60).sum(axis=0) % 2 * 150 + 40
     refusal = refused(board.astype(np.uint8), plain.block)
     assert refusal.fault in ("framing", "object", "lighting")
     assert refusal.marks
 
 
-def test_a_single_edge_elsewhere_is_not_called_another_object(plain):
+def test_a_single_edge_elsewhere_is_not_called_another_object(plain: RenderedBlock) -> None:
     """A shadow along a crest is like a merlon of another width."""
     against = RejectionReason(
         "the left edge of merlon 3's crest lies 90 µm off", True, (1,), True, 1.4
@@ -117,14 +119,14 @@ def refused_shot(seed: int) -> DetectionError:
     return caught.value
 
 
-def test_a_wrong_size_is_not_told_by_a_placing_that_hardly_shows():
+def test_a_wrong_size_is_not_told_by_a_placing_that_hardly_shows() -> None:
     """A bar, noise and tool marks: what is placed is not quite the block."""
     refusal = refused_shot(6023)
     assert refusal.code == "object-unclear"
     assert "of its visible edges show" in refusal.why
 
 
-def test_floors_and_base_in_shadow_are_not_called_another_object():
+def test_floors_and_base_in_shadow_are_not_called_another_object() -> None:
     refusal = refused_shot(5130)
     assert (refusal.code, refusal.fault) == ("object-unclear", "lighting")
     assert "none of the edges of its floors and its base" in refusal.why
@@ -142,8 +144,8 @@ SOFT = ImageFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
     ],
 )
 def test_a_soft_picture_tells_no_size_to_less_than_its_edges_are_wide(
-    plain, off_px, findings, code
-):
+    plain: RenderedBlock, off_px: float, findings: list[ImageFinding], code: str
+) -> None:
     against = RejectionReason("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)
     refusal = contradiction_error(plain.block, against, findings, 3.0)
     assert refusal.code == code

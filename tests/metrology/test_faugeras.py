@@ -120,7 +120,7 @@ def test_degenerate_points_are_refused_with_the_reason() -> None:
 
 
 def test_a_mirror_image_and_wrong_data_are_refused() -> None:
-    assert refused(LEVELS, [1279, 0] + [-1, 1] * UV) == "object-mirrored"
+    assert refused(LEVELS, np.array([1279, 0]) + [-1, 1] * UV) == "object-mirrored"
     spoiled = UV.copy()
     spoiled[3, 1] = np.nan
     assert refused(LEVELS, spoiled) == "points-not-finite"

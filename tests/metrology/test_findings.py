@@ -9,7 +9,6 @@ import pytest
 from app.errors import OperationError
 from app.metrology.calibration.findings import (
     CalibrationFinding,
-    Limits,
     Quality,
     contact_findings,
     size_coverage_findings,
@@ -18,6 +17,7 @@ from app.metrology.calibration.findings import (
 )
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.detection.detect_block import ObjectDetection
+from app.metrology.limits import Limits
 from app.metrology.probing.alignment import align
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 from tests.metrology.seen_block import camera_over

@@ -12,14 +12,14 @@ from app.metrology.gauges.errors import (
     check_sphere,
     compute_repeatability,
 )
-from app.metrology.transforms import rotation_from_vector
+from app.metrology.transforms import Floats, rotation_from_vector
 
 ARCSEC = np.pi / 180 / 3600
 
 
-def flat(rng: np.random.Generator, normal: np.ndarray, point: np.ndarray) -> np.ndarray:
+def flat(rng: np.random.Generator, normal: Floats, point: Floats) -> Floats:
     cloud = rng.uniform(-20, 20, (500, 3))
-    return cloud - np.outer(cloud @ normal, normal) + point
+    return np.asarray(cloud - np.outer(cloud @ normal, normal) + point)
 
 
 def test_a_tilted_and_raised_plane_is_measured() -> None:

@@ -124,7 +124,7 @@ def test_an_encoder_that_reads_on_after_it_was_frozen_is_believed() -> None:
 def honest(motion: Motion, rate_hz: float, bits: int, seed: int) -> None:
     """Nothing is lost of a motion, however its readings come."""
     rng = np.random.default_rng(seed)
-    taken_s = (np.arange(int(2.9 * rate_hz)) + 0.6) / rate_hz
+    taken_s = (np.arange(int(2.9 * rate_hz), dtype=np.float64) + 0.6) / rate_hz
     jitter_s = rng.uniform(-0.5, 0.5, len(taken_s)) / rate_hz
     whole = np.ones(len(taken_s), dtype=bool)
     gaps = rng.random(len(taken_s)) > 0.02

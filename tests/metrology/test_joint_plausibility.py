@@ -54,7 +54,8 @@ def test_a_frozen_encoder_is_found_and_nothing_of_it_passes() -> None:
     q[2000:3000, 4] = q[2000, 4]
     judge, passed = judged(samples(q))
     assert judge.newest is not None
-    assert (judge.first.kind, judge.first.joint) == ("frozen", "J5")  # type: ignore[union-attr]
+    assert judge.first is not None
+    assert (judge.first.kind, judge.first.joint) == ("frozen", "J5")
     assert f"{EQUAL_FROZEN} readings in a row" in judge.newest.error.line
     assert judge.impossible == 0
     assert not set(passed) & set(range(2001, 3000))

@@ -12,6 +12,7 @@ from app.metrology.fitting.cylinder import (
     fit_cylinder,
     perpendicular_axes,
 )
+from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
 
 seeds = st.integers(0, 10**6)
@@ -117,7 +118,7 @@ def test_claims_hold_though_the_points_of_a_frame_err_together(
         measured = measure_shape(shape, points, frame)
         assert measured.covariance is not None
         fit = measured.fit
-        found = float(fit.centre_mm[2]) if shape == "plane" else fit.radius_mm  # type: ignore[union-attr]
+        found = float(fit.centre_mm[2]) if isinstance(fit, PlaneFit) else fit.radius_mm
         scores.append((found - true) / np.sqrt(measured.covariance[parameter, parameter]))
     assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35
 
@@ -134,5 +135,6 @@ def test_a_plane_reads_the_same_however_its_points_lie() -> None:
     points = np.column_stack([rng.uniform(-20, 20, (400, 2)), np.full(400, -3.0)])
     for turned in (points, points[::-1] * [1, -1, 1]):
         measured = measure_shape("plane", turned, np.arange(400))
-        assert measured.fit.normal[2] == pytest.approx(1)  # type: ignore[union-attr]
+        assert isinstance(measured.fit, PlaneFit)
+        assert measured.fit.normal[2] == pytest.approx(1)
         np.testing.assert_allclose(measured.distances(np.array([[0, 0, -2.0]])), [1.0])

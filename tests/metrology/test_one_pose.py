@@ -21,6 +21,7 @@ from app.metrology.sensor.laser_plane import in_frame
 from app.metrology.sensor.triangulation import arm_points, sensor_points
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
+from tests.pictures import read_picture
 
 SESSIONS = ("one-pose", "many-poses", "metal")
 
@@ -65,8 +66,7 @@ def read_inputs(folder: Path, pose: int = 0) -> OnePoseInputs:
         "b",
         "1",
         tuple(sheet["edges_x_mm"]),
-        *(sheet[key] for key in keys),
-        sheet["standard_uncertainty_mm"],
+        **{key: sheet[key] for key in (*keys, "standard_uncertainty_mm")},
     )
     with (folder / "probing.csv").open() as file:
         contacts = list(csv.DictReader(file))
@@ -76,9 +76,7 @@ def read_inputs(folder: Path, pose: int = 0) -> OnePoseInputs:
     def angles(row: dict[str, str]) -> list[float]:
         return [float(np.radians(float(row[key]))) for key in row if key.startswith("q")]
 
-    pictures = {
-        row["lighting"]: cv2.imread(str(folder / row["file"]), cv2.IMREAD_UNCHANGED) for row in rows
-    }
+    pictures = {row["lighting"]: read_picture(folder / row["file"]) for row in rows}
     return OnePoseInputs(
         arm=read_arm(folder / "arm.json"),
         block=block,
@@ -146,7 +144,7 @@ def test_every_other_pose_is_as_good(session: str, pose: int, samples: Path) -> 
 def test_one_picture_with_both_lights_is_as_good(samples: Path) -> None:
     inputs = read_inputs(samples / "one-pose")
     assert inputs.laser is not None
-    both = cv2.add(inputs.ambient, inputs.laser)
+    both = np.asarray(cv2.add(inputs.ambient, inputs.laser), dtype=np.uint8)
     found = calibrate_one_pose(replace(inputs, ambient=both, laser=None))
     assert Truth(samples / "one-pose").sensor_rms_um(found) <= 4
 

@@ -56,7 +56,7 @@ def test_a_scan_is_every_frame_in_its_own_pose() -> None:
     uv = project(CAMERA, in_sensor)
     count = np.array([40, 0, 1, 49])
     frame = np.repeat(np.arange(4), count)
-    found = frame_points(CAMERA, PLANE, *uv.T, count, T_arm_flange @ T_flange_sensor)
+    found = frame_points(CAMERA, PLANE, uv[:, 0], uv[:, 1], count, T_arm_flange @ T_flange_sensor)
     back = apply(inverse(T_arm_flange[frame] @ T_flange_sensor), found)
     np.testing.assert_allclose(back, in_sensor, atol=1e-6)
     for k in range(4):

@@ -1,6 +1,7 @@
 """Stripe extraction against stripes whose place is known."""
 
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -13,6 +14,7 @@ from app.errors import OperationError
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.transforms import Floats
+from tests.pictures import read_picture
 
 WIDTH, HEIGHT = 640, 256
 
@@ -38,7 +40,7 @@ def rendered(
 
 
 def errors(stripe: Stripe, centre: Floats) -> Floats:
-    return stripe.v - centre[stripe.u.astype(int)]
+    return np.asarray(stripe.v - centre[stripe.u.astype(int)])
 
 
 def bound(width_px: float, amplitude: float, read: float, gain: float) -> float:
@@ -117,7 +119,7 @@ def test_an_overexposed_stripe_scatters_as_the_noise_allows_and_as_it_says(
 def test_an_overexposed_stripe_is_followed_to_the_images_border() -> None:
     image, centre = rendered(3.0, 1500, tilt=0.05)
     first = int(centre.min()) - 12
-    stripe = extract_stripe(np.ascontiguousarray(image[first:]))
+    stripe = extract_stripe(image[first:].copy())
     error = stripe.v + first - centre[stripe.u.astype(int)]
     assert len(stripe.u) > 0.98 * WIDTH
     assert np.max(np.abs(error)) < 0.1
@@ -186,7 +188,8 @@ def test_images_without_a_stripe_yield_an_empty_one() -> None:
 
 
 def test_what_is_no_grey_image_is_refused() -> None:
-    for wrong in (np.zeros((10, 10, 3), np.uint8), np.zeros((90, 90))):
+    wrongs: list[NDArray[Any]] = [np.zeros((10, 10, 3), np.uint8), np.zeros((90, 90))]
+    for wrong in wrongs:
         with pytest.raises(OperationError, match="grey"):
             extract_stripe(wrong)
     with pytest.raises(OperationError, match="axis"):
@@ -196,8 +199,7 @@ def test_what_is_no_grey_image_is_refused() -> None:
 @pytest.mark.parametrize("session", ["one-pose", "many-poses", "metal"])
 def test_the_samples_stripes_lie_on_straight_segments(samples: Path, session: str) -> None:
     """Merlons and grooves are flat, so each level's points scatter about a line as they say."""
-    path = samples / session / "images" / "pose00_laser.png"
-    stripe = extract_stripe(cv2.imread(str(path), cv2.IMREAD_UNCHANGED))
+    stripe = extract_stripe(read_picture(samples / session / "images" / "pose00_laser.png"))
     assert len(stripe.u) > 1000
     jumps = (np.diff(stripe.u) > 2) | (np.abs(np.diff(stripe.v)) > 1.5)
     normalised = []

@@ -6,7 +6,7 @@ import pytest
 from app.errors import OperationError
 from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose, tip_centres
 from app.metrology.fitting.deviation_map import deviation_map
-from app.metrology.fitting.plane_sphere import PlaneFit
+from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.fitting.shape import measure_shape
 from app.metrology.gauges.conformity import decide
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
@@ -108,7 +108,8 @@ def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
     found = fit_gauge_sphere(*sphere_scan(12.7, 3000, 12000), 12.7)
     assert found.points == 15000
     assert found.used > 2800
-    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
+    assert isinstance(found.shape.fit, SphereFit)
+    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)
     assert found.form_mm == pytest.approx(4 * 0.0098, rel=0.05)
 
 
@@ -116,7 +117,8 @@ def test_a_sphere_is_found_though_most_points_are_of_the_table() -> None:
 def test_a_sphere_is_found_though_it_is_a_twentieth_of_the_cloud(beside: int) -> None:
     found = fit_gauge_sphere(*sphere_scan(12.7, 3000, beside), 12.7)
     assert found.used > 2800
-    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)  # type: ignore[union-attr]
+    assert isinstance(found.shape.fit, SphereFit)
+    assert found.shape.fit.radius_mm == pytest.approx(12.7, abs=0.003)
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from app.metrology.detection.visibility import visible_corners, visible_parts
 from app.metrology.targets.crenellated_block import Crenellated, corners, edges
@@ -18,15 +19,14 @@ SEEN_FROM = st.tuples(st.floats(-70, 70), st.floats(-140, -20), st.floats(40, 16
 )
 
 
-def inside(block: Crenellated, points: Floats) -> np.ndarray:
+def inside(block: Crenellated, points: Floats) -> NDArray[np.bool_]:
     """Which points (N, 3) lie in the block's material."""
     x, y, z = points.T
     edge = np.searchsorted(block.edges_x_mm, x)
     top = np.where(edge % 2 == 1, block.crest_z_mm, block.floor_z_mm)
     within = (edge > 0) & (edge < len(block.edges_x_mm))
-    return (
-        within & (y > block.front_y_mm) & (y < block.back_y_mm) & (z > block.base_z_mm) & (z < top)
-    )
+    within &= (y > block.front_y_mm) & (y < block.back_y_mm)
+    return np.asarray(within & (z > block.base_z_mm) & (z < top))
 
 
 def clear(block: Crenellated, eye: Floats, point: Floats) -> bool:
@@ -49,7 +49,9 @@ def spans(block: Crenellated, eye: Floats) -> dict[str, list[tuple[float, float]
 
 @settings(max_examples=12, deadline=None)
 @given(eye=SEEN_FROM, at=st.lists(st.floats(0.02, 0.98), min_size=3, max_size=3))
-def test_a_point_is_visible_just_when_no_material_is_before_it(eye, at):
+def test_a_point_is_visible_just_when_no_material_is_before_it(
+    eye: Floats, at: list[float]
+) -> None:
     visible = spans(BLOCK, eye)
     for edge in edges(BLOCK):
         for share in at:
@@ -63,13 +65,13 @@ def test_a_point_is_visible_just_when_no_material_is_before_it(eye, at):
 
 @settings(max_examples=20, deadline=None)
 @given(eye=SEEN_FROM)
-def test_corners_agree_with_the_march(eye):
+def test_corners_agree_with_the_march(eye: Floats) -> None:
     shown = visible_corners(BLOCK, eye)
     for name, point in corners(BLOCK).items():
         assert (name in shown) == clear(BLOCK, eye, point), name
 
 
-def test_a_merlon_hides_the_foot_of_the_wall_behind_it():
+def test_a_merlon_hides_the_foot_of_the_wall_behind_it() -> None:
     far_right = np.array([90.0, -60.0, 60.0])
     names = {part.edge for part in visible_parts(BLOCK, far_right)}
     assert "floor:0:L" in names  # the wall that faces the camera
@@ -78,7 +80,7 @@ def test_a_merlon_hides_the_foot_of_the_wall_behind_it():
 
 @settings(max_examples=15, deadline=None)
 @given(eye=SEEN_FROM)
-def test_regions_beside_an_edge_are_what_rays_meet_there(eye):
+def test_regions_beside_an_edge_are_what_rays_meet_there(eye: Floats) -> None:
     # Along a face the march's steps are too coarse to meet it.
     assume(np.abs(np.array(BLOCK.edges_x_mm) - eye[0]).min() > 1.0)
     assume(abs(eye[1] - BLOCK.front_y_mm) > 10.0)
@@ -95,12 +97,12 @@ def test_regions_beside_an_edge_are_what_rays_meet_there(eye):
             assert (region != "background") == met.any(), (part.edge, region)
 
 
-def test_each_part_parts_two_regions():
+def test_each_part_parts_two_regions() -> None:
     for part in visible_parts(BLOCK, CAMERA_MM):
         assert part.regions[0] != part.regions[1]
 
 
-def test_the_drawing_moves_with_the_block():
+def test_the_drawing_moves_with_the_block() -> None:
     moved = replace(BLOCK, edges_x_mm=tuple(x + 5 for x in BLOCK.edges_x_mm))
     here = visible_parts(BLOCK, CAMERA_MM)
     there = visible_parts(moved, CAMERA_MM + [5, 0, 0])

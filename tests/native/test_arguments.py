@@ -1,5 +1,7 @@
 """C functions are called with what they declare, or not at all."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -22,7 +24,7 @@ frame_points = Function(
 POINTS, SPREAD = 6, 7
 
 
-def arguments(n: int = 4) -> list[object]:
+def arguments(n: int = 4) -> list[Any]:
     """Of a camera at the origin that sees a plane at z = 10 mm."""
     u, unit = np.linspace(-0.4, 0.5, n), np.eye(3).ravel()
     normal, distance_mm, across = [0, 0, 1], 10, [0, 1]

@@ -150,7 +150,7 @@ def test_a_clipped_line_that_is_followed_lies_where_the_whole_image_shows_it(kin
 @pytest.mark.parametrize("row", [4.0, HEIGHT - 6.0])
 def test_a_clipped_line_along_the_border_is_placed_where_it_shows(kind: type, row: float) -> None:
     towards = 0.06 * U if row < HEIGHT / 2 else -0.06 * U
-    centre = row + towards
+    centre = np.asarray(row + towards, dtype=np.float64)
     found = extract_stripe(lit_image(beam(centre, 1500.0), kind))
     error = found.v - centre[found.u.astype(int)]
     inside = np.abs(centre[found.u.astype(int)] - HEIGHT / 2) < HEIGHT / 2 - 14

@@ -12,6 +12,7 @@ from app.metrology.stripe import Stripe, StripeTracker, extract_stripe
 from app.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspace
 from app.native.arguments import F32, I32, Array, Function, Integer, Record
 from app.native.product import CRENEL
+from tests.pictures import Depth, of_depth
 
 KINDS = [np.uint8, np.uint16]
 STEP, STRIP, AWAY = 2, 8, 6
@@ -55,17 +56,17 @@ def scores(image: Image, where: NDArray[np.bool_] | None) -> NDArray[np.int64]:
     below = np.where(even + AWAY < count, even + AWAY, above)
     around = np.maximum(core[above + odd], core[below + odd])
     allowed = True if where is None else where[np.arange(count) * STEP + 1]
-    return np.maximum(np.where(allowed, core, 0) - around, 0)
+    return np.asarray(np.maximum(np.where(allowed, core, 0) - around, 0))
 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("shape", [(40, 1), (61, 63), (47, 64), (100, 65), (48, 200)])
 @pytest.mark.parametrize("masked", [False, True])
 def test_a_strip_keeps_its_highest_score(
-    variant: str, kind: type, shape: tuple[int, int], masked: bool
+    variant: str, kind: Depth, shape: tuple[int, int], masked: bool
 ) -> None:
     rng = np.random.default_rng(shape[1])
-    image = rng.integers(0, np.iinfo(kind).max, shape, kind, endpoint=True)
+    image = of_depth(rng.integers(0, np.iinfo(kind).max, shape, endpoint=True), kind)
     where = rng.random(shape) < 0.7 if masked else None
     workspace = workspace_for(image, where)
     highest = Function(CRENEL, f"search_{8 * image.itemsize}", Record(Fields), returns=int)(
@@ -112,9 +113,10 @@ def test_a_strip_keeps_its_highest_score(
     ],
 )
 def test_each_lane_holds_the_pixels_about_its_peak(
-    variant: str, kind: type, columns: NDArray[np.int64], rows: NDArray[np.int64]
+    variant: str, kind: Depth, columns: NDArray[np.int64], rows: NDArray[np.int64]
 ) -> None:
-    image = np.random.default_rng(1).integers(0, np.iinfo(kind).max, (HEIGHT, WIDTH)).astype(kind)
+    rng = np.random.default_rng(1)
+    image = of_depth(rng.integers(0, np.iinfo(kind).max, (HEIGHT, WIDTH)), kind)
     profile = np.full((PROFILE_ROWS, BLOCK), -1, np.float32)
     gather = Function(
         CRENEL,

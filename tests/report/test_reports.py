@@ -298,7 +298,7 @@ def test_an_identifications_report(tmp_path: Path) -> None:
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:
-    more = [{**SHEET["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]  # type: ignore[index]
+    more = [{**SHEET["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]
     write_verification(tmp_path, VerificationFile.model_validate({**SHEET, "clouds": more}))
     (tmp_path / "cloud-1").mkdir()
     MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1)).write(

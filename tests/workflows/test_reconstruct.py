@@ -10,7 +10,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.stripe import Stripe
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats, apply, inverse
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
 from tests.formats.builders import (
     ARM,
@@ -90,9 +90,7 @@ def test_pictures_are_extracted(tmp_path: Path) -> None:
     assert result.frames == 2
     assert result.points > 2 * 40
     plane = little_calibration().T_flange_sensor
-    back = apply(
-        np.linalg.inv(flange_pose(ARM, q_at(101 * MS)) @ plane), points[: len(points) // 2]
-    )
+    back = apply(inverse(flange_pose(ARM, q_at(101 * MS)) @ plane), points[: len(points) // 2])
     assert np.abs(back[:, 2]).max() < 1e-9
     assert np.sqrt(np.mean((back[:, 1] - 1.5) ** 2)) < 0.1
 

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -9,7 +10,7 @@ from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
 from app.formats.results.verification import VerificationFile, read_verification, write_verification
 
-SHEET = {
+SHEET: dict[str, Any] = {
     "id": "20261121-101500-aa11",
     "station": "Room 2",
     "operator": "Anna",

@@ -1,0 +1,35 @@
+"""Grey pictures: read from files, of a depth, and blurred."""
+
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.metrology.image import Image
+
+Depth = type[np.uint8] | type[np.uint16]
+
+
+def read_picture(path: Path) -> NDArray[np.uint8]:
+    """A picture file of 8 bits as it is stored."""
+    return decode_picture(path.read_bytes())
+
+
+def decode_picture(raw: bytes) -> NDArray[np.uint8]:
+    """The picture that a file's bytes hold."""
+    picture = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED)
+    assert picture is not None
+    assert picture.dtype == np.uint8
+    return picture.astype(np.uint8, copy=False)
+
+
+def blur(picture: NDArray[np.uint8], sigma_px: float) -> NDArray[np.uint8]:
+    """A picture out of focus by so much."""
+    return np.asarray(cv2.GaussianBlur(picture, (0, 0), sigma_px), dtype=np.uint8)
+
+
+def of_depth(levels: NDArray[Any], depth: Depth) -> Image:
+    """Whole grey levels as a picture of 8 or 16 bits."""
+    return levels.astype(np.uint8) if depth is np.uint8 else levels.astype(np.uint16)
