@@ -56,7 +56,7 @@ class Server:
         """The header of a live connection."""
         return cookie(self.http)
 
-    def flow(self) -> dict[str, object]:
+    def flow(self) -> dict[str, Any]:
         return dict(self.http.get("/api/flow").json())
 
     def command(
@@ -71,11 +71,11 @@ class Server:
         }
         return self.http.post("/api/flow/command", json=body)
 
-    def do(self, name: str, **args: object) -> dict[str, object]:
+    def do(self, name: str, **args: Any) -> dict[str, Any]:
         """A command that must be done; the view after it."""
         return run_command(lambda: self.command(name, **args))
 
-    def wait(self, ready: Callable[[dict[str, object]], bool], timeout_s: float = 90.0) -> None:
+    def wait(self, ready: Callable[[dict[str, Any]], bool], timeout_s: float = 90.0) -> None:
         """Until the flow's view is as wanted."""
         deadline = time.monotonic() + timeout_s
         while not ready(view := self.flow()):
@@ -137,7 +137,7 @@ def touching(at_setup: Server) -> Server:
     return server
 
 
-def is_enabled(view: dict[str, object], name: str) -> bool:
+def is_enabled(view: dict[str, Any], name: str) -> bool:
     actions = view["actions"]
     assert isinstance(actions, list)
     return any(action["name"] == name and action["enabled"] for action in actions)

@@ -5,17 +5,18 @@ import json
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
 import schemathesis
-import viser
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from schemathesis.core.result import Ok
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
-from websockets.typing import Subprotocol
 
+from app.bench.station.viewer_client import PROTOCOL
 from tests.api.processes import demonstration
 from tests.entering import cookie
 
@@ -51,13 +52,14 @@ def test_every_route_answers_anything(http: httpx.Client, data: Path) -> None:
     schema = schemathesis.openapi.from_dict(document)
     tried = 0
     for found in schema.get_all_operations():
+        assert isinstance(found, Ok)
         operation = found.ok()
         if (operation.method.upper(), operation.path) == SIGNS_OUT:
             continue
 
         @QUICKLY
         @given(case=operation.as_strategy())
-        def answers(case: schemathesis.Case) -> None:
+        def answers(case: schemathesis.Case[Any]) -> None:
             answer = case.call(base_url=str(http.base_url), headers=cookie(http), timeout=30)
             if answer.status_code < 400:
                 return
@@ -93,7 +95,7 @@ def test_the_live_connection_takes_anything(http: httpx.Client, sent: bytes | st
 @given(sent=st.lists(st.one_of(st.binary(max_size=200), st.text(max_size=200)), min_size=10))
 def test_the_3d_view_takes_anything(http: httpx.Client, sent: list[bytes | str]) -> None:
     address = f"ws://{http.base_url.netloc.decode()}/viewer/"
-    subprotocols = [Subprotocol(f"viser-v{viser.__version__}")]
+    subprotocols = [PROTOCOL]
     for _ in range(2):  # and whoever comes after has it, too
         with connect(address, additional_headers=cookie(http), subprotocols=subprotocols) as view:
             view.recv(timeout=20)

@@ -85,8 +85,8 @@ def test_a_check_by_the_hand_is_judged_and_recorded(
     assert newest["half_range_um"] == pytest.approx(view["picture"]["half_range_um"])
     # the record can be judged again without us
     folder = server.data / "sessions" / view["session_id"]
-    (report,) = check_table(folder, None, ArticulationLimits(half_range_um=2000))
-    assert report.check.half_range_um.tolist() == pytest.approx(newest["half_range_um"], rel=1e-6)
+    (seat,) = check_table(folder, None, ArticulationLimits(half_range_um=2000))
+    assert seat.check.half_range_um.tolist() == pytest.approx(newest["half_range_um"], rel=1e-6)
     refused = command(server, "set_limit", limit_um=10)
     assert refused.status_code == 422
     # the next check begins with the same limit

@@ -47,7 +47,7 @@ def test_a_foreign_page_changes_nothing(server: Server, origin: str) -> None:
 
 @pytest.mark.parametrize("origin", ["http://[", "http://[::1", "//", "\\", "http://\xff"])
 def test_an_origin_that_is_none_is_a_foreign_one(server: Server, origin: str) -> None:
-    headers = {"origin": origin.encode("latin-1")}
+    headers = {b"origin": origin.encode("latin-1")}
     assert server.http.post("/api/stop", headers=headers).status_code == 403
 
 

@@ -3,15 +3,18 @@
 import json
 import struct
 import time
+from typing import Any
 
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
+from websockets.sync.connection import Connection
+from websockets.typing import Origin
 
 from tests.api.conftest import Server
 
 
-def message(socket: ClientConnection, timeout_s: float = 5.0) -> dict[str, object]:
+def message(socket: Connection, timeout_s: float = 5.0) -> dict[str, Any]:
     """The next text message; pictures are passed over."""
     deadline = time.monotonic() + timeout_s
     while True:
@@ -20,7 +23,7 @@ def message(socket: ClientConnection, timeout_s: float = 5.0) -> dict[str, objec
             return dict(json.loads(received))
 
 
-def picture(socket: ClientConnection, timeout_s: float) -> dict[str, object] | None:
+def picture(socket: Connection, timeout_s: float) -> dict[str, Any] | None:
     """The header of the next picture, None when none comes in time."""
     deadline = time.monotonic() + timeout_s
     while (left_s := deadline - time.monotonic()) > 0:
@@ -57,9 +60,9 @@ def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
         while True:
             assert time.monotonic() < deadline
             received = message(socket)
-            if received.get("name") == "flow" and received["value"]["rev"] == rev:  # type: ignore[index]
+            if received.get("name") == "flow" and received["value"]["rev"] == rev:
                 break
-        assert received["value"]["instruction"].startswith("Touch the front face")  # type: ignore[index]
+        assert received["value"]["instruction"].startswith("Touch the front face")
 
 
 def test_an_event_is_numbered_and_told_once(server: Server) -> None:
@@ -94,13 +97,13 @@ def test_the_next_picture_waits_for_the_last_to_be_acknowledged(server: Server) 
         socket.send(json.dumps({"type": "preview_ack", "seq": first["seq"]}))
         second = picture(socket, 10.0)
         assert second is not None
-        assert second["seq"] > first["seq"]  # type: ignore[operator]
+        assert second["seq"] > first["seq"]
         socket.send(json.dumps({"type": "preview", "on": False}))
         socket.send(json.dumps({"type": "preview_ack", "seq": second["seq"]}))
         assert picture(socket, 1.0) is None
 
 
-def send_and_drain(socket: ClientConnection, sent: str | bytes) -> None:
+def send_and_drain(socket: Connection, sent: str | bytes) -> None:
     socket.send(sent)
     for _ in range(1000):
         socket.recv(5.0)
@@ -151,9 +154,10 @@ def test_a_tab_that_does_not_read_delays_nobody(server: Server) -> None:
 
 
 def test_a_foreign_page_gets_no_live_connection(server: Server) -> None:
+    foreign = Origin("http://evil.example")
     with pytest.raises(InvalidStatus) as refused:
-        connect(server.live, additional_headers=server.cookie, origin="http://evil.example")  # type: ignore[arg-type]
+        connect(server.live, additional_headers=server.cookie, origin=foreign)
     assert refused.value.response.status_code == 403
-    own = f"http://127.0.0.1:{server.port}"
-    with connect(server.live, additional_headers=server.cookie, origin=own) as socket:  # type: ignore[arg-type]
+    own = Origin(f"http://127.0.0.1:{server.port}")
+    with connect(server.live, additional_headers=server.cookie, origin=own) as socket:
         assert message(socket)["type"] == "hello"

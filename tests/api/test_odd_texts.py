@@ -150,8 +150,8 @@ def test_any_name_in_every_folder(http: httpx.Client, data: Path) -> None:
     for folder in LISTED:
         (data / folder).mkdir(parents=True, exist_ok=True)
         for i, name in enumerate(NAMES):
-            path = data / folder / os.fsdecode(name + (b".json" if folder[-1] == "s" else b""))
-            path.mkdir() if i % 3 == 2 else path.write_text("{}")
+            entry = data / folder / os.fsdecode(name + (b".json" if folder[-1] == "s" else b""))
+            entry.mkdir() if i % 3 == 2 else entry.write_text("{}")
     http.post("/api/flow/start").raise_for_status()
     document = http.get("/api/openapi.json").json()
     for method, path, operation in operations(document):

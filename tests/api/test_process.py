@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
@@ -67,7 +68,7 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
         http.post("/api/flow/start").raise_for_status()
         view = start_hand(http)
         deadline = time.monotonic() + START_S
-        while view["step"] != "touch" or len(view["picture"]["points"]) < 6:  # type: ignore[index]
+        while view["step"] != "touch" or len(view["picture"]["points"]) < 6:
             assert time.monotonic() < deadline
             time.sleep(0.1)
             view = http.get("/api/flow").json()
@@ -79,8 +80,8 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
         assert again["session_id"] == view["session_id"]
         assert again["step"] == "touch"
         kept = again["picture"]["points"]
-        assert kept[: len(view["picture"]["points"])] == view["picture"]["points"]  # type: ignore[index]
-        assert len(kept) <= len(view["picture"]["points"]) + 1  # type: ignore[index]
+        assert kept[: len(view["picture"]["points"])] == view["picture"]["points"]
+        assert len(kept) <= len(view["picture"]["points"]) + 1
         probing = (tmp_path / "sessions" / again["session_id"] / "probing.csv").read_text()
         assert abs(len(probing.splitlines()) - 1 - len(kept)) <= 1
 
@@ -97,7 +98,7 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
     check.close()
 
 
-def start_hand(http: httpx.Client) -> dict[str, object]:
+def start_hand(http: httpx.Client) -> dict[str, Any]:
     view = http.get("/api/flow").json()
     asked = {"name": "let_hand", "args": {"all": True}, "rev": view["rev"], "key": "k"}
     answer = http.post("/api/flow/command", json=asked)

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 import httpx
 import pytest
-from starlette.routing import BaseRoute
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from websockets.exceptions import ConnectionClosed, InvalidStatus
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
+from websockets.sync.connection import Connection
 
 from app.api.authorization import cookie_for
 from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
@@ -63,11 +64,15 @@ def test_every_route_has_its_rule_and_every_rule_its_route(server: Server) -> No
     assert found == set(ROUTES)
 
 
-def routes_of(routes: list[BaseRoute]) -> Iterator[BaseRoute]:
+def routes_of(routes: list[BaseRoute]) -> Iterator[Route | WebSocketRoute | Mount]:
     """All of them; the framework's later versions keep an included router whole."""
     for route in routes:
         included = getattr(route, "original_router", None)
-        yield from routes_of(included.routes) if included is not None else [route]
+        if included is not None:
+            yield from routes_of(included.routes)
+        else:
+            assert isinstance(route, Route | WebSocketRoute | Mount)
+            yield route
 
 
 @pytest.mark.parametrize(("method", "path"), HTTP)
@@ -133,7 +138,7 @@ def test_a_message_is_obeyed_or_ends_the_connection(
             assert until_closed(socket) == 1008
 
 
-def until_closed(socket: ClientConnection) -> int:
+def until_closed(socket: Connection) -> int:
     """Takes what comes; the code that the server closes with."""
     try:
         while True:

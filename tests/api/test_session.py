@@ -3,6 +3,7 @@
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 
 import httpx
 import pytest
@@ -92,7 +93,7 @@ def test_guesses_keep_nobody_out_of_a_browser_that_is_known(server: Server, peop
     with browser(server, "Anna") as anna, browser(server) as other:
         # one name however it is spelled, and one address whatever a header says
         spellings = ("Anna", "anna ", "ANNA", "\uff21nna", " Anna", "Anna\u2003") * 3
-        codes = []
+        codes: list[int] = []
         for spelled in spellings:
             asked = {"name": spelled, "password": "guess"}
             elsewhere = {"x-forwarded-for": f"10.0.0.{len(codes)}"}
@@ -209,11 +210,11 @@ def test_an_account_of_any_name_is_changed_and_removed(server: Server, name: str
 def test_whoever_loses_the_account_loses_control_at_once(server: Server, people: None) -> None:
     def holder() -> str | None:
         person = server.context.lease.control.holder
-        return person and person.name
+        return person.name if person else None
 
     for end in (
-        lambda: server.http.delete("/api/account", params={"name": "Anna"}),
-        lambda: server.http.post("/api/account", params={"name": "Ben"}, json={"role": "viewer"}),
+        partial(server.http.delete, "/api/account", params={"name": "Anna"}),
+        partial(server.http.post, "/api/account", params={"name": "Ben"}, json={"role": "viewer"}),
     ):
         name = "Anna" if server.context.store.accounts.get("Anna") else "Ben"
         with browser(server, name) as http:

@@ -3,7 +3,7 @@
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager, contextmanager, suppress
 from pathlib import Path
 
@@ -31,7 +31,7 @@ class Station:
 
     def build(self) -> Starlette:
         @asynccontextmanager
-        async def lifespan(app: Starlette) -> object:  # type: ignore[misc]
+        async def lifespan(app: Starlette) -> AsyncIterator[None]:
             self.noted.append("opened")
             yield
             self.noted.append("closed")

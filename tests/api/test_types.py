@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Literal, Union, get_args, get_origin, get_type_hints
 
 import pytest
+from pydantic import BaseModel
 
 from app import findings
 from app.guide.common import result_view, view
@@ -162,7 +163,11 @@ def kind_in_types(text: str) -> set[str]:
 
 
 def hints_of(shape: type) -> dict[str, object]:
-    names = [f.name for f in fields(shape)] if is_dataclass(shape) else list(shape.model_fields)
+    if is_dataclass(shape):
+        names = [field.name for field in fields(shape)]
+    else:
+        assert issubclass(shape, BaseModel)
+        names = list(shape.model_fields)
     hints = get_type_hints(shape)
     return {name: hints[name] for name in names}
 
@@ -189,7 +194,9 @@ def test_a_picture_has_the_fields_of_its_variant(kind: str) -> None:
     union = text[text.index("export type Picture") :]
     start = union.index(f'{{ kind: "{kind}"') if f'{{ kind: "{kind}"' in union else -1
     if start < 0:
-        start = re.search(rf'\{{\s*kind: "{kind}"', union).start()  # type: ignore[union-attr]
+        found = re.search(rf'\{{\s*kind: "{kind}"', union)
+        assert found is not None
+        start = found.start()
     assert_same(PICTURES[kind], body_from(union, start + 1))
 
 

@@ -8,6 +8,7 @@ import time
 import uuid
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +32,10 @@ from tests.api.conftest import Server, run_command
 View = dict[str, Any]
 
 
+def has_touches(count: int, view: View) -> bool:
+    return len(view["picture"]["touches"]) >= count
+
+
 class Desk:
     """The operator's end of the verification."""
 
@@ -49,7 +54,7 @@ class Desk:
         }
         return self.server.http.post("/api/verify/command", json=body)
 
-    def do(self, name: str, **args: object) -> View:
+    def do(self, name: str, **args: Any) -> View:
         """A command that must be done; the view after it."""
         return run_command(lambda: self.command(name, **args))
 
@@ -204,7 +209,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
             break
         assert server.twin.operator.touch_gauge("plate", taken + 10 * (attempt - taken))
         with contextlib.suppress(AssertionError):
-            desk.wait(lambda view, n=taken: len(view["picture"]["touches"]) > n, 2.0)  # type: ignore[misc]
+            desk.wait(partial(has_touches, taken + 1), 2.0)
     view = desk.view()
     assert view["number"]["value"] < 30
     assert view["picture"]["touches"][3]["x_mm"] is not None

@@ -4,20 +4,20 @@ import contextlib
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
-import viser
 from websockets.sync.client import connect
 
+from app.bench.station.viewer_client import PROTOCOL
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import pack_points
 from app.store.scans import ScanRecord
 from tests.api.conftest import Server
 
 KEY = "0123456789abcdef" * 2
-PROTOCOL = f"viser-v{viser.__version__}"
 # From above the middle of the plate: x to the right, y down, z ahead.
 LOOK = {
     "type": "ViewerCameraMessage",
@@ -52,11 +52,11 @@ def scan(server: Server) -> Iterator[ScanRecord]:
         server.http.delete("/api/scans/plate")
 
 
-def view(server: Server) -> dict[str, object]:
+def view(server: Server) -> dict[str, Any]:
     return dict(server.http.get("/api/view").json())
 
 
-def wait(server: Server, ready: Callable[[dict[str, object]], bool]) -> dict[str, object]:
+def wait(server: Server, ready: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
     deadline = time.monotonic() + 20.0
     while not ready(found := view(server)):
         assert time.monotonic() < deadline, found
@@ -66,7 +66,7 @@ def wait(server: Server, ready: Callable[[dict[str, object]], bool]) -> dict[str
 
 def show(server: Server) -> None:
     assert server.http.post("/api/scans/plate/shown", json={"on": True}).status_code == 200
-    wait(server, lambda view: [scan["loaded"] for scan in view["scans"]] == [1.0])  # type: ignore[attr-defined]
+    wait(server, lambda view: [scan["loaded"] for scan in view["scans"]] == [1.0])
 
 
 def test_a_shown_scan_is_coloured_hidden_and_shown(server: Server, scan: ScanRecord) -> None:
@@ -101,13 +101,13 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
         subprotocols=[PROTOCOL],
         max_size=None,
         close_timeout=0.5,
-    ) as socket:  # type: ignore[list-item]
+    ) as socket:
         socket.send(msgspec.msgpack.encode(LOOK))
         deadline = time.monotonic() + 10.0
         while server.http.post("/api/view/fits", json=region).status_code != 200:
             assert time.monotonic() < deadline
             time.sleep(0.05)
-    (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]  # type: ignore[misc]
+    (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]
     figures = {figure["label"]: figure for figure in fitted["figures"]}
     offset = figures["From the arm's zero"]
     assert fitted["every"]
@@ -132,7 +132,7 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
     assert server.http.post("/api/scans/plate/name", json={"name": "  "}).status_code >= 400
     assert server.http.delete("/api/scans/plate").status_code == 204
     assert "Cover 2" not in names()
-    assert view(server)["records"] == before + 2  # type: ignore[operator]
+    assert view(server)["records"] == before + 2
     assert not view(server)["scans"]
     assert not scan.folder.exists()
     assert not list(Path(scan.folder.parent).glob(".deleted-*"))

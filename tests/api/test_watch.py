@@ -9,6 +9,7 @@ import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -52,8 +53,8 @@ def as_role(server: Server, role: Role) -> httpx.Client:
     return httpx.Client(base_url=server.address, cookies=cookies, timeout=20.0)
 
 
-def topics(server: Server, wanted: set[str]) -> dict[str, object]:
-    found: dict[str, object] = {}
+def topics(server: Server, wanted: set[str]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
     with connect(server.live, additional_headers=server.cookie) as socket:
         if "stations" in wanted:
             socket.send(json.dumps({"type": "stations", "on": True}))
@@ -304,7 +305,7 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     kinds = [json.loads(body)["kind"] for _, body in receiver.taken]
     # those of one moment go side by side, in any order
     assert (kinds[0], set(kinds[1:])) == ("test", {"fault", "done"})
-    assert topics(server, {"told"})["told"]["text"] == "A scan of a test is saved"  # type: ignore[index]
+    assert topics(server, {"told"})["told"]["text"] == "A scan of a test is saved"
 
     kept = server.http.post("/api/notifications", json={**change, "secret": None}).json()
     assert kept["has_secret"]

@@ -4,6 +4,8 @@ import re
 from pathlib import Path
 
 import pytest
+from typer import Typer
+from typer.core import TyperGroup
 from typer.main import get_command
 
 from app.cli.bench import bench
@@ -19,6 +21,12 @@ def anchors(page: Path) -> set[str]:
     """Of its headings, as code hosts name them."""
     headings = re.findall(r"^#+ (.+)$", FENCED.sub("", page.read_text("utf-8")), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def commands_of(program: Typer) -> set[str]:
+    group = get_command(program)
+    assert isinstance(group, TyperGroup)
+    return set(group.commands)
 
 
 def names(page: str, command: str) -> set[str]:
@@ -49,7 +57,7 @@ def test_the_readme_is_short() -> None:
 
 
 def test_the_command_line_page_names_the_commands() -> None:
-    commands = set(get_command(cli).commands)  # type: ignore[attr-defined]
+    commands = commands_of(cli)
     page = "docs/command-line.md"
     synopsis = re.findall(r"^crenel ([a-z-]+)", (ROOT / page).read_text("utf-8"), re.MULTILINE)
     assert set(synopsis) == commands
@@ -57,8 +65,8 @@ def test_the_command_line_page_names_the_commands() -> None:
 
 @pytest.mark.parametrize("page", ["README.md", "docs/accuracy.md", "docs/operating.md"])
 def test_commands_exist(page: str) -> None:
-    assert names(page, "`crenel") <= set(get_command(cli).commands)  # type: ignore[attr-defined]
-    assert names(page, "crenel bench") <= set(get_command(bench).commands)  # type: ignore[attr-defined]
+    assert names(page, "`crenel") <= commands_of(cli)
+    assert names(page, "crenel bench") <= commands_of(bench)
 
 
 def test_modules_of_the_accuracy_page_exist() -> None:

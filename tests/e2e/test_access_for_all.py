@@ -37,7 +37,7 @@ def test_axe_finds_no_serious_fault(browser: Browser, demo: Demo) -> None:
 def in_both_themes(page: Page, name: str) -> list[str]:
     found = []
     for theme in ("light", "dark"):
-        page.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+        page.emulate_media(color_scheme=theme)
         page.wait_for_timeout(300)
         found += serious(page, f"{name}, {theme}")
     return found

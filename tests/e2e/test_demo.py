@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -104,9 +105,7 @@ def calibrate(visit: Visit) -> None:
         visit.wait_until(
             f"step {step}",
             "/api/flow",
-            lambda view, step=step: (
-                view["step"] == step and view["busy"] is None and not lost_devices(view)
-            ),
+            partial(is_at, step),
         )
         page.wait_for_timeout(500)
         visit.look(step)
@@ -142,12 +141,7 @@ def verify(visit: Visit) -> None:
         visit.wait_until(
             f"verifying: {step}",
             "/api/verify",
-            lambda view, step=step: (
-                view["running"]
-                and view["step"] == step
-                and view["busy"] is None
-                and not lost_devices(view)
-            ),
+            partial(is_verifying, step),
         )
         page.wait_for_timeout(400)
         visit.look(f"verify-{step}")
@@ -197,13 +191,21 @@ def set_aside_and_back(visit: Visit) -> None:
     visit.look("a-pose-that-a-finding-names")
 
 
+def is_at(step: str, view: dict[str, Any]) -> bool:
+    return view["step"] == step and view["busy"] is None and not lost_devices(view)
+
+
+def is_verifying(step: str, view: dict[str, Any]) -> bool:
+    return view["running"] is True and is_at(step, view)
+
+
 def lost_devices(view: dict[str, Any]) -> bool:
     return any("Connecting" in finding["text"] for finding in view["findings"])
 
 
 def take_poses(visit: Visit) -> None:
     """The hand goes on, pose after pose as it is advised, until the result is there."""
-    poses = set()
+    poses: set[int] = set()
     for _ in range(30):
         visit.wait_until("the hand", "/api/flow", lambda view: view["busy"] is None)
         view = visit.ask("/api/flow")

@@ -126,7 +126,7 @@ def retained(broker: Mosquitto, kind: str) -> dict[str, object]:
         async with aiomqtt.Client("127.0.0.1", broker.port) as client:
             await client.subscribe(f"crenel/demonstration/{kind}")
             message = await anext(aiter(client.messages))
-            return dict(json.loads(bytes(message.payload)))  # type: ignore[arg-type]
+            return dict(json.loads(bytes(message.payload)))
 
     with ThreadPoolExecutor(1) as thread:
         return thread.submit(lambda: asyncio.run(asyncio.wait_for(ask(), 10.0))).result()

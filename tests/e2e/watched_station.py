@@ -21,7 +21,7 @@ def serve(data: Path, broker_port: int) -> None:
         store = Store(data)
         guide = SimpleNamespace(_on_closed=lambda: None)
         context = SimpleNamespace(store=store, guide=guide)
-        use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")  # type: ignore[arg-type]
+        use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")
         store.close()
         watching = replace(parts.monitoring, mqtt=BrokerSettings("127.0.0.1", broker_port))
         parts = replace(parts, monitoring=watching)

@@ -3,8 +3,10 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.live import (
@@ -46,7 +48,7 @@ def start_row(step: str = "devices") -> tuple[str, dict[str, object]]:
     return "started", {"choices": CHOICES, "step": step}
 
 
-def point_row(face: str, q_rad: object = (0.0,) * 6) -> tuple[str, dict[str, object]]:
+def point_row(face: str, q_rad: ArrayLike = (0.0,) * 6) -> tuple[str, dict[str, object]]:
     return "point_taken", {"face": face, "q_rad": [float(q) for q in np.ravel(q_rad)]}
 
 
@@ -94,7 +96,7 @@ SENSOR = SensorDatasheet(
 
 
 def make_live(
-    state: CalibrationState, arm: Arm | None, item: CalibrationTarget | None, **changes: object
+    state: CalibrationState, arm: Arm | None, item: CalibrationTarget | None, **changes: Any
 ) -> CalibrationLive:
     """A station on which all is well, changed where a test says so."""
     report = touch_report(state.counted, arm, item, 15.0) if arm and item else None
@@ -122,4 +124,4 @@ def make_live(
         hand_running=False,
         trouble=None,
     )
-    return replace(live, **changes)  # type: ignore[arg-type]
+    return replace(live, **changes)

@@ -9,10 +9,9 @@ import json
 import shutil
 import tempfile
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -38,7 +37,7 @@ from tests.api.calibrated import use_truth
 from tests.guide.builders import capture_row, point_row
 from tests.guide.test_verify_session import cloud
 
-Rows = list[tuple[str, Mapping[str, object]]]
+Rows = Sequence[tuple[str, Mapping[str, object]]]
 SEQUENCES, COMMANDS = 4, 12
 PURPOSES = ("check", "tip", "identify")
 CHOICES = dict.fromkeys(("arm", "object", "sensor"), "simulated")
@@ -240,8 +239,13 @@ def template(twin: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -
 
 def test_any_commands(twin: SimulatedStation, template: Path) -> None:
     long = settings().max_examples > settings.get_profile("default").max_examples
+
+    class OfThisStation(AnyCommands):
+        def __init__(self) -> None:
+            super().__init__(twin, template)
+
     run_state_machine_as_test(
-        partial(AnyCommands, twin, template),
+        OfThisStation,
         settings=settings(
             max_examples=settings().max_examples if long else SEQUENCES,
             stateful_step_count=COMMANDS,

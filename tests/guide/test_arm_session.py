@@ -43,8 +43,8 @@ def points(q_rad: np.ndarray) -> tuple[str, dict[str, object]]:
     return "points", {"q_rad": q_rad.tolist()}
 
 
-def live_of(arm: Arm | None, **changes: object) -> ArmLive:
-    known: dict[str, object] = {
+def live_of(arm: Arm | None, **changes: Any) -> ArmLive:
+    known: dict[str, Any] = {
         "library": DatasheetLibrary({}, {}, {}, ()),
         "arm": arm,
         "link": CONNECTED,
@@ -56,7 +56,7 @@ def live_of(arm: Arm | None, **changes: object) -> ArmLive:
         "busy": None,
         "trouble": None,
     }
-    return ArmLive(**{**known, **changes})  # type: ignore[arg-type]
+    return ArmLive(**{**known, **changes})
 
 
 def swung(arm: Arm, count: int, reach_rad: float = 1.2) -> np.ndarray:
@@ -174,7 +174,7 @@ def seat(kind: str, size_mm: float | None, name: str, q_rad: np.ndarray) -> list
 
 def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path) -> None:
     q = swung(arm, 40)
-    ended = ("seat_ended", {})
+    ended: tuple[str, dict[str, object]] = ("seat_ended", {})
     one = [started("identify"), *seat("bar", 300.0, "Bar 1, end A", q), ended]
     state = state_after(*one)
     live = live_of(arm)

@@ -1,7 +1,6 @@
 """What the arm's buttons mean, by how long they are held."""
 
 import threading
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import pytest
@@ -43,7 +42,7 @@ class Pressed:
 
 
 @pytest.fixture
-def pressed() -> Iterator[Pressed]:
+def pressed() -> Pressed:
     return Pressed()
 
 

@@ -149,6 +149,7 @@ def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
     assert view.progress is not None
     assert (view.progress.done, view.progress.of) == (27, 27)
     assert view.number is not None
+    assert view.number.value is not None
     assert 0 < view.number.value < 15
     assert view.number.quality == "good"
     assert not view.findings

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import pytest
 
@@ -9,6 +10,7 @@ from app.guide.common.validity import (
     DUE,
     CheckResult,
     NextAction,
+    State,
     Validity,
     ValidityInputs,
     ago,
@@ -21,10 +23,10 @@ NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
 
 def done(
-    days: float, result: str = "valid", text: str = "Every figure keeps its limit."
+    days: float, result: State = "valid", text: str = "Every figure keeps its limit."
 ) -> CheckResult:
     at = (NOW - timedelta(days=days)).isoformat().replace("+00:00", "Z")
-    return CheckResult(at, result, text)  # type: ignore[arg-type]
+    return CheckResult(at, result, text)
 
 
 NOTHING = ValidityInputs(None, None, False, None, None, None)
@@ -78,9 +80,9 @@ def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None
     ],
 )
 def test_what_is_not_in_order_is_named_and_led_to(
-    change: dict[str, object], page: str, said: str
+    change: dict[str, Any], page: str, said: str
 ) -> None:
-    found = after(replace(ALL, **change))  # type: ignore[arg-type]
+    found = after(replace(ALL, **change))
     assert found.page == page
     assert said in found.text
     assert found.label

@@ -1,6 +1,7 @@
 """The fold: whatever the rows, the state follows from them and from nothing else."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -53,6 +54,7 @@ def test_points_that_were_taken_back_come_back_last_first_until_another_is_taken
 
 
 def test_points_of_another_object_do_not_count_until_it_is_chosen_again() -> None:
+    rows: list[tuple[str, Mapping[str, object]]]
     rows = [start_row("touch"), point_row("crest"), ("chosen", {"field": "object", "id": "other"})]
     assert state_after(*rows).counted == ()
     rows.append(("chosen", {"field": "object", "id": "b"}))

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -59,7 +60,7 @@ def cloud(number: int, **changes: object) -> list[Entry]:
 TO_SCAN: list[Entry] = [STARTED, ("gauge_confirmed", {}), ("touch_skipped", {})]
 
 
-def live_of(**changes: object) -> VerifyLive:
+def live_of(**changes: Any) -> VerifyLive:
     live = VerifyLive(
         active_id="c1",
         active_name="First",
@@ -79,7 +80,7 @@ def live_of(**changes: object) -> VerifyLive:
         busy=None,
         trouble=None,
     )
-    return replace(live, **changes)  # type: ignore[arg-type]
+    return replace(live, **changes)
 
 
 def test_steps_go_on_and_back_and_what_comes_after_is_stale() -> None:

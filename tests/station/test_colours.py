@@ -46,7 +46,8 @@ def colours(viewer: Viewer) -> np.ndarray:
 
 
 def expected(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    return SCALE[np.clip((values - low) / (high - low) * 255, 0, 255).astype(int)].astype(float)
+    step = np.clip((values - low) / (high - low) * 255, 0, 255).astype(int)
+    return np.asarray(SCALE[step], dtype=float)
 
 
 def seen_by_deuteranopes(rgb: np.ndarray) -> np.ndarray:
@@ -55,7 +56,7 @@ def seen_by_deuteranopes(rgb: np.ndarray) -> np.ndarray:
     r, g, b = linear.T
     yellow = 0.29275 * r + 0.70725 * g
     both = np.column_stack([yellow, yellow, -0.02234 * r + 0.02234 * g + b])
-    return 255 * np.clip(both, 0, 1) ** (1 / 2.2)
+    return np.asarray(255 * np.clip(both, 0, 1) ** (1 / 2.2))
 
 
 def test_colours_go_to_oklab_and_back() -> None:
@@ -78,7 +79,7 @@ def test_those_without_the_cones_for_green_tell_them_apart(scale: np.ndarray) ->
 
 
 def test_more_is_lighter_and_both_grounds_show_it() -> None:
-    lightness = oklab(SCALE)[:, 0]
+    lightness = oklab(SCALE.astype(float))[:, 0]
     assert (np.diff(lightness[::15]) > 0).all()
     assert 0.35 < lightness[0] < lightness[-1] < 0.87
 
@@ -157,7 +158,7 @@ def test_the_newest_points_stand_out_by_age() -> None:
     assert legend is not None
     assert (legend.low, legend.high, legend.unit) == (0.0, 20.0, "s")
     found = painter.colours(np.zeros((201, 3)), traits(taken_s), 20.0)
-    lightness = oklab(found)[:, 0]
+    lightness = oklab(found.astype(float))[:, 0]
     assert lightness[-1] == lightness.max()
     assert lightness[0] == lightness.min()
     assert painter.age_step(20.0) != painter.age_step(22.0)

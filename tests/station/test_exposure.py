@@ -5,6 +5,7 @@ import pytest
 
 from app.station.devices.auto_exposure import TARGET, better_exposure_us, brightness
 from hardware.interfaces import Frame
+from tests.pictures import of_depth
 
 RANGE_US = (20.0, 100_000.0)
 RIGHT_US = 2000.0
@@ -20,8 +21,8 @@ def frame_of(exposure_us: float, bits: int, shift: int, stripe_only: bool) -> Fr
     noise = np.random.default_rng(0).normal(0, 0.004, light.shape)
     grey = white * (0.02 + TARGET * light * exposure_us / RIGHT_US + noise)
     kind = np.uint8 if bits == 8 else np.uint16
-    image = np.clip(np.rint(grey), 0, white).astype(kind) << shift
-    return Frame(0, 0, image.astype(kind), exposure_us, True)
+    image = np.clip(np.rint(grey), 0, white).astype(np.uint16) << shift
+    return Frame(0, 0, of_depth(image, kind), exposure_us, True)
 
 
 @pytest.mark.parametrize("stripe_only", [True, False])

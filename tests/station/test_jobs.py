@@ -2,6 +2,7 @@
 
 import asyncio
 import threading
+from collections.abc import Callable
 
 import pytest
 
@@ -10,12 +11,12 @@ from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
 
 
-def run(bus: Bus, jobs: Jobs, work: object) -> Job[int]:
+def run(bus: Bus, jobs: Jobs, work: Callable[[Progress], int]) -> Job[int]:
     async def scenario() -> Job[int]:
         loop = asyncio.get_running_loop()
         bus.attach(loop)
         ended: asyncio.Future[Job[int]] = loop.create_future()
-        jobs.start("Solving", work, ended.set_result)  # type: ignore[arg-type]
+        jobs.start("Solving", work, ended.set_result)
         return await asyncio.wait_for(ended, 10)
 
     return asyncio.run(scenario())

@@ -1,5 +1,7 @@
 """Who has control, over time."""
 
+from functools import partial
+
 import pytest
 
 from app.errors import OperationError
@@ -65,7 +67,7 @@ def test_only_the_holder_answers_and_lets_go() -> None:
     with pytest.raises(OperationError, match="Nobody asks"):
         lease.answer(ANNA, give=True)
     lease.ask(BEN)
-    for act in (lambda: lease.answer(BEN, give=True), lambda: lease.release(BEN)):
+    for act in (partial(lease.answer, BEN, give=True), partial(lease.release, BEN)):
         with pytest.raises(OperationError, match="do not have control"):
             act()
     lease.answer(ANNA, give=False)

@@ -106,7 +106,12 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(
         loop = asyncio.get_running_loop()
         bus.attach(loop)
         pressed: asyncio.Future[ButtonEvent] = loop.create_future()
-        rig.arm.on_button = lambda event: event.pressed and pressed.set_result(event)
+
+        def note(event: ButtonEvent) -> None:
+            if event.pressed:
+                pressed.set_result(event)
+
+        rig.arm.on_button = note
         assert await asyncio.to_thread(twin.operator.touch, "crest", 0)
         return await asyncio.wait_for(pressed, 10)
 

@@ -7,7 +7,6 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 
@@ -19,6 +18,7 @@ from app.metrology.stripe import Stripe, extract_stripe
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimate, jpeg
+from tests.pictures import decode_picture
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 
 
@@ -59,7 +59,7 @@ def test_the_packed_picture_is_header_and_jpeg(preview: Preview, rig: Rig) -> No
     assert header["arm_still"] is True
     assert 0 < len(header["stripe"]) <= STRIPE_POINTS
     np.testing.assert_allclose([v for _, v in header["stripe"]], 120.0, atol=1.0)
-    picture = cv2.imdecode(np.frombuffer(packed[4 + length :], np.uint8), cv2.IMREAD_UNCHANGED)
+    picture = decode_picture(packed[4 + length :])
     assert picture.shape == (HEIGHT, WIDTH)
 
 
@@ -97,7 +97,7 @@ def test_one_encode_serves_all_and_goes_over_the_bus(preview: Preview, bus: Bus)
 def test_a_large_picture_is_made_small_and_a_deep_one_shown_in_full_range() -> None:
     wide = np.zeros((1024, 1280), dtype=np.uint16)
     wide[:, 640:] = 4095
-    picture = cv2.imdecode(np.frombuffer(jpeg(wide), np.uint8), cv2.IMREAD_UNCHANGED)
+    picture = decode_picture(jpeg(wide))
     assert picture.shape == (640, 800)
     assert picture[:, 420:].min() > 240
     assert picture[:, :380].max() < 15

@@ -19,7 +19,7 @@ def ready(rig: Rig) -> None:
 
 
 def swing(seconds: float) -> np.ndarray:
-    return REST_RAD + 0.2 * np.sin(3 * seconds)
+    return np.asarray(REST_RAD + 0.2 * np.sin(3 * seconds))
 
 
 def test_both_devices_are_found_and_told_with_their_rates(rig: Rig) -> None:

@@ -247,12 +247,12 @@ def test_a_delay_that_cannot_be_found_is_said(
 
 
 def test_what_the_disk_does_not_keep_is_not_used(
-    operator: OperatorSettings, kept: Kept, scanner: Scanner
+    operator: OperatorSettings, kept: Kept, scanner: Scanner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(_: ScanSettings) -> None:
         raise OperationError("disk-full", "scan_settings.json", "the disk is full")
 
-    kept.keep = full  # type: ignore[method-assign]
+    monkeypatch.setattr(kept, "keep", full)
     with pytest.raises(OperationError, match="the disk is full"):
         operator.change({**UNSET, "threshold": 200.0}, [])
     assert operator.view().threshold is None

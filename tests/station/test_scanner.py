@@ -65,7 +65,7 @@ def scanner(bus: Bus, rig: Rig, scene: Scene, tmp_path: Path) -> Iterator[Scanne
 
 
 def swing(seconds: float) -> np.ndarray:
-    return REST_RAD + 0.1 * np.sin(2 * seconds)
+    return np.asarray(REST_RAD + 0.1 * np.sin(2 * seconds))
 
 
 def test_a_scan_is_recorded_saved_and_shown(
@@ -118,12 +118,18 @@ def test_a_scan_is_told_to_whoever_listens(scanner: Scanner, bus: Bus) -> None:
         loop = asyncio.get_running_loop()
         bus.attach(loop)
         finished: asyncio.Future[ScanResult] = loop.create_future()
-        scanner.on_finished = lambda result: loop.call_soon_threadsafe(finished.set_result, result)
+
+        def done(result: ScanResult) -> None:
+            loop.call_soon_threadsafe(finished.set_result, result)
+
+        scanner.on_finished = done
         states: list[ScanState] = []
         with bus.subscribe(without={"devices"}) as reader:
             await asyncio.to_thread(scanner.start, "told")
             while not states or states[-1].points == 0:
-                states.append((await reader.next()).topics.get("scan", scanner.state()))
+                state = (await reader.next()).topics.get("scan", scanner.state())
+                assert isinstance(state, ScanState)
+                states.append(state)
             await asyncio.to_thread(scanner.stop)
             return await asyncio.wait_for(finished, 5), states
 

@@ -1,14 +1,15 @@
 """The 3D view, as a real client sees it over its web socket."""
 
 from collections.abc import Iterator
+from functools import partial
 
 import httpx
 import numpy as np
 import pytest
-import viser
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from app.bench.station.viewer_client import PROTOCOL
 from app.formats.clouds.points import Points, pack_points
 from app.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
 from app.metrology.sensor.camera import Camera, project
@@ -89,7 +90,7 @@ def test_above_its_budget_the_cloud_is_thinned_and_stays_a_subset(
     for seed in range(4):
         shown = scene.points_shown
         add(scene, surface(15_000, seed))
-        until(lambda before=shown: scene.points_shown != before)
+        until(partial(lambda before: scene.points_shown != before, shown))
     # the thinned cloud may be on its way yet
     until(lambda: sum(map(len, viewer.listen().clouds().values())) == scene.points_shown)
     assert 5_000 < scene.points_shown <= 20_000
@@ -136,7 +137,7 @@ def test_the_arm_is_drawn_by_its_own_kinematics(scene: Scene, viewer: Viewer) ->
     """The chain of the drawn frames ends where Eq. 1 has the flange."""
     arm = six_axis_arm()
     scene.set_arm_model(arm)
-    scene.set_arm(REST_RAD)
+    scene.set_arm(REST_RAD.tolist())
     until(lambda: "SetPositionMessage" in viewer.listen(0.1).nodes.get("/arm/1/2/3/4/5/6", {}))
     T, path = np.eye(4), "/arm"
     for number in range(1, 7):
@@ -258,7 +259,7 @@ def test_the_field_lies_in_the_laser_plane_inside_the_picture() -> None:
 
 
 def test_the_views_own_port_answers_the_station_alone(scene: Scene) -> None:
-    address, version = f"127.0.0.1:{scene.port}", f"viser-v{viser.__version__}"
+    address = f"127.0.0.1:{scene.port}"
     asked: list[dict[str, str]] = [
         {},
         dict.fromkeys(scene.key, "wrong"),
@@ -267,11 +268,7 @@ def test_the_views_own_port_answers_the_station_alone(scene: Scene) -> None:
     for headers in asked:
         assert httpx.get(f"http://{address}/", headers=headers).status_code == 403
         with pytest.raises(InvalidStatus, match="403"):
-            connect(
-                f"ws://{address}",
-                additional_headers=headers,
-                subprotocols=[version],  # type: ignore[list-item]
-            )
+            connect(f"ws://{address}", additional_headers=headers, subprotocols=[PROTOCOL])
     assert httpx.get(f"http://{address}/", headers=scene.key).status_code == 200
 
 

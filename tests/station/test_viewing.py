@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points, pack_points
-from app.metrology.fitting.shape import measure_shape
+from app.metrology.fitting.shape import ShapeName, measure_shape
 from app.metrology.transforms import Floats
 from app.station.bus import Bus
 from app.station.view3d.scene import Scene
@@ -85,9 +85,9 @@ class Room:
         scans = self.viewing.state().scans
         return {scan.id for scan in scans if scan.loaded == 1.0} >= set(ids)
 
-    def fitted(self, rectangle: Rectangle, shape: str) -> None:
+    def fitted(self, rectangle: Rectangle, shape: ShapeName) -> None:
         """Fits, and waits for the end of it."""
-        self.viewing.fit(KEY, rectangle, shape)  # type: ignore[arg-type]
+        self.viewing.fit(KEY, rectangle, shape)
         until(lambda: not self.viewing.state().busy)
 
     def told(self) -> list[str]:

@@ -9,6 +9,7 @@ import numpy as np
 import zstandard
 from websockets.sync.client import connect
 
+from app.bench.station.viewer_client import PROTOCOL
 from app.station.view3d.scene import Scene
 
 DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
@@ -23,7 +24,7 @@ class Viewer:
         self._socket = connect(
             f"ws://127.0.0.1:{scene.port}",
             additional_headers=scene.key,
-            subprotocols=["viser-v1.1.1"],  # type: ignore[list-item]
+            subprotocols=[PROTOCOL],
             max_size=None,
             compression=None,
         )

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -15,7 +16,7 @@ from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
 from app.store.store import Store
 
-FIGURES = {
+FIGURES: dict[str, Any] = {
     "total_um": 20.5,
     "verdict": "good",
     "arm_serial": "A1",

@@ -30,7 +30,9 @@ def modules() -> Iterator[tuple[str, ast.Module]]:
 
 def functions(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
     """Those of modules and classes; properties are read like fields, and have such names."""
-    for node in [tree, *(one for one in ast.walk(tree) if isinstance(one, ast.ClassDef))]:
+    nodes: list[ast.Module | ast.ClassDef] = [tree]
+    nodes += [one for one in ast.walk(tree) if isinstance(one, ast.ClassDef)]
+    for node in nodes:
         for child in node.body:
             if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef) and not any(
                 "property" in ast.unparse(decorator) for decorator in child.decorator_list

@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import asynccontextmanager, contextmanager
+from functools import partial
 from pathlib import Path
 
 import aiomqtt
@@ -93,8 +94,8 @@ def watching(
 def test_a_station_that_is_killed_or_hangs_is_lost_within_five_seconds(broker: Mosquitto) -> None:
     async def look(watch: Watch) -> None:
         for name in ("killed", "paused", "well"):
-            await watch.until(lambda name=name: watch.state(name) == "live")  # type: ignore[misc]
-        await watch.until(lambda: watch.shown("killed").events)  # type: ignore[union-attr]
+            await watch.until(partial(lambda name: watch.state(name) == "live", name))
+        await watch.until(lambda: (shown := watch.shown("killed")) and shown.events)
         killed.kill()
         paused.send_signal(signal.SIGSTOP)
         took_s = await watch.until(lambda: watch.state("killed") == watch.state("paused") == "lost")
@@ -179,7 +180,7 @@ def test_a_broker_with_passwords(tmp_path: Path, broker: Mosquitto) -> None:
                 running = asyncio.create_task(watch.broker.run())
                 state = watch.broker.state
                 await watch.until(
-                    lambda watch=watch, state=state: watch.broker.state is not state  # type: ignore[misc]
+                    partial(lambda watch, state: watch.broker.state is not state, watch, state)
                 )
                 assert watch.broker.state.connected is connects, name
                 assert PASSWORD not in watch.broker.state.text
@@ -212,7 +213,7 @@ def test_what_is_published_is_as_the_schema_says(broker: Mosquitto) -> None:
             message = await anext(aiter(later.messages))
             assert message.retain
         for kind, message in heard.items():
-            payload = json.loads(bytes(message.payload))  # type: ignore[arg-type]
+            payload = json.loads(bytes(message.payload))
             validator = Draft202012Validator({**document, **topics[kind]})
             validator.validate(payload)
             assert not validator.is_valid({**payload, "station": 5})
@@ -227,7 +228,7 @@ def test_a_station_ends_at_once_also_amid_its_events(broker: Mosquitto) -> None:
         for turn in range(40):
             watch = Watch(BrokerSettings("127.0.0.1", broker.port), "ending")
             running = asyncio.create_task(watch.broker.run())
-            await watch.until(lambda watch=watch: watch.broker.state.connected)  # type: ignore[misc]
+            await watch.until(partial(lambda watch: watch.broker.state.connected, watch))
             for number in range(60):
                 watch.broker.event(make_event("ending", watch.instance, number))
             await asyncio.sleep(0.0004 * turn)

@@ -2,6 +2,8 @@
 
 import json
 
+from pydantic import BaseModel
+
 from app.supervision.messages import (
     MOST_ALARMS,
     MOST_DEVICES,
@@ -27,8 +29,8 @@ def fleet() -> tuple[Fleet, Clock]:
     return made, clock
 
 
-def take(made: Fleet, message: object, kind: str, retained: bool = False) -> None:
-    made.take("a", kind, message.model_dump_json().encode(), retained)  # type: ignore[attr-defined]
+def take(made: Fleet, message: BaseModel, kind: str, retained: bool = False) -> None:
+    made.take("a", kind, message.model_dump_json().encode(), retained)
 
 
 def presence(state: str, instance: str = "1") -> Presence:

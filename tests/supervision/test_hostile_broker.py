@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import aiomqtt
 import pytest
 
-from app.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient
+from app.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient, MessageHandler
 from app.supervision.remote_stations import MOST_STATIONS
 from tests.supervision.mosquitto import Mosquitto
 from tests.supervision.publishing import make_report
@@ -20,11 +20,11 @@ LONG = b"x" * 20_000_000
 ACCEPTED = b"\x20\x02\x00\x00"
 
 
-def client_of(port: int, take: object) -> BoundedClient:
+def client_of(port: int, take: MessageHandler) -> BoundedClient:
     return BoundedClient(
         "127.0.0.1",
         port,
-        take,  # type: ignore[arg-type]
+        take,
         user=None,
         password=None,
         identifier="bounded",

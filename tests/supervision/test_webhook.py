@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from app.errors import OperationError
+from app.findings import Quality
 from app.station.bus import Event
 from app.supervision import webhook as webhook_room
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
@@ -238,7 +239,7 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
 def test_only_what_is_wanted_is_sent() -> None:
     webhook = Webhook(WebhookSettings(url="http://127.0.0.1:9/", done=False))
     for kind in ("done", "fault", "due", "test"):
-        webhook.offer(notice(1, kind))  # type: ignore[arg-type]
+        webhook.offer(notice(1, kind))
     assert webhook.waiting == 3
     nowhere = Webhook(WebhookSettings())
     nowhere.offer(notice(1))
@@ -274,8 +275,8 @@ def test_addresses() -> None:
 
 
 def test_what_is_told_to_whoever_is_away() -> None:
-    def kind(kind: str, quality: str) -> str | None:
-        return notice_kind(Event(1, kind, quality, ""))  # type: ignore[arg-type]
+    def kind(kind: str, quality: Quality) -> str | None:
+        return notice_kind(Event(1, kind, quality, ""))
 
     assert kind("scan-saved", "good") == "done"
     assert kind("accepted", "good") == "done"
