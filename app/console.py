@@ -1,4 +1,4 @@
-"""How the command line speaks: results on stdout, progress and refusals on stderr."""
+"""How the command line speaks: results on stdout, progress and errors on stderr."""
 
 import errno
 import json
@@ -12,7 +12,9 @@ import typer
 from typer.core import TyperGroup
 
 from app.errors import OperationError
+from app.messages.message import Text
 from app.native.sources import LibraryError
+from app.progress import Progress, no_progress
 from hardware.errors import DeviceError
 
 P = ParamSpec("P")
@@ -46,8 +48,8 @@ def report_errors(command: Callable[P, None]) -> Callable[P, None]:
     def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
         try:
             command(*args, **kwargs)
-        except OperationError as refusal:
-            fail(refusal.line)
+        except OperationError as error:
+            fail(error.line)
         except KeyboardInterrupt:
             fail("interrupted.", INTERRUPTED)
         except (DeviceError, LibraryError) as error:
@@ -76,9 +78,9 @@ def fail(text: str, status: int = FAILED) -> NoReturn:
     raise typer.Exit(status)
 
 
-def warn(text: str) -> None:
+def warn(text: Text) -> None:
     """One line of warning on stderr."""
-    print("crenel: warning: " + " ".join(text.split()), file=sys.stderr)
+    print("crenel: warning: " + " ".join(str(text).split()), file=sys.stderr)
 
 
 def print_json(result: Mapping[str, object]) -> None:
@@ -87,14 +89,14 @@ def print_json(result: Mapping[str, object]) -> None:
 
 
 @contextmanager
-def progress_bar(title: str, shown: bool = True) -> Iterator[Callable[[float, str], None]]:
+def progress_bar(title: str, shown: bool = True) -> Iterator[Progress]:
     """A bar on stderr while the block runs, where stderr is a terminal.
 
     Yields:
-        To be told the share done (0 to 1) and, where it changes, what is being done.
+        Called with the share done (0 to 1) and, where it changes, what is being done.
     """
     if not (shown and sys.stderr.isatty()):
-        yield lambda share, text: None
+        yield no_progress
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -103,13 +105,13 @@ def progress_bar(title: str, shown: bool = True) -> Iterator[Callable[[float, st
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(title, total=1.0)
 
-        def tell(share: float, text: str) -> None:
-            bar.update(task, completed=share, description=text or title)
+        def report(share: float, text: Text) -> None:
+            bar.update(task, completed=share, description=str(text) or title)
 
-        yield tell
+        yield report
 
 
-def print_figures(title: str, figures: Sequence[tuple[str, str]]) -> None:
+def print_figures(title: str, figures: Sequence[tuple[Text, Text]]) -> None:
     """A list of named figures under a title."""
     from rich.table import Table
 
@@ -117,20 +119,20 @@ def print_figures(title: str, figures: Sequence[tuple[str, str]]) -> None:
     table.add_column(style="dim")
     table.add_column()
     for name, value in figures:
-        table.add_row(name, value)
+        table.add_row(str(name), str(value))
     _print(title, table)
 
 
-def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def print_table(title: str, columns: Sequence[Text], rows: Sequence[Sequence[Text]]) -> None:
     """A table whose first column is text and the others are numbers."""
     from rich import box
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
     for i, column in enumerate(columns):
-        table.add_column(column, justify="left" if i == 0 else "right", overflow="fold")
+        table.add_column(str(column), justify="left" if i == 0 else "right", overflow="fold")
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*map(str, row))
     _print(title, table)
 
 

@@ -1,5 +1,7 @@
 """The one exception by which the program declines a job."""
 
+from app.messages.message import Text, join, message
+
 
 class OperationError(Exception):
     """A job that cannot be done honestly with what was given.
@@ -15,19 +17,44 @@ class OperationError(Exception):
         remedy: what to do about it; may be empty.
     """
 
-    def __init__(self, code: str, what: str, why: str = "", remedy: str = "") -> None:
+    def __init__(self, code: str, what: Text, why: Text = "", remedy: Text = "") -> None:
         self.code = code
         self.what = what
         self.why = why
         self.remedy = remedy
-        super().__init__(self.line)
+        super().__init__(code)
+
+    def __str__(self) -> str:
+        return self.line
 
     @property
     def line(self) -> str:
-        """The refusal as one line of text."""
-        text = self.what.rstrip(".")
-        if self.why:
-            text += ": " + self.why.rstrip(".")
-        if self.remedy:
-            text += ". " + self.remedy[0].upper() + self.remedy[1:].rstrip(".")
-        return text + "."
+        """The error as one line of English text, for logs and the console."""
+        what, why, remedy = (str(text).rstrip(".") for text in (self.what, self.why, self.remedy))
+        text = f"{what}: {why}" if why else what
+        return f"{text}. {capital(remedy)}." if remedy else f"{text}."
+
+    @property
+    def reason(self) -> Text:
+        """What happened and why, as a sentence."""
+        return reason_sentence(self.what, self.why)
+
+    @property
+    def text(self) -> Text:
+        """The error as one text for people: what happened, why, and what to do."""
+        return join([self.reason, sentence(self.remedy)], " ") if self.remedy else self.reason
+
+
+def sentence(text: Text) -> Text:
+    """The text with a capital letter and a full stop; empty stays empty."""
+    return message("sentence", text=text) if text else ""
+
+
+def reason_sentence(what: Text, why: Text = "") -> Text:
+    """What happened and, where it is known, why."""
+    return message("what-and-why", what=what, why=why) if why else sentence(what)
+
+
+def capital(text: str) -> str:
+    """With a capital letter, as a sentence begins."""
+    return text[:1].upper() + text[1:]

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from app.messages.message import Text, message
+
 Quality = Literal["good", "attention", "bad", "neutral"]
 
 
@@ -12,23 +14,11 @@ class Finding:
     one of several poses that it is about."""
 
     quality: Quality
-    text: str
-    remedy: str = ""
+    text: Text
+    remedy: Text = ""
     pose: int | None = None
 
 
-def capital(text: str) -> str:
+def capital(text: Text) -> Text:
     """With a capital letter, as a sentence begins."""
-    return text[:1].upper() + text[1:]
-
-
-def figures(value: float, decimals: int = 0) -> str:
-    """A number with a true minus sign, and none where nothing is left of it."""
-    text = f"{abs(value):.{decimals}f}"
-    return f"−{text}" if value < 0 and float(text) else text
-
-
-def format_signed(value: float, decimals: int = 0) -> str:
-    """With its sign always, but for nothing."""
-    text = figures(value, decimals)
-    return f"+{text}" if value > 0 and float(text) else text
+    return message("capital", text=text) if text else ""

@@ -1,10 +1,12 @@
-"""How long work tells how far it is."""
+"""How long work reports how far it is."""
 
 from collections.abc import Callable
 
-Progress = Callable[[float, str], None]
-"""Told the share done, 0 to 1, and what is being worked on (may be empty)."""
+from app.messages.message import Text
+
+Progress = Callable[[float, Text], None]
+"""Called with the share done, 0 to 1, and what is being worked on (may be empty)."""
 
 
-def no_progress(share: float, text: str) -> None:
-    """For those who do not want to know."""
+def no_progress(share: float, text: Text) -> None:
+    """For callers without interest in it."""

@@ -25,8 +25,10 @@ class CompiledPartsHook(BuildHookInterface[Any]):
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         with ThreadPoolExecutor() as side_by_side:  # both wait for compilers, or for the disk
-            parts = (self._build_libraries, self._build_client)
-            for built in [side_by_side.submit(part, build_data) for part in parts]:
+            for built in (
+                side_by_side.submit(self._build_libraries, build_data),
+                side_by_side.submit(self._build_client, build_data, version == "editable"),
+            ):
                 built.result()
 
     def _build_libraries(self, build_data: dict[str, Any]) -> None:
@@ -39,7 +41,8 @@ class CompiledPartsHook(BuildHookInterface[Any]):
         build_data["pure_python"] = False
         build_data["tag"] = native.wheel_tag()
 
-    def _build_client(self, build_data: dict[str, Any]) -> None:
+    def _build_client(self, build_data: dict[str, Any], for_development: bool) -> None:
+        """``for_development``: with the linter and the tests of the client, which take longer."""
         build_data["artifacts"].append("/app/static/")
         frontend = Path(self.root) / "frontend"
         if not (frontend / "package.json").is_file():
@@ -47,7 +50,8 @@ class CompiledPartsHook(BuildHookInterface[Any]):
                 return  # a source package that already carries the built client
             raise RuntimeError("neither the client's sources nor the built client are here")
         node = node_folder()
-        self._npm(node, frontend, "ci", "--no-audit", "--no-fund")
+        omitted = () if for_development else ("--omit=dev",)
+        self._npm(node, frontend, "ci", "--no-audit", "--no-fund", *omitted)
         self._npm(node, frontend, "run", "build")
 
     def _npm(self, node: Path, frontend: Path, *arguments: str) -> None:

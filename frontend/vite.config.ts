@@ -12,11 +12,19 @@ export default defineConfig({
     target: "es2022",
     license: { fileName: "licences.md" },
     chunkSizeWarningLimit: 600,
-    // the client, and the page that is there while the station starts
-    rollupOptions: { input: ["index.html", "starting.html"] },
+    rollupOptions: {
+      // the client, and the page that is there while the station starts
+      input: ["index.html", "starting.html"],
+      // a language is one file, the client's texts and the station's
+      output: {
+        codeSplitting: {
+          groups: [{ test: /\.ftl/, debugName: "texts", name: (id) => `texts-${/(\w+)\.ftl/.exec(id)?.[1]}` }],
+        },
+      },
+    },
   },
   server: {
-    fs: { allow: [".", "../app/strings"] },
+    fs: { allow: [".", "../app/messages"] },
     proxy: {
       "/api": { target: station, ws: true },
       "/viewer": { target: station, ws: true },

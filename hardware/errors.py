@@ -1,5 +1,7 @@
 """What a device driver raises."""
 
+from app.messages.message import Text
+
 
 class DeviceError(Exception):
     """A device could not be opened, or was lost while in use.
@@ -9,7 +11,11 @@ class DeviceError(Exception):
         remedy: what to do about it; may be empty.
     """
 
-    def __init__(self, what: str, remedy: str = "") -> None:
+    def __init__(self, what: Text, remedy: Text = "") -> None:
         self.what = what
         self.remedy = remedy
-        super().__init__(f"{what.rstrip('.')}. {remedy}".strip())
+        super().__init__(what, remedy)
+
+    def __str__(self) -> str:
+        """The error as one line of English text, for logs and the console."""
+        return f"{str(self.what).rstrip('.')}. {self.remedy!s}".strip()

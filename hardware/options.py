@@ -6,6 +6,8 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from app.messages.message import join, message
+from app.messages.validation import validation_text
 from hardware.errors import DeviceError
 
 
@@ -38,16 +40,23 @@ def read_options(model: type[OptionsT], options: Mapping[str, object], table: st
     known = sorted(model.model_fields)
     if first["type"] == "extra_forbidden":
         near = get_close_matches(key, known, 1)
-        meant = f"Did you mean {near[0]}? " if near else ""
+        takes = message("driver-takes", names=", ".join(known))
         raise DeviceError(
-            f"station.toml, [{table}]: the driver has no option {key!r}",
-            f"{meant}It takes {', '.join(known)}.",
+            message("station-toml-driver-has-no-option", table=table, key=repr(key)),
+            join([message("did-you-mean", name=near[0]), takes], " ") if near else takes,
         )
     if first["type"] == "missing":
         raise DeviceError(
-            f"station.toml, [{table}]: the option {key!r} is missing", f"Add a line {key} = …"
+            message("station-toml-option-missing", table=table, key=repr(key)),
+            message("add-line", key=key),
         )
     raise DeviceError(
-        f"station.toml, [{table}]: {key} = {first['input']!r} cannot be used: {first['msg']}",
-        f"Correct {key}.",
+        message(
+            "station-toml-value-unusable",
+            table=table,
+            key=key,
+            value=repr(first["input"]),
+            reason=validation_text(first),
+        ),
+        message("correct-option", key=key),
     )

@@ -11,6 +11,7 @@ from difflib import get_close_matches
 from importlib.metadata import EntryPoint, entry_points
 from typing import cast
 
+from app.messages.message import Text, join, message
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, SensorDriver
 
@@ -68,34 +69,47 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
     found = _find_drivers(group)
     if name not in found:
         near = get_close_matches(name, found, 1)
-        meant = f"Did you mean {near[0]}? " if near else ""
+        drivers = message("drivers-are", names=", ".join(sorted(found)))
         raise DeviceError(
-            f"station.toml, [{table}]: there is no driver {name!r}",
-            f"{meant}Drivers there are: {', '.join(sorted(found))}.",
+            message("station-toml-no-such-driver", table=table, name=repr(name)),
+            join([message("did-you-mean", name=near[0]), drivers], " ") if near else drivers,
         )
     entry, *others = found[name]
     if others:
-        packages = " and ".join(_package(each) for each in (entry, *others))
+        packages = join([_package(each) for each in (entry, *others)])
         raise DeviceError(
-            f"The {table} driver {name!r} is offered by {packages}", "Uninstall one of them."
+            message("driver-offered", table=table, name=repr(name), packages=packages),
+            message("uninstall-one-them"),
         )
     try:
         loaded = entry.load()
     except Exception as error:
         raise DeviceError(
-            f"The {table} driver {name!r} of {_package(entry)} cannot be loaded: "
-            f"{type(error).__name__}: {error}",
-            "Reinstall or update that package.",
+            message(
+                "driver-cannot-be-loaded",
+                table=table,
+                name=repr(name),
+                package=_package(entry),
+                kind=type(error).__name__,
+                error=error,
+            ),
+            message("reinstall-update-package"),
         ) from error
     if not callable(loaded):
         raise DeviceError(
-            f"The {table} driver {name!r} of {_package(entry)} is not callable: {entry.value}",
-            "Its entry point must name a function that takes the options.",
+            message(
+                "driver-not-callable",
+                table=table,
+                name=repr(name),
+                package=_package(entry),
+                value=entry.value,
+            ),
+            message("entry-point-must-name-function-takes"),
         )
     return cast(Callable[[Mapping[str, object]], object], loaded)
 
 
-def _package(entry: EntryPoint) -> str:
+def _package(entry: EntryPoint) -> Text:
     if entry.dist is None:
-        return "this program"
-    return f"the package {entry.dist.name} {entry.dist.version}"
+        return message("this-program")
+    return message("package-named", name=entry.dist.name, version=entry.dist.version)

@@ -7,6 +7,7 @@ Such are ``/sys/bus/w1/devices/28-*/temperature`` of a DS18B20 and
 import errno
 from pathlib import Path
 
+from app.messages.message import message, quantity
 from hardware.errors import DeviceError
 
 LOWEST_C, HIGHEST_C = -40.0, 85.0
@@ -27,10 +28,12 @@ class FileThermometer:
             celsius = int(self._path.read_text()) / 1000.0
         except (OSError, ValueError) as error:
             raise DeviceError(
-                f"The thermometer {self._path} cannot be read: {error}", "Check its connection."
+                message("thermometer-cannot-read", path=self._path, error=error),
+                message("check-connection"),
             ) from error
         if not LOWEST_C < celsius < HIGHEST_C:
             raise DeviceError(
-                f"The thermometer {self._path} reads {celsius:.1f} °C", "Check its connection."
+                message("thermometer-reads", path=self._path, celsius=quantity(celsius, "°C", 1)),
+                message("check-connection"),
             )
         return celsius

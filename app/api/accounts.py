@@ -8,11 +8,11 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.api.auth import ROLE_NAMES
 from app.api.authorization import TheVisitor
 from app.api.problems import NotFoundError
+from app.messages.catalogue import ENGLISH, translator
+from app.messages.message import Text, join, message
 from app.operations.context import Context, TheContext
 from app.store.accounts import Account, Role
 from app.store.audit import AuditEntry
-from app.strings.files import ENGLISH
-from app.strings.sentences import translator
 from app.wire.schema import (
     AccountChange,
     AccountSummary,
@@ -46,8 +46,12 @@ def change(
 ) -> AccountSummary:
     """Another role, or a new password; the person is signed out everywhere."""
     account = _account(context, name)
-    changed = [asked.role or "", "new password" if asked.password is not None else ""]
-    request.state.detail = ", ".join([account.name, *filter(None, changed)])
+    changed: list[Text] = [account.name]
+    if asked.role is not None:
+        changed.append(asked.role)
+    if asked.password is not None:
+        changed.append(message("new-password"))
+    request.state.detail = join(changed)
     if asked.role is not None:
         context.store.accounts.set_role(account.name, Role[asked.role])
     if asked.password is not None:
@@ -86,7 +90,7 @@ def add_kiosk_link(
 def remove_kiosk_link(wall_id: str, context: TheContext) -> None:
     """A wall-screen link that shows nothing from now on."""
     if all(link.id != wall_id for link in context.store.login_sessions.kiosk_links()):
-        raise NotFoundError(f"There is no wall-screen link {wall_id}.")
+        raise NotFoundError(message("there-no-wall-screen-link", wall_id=wall_id))
     context.store.login_sessions.remove_kiosk_link(wall_id)
 
 
@@ -98,7 +102,7 @@ def audit(
 ) -> list[AuditEntry]:
     """The last entries of the audit log that have all the words, newest first.
 
-    They are sought as written, and as the reader's language has them.
+    They are searched for in English and in the reader's language.
     """
     return context.store.audit.newest(AUDIT_LIMIT, words, translator(lang) or str)
 
@@ -106,7 +110,7 @@ def audit(
 def _account(context: Context, name: str) -> Account:
     account = context.store.accounts.get(name)
     if account is None:
-        raise NotFoundError(f"There is no account {name}.")
+        raise NotFoundError(message("there-no-account", name=name))
     return account
 
 

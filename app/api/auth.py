@@ -14,6 +14,7 @@ from app.api.authorization import (
     token_of,
     visitor_of,
 )
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.security.errors import AccessDeniedError
 from app.station.control_lease import Control
@@ -61,12 +62,14 @@ def sign_in(
         asked.name, asked.password, address_of(request), browser_token(request)
     )
     if account is None:
-        context.store.audit.note(asked.name, address_of(request), "signed in", "wrong password")
+        context.store.audit.note(
+            asked.name, address_of(request), message("signed"), message("wrong-password")
+        )
         raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
             "wrong-password",
-            "Name and password do not belong together.",
-            "Try again, or ask an administrator for a new password",
+            message("name-password-do-belong-together"),
+            message("try-again-ask-administrator-new-password"),
         )
     _trust_browser(account.name, request, response, context)
     return _begin(account.name, request, response, context)
@@ -79,7 +82,7 @@ def sign_in_guest(
     """Lets the guest of a demonstration in."""
     guest = context.authenticator.guest_by_code(asked.code, address_of(request))
     if guest is None:
-        raise _wrong_code(context, request, "entered by the console's code")
+        raise _wrong_code(context, request, message("entered-consoles-code"))
     return _begin(guest, request, response, context)
 
 
@@ -92,7 +95,7 @@ def first_admin(
         asked.code, asked.name, asked.password, address_of(request)
     )
     if account is None:
-        raise _wrong_code(context, request, "made the first administrator")
+        raise _wrong_code(context, request, message("made-first-administrator"))
     _trust_browser(account.name, request, response, context)
     return _begin(account.name, request, response, context)
 
@@ -107,11 +110,11 @@ def sign_in_kiosk(
         raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
             "wall-link",
-            "This link is not good any more.",
-            "Ask an administrator for a new one",
+            message("link-good-any-more"),
+            message("ask-administrator-new-one"),
         )
     set_cookie(response, request, asked.code, wall=True)
-    context.store.audit.note(visitor.name, address_of(request), "opened as a wall screen")
+    context.store.audit.note(visitor.name, address_of(request), message("opened-wall-screen"))
     return _session(context, visitor)
 
 
@@ -122,7 +125,7 @@ def sign_out(request: Request, response: Response, context: TheContext) -> SignI
     if visitor is not None:
         context.lease.leave(visitor.id)
         context.store.login_sessions.end(token)
-        context.store.audit.note(visitor.name, address_of(request), "signed out")
+        context.store.audit.note(visitor.name, address_of(request), message("signed-out"))
     set_cookie(response, request, "", wall=False)
     return _session(context, None)
 
@@ -139,7 +142,10 @@ def change_password(
     address, browser = address_of(request), browser_token(request)
     if context.authenticator.sign_in(visitor.name, asked.old, address, browser) is None:
         raise AccessDeniedError(
-            HTTPStatus.FORBIDDEN, "wrong-password", "The old password is wrong.", "Try again"
+            HTTPStatus.FORBIDDEN,
+            "wrong-password",
+            message("old-password-wrong"),
+            message("try-again"),
         )
     context.store.accounts.set_password(visitor.name, asked.new)
     context.store.login_sessions.end_all(visitor.name)
@@ -188,7 +194,7 @@ def current_user(visitor: Principal | None) -> CurrentUser | None:
 def _begin(name: str, request: Request, response: Response, context: Context) -> SignInState:
     token = context.store.login_sessions.begin(name, request.headers.get("user-agent", ""))
     set_cookie(response, request, token, wall=False)
-    context.store.audit.note(name, address_of(request), "signed in")
+    context.store.audit.note(name, address_of(request), message("signed"))
     return _session(context, context.store.login_sessions.principal(token))
 
 
@@ -208,11 +214,11 @@ def _session(context: Context, visitor: Principal | None) -> SignInState:
     )
 
 
-def _wrong_code(context: Context, request: Request, act: str) -> AccessDeniedError:
-    context.store.audit.note("", address_of(request), act, "wrong code")
+def _wrong_code(context: Context, request: Request, act: Text) -> AccessDeniedError:
+    context.store.audit.note("", address_of(request), act, message("wrong-code"))
     return AccessDeniedError(
         HTTPStatus.UNAUTHORIZED,
         "wrong-code",
-        "The code is wrong.",
-        "Take the one that the console shows since the station's last start",
+        message("code-wrong"),
+        message("take-one-console-shows-since-stations"),
     )

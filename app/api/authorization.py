@@ -14,6 +14,7 @@ from starlette.responses import Response
 from starlette.websockets import WebSocket
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.operations.context import context_of
 from app.security.errors import AccessDeniedError
 from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, has_right
@@ -51,21 +52,20 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
 @contextmanager
 def _audit(connection: HTTPConnection, rule: Rule, visitor: Principal) -> Iterator[None]:
     """Writes into the audit log what is done inside, or why it was not."""
-    outcome = "failed"
+    outcome: Text = message("act-failed")
     try:
         yield
         outcome = "done"
-    except OperationError as refusal:
-        outcome = refusal.line
+    except OperationError as error:
+        outcome = error.text
         raise
     except AccessDeniedError as denied:
         outcome = denied.detail
         raise
     finally:
-        words = getattr(connection.state, "detail", "") or ", ".join(
-            str(value) for value in connection.path_params.values()
-        )
-        act = f"{rule.act}: {words}" if words else rule.act
+        named = [str(value) for value in connection.path_params.values()]
+        detail: Text = getattr(connection.state, "detail", "") or ", ".join(named)
+        act = message("act-with-detail", act=rule.act, detail=detail) if detail else rule.act
         context_of(connection).store.audit.note(visitor.name, address_of(connection), act, outcome)
 
 
@@ -74,7 +74,10 @@ def _rule(connection: HTTPConnection) -> Rule:
     rule = ROUTES.get((connection.scope.get("method", WEBSOCKET), path))
     if rule is None:
         raise AccessDeniedError(
-            HTTPStatus.FORBIDDEN, "not-allowed", f"Nobody may use {connection.url.path}.", ""
+            HTTPStatus.FORBIDDEN,
+            "not-allowed",
+            message("nobody-may-use", path=connection.url.path),
+            "",
         )
     return rule
 
@@ -83,7 +86,7 @@ def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | No
     """The visitor, who has the right; control is looked at after this."""
     if visitor is None:
         denied = AccessDeniedError(
-            HTTPStatus.UNAUTHORIZED, "signed-out", "Nobody is signed in here.", "Sign in, and go on"
+            HTTPStatus.UNAUTHORIZED, "signed-out", message("nobody-signed-here"), message("sign-go")
         )
     elif has_right(rule.right, visitor.role, visitor.kiosk):
         return visitor
@@ -91,19 +94,19 @@ def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | No
         denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
-            "A wall screen may look on, not do this.",
-            "Sign in at a browser of your own",
+            message("wall-screen-may-look-do"),
+            message("sign-browser-your-own"),
         )
     else:
-        needed = "an administrator" if rule.right is Right.administer else "an operator"
+        role = "admin" if rule.right is Right.administer else "operator"
         denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
-            f"{visitor.name} may not do this: it takes {needed}.",
-            f"Ask {needed}",
+            message("may-not-do-this", name=visitor.name, role=role),
+            message("ask-somebody-with-role", role=role),
         )
     if connection.scope["type"] == "websocket":
-        raise WebSocketException(POLICY_VIOLATION, denied.detail)
+        raise WebSocketException(POLICY_VIOLATION, str(denied.detail))
     raise denied
 
 

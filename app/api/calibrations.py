@@ -13,6 +13,7 @@ from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
 from app.guide.calibration.accepted import restore_result
 from app.guide.calibration.session_folder import SessionFolder
+from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.operations.home import calibration_summary
 from app.store.calibrations import CalibrationRecord
@@ -58,13 +59,15 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
 def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
     """One of its pictures."""
     found: Folder | None = SessionFolder(_record(context, calibration_id).file.parent).image(name)
-    return send_file(found, f"This calibration has no picture {name}.", "image/png", cached=True)
+    return send_file(
+        found, message("calibration-has-no-picture", name=name), "image/png", cached=True
+    )
 
 
 def _record(context: Context, calibration_id: str) -> CalibrationRecord:
     record = context.store.calibrations.get(calibration_id)
     if record is None:
-        raise NotFoundError(f"There is no calibration {calibration_id}.")
+        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
     return record
 
 

@@ -9,13 +9,13 @@ from starlette.responses import Response
 
 from app.api.support import bundle
 from app.errors import OperationError
+from app.messages.catalogue import ENGLISH, translator
+from app.messages.message import Text, message
 from app.monitoring.health import Health
 from app.monitoring.log_store import Level, LogLine
 from app.operations.context import Context, TheContext
 from app.operations.health_checks import HealthChecker
 from app.store.backup import BackupRecord, display_backup
-from app.strings.files import ENGLISH
-from app.strings.sentences import translator
 from app.timestamps import utc_now
 
 router = APIRouter(prefix="/api")
@@ -30,7 +30,7 @@ class BackupState:
     share: float | None
     folder: str
     last: BackupRecord | None
-    trouble: str
+    trouble: Text
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,9 @@ class HealthView:
 
 @router.get("/health")
 def health(context: TheContext) -> HealthView:
-    """Every check with what was found, why it matters, and what to do."""
-    looked = context.monitoring.health or HealthChecker(context).look()
-    return HealthView(looked, _backup(context))
+    """Every check with its result, why it matters, and what to do."""
+    checked = context.monitoring.health or HealthChecker(context).look()
+    return HealthView(checked, _backup(context))
 
 
 @router.get("/logs")
@@ -57,7 +57,7 @@ def logs(
 ) -> list[LogLine]:
     """The newest lines of a level or above that contain all the words, newest first.
 
-    They are sought as written, and as the reader's language has them.
+    They are searched for in English and in the reader's language.
     """
     return context.monitoring.logs.read(level, words, LINES, translator(lang))
 
@@ -70,7 +70,9 @@ def support(context: TheContext) -> Response:
         Refusal: one is being made: many at once would keep Stop waiting.
     """
     if not BUNDLING.acquire(blocking=False):
-        raise OperationError("busy", "A support bundle is being made already", remedy="Wait for it")
+        raise OperationError(
+            "busy", message("support-bundle-being-made-already"), remedy=message("wait")
+        )
     try:
         content = bundle(context)
     finally:

@@ -123,10 +123,10 @@ class _Tab:
 
     async def _receive(self) -> None:
         while True:
-            message = await self._socket.receive()
-            if message["type"] == "websocket.disconnect":
+            received = await self._socket.receive()
+            if received["type"] == "websocket.disconnect":
                 return
-            text = message.get("text")
+            text = received.get("text")
             try:
                 if text is None or len(text) > LONGEST_REQUEST:
                     raise ValueError

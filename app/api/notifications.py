@@ -10,6 +10,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.api.authorization import TheVisitor
 from app.api.problems import NotFoundError
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.supervision.webhook import WebhookSettings
 from app.wire.schema import RequestBody as Asked
@@ -29,7 +30,7 @@ class Notifications:
     sent: int
     given_up: int
     waiting: int
-    trouble: str
+    trouble: Text
 
 
 class NotificationsChange(Asked):
@@ -65,7 +66,7 @@ def notifications(context: TheContext) -> Notifications:
 
 @router.post("/notifications")
 def change(asked: NotificationsChange, context: TheContext) -> Notifications:
-    """Sets where they go; another address needs its secret given anew."""
+    """Sets where they go; another address needs its secret again."""
     watch, before = context.monitoring, context.monitoring.webhook.settings
     settings = WebhookSettings(
         url=asked.url,
@@ -86,8 +87,10 @@ def change(asked: NotificationsChange, context: TheContext) -> Notifications:
 async def send_test(context: TheContext) -> Notifications:
     """Sends one; how it fared shows a moment later."""
     if not context.monitoring.webhook.settings.url:
-        raise OperationError("no-webhook", "There is no address yet", remedy="Give one first")
-    context.monitoring.notify("test", f"{context.station.name} says hello.")
+        raise OperationError(
+            "no-webhook", message("there-no-address-yet"), remedy=message("give-one-first")
+        )
+    context.monitoring.notify("test", message("says-hello", name=context.station.name))
     return _notifications(context)
 
 
@@ -102,7 +105,7 @@ def api_tokens(context: TheContext) -> list[ApiTokenSummary]:
 def add_api_token(
     asked: NewApiToken, request: Request, context: TheContext, visitor: TheVisitor
 ) -> ApiTokenSummary:
-    """A new token, which is told this once."""
+    """A new token, which is shown this once."""
     request.state.detail = asked.name
     one, token = context.store.api_tokens.add(asked.name, visitor.name)
     return ApiTokenSummary(one.id, one.name, one.made_by, one.made_at, token)
@@ -112,7 +115,7 @@ def add_api_token(
 def remove_api_token(scraper_id: str, context: TheContext) -> None:
     """A token that is good for nothing from now on."""
     if all(one.id != scraper_id for one in context.store.api_tokens.all()):
-        raise NotFoundError(f"There is no token {scraper_id}.")
+        raise NotFoundError(message("there-no-token", scraper_id=scraper_id))
     context.store.api_tokens.remove(scraper_id)
 
 

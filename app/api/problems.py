@@ -7,14 +7,17 @@ from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Message as AsgiMessage
 
 from app.errors import OperationError
 from app.guide.calibration.guide import StaleCommandError
 from app.guide.common.guided_session import STALE
+from app.messages.message import Text, join, message, quantity
+from app.messages.validation import validation_text
 from app.security.errors import AccessDeniedError, TooManyAttemptsError
 from app.store.database import NOT_SAVED
-from app.wire.problem import problem
+from app.wire.problem import RequestError, problem
 
 log = logging.getLogger(__name__)
 
@@ -23,14 +26,22 @@ STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507}
 """Of refusals that programs know by their status."""
 
 
-def operation_problem(refusal: OperationError, status: int = UNPROCESSABLE) -> Response:
-    why = f": {refusal.why}" if refusal.why else ""
-    detail = f"{refusal.what.rstrip('.')}{why}".rstrip(".") + "."
-    return problem(status, refusal.code, detail, refusal.remedy)
+def operation_problem(error: OperationError, status: int = UNPROCESSABLE) -> Response:
+    detail = message("error-what", what=error.what)
+    if error.why:
+        detail = message("error-what-and-why", what=error.what, why=error.why)
+    return problem(status, error.code, detail, error.remedy)
 
 
 class NotFoundError(Exception):
     """What was asked for is not there (any more)."""
+
+    def __init__(self, text: Text) -> None:
+        super().__init__(text)
+        self.text = text
+
+    def __str__(self) -> str:
+        return str(self.text)
 
 
 def install(app: FastAPI) -> None:
@@ -48,7 +59,9 @@ def install(app: FastAPI) -> None:
 async def _answer_operation_error(request: Request, error: Exception) -> Response:
     assert isinstance(error, OperationError)
     if error.code == NOT_SAVED:
-        log.warning("%s %s was not kept: %s", request.method, request.url.path, error.why)
+        log.warning(
+            message("log-not-saved", method=request.method, path=request.url.path, reason=error.why)
+        )
     return operation_problem(error, STATUSES.get(error.code, UNPROCESSABLE))
 
 
@@ -57,14 +70,15 @@ async def _answer_stale_command(request: Request, error: Exception) -> Response:
     return problem(
         HTTPStatus.CONFLICT,
         "stale-view",
-        "The calibration went on meanwhile; nothing was done.",
-        "Look at the present step, and act on that.",
+        message("calibration-went-meanwhile-nothing-done"),
+        message("look-present-step-act"),
         error.view,
     )
 
 
 async def _answer_not_found(request: Request, error: Exception) -> Response:
-    return problem(HTTPStatus.NOT_FOUND, "not-found", str(error))
+    assert isinstance(error, NotFoundError)
+    return problem(HTTPStatus.NOT_FOUND, "not-found", error.text)
 
 
 async def _answer_access_denied(request: Request, error: Exception) -> Response:
@@ -78,8 +92,8 @@ async def _answer_too_many(request: Request, error: Exception) -> Response:
     answer = problem(
         HTTPStatus.TOO_MANY_REQUESTS,
         "too-many-tries",
-        "Too many wrong tries.",
-        f"Wait {wait_s} s, then try again",
+        message("too-many-wrong-tries"),
+        message("wait-s-then-try-again", wait=quantity(wait_s, "s")),
     )
     answer.headers["Retry-After"] = str(wait_s)
     return answer
@@ -89,18 +103,20 @@ async def _answer_invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     first = error.errors()[0]
     place = ".".join(str(part) for part in first["loc"] if part != "body")
-    text = f"{place}: {first['msg']}" if place else str(first["msg"])
-    return problem(UNPROCESSABLE, "bad-request", f"The request is not understood: {text}.")
+    reason = validation_text(first)
+    text = join([place, reason], ": ") if place else reason
+    return problem(UNPROCESSABLE, "bad-request", message("request-understood", text=text))
 
 
 async def _answer_http_error(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     if error.status_code == HTTPStatus.NOT_FOUND:
-        return problem(404, "not-found", f"There is nothing at {request.url.path}.")
+        return problem(404, "not-found", message("there-nothing", path=request.url.path))
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        text = f"{request.url.path} does not take {request.method}."
-        return problem(405, "method-not-allowed", text)
-    return problem(error.status_code, "bad-request", f"{error.detail}")
+        unsupported = message("does-take", path=request.url.path, method=request.method)
+        return problem(405, "method-not-allowed", unsupported)
+    text = error.text if isinstance(error, RequestError) else error.detail
+    return problem(error.status_code, "bad-request", text)
 
 
 class _Unexpected:
@@ -112,10 +128,10 @@ class _Unexpected:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         begun = False
 
-        async def sending(message: Message) -> None:
+        async def sending(part: AsgiMessage) -> None:
             nonlocal begun
             begun = True
-            await send(message)
+            await send(part)
 
         try:
             await self._app(scope, receive, sending)
@@ -126,7 +142,7 @@ class _Unexpected:
             answer = problem(
                 500,
                 "unexpected",
-                "The server failed at this; what was taken before is kept.",
-                "Try again. If it happens again, the station's log has the details.",
+                message("server-failed-what-taken-before-kept"),
+                message("try-again-if-happens-again-stations"),
             )
             await answer(scope, receive, send)

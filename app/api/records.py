@@ -7,6 +7,7 @@ from starlette.responses import Response
 
 from app.api.files.file_response import send_file
 from app.api.problems import NotFoundError
+from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
 from app.wire.schema import CalibrationSummary, Home, ScanSummary
@@ -31,7 +32,7 @@ def calibration_file(calibration_id: str, context: TheContext) -> Response:
     """An accepted calibration, as described in docs/formats.md."""
     record = context.store.calibrations.get(calibration_id)
     if record is None:
-        raise NotFoundError(f"There is no calibration {calibration_id}.")
+        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
     return _download(record.file, "application/json", f"calibration-{record.id}.json")
 
 
@@ -58,9 +59,9 @@ def cloud(scan_id: str, context: TheContext) -> Response:
     """A scan's points in the arm frame."""
     scan = context.store.scans.get(scan_id)
     if scan is None:
-        raise NotFoundError(f"There is no scan {scan_id}.")
+        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 
 
 def _download(path: Path, media_type: str, name: str) -> Response:
-    return send_file(path, f"{path.name} is not in the data folder any more.", media_type, name)
+    return send_file(path, message("data-folder-any-more", name=path.name), media_type, name)

@@ -14,6 +14,7 @@ from starlette.responses import Response
 
 from app.api.problems import NotFoundError
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.report.reports import render_report
 
@@ -53,7 +54,7 @@ async def verification_report(
 def _calibration(context: Context, record_id: str) -> Folder:
     record = context.store.calibrations.get(record_id)
     if record is None:
-        raise NotFoundError(f"There is no calibration {record_id}.")
+        raise NotFoundError(message("there-no-calibration-2", record_id=record_id))
     return record.file.parent
 
 
@@ -64,12 +65,12 @@ def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:
         NotFound: none of this kind has this number.
     """
     past = context.arm_guide.history
-    finished: dict[ArmRecordKind, tuple[Callable[[], Sequence[Finished]], str]] = {
-        "checks": (past.checks, f"There is no check of the arm {record_id}."),
-        "tips": (past.tip_checks, f"There is no check of the tip {record_id}."),
+    finished: dict[ArmRecordKind, tuple[Callable[[], Sequence[Finished]], Text]] = {
+        "checks": (past.checks, message("there-no-check-arm", record_id=record_id)),
+        "tips": (past.tip_checks, message("there-no-check-tip", record_id=record_id)),
         "identifications": (
             past.identifications,
-            f"There is no identification of the arm {record_id}.",
+            message("there-no-identification-arm", record_id=record_id),
         ),
     }
     all_of_kind, missing = finished[kind]
@@ -81,7 +82,7 @@ def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:
 def _verification(context: Context, record_id: str) -> Folder:
     folder = context.store.folder / "verifications" / record_id
     if not folder.is_dir():
-        raise NotFoundError(f"There is no verification {record_id}.")
+        raise NotFoundError(message("there-no-verification", record_id=record_id))
     return folder
 
 

@@ -5,6 +5,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from app.errors import OperationError
 from app.guide.common.commands import stop_simulation
+from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.devices.rig import Devices
 from app.wire.schema import Exposure, OnOff, ScanStart, ScanStatus
@@ -24,7 +25,7 @@ def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatu
     job = context.jobs.current
     if job is not None:
         raise OperationError(
-            "busy", "A scan cannot start now", job.text or job.title, "Wait, or stop it"
+            "busy", message("scan-cannot-start-now"), job.text or job.title, message("wait-stop")
         )
     context.scanner.start(asked.name if asked else "")
     return context.scan_state()
@@ -73,7 +74,7 @@ def exposure(asked: Exposure, context: TheContext) -> Devices:
 def stop(context: TheContext) -> None:
     """Laser off, hand stopped, scan stopped; the laser first."""
     stop_everything(context)
-    context.bus.event("stopped", "Stopped: the laser is off.", "attention")
+    context.bus.event("stopped", message("stopped-laser-off"), "attention")
 
 
 def stop_everything(context: Context) -> None:

@@ -10,6 +10,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.api.problems import NotFoundError
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.operations.recovery import DELETED
 from app.station.view3d.selection import Rectangle
@@ -56,7 +57,7 @@ def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
     if asked.on:
         context.view_controller.show(_as_stored_scan(_scan(scan_id, context)))
     else:
-        _refuse_running(scan_id, context, "It cannot be hidden now")
+        _refuse_running(scan_id, context, message("cannot-hidden-now"))
         context.view_controller.hide(scan_id)
     return context.view_controller.state()
 
@@ -67,7 +68,7 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
     scan = _scan(scan_id, context)
     name = " ".join(asked.name.split())
     if not name:
-        raise OperationError("no-name", "A scan needs a name", remedy="write one")
+        raise OperationError("no-name", message("scan-needs-name"), remedy=message("write-one"))
     context.store.scans.rename(scan.id, name)
     context.view_controller.note_records()
 
@@ -75,7 +76,7 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
 @router.delete("/scans/{scan_id}", status_code=HTTP_204_NO_CONTENT)
 def delete(scan_id: ScanId, context: TheContext) -> None:
     """Deletes a finished scan: recording, cloud, and its place in the list."""
-    _refuse_running(scan_id, context, "It cannot be deleted now")
+    _refuse_running(scan_id, context, message("cannot-deleted-now"))
     scan = _scan(scan_id, context)
     context.view_controller.hide(scan.id)
     context.scanner.forget(scan.id)
@@ -90,13 +91,13 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
         for left in scan.folder.parent.glob(f"{DELETED}*"):
             with contextlib.suppress(FileNotFoundError):  # another request is at it
                 shutil.rmtree(left)
-    context.bus.event("scan-deleted", f"{scan.name} was deleted")
+    context.bus.event("scan-deleted", message("deleted", name=scan.name))
 
 
 def _scan(scan_id: str, context: Context) -> ScanRecord:
     scan = context.store.scans.get(scan_id)
     if scan is None:
-        raise NotFoundError(f"There is no scan {scan_id}.")
+        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
     return scan
 
 
@@ -104,7 +105,7 @@ def _as_stored_scan(scan: ScanRecord) -> StoredScan:
     return StoredScan(scan.id, scan.name, scan.folder, scan.frames, scan.seconds)
 
 
-def _refuse_running(scan_id: str, context: Context, what: str) -> None:
+def _refuse_running(scan_id: str, context: Context, what: Text) -> None:
     state = context.scanner.state()
     if state.scan_id == scan_id and state.state in ("running", "stopping"):
-        raise OperationError("busy", what, "it is being recorded", "stop the scan first")
+        raise OperationError("busy", what, message("being-recorded"), message("stop-scan-first"))

@@ -6,6 +6,7 @@ from fastapi import APIRouter
 
 from app.errors import OperationError
 from app.formats.session.calibration_session import ARM
+from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
 from app.station.operator_settings import PassRecord, StationSettings
 from app.wire.schema import OnOff, SettingsChange
@@ -41,8 +42,8 @@ def find_delay(context: TheContext) -> StationSettings:
     if scan is None:
         raise OperationError(
             "no-scan",
-            "There is no scan to find the delay from",
-            remedy="Scan a flat plate, nearer and away again several times, then find it",
+            message("there-no-scan-find-delay"),
+            remedy=message("scan-flat-plate-nearer-away-again"),
         )
     source = _source(context, scan.name, scan.folder, scan.calibration_id)
     context.settings.find_delay(context.jobs, lambda: source)
@@ -67,21 +68,21 @@ def use_delay(asked: OnOff, context: TheContext) -> StationSettings:
 
 
 def _take_pass(context: Context) -> PassRecord:
-    """A scan that the hand has just taken."""
-    context.scanner.start("Pass over the plate")
+    """A scan that the simulated operator has just taken."""
+    context.scanner.start(message("pass-over-plate"))
     try:
         whole = context.simulated_scan.pass_over_plate()
     finally:
         result = context.scanner.stop()
     if not whole or result is None:
-        raise OperationError("pass-stopped", "The pass was stopped", remedy="Start it again")
+        raise OperationError("pass-stopped", message("pass-stopped"), remedy=message("start-again"))
     return _source(context, result.name, result.folder, result.calibration_id)
 
 
-def _source(context: Context, name: str, folder: Path, calibration_id: str) -> PassRecord:
+def _source(context: Context, name: Text, folder: Path, calibration_id: str) -> PassRecord:
     """A scan with the calibration that it was taken with."""
     calibration = context.store.calibrations.get(calibration_id)
     if calibration is None:
-        raise OperationError("no-calibration", f"The calibration of {name} is not here any more")
+        raise OperationError("no-calibration", message("calibration-here-any-more", name=name))
     file = calibration.file
     return PassRecord(name, folder / "scan.mcap", file, file.parent / ARM)

@@ -7,9 +7,9 @@ import sys
 import threading
 import traceback
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import asdict
+from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from pydantic_core import to_jsonable_python
 
 from app.errors import OperationError
 from app.formats.open_file import read_tail
+from app.messages.stored import RENDERED
 from app.monitoring.health import Health
 from app.monitoring.redaction import Redactor, address_secrets, secrets_in
 from app.operations.context import Context
@@ -53,7 +54,7 @@ def bundle(context: Context) -> bytes:
     redactor = _redactor(context)
     parts: dict[str, Callable[[], str]] = {
         "README.txt": lambda: README.format(at=utc_now()),
-        "health.json": lambda: _document(redactor, asdict(_health(context))),
+        "health.json": lambda: _document(redactor, _health(context)),
         "report.json": lambda: _document(redactor, build_report(context).model_dump()),
         "software.json": lambda: _document(
             redactor, {"software": software(context), "packages": packages()}
@@ -105,7 +106,9 @@ def _settings(context: Context) -> dict[str, object]:
 
 def _audit(context: Context) -> list[dict[str, str]]:
     newest = context.store.audit.newest(JOURNAL_ROWS)
-    return [{"at": one.at, "act": one.act, "outcome": one.outcome} for one in reversed(newest)]
+    return [
+        {"at": one.at, "act": str(one.act), "outcome": str(one.outcome)} for one in reversed(newest)
+    ]
 
 
 def _redactor(context: Context) -> Redactor:
@@ -123,8 +126,21 @@ def _redactor(context: Context) -> Redactor:
 
 
 def _document(redactor: Redactor, value: object) -> str:
-    plain = redactor.value(to_jsonable_python(value, inf_nan_mode="null"))
+    plain = redactor.value(to_jsonable_python(_in_english(value), inf_nan_mode="null"))
     return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
+
+
+def _in_english(value: object) -> object:
+    """A value whose texts are in English, for whoever reads the bundle."""
+    if isinstance(value, RENDERED):
+        return str(value)
+    if is_dataclass(value) and not isinstance(value, type):
+        return {one.name: _in_english(getattr(value, one.name)) for one in fields(value)}
+    if isinstance(value, Mapping):
+        return {name: _in_english(of) for name, of in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_in_english(one) for one in value]
+    return value
 
 
 def _lines(redactor: Redactor, rows: Sequence[object]) -> str:

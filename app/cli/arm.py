@@ -47,8 +47,8 @@ def identify(
     )
 
     began = time.perf_counter()
-    with progress_bar("Identifying", not as_json) as tell:
-        sheet, result = identify_folder(folder, output, check, tell)
+    with progress_bar("Identifying", not as_json) as progress:
+        sheet, result = identify_folder(folder, output, check, progress)
     seconds = time.perf_counter() - began
     for text in result.warnings:
         warn(text)

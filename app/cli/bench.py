@@ -27,8 +27,8 @@ def calibration(
     """Error against the Cramér-Rao bound, and against what each solve claims (Monte Carlo)."""
     from app.bench.metrology.calibration import COLUMNS, run, table
 
-    with progress_bar("Solving", not as_json) as tell:
-        results = run(solves, progress=tell)
+    with progress_bar("Solving", not as_json) as progress:
+        results = run(solves, progress=progress)
     if as_json:
         print_json({"set_ups": [asdict(kept) for kept in results]})
         return
@@ -44,8 +44,8 @@ def paper(
     """The paper's test: one plane's clouds rebuilt with ten calibrations by each method."""
     from app.bench.metrology.repeatability import COLUMNS, run, table
 
-    with progress_bar("Calibrating", not as_json) as tell:
-        results = run(arms, progress=tell)
+    with progress_bar("Calibrating", not as_json) as progress:
+        results = run(arms, progress=progress)
     if as_json:
         print_json({"methods": [asdict(one) for one in results]})
         return
@@ -61,8 +61,8 @@ def detection(
     """Is the object found: right, refused or wrong, over everything that spoils pictures."""
     from app.bench.metrology.detection import run
 
-    with progress_bar("Searching", True) as tell:
-        found = run(images, seed, lambda done, of: tell(done / of, f"{done} of {of} pictures"))
+    with progress_bar("Searching", True) as progress:
+        found = run(images, seed, lambda done, of: progress(done / of, f"{done} of {of} pictures"))
     print("\n".join(found.lines()))
 
 
@@ -98,8 +98,8 @@ def extraction(
     from app.bench.stripe.speed import COLUMNS, table
 
     of_real = [row for folder in real or () for row in real_lines.run(folder)]
-    with progress_bar("Measuring", not as_json) as tell:
-        rows = [*run(frames, tell), *of_real]
+    with progress_bar("Measuring", not as_json) as progress:
+        rows = [*run(frames, progress), *of_real]
     if as_json:
         print_json({"measures": [asdict(row) for row in rows]})
         return
@@ -110,8 +110,8 @@ def _extraction_paired(against: Path | None, as_json: bool) -> None:
     """Prints the rates of every variant, and of another checkout, by turns in one run."""
     from app.bench.stripe.paired import COLUMNS, run, table
 
-    with progress_bar("Measuring", not as_json) as tell:
-        rates = run(against, tell)
+    with progress_bar("Measuring", not as_json) as progress:
+        rates = run(against, progress)
     if as_json:
         print_json({"rates": [asdict(one) for one in rates]})
         return
@@ -123,8 +123,8 @@ def _extraction_clipped(as_json: bool) -> None:
     """Prints the rates and errors where the line is clipped, beside those where it is not."""
     from app.bench.stripe.clipped import COLUMNS, run, table
 
-    with progress_bar("Measuring", not as_json) as tell:
-        found = run(tell)
+    with progress_bar("Measuring", not as_json) as progress:
+        found = run(progress)
     if as_json:
         print_json({"kinds": [asdict(one) for one in found]})
         return
@@ -143,8 +143,8 @@ def live(
     from app.bench.station.live import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-    with progress_bar("Scanning", not as_json) as tell:
-        found = run(FastStationConfig(profiles_hz=profiles_hz, width_px=points), seconds, tell)
+    with progress_bar("Scanning", not as_json) as progress:
+        found = run(FastStationConfig(profiles_hz=profiles_hz, width_px=points), seconds, progress)
     if as_json:
         print_json(asdict(found))
         return
@@ -160,8 +160,8 @@ def view(
     """The 3D view after a long scan: a second viewer joins, and the colours are changed."""
     from app.bench.station.view import COLUMNS, run, table
 
-    with progress_bar("Showing", not as_json) as tell:
-        found = run(round(1e6 * million_points), tell)
+    with progress_bar("Showing", not as_json) as progress:
+        found = run(round(1e6 * million_points), progress)
     if as_json:
         print_json(asdict(found))
         return
@@ -179,8 +179,8 @@ def viewers(
     from app.bench.station.viewers import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-    with progress_bar("Watching", not as_json) as tell:
-        found = run(FastStationConfig(profiles_hz=60.0, width_px=1280), number, seconds, tell)
+    with progress_bar("Watching", not as_json) as progress:
+        found = run(FastStationConfig(profiles_hz=60.0, width_px=1280), number, seconds, progress)
     if as_json:
         print_json(asdict(found))
         return
@@ -201,9 +201,9 @@ def faults(
     from app.bench.faults import devices, everything, row
 
     kinds = [name for name in only or () if name != devices.KIND]
-    with progress_bar("Failing", not as_json) as tell:
-        rows = everything.run(kinds, seed, tell) if kinds or not only else []
-        failing = devices.run(tell) if not only or devices.KIND in only else []
+    with progress_bar("Failing", not as_json) as progress:
+        rows = everything.run(kinds, seed, progress) if kinds or not only else []
+        failing = devices.run(progress) if not only or devices.KIND in only else []
     if as_json:
         found = {"faults": [asdict(one) for one in rows], "failures": [asdict(f) for f in failing]}
         print_json(found)
@@ -237,8 +237,8 @@ def start(
     from app.bench.station.started import find_copy, running_copy
 
     copies = [running_copy(), *([find_copy("against", against)] if against else [])]
-    with progress_bar("Starting", not as_json) as tell:
-        rows = run(copies, Rounds(cold, warm, busy), session, tell)
+    with progress_bar("Starting", not as_json) as progress:
+        rows = run(copies, Rounds(cold, warm, busy), session, progress)
     if as_json:
         print_json({"measures": [asdict(row) for row in rows]})
         return

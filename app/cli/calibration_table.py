@@ -12,7 +12,7 @@ def calibration_summary(sheet: CalibrationFile) -> list[tuple[str, str]]:
         figures.append(("verdict", sheet.verdict.quality))
         for finding in sheet.verdict.findings:
             mark = "" if finding.quality in ("good", "neutral") else f"{finding.quality.upper()}: "
-            figures.append(("", f"{mark}{finding.text} {finding.remedy}"))
+            figures.append(("", f"{mark}{finding.text!s} {finding.remedy!s}"))
     if sheet.uncertainty:
         figures += _uncertainty_figures(sheet.uncertainty)
     if sheet.residuals:
@@ -68,7 +68,7 @@ def _rms_px(residuals: ResidualsPart) -> float:
 
 def _pose_figure(pose: PosePart) -> tuple[str, str]:
     if not pose.used:
-        return f"  pose {pose.number}", f"left out: {pose.reason}"
+        return f"  pose {pose.number}", f"left out: {pose.reason!s}"
     stripe = f"stripe {pose.stripe_rms_px:.3f} px" if pose.stripe_points else "no stripe"
     fits = f"edges {pose.edges_rms_px:.3f} px, {stripe}, object off by {pose.off_um:.0f} µm"
-    return f"  pose {pose.number}", fits + (f"; {pose.reason}" if pose.reason else "")
+    return f"  pose {pose.number}", fits + (f"; {pose.reason!s}" if pose.reason else "")

@@ -161,16 +161,16 @@ def calibrate(
     from app.workflows.calibrate import calibrate_session
 
     began = time.perf_counter()
-    with progress_bar("Calibrating", not as_json) as tell:
+    with progress_bar("Calibrating", not as_json) as progress:
         sheet, warnings = calibrate_session(
-            session, output, tell, method.value, Limits(good_um, usable_um)
+            session, output, progress, method.value, Limits(good_um, usable_um)
         )
     seconds = time.perf_counter() - began
     for text in warnings:
         warn(text)
     if as_json:
-        told = {"file": str(output), "seconds": seconds, "warnings": warnings}
-        print_json({**sheet.fields(), **told})
+        written = {"file": str(output), "seconds": seconds, "warnings": list(map(str, warnings))}
+        print_json({**sheet.fields(), **written})
         return
     print_figures(f"Calibration of {session}", calibration_summary(sheet))
     print(f"{output} written in {seconds:.2f} s")
@@ -216,8 +216,8 @@ def extract(
     check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
-    with progress_bar("Extracting", not as_json) as tell:
-        stripes = extract_all(images, axis.value, tell, settings, zones)
+    with progress_bar("Extracting", not as_json) as progress:
+        stripes = extract_all(images, axis.value, progress, settings, zones)
         write_stripes(output, stripes)
     if as_json:
         found = [
@@ -264,8 +264,8 @@ def verify(
 
     if output is not None:
         check_output_path(output, clouds if nominal is None else [*clouds, nominal])
-    with progress_bar("Verifying", not as_json) as tell:
-        report = verify_all(shape.value, clouds, nominal, tell)
+    with progress_bar("Verifying", not as_json) as progress:
+        report = verify_all(shape.value, clouds, nominal, progress)
         if output is not None:
             report.write(output)
     if as_json:

@@ -17,7 +17,7 @@ def report(
         Path, typer.Option("-o", "--output", help="Where to write it: .pdf or .html.")
     ] = Path("report.pdf"),
     language: Annotated[
-        str, typer.Option("--language", help="en, or another language of app/strings.")
+        str, typer.Option("--language", help="en, or another language of app/messages.")
     ] = "en",
 ) -> None:
     """Write the report on a session from its folder alone, as the station serves it."""

@@ -60,14 +60,19 @@ def reconstruct(
     delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
     if sync is not None:
         delay_ns = read_sync(sync, sensor, arm_model).delay_ns
-    with progress_bar("Reconstructing", not as_json) as tell:
-        rebuilt = reconstruct_cloud(recording, sensor, arm_model, output, tell, delay_ns)
+    with progress_bar("Reconstructing", not as_json) as progress:
+        rebuilt = reconstruct_cloud(recording, sensor, arm_model, output, progress, delay_ns)
     seconds = time.perf_counter() - began
     for text in rebuilt.warnings:
         warn(text)
     if as_json:
-        told = {"file": str(output), "seconds": seconds}
-        print_json({**asdict(rebuilt), **told})
+        written = {
+            "cut": str(rebuilt.cut),
+            "warnings": list(map(str, rebuilt.warnings)),
+            "file": str(output),
+            "seconds": seconds,
+        }
+        print_json({**asdict(rebuilt), **written})
         return
     figures = (
         ("points", f"{rebuilt.points:,}".replace(",", " ")),
@@ -105,8 +110,8 @@ def sync(
 
     check_output_path(output, (recording, calibration, arm))
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
-    with progress_bar("Looking for the delay", not as_json) as tell:
-        sheet = run(recording, sensor, arm_model, tell)
+    with progress_bar("Looking for the delay", not as_json) as progress:
+        sheet = run(recording, sensor, arm_model, progress)
         sheet.write(output)
     if as_json:
         print_json({**sheet.fields(), "file": str(output)})
@@ -166,14 +171,14 @@ def study(
         check_output_path(output, [*files, *sheets, arm])
     known = [(path, read_calibration(path)) for path in sheets]
     arm_model = read_arm(arm)
-    with progress_bar("Rebuilding", not as_json) as tell:
-        done = run(recordings, known, arm_model, nominal, tell)
+    with progress_bar("Rebuilding", not as_json) as progress:
+        done = run(recordings, known, arm_model, nominal, progress)
         if output is not None:
             done.write_csv(output)
     for text in done.warnings:
         warn(text)
     if as_json:
-        print_json(asdict(done))
+        print_json({**asdict(done), "warnings": list(map(str, done.warnings))})
         return
     rows = [
         (

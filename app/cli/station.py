@@ -23,8 +23,8 @@ def backup(
 
     from app.store.backup import backup as copy_all
 
-    with progress_bar("Copying", not as_json) as tell:
-        made = copy_all(data, output, tell)
+    with progress_bar("Copying", not as_json) as progress:
+        made = copy_all(data, output, progress)
     if as_json:
         print_json(asdict(made))
         return

@@ -11,6 +11,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
+from app.messages.message import message
 
 
 @contextmanager
@@ -22,7 +23,7 @@ def atomic_file(path: Path) -> Iterator[BinaryIO]:
     leaves what stood under the name before.
 
     Raises:
-        Refusal: the folder is missing or not writable, the disk is full, or the
+        OperationError: the folder is missing or not writable, the disk is full, or the
             name belongs to a folder or a device.
     """
     with atomic_path(path) as part, open(part, "xb") as file:
@@ -59,7 +60,7 @@ def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
         sources: files that the job reads, which its result must not replace.
 
     Raises:
-        Refusal: its folder is missing or not writable, or the name is taken by
+        OperationError: its folder is missing or not writable, or the name is taken by
             something that is not a file, or by one of the sources. So a job can be
             refused before its work.
     """
@@ -69,28 +70,33 @@ def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
             raise OperationError(
                 "output-is-source",
                 display_path(path),
-                "the result would replace a file that it is made from",
-                "Name another file",
+                message("result-would-replace-file-made"),
+                message("name-another-file"),
             )
         if target.exists() and not target.is_file():
-            kind = "a folder" if target.is_dir() else "a pipe, a socket or a device"
+            why = (
+                message("it-is-a-folder") if target.is_dir() else message("it-is-no-ordinary-file")
+            )
             raise OperationError(
-                "output-not-a-file", display_path(path), f"it is {kind}", "Name a file"
+                "output-not-a-file",
+                display_path(path),
+                why,
+                message("name-a-file"),
             )
         folder = target.parent
         if not folder.is_dir():
             raise OperationError(
                 "folder-missing",
                 display_path(path),
-                f"there is no folder {display_path(folder)}",
-                "Create it, or choose another place",
+                message("no-folder-named", folder=display_path(folder)),
+                message("create-choose-another-place"),
             )
         if not os.access(folder, os.W_OK | os.X_OK):
             raise OperationError(
                 "folder-forbidden",
                 display_path(path),
-                f"the folder {display_path(folder)} cannot be written to",
-                "Choose another place",
+                message("folder-cannot-be-written", folder=display_path(folder)),
+                message("choose-another-place"),
             )
     return target
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import read_text
+from app.messages.message import Text, message
 
 
 @dataclass(frozen=True)
@@ -21,14 +22,16 @@ class TableRow:
     cells: dict[str, str]
 
     @property
-    def place(self) -> str:
-        return f"{display_path(self.path)} line {self.line}"
+    def place(self) -> Text:
+        return message("row-place", path=display_path(self.path), line=self.line)
 
     def text(self, column: str) -> str:
         """A cell that must not be empty."""
         value = self.cells[column].strip()
         if not value:
-            raise OperationError("cell-empty", f"{self.place}: column {column} is empty")
+            raise OperationError(
+                "cell-empty", message("column-empty", place=self.place, column=column)
+            )
         return value
 
     def number(self, column: str) -> float:
@@ -41,9 +44,9 @@ class TableRow:
         if not math.isfinite(number):
             raise OperationError(
                 "cell-not-a-number",
-                f"{self.place}: column {column} is {value!r}",
-                "a finite number with a decimal point is expected",
-                "Correct the cell or delete the row",
+                message("column-cell-is", place=self.place, column=column, value=repr(value)),
+                message("finite-number-decimal-point-expected"),
+                message("correct-cell-delete-row"),
             )
         return number
 
@@ -53,8 +56,8 @@ class TableRow:
         if not (value.isascii() and value.isdecimal()):
             raise OperationError(
                 "cell-not-a-number",
-                f"{self.place}: column {column} is {value!r}",
-                "a whole number, zero or more, is expected",
+                message("column-cell-is", place=self.place, column=column, value=repr(value)),
+                message("whole-number-zero-more-expected"),
             )
         return int(value)
 
@@ -73,7 +76,7 @@ def read_table(path: Path, required: Iterable[str]) -> CsvTable:
     nobody asks for are ignored.
 
     Raises:
-        Refusal: unreadable, a required column missing or named twice, a row of
+        OperationError: unreadable, a required column missing or named twice, a row of
             another length than the header.
     """
     lines = csv.reader(io.StringIO(read_text(path), newline=""), strict=True)
@@ -91,12 +94,12 @@ def read_table(path: Path, required: Iterable[str]) -> CsvTable:
             rows.append(TableRow(path, lines.line_num, dict(zip(columns, cells, strict=True))))
     except csv.Error as error:
         raise OperationError(
-            "table-malformed", f"{display_path(path)} line {lines.line_num}", str(error)
+            "table-malformed",
+            message("row-place", path=display_path(path), line=lines.line_num),
+            str(error),
         ) from error
     if not columns:
-        raise OperationError(
-            "table-empty", display_path(path), "it is empty; a line of column names is expected"
-        )
+        raise OperationError("table-empty", display_path(path), message("table-is-empty"))
     return CsvTable(path, columns, tuple(rows))
 
 
@@ -115,30 +118,34 @@ def _check_columns(path: Path, columns: tuple[str, ...], required: Iterable[str]
         raise OperationError(
             "table-separator",
             display_path(path),
-            "its columns are not separated by commas",
-            "Save it with commas between the columns and a point in the numbers",
+            message("columns-not-separated-by-commas"),
+            message("save-commas-between-columns-point-numbers"),
         )
     if missing:
         raise OperationError(
             "columns-missing",
-            f"{display_path(path)}: no column {', '.join(missing)}",
-            f"the first line names {', '.join(columns)}",
-            f"It must name {', '.join(required)}",
+            message("no-column", path=display_path(path), names=", ".join(missing)),
+            message("first-line-names", names=", ".join(columns)),
+            message("must-name", names=", ".join(required)),
         )
     twice = sorted({name for name in columns if name and columns.count(name) > 1})
     if twice:
         raise OperationError(
-            "columns-twice", f"{display_path(path)}: column {', '.join(twice)} stands there twice"
+            "columns-twice",
+            message("column-stands-there-twice", path=display_path(path), names=", ".join(twice)),
         )
 
 
 def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, ...]) -> None:
     if len(cells) == len(columns):
         return
-    why = f"the first line names {len(columns)} columns"
-    remedy = "Complete or delete the row"
+    why = message("first-line-names-column-count", count=len(columns))
+    remedy = message("complete-delete-row")
     if len(cells) > len(columns):
-        remedy = "Numbers need a decimal point, not a comma; names no comma at all"
+        remedy = message("numbers-need-decimal-point-comma-names")
     raise OperationError(
-        "row-length", f"{display_path(path)} line {line}: {len(cells)} cells", why, remedy
+        "row-length",
+        message("row-has-cells", path=display_path(path), line=line, count=len(cells)),
+        why,
+        remedy,
     )

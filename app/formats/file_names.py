@@ -4,6 +4,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from app.errors import OperationError
+from app.messages.message import message
 
 LONGEST_DISPLAYED = 200
 _data_folders: list[Path] = []
@@ -42,8 +43,8 @@ def check_name(path: Path) -> None:
     except UnicodeEncodeError as error:
         raise OperationError(
             "name-not-text",
-            f"The name of {escape_unprintable(path.name)} is not UTF-8 text",
-            remedy="Rename it",
+            message("file-name-is-not-utf-8", name=escape_unprintable(path.name)),
+            remedy=message("rename"),
         ) from error
 
 

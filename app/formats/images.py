@@ -14,6 +14,7 @@ from app.formats.file_names import display_path
 from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file, read_bounded
+from app.messages.message import Text, message
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 """(height, width)"""
@@ -25,7 +26,7 @@ def read_grey(path: Path) -> GreyImage:
     """Reads a grey image of 8 or 16 bits a pixel: PNG, TIFF, BMP, PGM or JPEG.
 
     Raises:
-        Refusal: missing, no image, damaged or cut off, in colour, or of more than
+        OperationError: missing, no image, damaged or cut off, in colour, or of more than
             ``MOST_PIXELS``.
     """
     with convert_io_errors(path):
@@ -33,8 +34,8 @@ def read_grey(path: Path) -> GreyImage:
     return decode_grey(raw, display_path(path))
 
 
-def decode_grey(raw: bytes, named: str) -> GreyImage:
-    """Decodes an image file's bytes; ``named`` is what a refusal calls it."""
+def decode_grey(raw: bytes, named: Text) -> GreyImage:
+    """Decodes an image file's bytes; ``named`` is what an error calls it."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
     announced = announced_size(raw)
@@ -48,46 +49,48 @@ def decode_grey(raw: bytes, named: str) -> GreyImage:
     if image is None:
         raise _no_image(raw, named)
     if image.ndim != 2:
-        raise _not_grey(f"{named} has {image.shape[2]} channels")
+        raise _not_grey(message("image-has-channels", name=named, channels=image.shape[2]))
     if image.dtype == np.uint8:
         return image.astype(np.uint8, copy=False)
     if image.dtype == np.uint16:
         return image.astype(np.uint16, copy=False)
-    raise _not_so_deep(named, f"{image.dtype}")
+    raise _not_so_deep(named, str(image.dtype))
 
 
-def _check_announced(announced: Announced, named: str) -> None:
+def _check_announced(announced: Announced, named: Text) -> None:
     """Raises ``OperationError`` for what would be decoded only to be refused, or is too large:
     a file of a megabyte may open to gigabytes."""
     if announced.pixels > MOST_PIXELS:
         raise OperationError(
             "image-too-large",
-            f"{named} has {announced.width} × {announced.height} pixels",
-            f"at most {MOST_PIXELS // 1_000_000} million are read",
-            "Give the camera's own picture",
+            message("image-has-pixels", name=named, width=announced.width, height=announced.height),
+            message("most-pixels-read", millions=MOST_PIXELS // 1000000),
+            message("give-cameras-own-picture"),
         )
     if announced.channels > 1:
-        raise _not_grey(f"{named} has {announced.channels} channels")
+        raise _not_grey(message("image-has-channels", name=named, channels=announced.channels))
     if announced.bits > 16:
-        raise _not_so_deep(named, f"{announced.bits} bits a pixel")
+        raise _not_so_deep(named, message("bits-per-pixel", bits=announced.bits))
 
 
-def _no_image(raw: bytes, named: str) -> OperationError:
-    why = "it is no image, or was cut off" if raw else "it is empty"
-    return OperationError("image-unreadable", named, why, "Restore it, or take the picture again")
+def _no_image(raw: bytes, named: Text) -> OperationError:
+    why = message("no-image-or-cut-off") if raw else message("empty")
+    return OperationError("image-unreadable", named, why, message("restore-take-picture-again"))
 
 
-def _not_grey(what: str) -> OperationError:
+def _not_grey(what: Text) -> OperationError:
     return OperationError(
         "image-not-grey",
         what,
-        "only a grey image tells how bright the laser's line was at a pixel",
-        "Give the camera's own grey picture",
+        message("only-grey-image-shows-brightness"),
+        message("give-cameras-own-grey-picture"),
     )
 
 
-def _not_so_deep(named: str, held: str) -> OperationError:
-    return OperationError("image-depth", f"{named} holds {held}", "8 or 16 bits are expected")
+def _not_so_deep(named: Text, held: Text) -> OperationError:
+    return OperationError(
+        "image-depth", message("image-has-depth", name=named, depth=held), message("bits-expected")
+    )
 
 
 def write_png(path: Path, image: GreyImage) -> None:
@@ -95,7 +98,7 @@ def write_png(path: Path, image: GreyImage) -> None:
     done, encoded = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
     if not done:
         raise OperationError(
-            "image-unwritable", display_path(path), "the picture could not be encoded as PNG"
+            "image-unwritable", display_path(path), message("picture-cannot-be-encoded")
         )
     write_atomically(path, encoded.tobytes())
 
@@ -104,7 +107,7 @@ def grey_png_size(path: Path) -> tuple[int, int]:
     """Width and height in pixels from the header of a grey PNG, without decoding it.
 
     Raises:
-        Refusal: missing, no PNG, or in colour.
+        OperationError: missing, no PNG, or in colour.
     """
     with convert_io_errors(path), open_file(path) as file:
         head = file.read(29)
@@ -112,16 +115,16 @@ def grey_png_size(path: Path) -> tuple[int, int]:
         raise OperationError(
             "image-unreadable",
             display_path(path),
-            "it is no PNG image" if head else "it is empty",
-            "Restore it, or take the picture again",
+            message("no-png-image") if head else message("empty"),
+            message("restore-take-picture-again"),
         )
     width, height, _bits, colour = struct.unpack(">IIBB", head[16:26])
     if colour != 0:
-        raise _not_grey(f"{display_path(path)} holds colour or transparency")
+        raise _not_grey(message("image-has-colour", path=display_path(path)))
     return width, height
 
 
-def _check_png(raw: bytes, named: str) -> None:
+def _check_png(raw: bytes, named: Text) -> None:
     """Walks the chunks: decoders fill what is missing of a damaged file with black."""
     at = len(PNG_SIGNATURE)
     while at + 12 <= len(raw):
@@ -134,16 +137,16 @@ def _check_png(raw: bytes, named: str) -> None:
         if zlib.crc32(memoryview(raw)[at + 4 : end]) != expected:
             raise OperationError(
                 "image-damaged",
-                f"{named}: the checksum at byte {at} is wrong",
-                "the file was damaged",
-                "Restore it, or take the picture again",
+                message("checksum-wrong-at-byte", name=named, byte=at),
+                message("file-damaged"),
+                message("restore-take-picture-again"),
             )
         if kind == b"IEND":
             return
         at = end + 4
     raise OperationError(
         "image-cut-off",
-        f"{named} ends after {len(raw)} bytes",
-        "the file was cut off",
-        "Restore it, or take the picture again",
+        message("image-ends-after-bytes", name=named, bytes=len(raw)),
+        message("file-cut-off"),
+        message("restore-take-picture-again"),
     )

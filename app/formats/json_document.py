@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
-from pydantic_core import PydanticCustomError
 
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors, error_from_validation
 from app.formats.open_file import open_file, read_bounded
+from app.messages.message import message
+from app.messages.stored import RENDERED, SUFFIX, restore_texts
 
 # no line break can stand within a text of JSON
 _NUMBERS = re.compile(r"\[\n\s+([-+.eE\d,\s]+?)\n\s+\]")
@@ -27,9 +28,9 @@ LARGEST = 1e9
 def _as_number(value: object) -> object:
     """Keeps text, truth values and sizes that no quantity here has from passing as numbers."""
     if isinstance(value, str | bool):
-        raise PydanticCustomError("number", "a number is expected here")
+        raise ValueError(message("number-expected-here"))
     if isinstance(value, int | float) and LARGEST < abs(value) < float("inf"):
-        raise PydanticCustomError("number", "nothing measured here is as large")
+        raise ValueError(message("number-too-large"))
     return value
 
 
@@ -51,7 +52,7 @@ class DocumentPart(BaseModel):
 
 
 class Document(DocumentPart):
-    """A whole file: names its format and version beside its fields."""
+    """A whole file: names its format and version next to its fields."""
 
     FORMAT: ClassVar[str]
     VERSION: ClassVar[int] = 1
@@ -61,7 +62,7 @@ class Document(DocumentPart):
         """Reads and checks a file.
 
         Raises:
-            Refusal: missing, unreadable, not JSON, of another format or of a newer
+            OperationError: missing, unreadable, not JSON, of another format or of a newer
                 version, or a field that is missing or wrong.
         """
         fields = _read_object(path)
@@ -83,11 +84,8 @@ class Document(DocumentPart):
 
     def fields(self) -> dict[str, Any]:
         """The document as plain values, ``format`` and ``version`` first."""
-        return {
-            "format": self.FORMAT,
-            "version": self.VERSION,
-            **self.model_dump(mode="json", exclude_none=True),
-        }
+        fields = self.model_dump(mode="json", exclude_none=True)
+        return {"format": self.FORMAT, "version": self.VERSION, **_with_english(self, fields)}
 
     @classmethod
     def _check_format(cls, path: Path, fields: dict[str, Any]) -> None:
@@ -95,38 +93,58 @@ class Document(DocumentPart):
         if found != cls.FORMAT:
             raise OperationError(
                 "file-of-another-format",
-                f"{display_path(path)}: format is {found!r}",
-                f"{cls.FORMAT!r} is expected here",
-                "Give the right file",
+                message("document-format", path=display_path(path), format=repr(found)),
+                message("format-expected", format=repr(cls.FORMAT)),
+                message("give-right-file"),
             )
         if version != cls.VERSION or isinstance(version, bool):
             raise OperationError(
                 "file-of-another-version",
-                f"{display_path(path)}: version is {version!r}",
-                f"this program reads version {cls.VERSION} of {cls.FORMAT}",
+                message("document-version", path=display_path(path), version=repr(version)),
+                message("program-reads-version", version=cls.VERSION, format=cls.FORMAT),
             )
+
+
+def _with_english(part: DocumentPart, fields: dict[str, Any]) -> dict[str, Any]:
+    """The plain values of a part, with the English of each text before its data."""
+    written: dict[str, Any] = {}
+    for name, plain in fields.items():
+        value = getattr(part, name)
+        if isinstance(value, DocumentPart):
+            written[name] = _with_english(value, plain)
+        elif isinstance(value, RENDERED):
+            written |= {name: str(value), f"{name}{SUFFIX}": plain}
+        elif isinstance(value, tuple) and any(isinstance(item, RENDERED) for item in value):
+            written |= {name: [str(item) for item in value], f"{name}{SUFFIX}": plain}
+        elif isinstance(value, tuple) and value and isinstance(value[0], DocumentPart):
+            written[name] = [
+                _with_english(item, one) for item, one in zip(value, plain, strict=True)
+            ]
+        else:
+            written[name] = plain
+    return written
 
 
 def _read_object(path: Path) -> dict[str, Any]:
     text = read_text(path)
     try:
-        fields = json.loads(text)
+        fields = restore_texts(json.loads(text))
     except (ValueError, RecursionError) as error:
         if not text.strip():
-            why = "it is empty"
+            why = message("empty")
         elif isinstance(error, json.JSONDecodeError):
-            why = f"it is not JSON, or was cut off: {error.msg} in line {error.lineno}"
+            why = message("json-cut-off-line", reason=error.msg, line=error.lineno)
         elif isinstance(error, RecursionError):
-            why = "it is nested too deeply"
+            why = message("nested-too-deeply")
         else:
-            why = "one of its numbers has too many digits"
+            why = message("one-numbers-has-too-many-digits")
         raise OperationError(
-            "file-not-json", display_path(path), why, "Restore the file from its source"
+            "file-not-json", display_path(path), why, message("restore-file-source")
         ) from error
     if _HALF.search(text):
         _check_characters(path, fields)
     if not isinstance(fields, dict):
-        raise OperationError("file-not-json", display_path(path), "a JSON object { … } is expected")
+        raise OperationError("file-not-json", display_path(path), message("json-object-expected"))
     return fields
 
 
@@ -137,8 +155,8 @@ def _check_characters(path: Path, fields: object) -> None:
         raise OperationError(
             "file-not-text",
             display_path(path),
-            "half a character stands in one of its texts",
-            "Save it as UTF-8",
+            message("text-has-half-character"),
+            message("save-utf-8"),
         ) from error
 
 
@@ -152,8 +170,8 @@ def read_text(path: Path) -> str:
         raise OperationError(
             "file-not-text",
             display_path(path),
-            f"byte {error.start} is not UTF-8 text",
-            "Save it as UTF-8",
+            message("byte-is-not-utf-8", byte=error.start),
+            message("save-utf-8"),
         ) from error
 
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 
 # Arrays of float64, of any shape; the shape stands in each docstring.
 Floats = NDArray[np.float64]
@@ -176,14 +177,14 @@ def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None =
     if len(a) < 3 or len(a) != len(b):
         raise OperationError(
             "too-few-pairs",
-            f"a rigid fit was given {len(a)} and {len(b)} points",
-            "it needs at least three conjugated pairs",
+            message("rigid-fit-given-points", a=len(a), b=len(b)),
+            message("needs-least-three-conjugated-pairs"),
         )
     centre_a = (w @ a) / w.sum()
     centre_b = (w @ b) / w.sum()
     spread = np.linalg.svd(b - centre_b, compute_uv=False)
     if spread[1] <= 1e-9 * max(spread[0], 1e-300):
-        raise OperationError("points-on-a-line", "a rigid fit was given points on one line")
+        raise OperationError("points-on-a-line", message("rigid-fit-given-points-one-line"))
     U, _, Vt = np.linalg.svd((a - centre_a).T @ ((b - centre_b) * w[:, None]))
     rotation = U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt
     return rigid(rotation, centre_a - rotation @ centre_b)

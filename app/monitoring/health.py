@@ -5,9 +5,11 @@ Checks take plain values and are free of clocks and devices.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
-from app.errors import OperationError
-from app.findings import Quality, capital, figures, format_signed
+from app.errors import OperationError, sentence
+from app.findings import Quality
+from app.messages.message import Text, join, message, quantity, signed
 from app.monitoring.loop_watchdog import Stalls
 from app.monitoring.system_info import Memory
 from app.station.devices.link_state import DeviceState, Losses
@@ -20,7 +22,9 @@ STALLS_BAD_S = 2.0
 BACKUP_DAYS = 7.0
 READINGS_BAD_S = 600.0
 TEMPERATURE_CHANGE_C = 2.0
+LISTED_RECORDS = 3
 ORDER: dict[Quality, int] = {"bad": 0, "attention": 1, "neutral": 2, "good": 3}
+DeviceKind = Literal["arm", "sensor"]
 
 
 @dataclass(frozen=True)
@@ -28,11 +32,11 @@ class HealthItem:
     """One check."""
 
     id: str
-    title: str
+    title: Text
     quality: Quality
-    what: str
-    why: str
-    remedy: str
+    what: Text
+    why: Text
+    remedy: Text
     """Empty where there is nothing to do."""
 
 
@@ -46,75 +50,76 @@ class Health:
 
 
 def summarise_health(items: Sequence[HealthItem], at: str) -> Health:
-    """The worst check says how the station is."""
+    """The worst check decides how the station is."""
     ordered = sorted(items, key=lambda item: ORDER[item.quality])
     worst: Quality = ordered[0].quality if ordered else "good"
     return Health(at, "good" if worst == "neutral" else worst, ordered)
 
 
-def device(state: DeviceState) -> HealthItem:
+def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
     """Whether a device sends."""
-    name = state.title.lower()
     quality: Quality = {"connected": "good", "connecting": "attention"}.get(state.state, "bad")  # type: ignore[assignment]
-    what = f"{state.text.rstrip('.')}."
+    what = sentence(state.text)
     if state.state == "connected" and state.age_s is not None and state.rate_hz is not None:
-        what = f"{state.text}: {state.rate_hz:.0f} a second, the newest {state.age_s:.2f} s old."
+        what = message(
+            "second-newest-old",
+            text=state.text,
+            rate=quantity(state.rate_hz),
+            age=quantity(state.age_s, "s", 2),
+        )
     return HealthItem(
-        f"device-{name}",
+        f"device-{kind}",
         state.title,
         quality,
         what,
-        "Without it nothing is measured; what was taken is kept.",
-        ""
-        if quality == "good"
-        else "Check its cable and its power. It is looked for again by itself.",
+        message("without-nothing-measured-what-taken-kept"),
+        "" if quality == "good" else message("check-cable-power-looked-again-itself"),
     )
 
 
-def losses(title: str, lately: Losses) -> HealthItem:
+def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
     """Whether all that a device sends arrives."""
-    name = title.lower()
     quality: Quality = "good"
     if lately.share > LOSS_BAD:
         quality = "bad"
     elif lately.share > LOSS_ATTENTION:
         quality = "attention"
     missing = lately.lost + lately.corrupt
-    what = "No data yet."
+    what = message("no-data-yet")
     if lately.received or missing:
-        what = (
-            f"{missing} of {lately.received + missing} lost or garbled in the last ten minutes "
-            f"({100 * lately.share:.2f} %)."
+        what = message(
+            "lost-garbled-last-ten-minutes",
+            missing=missing,
+            total=lately.received + missing,
+            share=quantity(100 * lately.share, "%", 2),
         )
     return HealthItem(
-        f"losses-{name}",
-        f"Losses of the {name}",
+        f"losses-{kind}",
+        message("losses", device=kind),
         quality,
         what,
-        "A frame without joints around it gives no points.",
-        ""
-        if quality == "good"
-        else "Use a shorter cable and a port of its own; close what else uses the machine.",
+        message("frame-without-joints-around-gives-no"),
+        "" if quality == "good" else message("use-shorter-cable-port-own-close"),
     )
 
 
-def readings(kept_back: int, newest: OperationError | None, ago_s: float | None) -> HealthItem:
+def readings(rejected: int, newest: OperationError | None, ago_s: float | None) -> HealthItem:
     """Whether what the arm's encoders say can be true.
 
     Args:
         ago_s: since the newest reading that could not.
     """
-    why = "Nothing is taken from a reading that cannot be true: no contact, no pose, no points."
+    why = message("nothing-taken-reading-cannot-true-no")
     if newest is None or ago_s is None:
-        what = "Every reading of the joints could be true."
-        return HealthItem("readings", "Readings of the arm", "good", what, why, "")
+        what = message("every-reading-joints-could-true")
+        return HealthItem("readings", message("readings-arm"), "good", what, why, "")
     return HealthItem(
         "readings",
-        "Readings of the arm",
+        message("readings-arm"),
         "bad" if ago_s < READINGS_BAD_S else "attention",
-        f"{kept_back} could not be true, the last {ago_s:.0f} s ago: {newest.what}.",
+        message("could-true-last-ago", count=rejected, ago=quantity(ago_s, "s"), what=newest.what),
         why,
-        f"{capital(newest.remedy)}.",
+        sentence(newest.remedy),
     )
 
 
@@ -124,27 +129,30 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
     Args:
         ahead_days: by how much the newest record is later than now.
     """
-    why = "Ages of calibrations and the order of records go by it; measuring does not."
+    why = message("ages-calibrations-order-records-go-measuring")
     if ahead_days > 0:
         return HealthItem(
             "clock",
-            "Clock",
+            message("clock"),
             "bad",
-            f"The newest record is {ahead_days:.1f} days later than the clock.",
+            message("newest-record-days-later-than-clock", days=quantity(ahead_days, "", 1)),
             why,
-            "Set the machine's clock, and let it be kept by a time server.",
+            message("set-machines-clock-let-kept-time"),
         )
     if jumps:
         return HealthItem(
             "clock",
-            "Clock",
+            message("clock"),
             "attention",
-            f"The clock was set {_times(jumps)} since the start, "
-            f"last by {format_signed(last_jump_s)} s.",
+            message(
+                "clock-set-since-start-last",
+                count=jumps,
+                last_jump=signed(last_jump_s, "s"),
+            ),
             why,
-            "Let it be kept by a time server, which moves it gently.",
+            message("let-kept-time-server-which-moves"),
         )
-    return HealthItem("clock", "Clock", "good", "It runs on steadily.", why, "")
+    return HealthItem("clock", message("clock"), "good", message("runs-steadily"), why, "")
 
 
 def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
@@ -154,28 +162,32 @@ def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
         quality = "bad"
     elif free_gb < DISK_ATTENTION_GB:
         quality = "attention"
-    lasts = ""
+    what = message("free", free=quantity(free_gb, "GB", 1))
     if megabytes_s:
-        lasts = f", enough for {1000 * free_gb / megabytes_s / 3600:.1f} hours of this scan"
+        what = message(
+            "free-enough-for-hours",
+            free=quantity(free_gb, "GB", 1),
+            hours=quantity(1000 * free_gb / megabytes_s / 3600, "", 1),
+        )
     return HealthItem(
         "disk",
-        "Disk",
+        message("disk"),
         quality,
-        f"{free_gb:.1f} GB are free{lasts}.",
-        "A scan does not start with less than 0.5 GB, and stops at 0.1 GB.",
-        "" if quality == "good" else "Delete scans under Records, or use a larger disk.",
+        what,
+        message("scan-does-start-less-than-0"),
+        "" if quality == "good" else message("delete-scans-under-records-use-larger"),
     )
 
 
-def folder(trouble: str) -> HealthItem:
+def folder(trouble: Text) -> HealthItem:
     """Whether records can be written."""
     return HealthItem(
         "folder",
-        "Data folder",
+        message("data-folder"),
         "bad" if trouble else "good",
-        f"It cannot be written: {trouble}." if trouble else "It can be written.",
-        "Recordings, calibrations and the journal are kept there.",
-        "Check the folder's owner and whether its disk is mounted." if trouble else "",
+        message("cannot-written", trouble=trouble) if trouble else message("can-written"),
+        message("recordings-calibrations-journal-kept-there"),
+        message("check-folders-owner-whether-disk-mounted") if trouble else "",
     )
 
 
@@ -183,202 +195,216 @@ def database(size_mb: float, trouble: str) -> HealthItem:
     """Whether the database is whole."""
     return HealthItem(
         "database",
-        "Database",
+        message("database"),
         "bad" if trouble else "good",
-        f"It is damaged: {trouble}." if trouble else f"It is whole, {size_mb:.1f} MB.",
-        "It holds the journal of every step, accounts, and what calibration is in use.",
-        "Stop the station, keep a copy of the data folder, and start from the last backup."
+        message("damaged", trouble=trouble)
         if trouble
-        else "",
+        else message("whole", size_mb=quantity(size_mb, "MB", 1)),
+        message("holds-journal-every-step-accounts-what"),
+        message("stop-station-keep-copy-data-folder") if trouble else "",
     )
 
 
-def records(aside: Sequence[str]) -> HealthItem:
-    """Whether all that was kept can be read; ``aside``: a sentence for each that cannot."""
-    more = f" And {len(aside) - 3} more." if len(aside) > 3 else ""
+def records(unreadable: Sequence[Text]) -> HealthItem:
+    """Whether all that is stored can be read; ``unreadable``: a sentence for each that cannot."""
+    listed, more = list(unreadable[:LISTED_RECORDS]), len(unreadable) - LISTED_RECORDS
+    if more > 0:
+        listed.append(message("and-more-records", count=more))
     return HealthItem(
         "records",
-        "Records",
-        "bad" if aside else "good",
-        f"{' '.join(aside[:3])}{more}" if aside else "All that was kept can be read.",
-        "What cannot be read is set aside as it is; everything else is served.",
-        "Put the file back from the last backup, or leave it and go on." if aside else "",
+        message("records"),
+        "bad" if listed else "good",
+        join(listed, " ") if listed else message("all-kept-can-read"),
+        message("what-cannot-read-set-aside-everything"),
+        message("put-file-back-last-backup-leave") if listed else "",
     )
 
 
-def recordings(damaged: Sequence[str]) -> HealthItem:
+def recordings(damaged: Sequence[Text]) -> HealthItem:
     """Whether what was recorded is there as it was recorded."""
-    more = f", and {len(damaged) - 1} more" if len(damaged) > 1 else ""
+    what = message("all-there-they-were-recorded")
+    if damaged:
+        what = message("recordings-damaged", first=damaged[0], more=len(damaged) - 1)
     return HealthItem(
         "recordings",
-        "Recordings",
+        message("recordings"),
         "bad" if damaged else "good",
-        f"{damaged[0]}{more}." if damaged else "All are there, as they were recorded.",
-        "A scan can be made again of its recording, and a verification be shown to be right.",
-        "Bring it back from the last backup, or delete it under Records." if damaged else "",
+        what,
+        message("scan-can-made-again-recording-verification"),
+        message("bring-back-last-backup-delete-under") if damaged else "",
     )
 
 
 def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
     """Whether browsers are answered without a hitch."""
-    why = "Held up, live numbers stand, and a press is answered late; devices are read on."
+    why = message("held-up-live-numbers-stand-press")
     if not stalls.count and not stalls.pauses:
-        what = f"Never held up for more than {limit_s:.2f} s."
-        return HealthItem("loop", "Answers to browsers", "good", what, why, "")
-    parts = []
+        what = message("never-held-up-more-than", limit=quantity(limit_s, "s", 2))
+        return HealthItem("loop", message("answers-browsers"), "good", what, why, "")
+    parts: list[Text] = []
     if stalls.count:
         parts.append(
-            f"Held up {_times(stalls.count)} for more than {limit_s:.2f} s, "
-            f"{stalls.longest_s:.1f} s the longest"
+            message(
+                "held-up-more-than-longest",
+                count=stalls.count,
+                limit=quantity(limit_s, "s", 2),
+                longest=quantity(stalls.longest_s, "s", 1),
+            )
         )
     if stalls.pauses:
         parts.append(
-            f"the whole program stood still {_times(stalls.pauses)}, "
-            f"{stalls.longest_pause_s:.1f} s the longest"
+            message(
+                "whole-program-stood-still-longest",
+                count=stalls.pauses,
+                longest=quantity(stalls.longest_pause_s, "s", 1),
+            )
         )
     quality: Quality = "neutral" if stalls.longest_s < STALLS_BAD_S else "attention"
-    text = "; ".join(parts)
-    remedy = "Close what else uses the machine."
+    remedy = message("close-what-else-uses-machine")
     if stalls.count:
-        remedy = "The log has what held it up; send the support bundle if it happens again."
-    what = f"{text[:1].upper()}{text[1:]}."
-    return HealthItem("loop", "Answers to browsers", quality, what, why, remedy)
+        remedy = message("log-has-what-held-up-send")
+    return HealthItem(
+        "loop", message("answers-browsers"), quality, sentence(join(parts, "; ")), why, remedy
+    )
 
 
 def memory_use(used: Memory) -> HealthItem:
     """Whether memory suffices."""
     short = used.free is not None and used.free < MEMORY_FREE_BYTES
     much = used.process > PROCESS_MEMORY_BYTES
-    free = "" if used.free is None else f"; {used.free / 1e9:.1f} GB are free"
+    process = quantity(used.process / 1e6, "MB")
+    what = message("station-uses", process=process)
+    if used.free is not None:
+        free = quantity(used.free / 1e9, "GB", 1)
+        what = message("station-uses-and-free", process=process, free=free)
     return HealthItem(
         "memory",
-        "Memory",
+        message("memory"),
         "attention" if short or much else "good",
-        f"The station uses {used.process / 1e6:.0f} MB{free}.",
-        "Without free memory the whole machine slows down, and frames are lost.",
-        "Close other programs, or restart the station between two scans." if short or much else "",
+        what,
+        message("without-free-memory-whole-machine-slows"),
+        message("close-other-programs-restart-station-between") if short or much else "",
     )
 
 
 def log_errors(count: int) -> HealthItem:
     """Whether something failed lately that nobody foresaw."""
-    what = f"{count} errors in the last hour." if count else "No error in the last hour."
-    if count == 1:
-        what = "One error in the last hour."
     return HealthItem(
         "log",
-        "Log",
+        message("log"),
         "attention" if count else "good",
-        what,
-        "An error there is something that the program did not foresee.",
-        "Look at them below, and send the support bundle." if count else "",
+        message("errors-last-hour", count=count),
+        message("error-there-something-program-did-foresee"),
+        message("look-them-below-send-support-bundle") if count else "",
     )
 
 
-def backup(days: float | None, place: str, same_disk: bool, trouble: str) -> HealthItem:
+def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> HealthItem:
     """Whether the station could be set up again from a copy."""
-    why = "A disk that fails takes every calibration and scan with it."
-    remedy = "Make one below, or with crenel backup."
+    why = message("disk-fails-takes-every-calibration-scan")
+    remedy = message("make-one-below-crenel-backup")
     if trouble:
-        return HealthItem("backup", "Backup", "bad", trouble, why, remedy)
+        return HealthItem("backup", message("backup"), "bad", trouble, why, remedy)
     if days is None:
-        return HealthItem("backup", "Backup", "attention", "There is none yet.", why, remedy)
-    what = f"The last is {days:.1f} days old, in {place}."
+        return HealthItem(
+            "backup", message("backup"), "attention", message("there-none-yet"), why, remedy
+        )
+    what = message("last-days-old", days=quantity(days, "", 1), place=place)
     if days > BACKUP_DAYS:
-        return HealthItem("backup", "Backup", "attention", what, why, remedy)
+        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
     if same_disk:
-        what += " It is on the same disk as the data."
-        remedy = "Name a folder on another disk with backups in station.toml."
-        return HealthItem("backup", "Backup", "attention", what, why, remedy)
-    return HealthItem("backup", "Backup", "good", what, why, "")
+        what = message("last-days-old-same-disk", days=quantity(days, "", 1), place=place)
+        remedy = message("name-folder-another-disk-backups-station")
+        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
+    return HealthItem("backup", message("backup"), "good", what, why, "")
 
 
 def temperature(now: Temperature, change_c: float | None) -> HealthItem:
     """Whether it is as warm as it was when the station was calibrated."""
-    why = "Everything grows with it, a metre of aluminium by 23 µm a degree."
+    why = message("everything-grows-metre-aluminium", growth=quantity(23, "µm"))
     if now.celsius is None and not now.trouble:
-        return HealthItem("room", "Temperature", "neutral", "Not read yet.", why, "")
+        return HealthItem("room", message("temperature"), "neutral", message("read-yet"), why, "")
     if now.celsius is None:
-        return HealthItem("room", "Temperature", "attention", now.trouble, why, "Check the sensor.")
-    what = f"{figures(now.celsius, 1)} °C"
+        return HealthItem(
+            "room", message("temperature"), "attention", now.trouble, why, message("check-sensor")
+        )
+    celsius = quantity(now.celsius, "°C", 1)
     if change_c is None:
-        return HealthItem("room", "Temperature", "good", f"{what}.", why, "")
+        return HealthItem("room", message("temperature"), "good", sentence(celsius), why, "")
     moved = abs(change_c) > TEMPERATURE_CHANGE_C
     return HealthItem(
         "room",
-        "Temperature",
+        message("temperature"),
         "attention" if moved else "good",
-        f"{what}, {format_signed(change_c, 1)} °C since the calibration.",
+        message("since-calibration", celsius=celsius, change=signed(change_c, "°C", 1)),
         why,
-        "Verify against a gauge, or calibrate again." if moved else "",
+        message("verify-against-gauge-calibrate-again") if moved else "",
     )
 
 
-def broker(host: str, connected: bool, text: str, for_s: float, doubled: bool) -> HealthItem:
+def broker(host: str, connected: bool, text: Text, for_s: float, doubled: bool) -> HealthItem:
     """Whether other stations see this one."""
-    why = "By it other stations see this one, and this one them. Nothing else needs it."
+    why = message("other-stations-see-one-one-them")
     if doubled:
         return HealthItem(
             "broker",
-            "Broker",
+            message("broker"),
             "bad",
-            "Another station publishes under this one's name.",
+            message("another-station-publishes-under-ones-name"),
             why,
-            "Give each its own name with station in [mqtt] of station.toml.",
+            message("give-each-own-name-station-mqtt"),
         )
     if connected:
-        return HealthItem("broker", "Broker", "good", f"Connected to {host}.", why, "")
+        return HealthItem(
+            "broker", message("broker"), "good", message("connected", host=host), why, ""
+        )
     return HealthItem(
         "broker",
-        "Broker",
+        message("broker"),
         "attention",
-        f"Not connected to {host} for {for_s:.0f} s: {text}.",
+        message("connected-2", host=host, duration=quantity(for_s, "s"), reason=text),
         why,
-        "Check that the broker runs and that user and password are right. It is tried again.",
+        message("check-broker-runs-user-password-right"),
     )
 
 
-def webhook(host: str, failed: int, trouble: str) -> HealthItem:
+def webhook(host: str, failed: int, trouble: Text) -> HealthItem:
     """Whether notifications arrive."""
-    why = "It tells whoever is away of what is done, at fault or due."
+    why = message("tells-whoever-away-what-done-fault")
     if trouble:
         return HealthItem(
             "webhook",
-            "Webhook",
+            message("webhook"),
             "attention",
-            f"{host} does not take notifications: {trouble} ({failed} given up).",
+            message("does-take-notifications-given-up", host=host, trouble=trouble, failed=failed),
             why,
-            "Check its address below, and try it.",
+            message("check-address-below-try"),
         )
-    return HealthItem("webhook", "Webhook", "good", f"{host} takes notifications.", why, "")
+    return HealthItem(
+        "webhook", message("webhook"), "good", message("takes-notifications", host=host), why, ""
+    )
 
 
 def network(how: str) -> HealthItem:
     """Whether what browsers send and are sent can be read on the way."""
     what = {
-        "here": "Only this machine's browsers reach the station.",
-        "encrypted": "Other machines reach it, encrypted.",
-        "proxied": "Other machines reach it by a proxy.",
-        "open": "Other machines reach it, and nothing is encrypted.",
+        "here": message("only-machines-browsers-reach-station"),
+        "encrypted": message("other-machines-reach-encrypted"),
+        "proxied": message("other-machines-reach-proxy"),
+        "open": message("other-machines-reach-nothing-encrypted"),
     }[how]
     return HealthItem(
         "network",
-        "Network",
+        message("network"),
         "neutral" if how == "open" else "good",
         what,
-        "Who reads along has passwords, and can act in other people's names.",
-        "Name tls_certificate and tls_key in station.toml, or put a proxy before it."
-        if how == "open"
-        else "",
+        message("who-reads-along-has-passwords-can"),
+        message("name-tls-certificate-tls-key-station") if how == "open" else "",
     )
 
 
 def software(versions: dict[str, str]) -> HealthItem:
     """What runs here."""
-    told = ", ".join(f"{name} {version}" for name, version in versions.items())
-    why = "Whoever helps you asks for this first."
-    return HealthItem("software", "Software", "good", f"{told}.", why, "")
-
-
-def _times(count: int) -> str:
-    return "once" if count == 1 else f"{count} times"
+    parts = [message("software-part", part=name, version=of) for name, of in versions.items()]
+    why = message("whoever-helps-you-asks-first")
+    return HealthItem("software", message("software"), "good", sentence(join(parts)), why, "")

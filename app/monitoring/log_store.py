@@ -1,7 +1,7 @@
 """The station's log: JSON lines in the data folder, and read again by level and words.
 
 Each line is an object with ``at``, ``level``, ``logger``, ``thread``, ``text`` and, of a
-failure, ``trace``.
+failure, ``trace``. The text is English; of a message, ``text_message`` has its data.
 """
 
 import json
@@ -10,7 +10,7 @@ import logging.handlers
 import queue
 import sys
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from itertools import islice
@@ -20,18 +20,17 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.open_file import check_ordinary, read_bounded
-from app.monitoring.log_text import NUMBER, RepeatFilter
+from app.messages.catalogue import Render
+from app.messages.message import Message, Text, join, message
+from app.messages.stored import encode_data, restore_text
+from app.monitoring.log_text import RepeatFilter
 
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
 LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
 STATION_LOGGERS = ("app", "hardware")
-"""Loggers that are heard from ``info`` on; all others from ``warning`` on."""
+"""Loggers of which lines from ``info`` on are written; of all others from ``warning`` on."""
 
-MAX_TRANSLATED = 1000
-"""Sentences of a log that are put into another language for one search of it."""
-
-Translate = Callable[[str], str]
 Level = Literal["info", "warning", "error"]
 LEVELS: dict[Level, int] = {
     "info": logging.INFO,
@@ -48,7 +47,7 @@ class LogLine:
     level: Level
     logger: str
     thread: str
-    text: str
+    text: Text
     trace: str
 
 
@@ -74,9 +73,9 @@ class LogStore:
         except OSError as error:
             raise OperationError(
                 "data-folder-unwritable",
-                f"The logs in {self.folder} cannot be written",
+                message("logs-cannot-written", folder=self.folder),
                 error.strerror or str(error),
-                "Give a folder that this user may write with --data",
+                message("give-folder-user-may-write-data"),
             ) from error
         file.setFormatter(_JsonLine())
         self._errors: deque[float] = deque(maxlen=1000)
@@ -113,17 +112,17 @@ class LogStore:
         return [path for path in (self.folder / FILE, *numbered) if path.is_file()]
 
     def read(
-        self, level: Level, words: str, count: int, say: Translate | None = None
+        self, level: Level, words: str, count: int, render: Render | None = None
     ) -> list[LogLine]:
         """The newest lines of a level or above that contain the words, newest first.
 
         Args:
-            say: what is written into another language; the words may be of that, too.
+            render: puts texts into another language; the words may be of that, too.
         """
         wanted = words.lower().split()
         # most lines are passed over without being parsed; these signs are spelled otherwise in JSON
-        plain = [word for word in wanted if say is None and not set(word) & {'"', "\\"}]
-        sought = _SearchWords(wanted, say)
+        plain = [word for word in wanted if render is None and not set(word) & {'"', "\\"}]
+        sought = _SearchWords(wanted, render)
         high = (one for one in self._newest_first(plain) if LEVELS[one.level] >= LEVELS[level])
         return list(islice(filter(sought.is_in, high), count))
 
@@ -143,25 +142,17 @@ class LogStore:
 class _SearchWords:
     """Words, in small letters, that lines are sought by."""
 
-    def __init__(self, words: Sequence[str], say: Translate | None) -> None:
-        self._words, self._translator = words, say
-        self._translations: dict[str, str] = {}
+    def __init__(self, words: Sequence[str], render: Render | None) -> None:
+        self._words, self._render = words, render
 
     def is_in(self, line: LogLine) -> bool:
-        """Whether all of them stand in a line, as it was written or as it is said."""
-        hay = f"{line.text} {line.logger} {line.thread} {line.trace}".lower()
-        missing = [word for word in self._words if word not in hay]
-        if not missing or self._translator is None:
+        """Whether all of them stand in a line, in English or in the other language."""
+        english = f"{line.text!s} {line.logger} {line.thread} {line.trace}".lower()
+        missing = [word for word in self._words if word not in english]
+        if not missing or self._render is None or isinstance(line.text, str):
             return not missing
-        said = self._translate(line.text, self._translator)
-        return all(word in said for word in missing)
-
-    def _translate(self, text: str, say: Translate) -> str:
-        """Lines that differ in their numbers only are put into the language once."""
-        alike = NUMBER.sub("#", text)
-        if alike not in self._translations and len(self._translations) < MAX_TRANSLATED:
-            self._translations[alike] = say(alike).lower()
-        return self._translations.get(alike, "")
+        translated = self._render(line.text).lower()
+        return all(word in translated for word in missing)
 
 
 class _ErrorCounter(logging.Filter):
@@ -184,9 +175,13 @@ class _Handler(logging.handlers.QueueHandler):
         trace = str(getattr(record, "trace", ""))
         if record.exc_info:
             trace = logging.Formatter().formatException(record.exc_info)
+        text: Text = record.getMessage()[:LONGEST_TEXT]
+        if isinstance(record.msg, Message) and not record.args:
+            text = record.msg
+        if repeated := getattr(record, "repeated", None):
+            text = join([text, repeated], " ")
         plain = logging.makeLogRecord(record.__dict__)
-        plain.msg = record.getMessage()[:LONGEST_TEXT] + getattr(record, "repeated", "")
-        plain.args = None
+        plain.msg, plain.args = text, None
         plain.exc_info, plain.exc_text, plain.stack_info = None, trace or None, None
         return plain
 
@@ -200,7 +195,7 @@ class _File(logging.handlers.RotatingFileHandler):
         failed, self.failing = self.failing, False
         super().emit(record)
         if self.failing and not failed:
-            print("The log cannot be written; the Health page says more.", file=sys.stderr)
+            print(str(message("log-cannot-written-health-page-says")), file=sys.stderr)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - of an interface by others
         self.failing = True
@@ -209,16 +204,29 @@ class _File(logging.handlers.RotatingFileHandler):
 class _JsonLine(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         at = datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds")
-        line = {
+        line: dict[str, object] = {
             "at": at.replace("+00:00", "Z"),
             "level": _level(record.levelno),
             "logger": record.name,
             "thread": record.threadName or "",
-            "text": escape_unprintable(str(record.msg), "\n\t"),
+            "text": escape_unprintable(str(record.msg)[:LONGEST_TEXT], "\n\t"),
         }
+        if (data := encode_data(record.msg)) is not None:
+            line["text_message"] = _escape_texts(json.loads(data))
         if record.exc_text:
             line["trace"] = escape_unprintable(record.exc_text[-LONGEST_TRACE:], "\n\t")
         return json.dumps(line, ensure_ascii=False)
+
+
+def _escape_texts(data: object) -> object:
+    """The data of a message with no character that acts on readers in its texts."""
+    if isinstance(data, str):
+        return escape_unprintable(data, "\n\t")
+    if isinstance(data, dict):
+        return {name: _escape_texts(value) for name, value in data.items()}
+    if isinstance(data, list):
+        return [_escape_texts(value) for value in data]
+    return data
 
 
 def _level(number: int) -> Level:
@@ -231,12 +239,13 @@ def _parse_line(text: str) -> LogLine | None:
     """A line; None for one that a killed server left half."""
     try:
         line = json.loads(text)
+        english = str(line["text"])
         return LogLine(
             at=str(line["at"]),
             level=line["level"] if line["level"] in LEVELS else "info",
             logger=str(line["logger"]),
             thread=str(line["thread"]),
-            text=str(line["text"]),
+            text=restore_text(english, line["text_message"]) if "text_message" in line else english,
             trace=str(line.get("trace", "")),
         )
     except (ValueError, KeyError, TypeError, AttributeError):

@@ -12,6 +12,8 @@ from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.messages.message import message
+
 FIRST = 3
 """Lines of one kind that are written before they are counted only."""
 FORGOTTEN_S = 600.0
@@ -36,9 +38,9 @@ class RepeatFilter(logging.Filter):
     """Lets warnings and errors of one kind pass three times; then the tenth, the hundredth, the
     thousandth and so on, and one every ten minutes, which say how many there were.
 
-    Of one kind are errors raised at one place, and what is said in the same words; of what one
-    line of the program says in ever other words, the first twenty. How many is the record's
-    ``repeated``, for what writes it.
+    Of one kind are errors raised at one place, and equal texts; of the differing texts of one
+    line of the program, the first twenty. How many is the record's ``repeated``, for what
+    writes it.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -48,7 +50,7 @@ class RepeatFilter(logging.Filter):
         self._kinds: OrderedDict[_Key, _RepeatCount] = OrderedDict()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        record.repeated = ""
+        record.repeated = None
         if record.levelno < logging.WARNING:
             return True
         with self._lock:
@@ -62,7 +64,7 @@ class RepeatFilter(logging.Filter):
             kind.written_s = self._clock()
         if count > FIRST:
             since = time.strftime("%H:%M:%S", time.localtime(kind.began))
-            record.repeated = f" ({count} of these since {since})"
+            record.repeated = message("log-repeated", count=count, since=since)
         return True
 
     def _alike(self, key: _Key) -> int:

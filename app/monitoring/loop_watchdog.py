@@ -8,6 +8,7 @@ import time
 import traceback
 from dataclasses import dataclass, replace
 
+from app.messages.message import message, quantity
 from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
@@ -92,11 +93,12 @@ class LoopWatchdog:
         frame = sys._current_frames().get(watched)
         stack = "".join(traceback.format_stack(frame, FRAMES)) if frame is not None else ""
         limit_s, more = self._limit_s, {"trace": stack}
-        log.warning("the event loop is held up for more than %.2f s", limit_s, extra=more)
+        limit = quantity(limit_s, "s", 2)
+        log.warning(message("log-event-loop-held-up", limit=limit), extra=more)
         while not answered.wait(PERIOD_S) and not self._stopping.is_set():
             continue
         lasted_s = time.monotonic() - asked_s
-        log.warning("the event loop goes on after %.2f s", lasted_s)
+        log.warning(message("log-event-loop-goes-on", duration=quantity(lasted_s, "s", 2)))
         self._stalls = replace(
             self._stalls,
             count=self._stalls.count + 1,
@@ -109,7 +111,7 @@ class LoopWatchdog:
     def _note_pause(self, late_s: float) -> None:
         if late_s <= PAUSE_S:
             return
-        log.warning("the whole program stood still for %.2f s", late_s)
+        log.warning(message("log-program-stood-still", duration=quantity(late_s, "s", 2)))
         self._stalls = replace(
             self._stalls,
             pauses=self._stalls.pauses + 1,

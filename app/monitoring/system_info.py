@@ -8,6 +8,9 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.formats.io_errors import error_from_os
+from app.messages.message import Text
+
 MEMINFO = Path("/proc/meminfo")
 JUMP_S = 1.0
 
@@ -72,12 +75,12 @@ def versions() -> dict[str, str]:
     }
 
 
-def writable(folder: Path) -> str:
+def writable(folder: Path) -> Text:
     """Empty where a file can be written into the folder, else why not."""
     trial = folder / f".trial-{os.getpid()}"
     try:
         trial.write_bytes(b"x")
         trial.unlink()
     except OSError as error:
-        return error.strerror or str(error)
+        return error_from_os(error).why
     return ""

@@ -8,6 +8,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.file_names import display_path
 from app.formats.results.calibration import CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
+from app.messages.message import Text, message
 from app.station.scan.pipeline import ScanCalibration
 from app.store.calibrations import CalibrationRecord
 from app.workflows.compatibility import check_serials
@@ -17,13 +18,13 @@ Stamp = tuple[int, int, int] | None
 REMEMBERED = 16
 
 
-def unreadable_calibration_error(why: str) -> OperationError:
-    """What Home and a scan say of a calibration whose files cannot be read."""
+def unreadable_calibration_error(why: Text) -> OperationError:
+    """Why Home and a scan cannot use a calibration whose files cannot be read."""
     return OperationError(
         "calibration-unreadable",
-        "The calibration in use cannot be read",
+        message("calibration-use-cannot-read"),
         why,
-        "Put its file back from the last backup and restart the station, or calibrate again",
+        message("put-file-back-last-backup-restart"),
     )
 
 
@@ -31,14 +32,14 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
     """An accepted calibration with the arm that it was made on.
 
     Raises:
-        Refusal: a file of it cannot be read, or they do not belong together.
+        OperationError: a file of it cannot be read, or they do not belong together.
     """
     sheet = CalibrationFile.read(record.file)
     found = calibration_from_document(sheet)
     uncertainty = sheet.uncertainty
     if uncertainty is None:
         raise OperationError(
-            "field-missing", f"{display_path(record.file)}: uncertainty is missing"
+            "field-missing", message("uncertainty-missing", file=display_path(record.file))
         )
     arm = read_arm(record.file.parent / ARM)
     check_serials(found, arm)
@@ -68,8 +69,8 @@ def calibration_error(record: CalibrationRecord) -> OperationError | None:
 def _trouble(record: CalibrationRecord, *stamps: Stamp) -> OperationError | None:
     try:
         scan_calibration(record)
-    except OperationError as refusal:
-        return unreadable_calibration_error(refusal.line)
+    except OperationError as error:
+        return unreadable_calibration_error(error.text)
     return None
 
 

@@ -1,7 +1,7 @@
 """What the routes work with: the parts of the one station."""
 
 import asyncio
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Annotated, cast
 
 from fastapi import Depends
@@ -58,7 +58,7 @@ class Context:
     def scan_state(self, state: RoomScanState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()
-        values = {**asdict(known), "findings": known.findings}
+        values = {one.name: getattr(known, one.name) for one in fields(known)}
         return ScanStatus(**values, hand_running=self.simulated_scan.running)
 
 

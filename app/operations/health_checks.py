@@ -14,7 +14,7 @@ from app.formats.software import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
 from app.monitoring import health
 from app.monitoring import health_topics as health_messages
-from app.monitoring.health import Health, HealthItem
+from app.monitoring.health import DeviceKind, Health, HealthItem
 from app.monitoring.system_info import memory, versions, writable
 from app.operations.context import Context
 from app.operations.unreadable_files import list_unreadable
@@ -47,7 +47,7 @@ class HealthChecker:
             try:
                 items += check()
             except OperationError as refusal:
-                items.append(health_messages.not_made(name, refusal.line))
+                items.append(health_messages.not_made(name, refusal.text))
             except Exception as error:
                 log.exception("the health check %s failed", name)
                 items.append(health_messages.not_made(name, type(error).__name__))
@@ -76,12 +76,12 @@ class HealthChecker:
             "webhook": self._webhook,
         }
 
-    def _device(self, name: str, side: StationArm | StationSensor) -> list[HealthItem]:
+    def _device(self, name: DeviceKind, side: StationArm | StationSensor) -> list[HealthItem]:
         state = side.link()
         counts = (state.received, state.lost, state.corrupt)
         window = self._context.monitoring.losses[name]
         window.note(*counts)
-        return [health.device(state), health.losses(state.title, window.over(*counts))]
+        return [health.device(name, state), health.losses(name, window.over(*counts))]
 
     def _readings(self) -> list[HealthItem]:
         arm = self._context.rig.arm

@@ -16,6 +16,7 @@ from app.guide.common.validity import (
     choose_next_action,
     tip_finding,
 )
+from app.messages.message import Text, join, message, quantity
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
 from app.wire.schema import CalibrationSummary, Home
@@ -34,11 +35,12 @@ def build_home(context: Context) -> Home:
     findings: list[Finding] = []
     for link in (context.rig.arm.link(), context.rig.sensor.link()):
         if link.state in ("lost", "off"):
-            findings.append(Finding("bad", f"{link.title}: {link.text}", "Check its connection."))
+            text = join([link.title, link.text], ": ")
+            findings.append(Finding("bad", text, message("check-connection")))
     known = validity_inputs(context, record)
     lines = check_validity(known, datetime.now(UTC), context.due)
-    refusal = context.scanner.why_not() if record is not None else None
-    blocked = "" if refusal is None or refusal.code in PASSING else refusal.line
+    error = context.scanner.why_not() if record is not None else None
+    blocked = "" if error is None or error.code in PASSING else error.text
     reading = context.store.temperatures.newest()
     return Home(
         context.station,
@@ -76,9 +78,10 @@ def _calibration(
     if trouble is not None:
         return CheckResult(at, "failed", trouble.why)
     figures = record.figures if record is not None else None
-    return (
-        None if figures is None else CheckResult(at, "valid", f"{figures.total_um:.0f} µm (k = 1)")
-    )
+    if figures is None:
+        return None
+    total = message("total-k-1", total=quantity(figures.total_um, "µm"))
+    return CheckResult(at, "valid", total)
 
 
 def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
@@ -94,9 +97,12 @@ def _state(verdict: Quality) -> State:
     return "failed" if verdict == "bad" else "valid"
 
 
-def _arm_text(check: ArmCheckSummary) -> str:
-    limit = "no limit was set" if check.limit_um is None else f"limit {check.limit_um:.0f} µm"
-    return f"{max(check.half_range_um):.0f} µm, {limit}."
+def _arm_text(check: ArmCheckSummary) -> Text:
+    half_range = quantity(max(check.half_range_um), "µm")
+    if check.limit_um is None:
+        return message("arm-check-no-limit", half_range=half_range)
+    limit = quantity(check.limit_um, "µm")
+    return message("arm-check-with-limit", half_range=half_range, limit=limit)
 
 
 def calibration_summary(record: CalibrationRecord) -> CalibrationSummary:

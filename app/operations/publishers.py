@@ -1,14 +1,17 @@
-"""Keeps what is told of the station fresh, and passes on what happens."""
+"""Keeps the station's reports fresh, and passes on its events."""
 
 import asyncio
 import logging
 from collections.abc import Coroutine
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
+from app.messages.message import join
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
+from app.operations.payload_text import payload_text
 from app.operations.status_report import build_report
 from app.station.bus import Event
+from app.supervision.message_data import readable
 from app.supervision.messages import StationEvent
 from app.supervision.notifications import notice_kind
 from app.timestamps import utc_now
@@ -20,13 +23,15 @@ STATIONS_S = 1.0
 HEALTH_S = 3.0
 TEMPERATURE_S = 5.0
 END_S = 1.5
+DueKey = tuple[str, str | None]
+"""Id and time of a check that is due."""
 
 
 async def observe(context: Context) -> None:
-    """Runs until cancelled; then other stations are told that this one has ended."""
+    """Runs until cancelled; then other stations learn that this one has ended."""
     watch = context.monitoring
     watch.watchdog.start(asyncio.get_running_loop())
-    works: list[Coroutine[object, object, None]] = [
+    coroutines: list[Coroutine[object, object, None]] = [
         _reports(context),
         _stations(context),
         _events(context),
@@ -35,8 +40,8 @@ async def observe(context: Context) -> None:
         watch.webhook.run(),
     ]
     if watch.broker is not None:
-        works.append(watch.broker.run())
-    tasks = [asyncio.create_task(_run_and_log(work)) for work in works]
+        coroutines.append(watch.broker.run())
+    tasks = [asyncio.create_task(_run_and_log(work)) for work in coroutines]
     try:
         await asyncio.wait(tasks)
     finally:  # each is cancelled once: the broker's last words are spoken after that
@@ -54,11 +59,11 @@ async def _run_and_log(work: Coroutine[object, object, None]) -> None:
 
 
 async def _reports(context: Context) -> None:
-    due: set[tuple[str, str | None]] = set()
+    due: set[DueKey] = set()
     while True:
         try:
             report = await asyncio.to_thread(build_report, context)
-            context.bus.publish("report", report)
+            context.bus.publish("report", readable(report))
             if context.monitoring.broker is not None:
                 context.monitoring.broker.report(report)
             due = _notify_due(context, due)
@@ -69,27 +74,27 @@ async def _reports(context: Context) -> None:
         await asyncio.sleep(REPORT_S)
 
 
-def _notify_due(context: Context, told: set[tuple[str, str | None]]) -> set[tuple[str, str | None]]:
-    """Tells once of each thing that has come due; what is due now."""
+def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
+    """Notifies once of each check that has come due; returns what is due now."""
     home = context.bus.latest("home")
     if not isinstance(home, Home):
-        return told
+        return known
     due = {(line.id, line.at): line for line in home.checks if line.state == "due"}
-    for key in due.keys() - told:
+    for key in due.keys() - known:
         line = due[key]
-        text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]} {line.action}."
-        context.monitoring.notify("due", text[:400])
+        what = join([line.title, line.text], ": ")
+        context.monitoring.notify("due", join([what, sentence(line.action)], " "))
     return set(due)
 
 
 async def _stations(context: Context) -> None:
     """The other stations, when something of them has changed; how long one is silent is no news."""
-    told: object = None
+    published: object = None
     while True:
         shown = context.monitoring.fleet.stations()
         news = [one.model_copy(update={"silent_s": None}) for one in shown]
-        if news != told:
-            told = news
+        if news != published:
+            published = news
             context.bus.publish("stations", shown)
         await asyncio.sleep(STATIONS_S)
 
@@ -113,23 +118,25 @@ def _pass_on(context: Context, event: Event) -> None:
     watch.events += 1
     # an error is a fault of the program; a lost device and a refusal are none
     warns = event.quality in ("bad", "attention") and watch.warned.is_new(event.kind, event.text)
-    told = logging.WARNING if warns else logging.INFO
-    log.log(told, "%s: %s", event.kind, event.text)
+    level = logging.WARNING if warns else logging.INFO
+    log.log(level, "%s: %s", event.kind, event.text)
     if watch.broker is not None:
         watch.broker.event(
-            StationEvent(
-                station=watch.station,
-                instance=watch.instance,
-                number=event.id,
-                at=utc_now(),
-                kind=event.kind[:80],
-                quality=event.quality,
-                text=event.text[:400],
+            StationEvent.model_validate(
+                {
+                    "station": watch.station,
+                    "instance": watch.instance,
+                    "number": event.id,
+                    "at": utc_now(),
+                    "kind": event.kind[:80],
+                    "quality": event.quality,
+                    **payload_text(text=event.text),
+                }
             )
         )
     kind = notice_kind(event)
     if kind is not None:
-        watch.notify(kind, event.text[:400])
+        watch.notify(kind, event.text)
 
 
 async def _health(context: Context) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import convert_io_errors
@@ -23,6 +23,7 @@ from app.formats.recording.reader import (
 )
 from app.formats.results.calibration import read_calibration
 from app.formats.session.calibration_session import ARM
+from app.messages.message import Text, join, message
 from app.station.bus import Bus
 from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
@@ -35,7 +36,7 @@ from app.workflows.reconstruct import reconstruct_cloud
 log = logging.getLogger(__name__)
 DELETED = ".deleted-"
 """Folders of scans that are being deleted are called so."""
-KILLED = "The station ended during this scan."
+KILLED = message("station-ended-during-scan")
 RETRY_S = 10.0
 END_S = 5.0
 RECORD = "verification.json"
@@ -111,7 +112,7 @@ class Recovery:
         sync_folder(folder)
         sync_folder(self._scans)
         self._store.scans.add(scan)
-        self._bus.event("scan-found", f"{scan.name}: the recording was kept.", "attention")
+        self._bus.event("scan-found", message("recording-kept", name=scan.name), "attention")
 
     # -- while the station runs ----------------------------------------------
 
@@ -152,7 +153,9 @@ class Recovery:
     def _make_cloud(self, scan: ScanRecord) -> None:
         try:
             points = self._rebuild(scan)
-            self._bus.event("scan-rebuilt", f"{scan.name}: {points} points made.", "good")
+            self._bus.event(
+                "scan-rebuilt", message("points-made", name=scan.name, points=points), "good"
+            )
         except _CloudPostponedError:
             return
         except OperationError as refusal:
@@ -163,14 +166,14 @@ class Recovery:
             log.warning("no cloud for scan %s: %s", scan.id, refusal.line)
         except Exception as error:  # the station lives on
             log.exception("the cloud of scan %s cannot be made", scan.id)
-            self._errors[scan.id] = OperationError("failed", "the program failed at it", f"{error}")
+            self._errors[scan.id] = OperationError("failed", message("program-failed"), f"{error}")
         self._note_records()
 
     def _rebuild(self, scan: ScanRecord) -> int:
         """Makes a scan's cloud as it would have been made live; how many points it has."""
         record = self._store.calibrations.get(scan.calibration_id)
         if record is None:
-            raise OperationError("no-calibration", "its calibration is not known here")
+            raise OperationError("no-calibration", message("calibration-known-here"))
         made = reconstruct_cloud(
             scan.folder / RECORDING,
             read_calibration(record.file),
@@ -181,39 +184,39 @@ class Recovery:
         self._store.scans.complete(scan.id, made.points, made.all_frames, made.seconds)
         return made.points
 
-    def _progress(self, share: float, text: str) -> None:
+    def _progress(self, share: float, text: Text) -> None:
         if self._ending.is_set() or self._is_busy():
             raise _CloudPostponedError
 
-    # -- what is told --------------------------------------------------------
+    # -- what is shown -------------------------------------------------------
 
-    def scan_note(self, scan: ScanRecord) -> str:
+    def scan_note(self, scan: ScanRecord) -> Text:
         """What is wrong with a scan's recording, or why it ended early; mostly empty."""
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
-            return f"{damage[:1].upper()}{damage[1:]}."
+            return sentence(damage)
         if not scan.interrupted:
             return ""
         if (scan.folder / CLOUD).exists():
-            return f"{scan.interrupted} What was recorded is kept."
-        refusal = self._errors.get(scan.id)
-        if refusal is None:
-            return f"{scan.interrupted} Its points are made when there is room and no scan runs."
-        why = refusal.what if refusal.why == "" else refusal.why
-        return f"{scan.interrupted} No points can be made of it: {why}."
+            return message("what-recorded-kept", interrupted=scan.interrupted)
+        error = self._errors.get(scan.id)
+        if error is None:
+            return message("points-made-when-there-room-no", interrupted=scan.interrupted)
+        why = error.why or error.what
+        return message("no-points-can-made", interrupted=scan.interrupted, why=why)
 
-    def find_damage(self) -> list[str]:
-        """The recordings of scans and verifications that are not what they were, in words."""
-        found = []
+    def find_damage(self) -> list[Text]:
+        """The recordings of scans and verifications that are not what they were."""
+        damaged: list[Text] = []
         for scan in self._store.scans.all():
             if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
-                found.append(f"{scan.name}: {damage}")
+                damaged.append(join([scan.name, damage], ": "))
         for verification in self._store.verifications.all():
             for name, sha256 in _recording_hashes(verification.folder):
                 path = verification.folder / name
                 if (damage := find_damage(path)) and not self._matches_hash(path, sha256):
-                    found.append(f"{verification.id}, {name}: {damage}")
-        return found
+                    damaged.append(join([f"{verification.id}, {name}", damage], ": "))
+        return damaged
 
     def _matches_hash(self, path: Path, sha256: str) -> bool:
         """Whether a recording that has no end was accepted so, as after a killed process."""
@@ -226,20 +229,20 @@ class Recovery:
         return self._hashed[key] == sha256
 
 
-def _scan_record(folder: Path, told: dict[str, str]) -> ScanRecord:
-    """The record of a scan, by what its recording and its folder say of it."""
-    began = told.get(SCAN_STARTED, "")
+def _scan_record(folder: Path, metadata: dict[str, str]) -> ScanRecord:
+    """The record of a scan, from the metadata of its recording and from its folder."""
+    began = metadata.get(SCAN_STARTED, "")
     if not is_moment(began):
         began = datetime.fromtimestamp(folder.stat().st_mtime, UTC).isoformat(timespec="seconds")
     return ScanRecord(
         id=folder.name,
-        name=told.get(SCAN_NAME, "")[:LONGEST_NAME] or folder.name,
+        name=metadata.get(SCAN_NAME, "")[:LONGEST_NAME] or folder.name,
         folder=folder,
         started_at=began,
         points=0,
         frames=0,
         seconds=0.0,
-        calibration_id=told.get(SCAN_CALIBRATION, "")[:LONGEST_NAME],
+        calibration_id=metadata.get(SCAN_CALIBRATION, "")[:LONGEST_NAME],
         interrupted=KILLED,
         recording_bytes=(folder / RECORDING).stat().st_size,
     )

@@ -1,4 +1,4 @@
-"""What watches over the station, and tells of it: the parts beside the machine room."""
+"""The parts that watch over the station and report on it."""
 
 import threading
 import time
@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING
 
 from app.errors import OperationError
 from app.formats.file_names import register_data_folder, unregister_data_folder
+from app.messages.message import Text, message
 from app.monitoring.health import Health
 from app.monitoring.log_store import LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog
 from app.monitoring.network import Network
 from app.monitoring.system_info import WallClock
+from app.operations.payload_text import payload_text
 from app.station.bus import Bus
 from app.station.devices.link_state import LossWindow
 from app.station.devices.temperature import TemperatureWatch, Thermometer
@@ -23,6 +25,7 @@ from app.station.scan.state import ScanResult
 from app.store.backup import BackupRecord, backup, display_backup, last_backup, new_backup_name
 from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
+from app.supervision.message_data import readable
 from app.supervision.messages import new_instance, station_id
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind
 from app.supervision.remote_stations import Fleet
@@ -70,7 +73,7 @@ class Backups:
         self.same_disk = _disk(self.folder) == _disk(data)
         self.share: float | None = None
         """Done of the running one; null while none runs."""
-        self.trouble = ""
+        self.trouble: Text = ""
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
         self.last: BackupRecord | None = last_backup(data)
@@ -83,7 +86,9 @@ class Backups:
         """Raises ``OperationError`` while one is being made."""
         with self._lock:
             if self.share is not None:
-                raise OperationError("busy", "A backup is being made already", remedy="Wait for it")
+                raise OperationError(
+                    "busy", message("backup-being-made-already"), remedy=message("wait")
+                )
             self.share, self.trouble = 0.0, ""
         self._thread = threading.Thread(target=self._run, name="backup", daemon=True)
         self._thread.start()
@@ -93,16 +98,16 @@ class Backups:
         try:
             self.last = backup(self._data, self.folder / new_backup_name(), self._progress)
             self._bus.event(
-                "backup", f"The backup is in {display_backup(self.last.folder)}.", "good"
+                "backup", message("backup-2", folder=display_backup(self.last.folder)), "good"
             )
-        except OperationError as refusal:
-            self.trouble = refusal.line
-            self._bus.event("backup", f"No backup was made: {refusal.line}", "bad")
+        except OperationError as error:
+            self.trouble = error.text
+            self._bus.event("backup", message("no-backup-made", error=error.text), "bad")
         finally:
             unregister_data_folder(self.folder.parent)
             self.share = None
 
-    def _progress(self, share: float, text: str) -> None:
+    def _progress(self, share: float, text: Text) -> None:
         self.share = share
 
 
@@ -164,23 +169,25 @@ class MonitoringServices:
         self.frames += result.frames
         self.frames_lost += result.lost_frames
 
-    def notify(self, kind: NoticeKind, text: str) -> None:
-        """Tells whoever is away, and the browsers that asked for it."""
+    def notify(self, kind: NoticeKind, text: Text) -> None:
+        """Notifies whoever is away, and the browsers that asked for it."""
         if kind != "test" and not self._repeats.is_new(kind, text):
             return
         self._numbers += 1
-        notice = Notice(
-            number=self._numbers,
-            station=self.station,
-            instance=self.instance,
-            name=self.name,
-            kind=kind,
-            at=utc_now(),
-            text=text,
+        notice = Notice.model_validate(
+            {
+                "number": self._numbers,
+                "station": self.station,
+                "instance": self.instance,
+                "name": self.name,
+                "kind": kind,
+                "at": utc_now(),
+                **payload_text(text=text),
+            }
         )
         self.webhook.offer(notice)
         if kind != "test":
-            self._bus.publish("told", notice)
+            self._bus.publish("told", readable(notice))
 
     def close(self) -> None:
         """The log last of all."""

@@ -1,13 +1,16 @@
-"""What the station tells of itself: to its own wall screen, and over MQTT to other stations."""
+"""The report of the station: for its own wall screen, and over MQTT for other stations."""
 
 import time
 
+from app.errors import sentence
 from app.findings import Quality
 from app.guide.arm.view import ArmView
 from app.guide.common.validity import Validity
 from app.guide.common.view import FlowView
 from app.guide.verify.view import VerifyView
+from app.messages.message import Text, join, message
 from app.operations.context import Context
+from app.operations.payload_text import LONGEST, payload_text
 from app.station.devices.link_state import DeviceState
 from app.supervision.messages import (
     MOST_ALARMS,
@@ -20,8 +23,6 @@ from app.supervision.messages import (
 )
 from app.timestamps import utc_now
 from app.wire.schema import CalibrationSummary, Home
-
-LONGEST = 400
 
 
 def build_report(context: Context) -> StationReport:
@@ -56,7 +57,7 @@ def _device(name: str, state: DeviceState) -> DeviceReport:
         {
             "name": name,
             "state": state.state,
-            "text": state.text[:LONGEST],
+            **payload_text(text=state.text),
             "age_s": None if state.age_s is None else round(max(state.age_s, 0.0), 3),
             "rate_hz": None if state.rate_hz is None else round(state.rate_hz, 1),
             "received": state.received,
@@ -76,13 +77,17 @@ def _activity(context: Context) -> ActivityReport:
     }
 
     def activity(
-        kind: str, title: str, step: int = 0, steps: int = 0, progress: str = ""
+        kind: str, title: Text, step: int = 0, steps: int = 0, progress: Text = ""
     ) -> ActivityReport:
-        told = {"title": title[:LONGEST], "step": step, "steps": steps, "progress": progress}
-        return ActivityReport.model_validate({"kind": kind, **told, **numbers})
+        texts = payload_text(title=title, progress=progress)
+        return ActivityReport.model_validate(
+            {"kind": kind, "step": step, "steps": steps, **texts, **numbers}
+        )
 
     if scan.state in ("running", "stopping"):
-        return activity("scanning", "Scanning" if scan.state == "running" else "Writing the scan")
+        return activity(
+            "scanning", message("scanning") if scan.state == "running" else message("writing-scan")
+        )
     for topic, kind in (
         ("flow", "calibrating"),
         ("verify", "verifying"),
@@ -94,15 +99,15 @@ def _activity(context: Context) -> ActivityReport:
             progress = view.progress.text if view.progress else ""
             if view.busy is not None:
                 progress = view.busy.text
-            return activity(kind, view.title, step, len(view.steps), progress[:LONGEST])
+            return activity(kind, view.title, step, len(view.steps), progress)
     job = context.jobs.current
     if job is not None:
-        return activity("working", job.title, progress=job.text[:LONGEST])
-    return activity("idle", "Nothing runs")
+        return activity("working", job.title, progress=job.text)
+    return activity("idle", message("nothing-runs"))
 
 
 def _celsius(context: Context, home: Home | None) -> float | None:
-    """What the thermometer reads, or what somebody told lately."""
+    """What the thermometer reads, or what somebody entered lately."""
     if context.monitoring.temperature.there:
         return context.monitoring.temperature.now.celsius
     return home.temperature_c if home else None
@@ -119,11 +124,13 @@ def _verification(home: Home | None, context: Context) -> VerificationReport | N
     record = context.store.verifications.newest_for(calibration.id) if calibration else None
     if record is None or line is None:
         return None
-    return VerificationReport(
-        title=record.figures.gauge[:LONGEST],
-        at=record.accepted_at,
-        quality=line.quality,
-        text=record.figures.text[:LONGEST],
+    return VerificationReport.model_validate(
+        {
+            "title": record.figures.gauge[:LONGEST],
+            "at": record.accepted_at,
+            "quality": line.quality,
+            **payload_text(text=record.figures.text),
+        }
     )
 
 
@@ -145,26 +152,27 @@ def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None
 
 def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
     """What is wrong now, the worst first; each sentence once."""
-    found: dict[str, tuple[Quality, str]] = {}
+    alarms: dict[Text, tuple[Quality, Text]] = {}
     for finding in home.findings if home else ():
         if finding.quality in ("bad", "attention"):
-            found[finding.text] = (finding.quality, finding.remedy)
+            alarms[finding.text] = (finding.quality, finding.remedy)
     for line in home.checks if home else ():
         if line.quality in ("bad", "attention"):
-            text = f"{line.title}: {line.text[:1].lower()}{line.text[1:]}"
-            found[text] = (line.quality, f"{line.action}.")
+            text = join([line.title, line.text], ": ")
+            alarms[text] = (line.quality, sentence(line.action))
     scan = context.scanner.state()
     if scan.state == "running":
         for finding in scan.findings:
             if finding.quality in ("bad", "attention"):
-                found.setdefault(finding.text, (finding.quality, finding.remedy))
+                alarms.setdefault(finding.text, (finding.quality, finding.remedy))
     health = context.monitoring.health
     for item in health.items if health else ():
-        # a device that is lost is told by Home, and a missing backup is no alarm
+        # Home reports a device that is lost, and a missing backup is no alarm
         if item.quality == "bad" and not item.id.startswith("device-"):
-            found.setdefault(f"{item.title}: {item.what}", (item.quality, item.remedy))
-    ordered = sorted(found.items(), key=lambda pair: pair[1][0] != "bad")
+            text = join([item.title, item.what], ": ")
+            alarms.setdefault(text, (item.quality, item.remedy))
+    ordered = sorted(alarms.items(), key=lambda pair: pair[1][0] != "bad")
     return tuple(
-        Alarm(quality=quality, text=text[:LONGEST], remedy=remedy[:LONGEST])
+        Alarm.model_validate({"quality": quality, **payload_text(text=text, remedy=remedy)})
         for text, (quality, remedy) in ordered[:MOST_ALARMS]
     )

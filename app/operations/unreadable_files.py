@@ -8,31 +8,35 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.results.calibration import CalibrationFile
 from app.formats.results.verification import VERIFICATION, VerificationFile
 from app.formats.session.calibration_session import ARM
+from app.messages.message import Text, message
 from app.operations.context import Context
 
 
-def list_unreadable(context: Context) -> list[str]:
+def list_unreadable(context: Context) -> list[Text]:
     """Each a sentence. It reads every record, which may take seconds."""
     store, sessions = context.store, (context.guide, context.arm_guide, context.verify_guide)
-    found = [session.unreadable_reason for session in sessions if session.unreadable_reason]
+    reasons = [session.unreadable_reason for session in sessions if session.unreadable_reason]
     rows = store.unreadable_rows()
     if rows:
-        found.append(f"The journal has {len(rows)} rows that cannot be read, first row {rows[0]}.")
-    found += [
-        f"The calibration {one.name} cannot be read." for one in store.calibrations.unreadable()
+        first = rows[0]
+        reasons.append(message("journal-has-rows-cannot-read-first", count=len(rows), first=first))
+    reasons += [
+        message("calibration-cannot-read", name=one.name) for one in store.calibrations.unreadable()
     ]
-    found += [f"The verification {one} cannot be read." for one in store.verifications.unreadable()]
+    reasons += [
+        message("verification-cannot-read", one=one) for one in store.verifications.unreadable()
+    ]
     for record in store.calibrations.all():
-        found += _trouble(record.file, CalibrationFile.read)
-        found += _trouble(record.file.parent / ARM, read_arm)
+        reasons += _reading_error(record.file, CalibrationFile.read)
+        reasons += _reading_error(record.file.parent / ARM, read_arm)
     for verification in store.verifications.all():
-        found += _trouble(verification.folder / VERIFICATION, VerificationFile.read)
-    return found
+        reasons += _reading_error(verification.folder / VERIFICATION, VerificationFile.read)
+    return reasons
 
 
-def _trouble(path: Path, read: Callable[[Path], object]) -> list[str]:
+def _reading_error(path: Path, read: Callable[[Path], object]) -> list[Text]:
     try:
         read(path)
-    except OperationError as refusal:
-        return [refusal.line]
+    except OperationError as error:
+        return [error.text]
     return []

@@ -1,102 +1,119 @@
-"""What a report says, whatever it is printed on."""
+"""What a report has in it, whatever it is printed on.
+
+Its texts are data (``Text``); ``translation`` renders them into the strings of one language.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Generic, Literal, TypeVar
 
+from app.messages.message import Text, message
 from app.report.figure import Figure
 
 Quality = Literal["good", "attention", "bad", "neutral"]
+T_co = TypeVar("T_co", bound=Text, covariant=True)
+"""``Text``, or ``str`` once it is rendered."""
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """The outcome in a word, and the sentence that says why."""
+class Verdict(Generic[T_co]):
+    """The outcome in a word, and the sentence that gives the reason."""
 
     quality: Quality
-    word: str
-    text: str
+    word: T_co
+    text: T_co
 
 
 @dataclass(frozen=True)
-class Facts:
-    """Names and values, in two columns where there is room."""
+class Facts(Generic[T_co]):
+    """Names and values, in two columns where there is space."""
 
-    rows: Sequence[tuple[str, str]]
+    rows: Sequence[tuple[T_co, T_co]]
 
 
 @dataclass(frozen=True)
-class ReportTable:
+class ReportTable(Generic[T_co]):
     """``widths`` are shares of the page; columns from ``numbers`` on are set to the right."""
 
-    columns: Sequence[str]
-    rows: Sequence[Sequence[str]]
+    columns: Sequence[T_co]
+    rows: Sequence[Sequence[T_co]]
     widths: Sequence[float]
     numbers: int = 1
     small: bool = False
 
 
 @dataclass(frozen=True)
-class TextBlock:
-    text: str
+class TextBlock(Generic[T_co]):
+    text: T_co
     small: bool = False
 
 
 @dataclass(frozen=True)
-class ReportFinding:
+class ReportFinding(Generic[T_co]):
+    """``remedy`` may be empty."""
+
     quality: Quality
-    text: str
-    remedy: str = ""
+    text: T_co
+    remedy: T_co
 
 
 @dataclass(frozen=True)
-class Findings:
-    rows: Sequence[ReportFinding]
+class Findings(Generic[T_co]):
+    rows: Sequence[ReportFinding[T_co]]
 
 
 @dataclass(frozen=True)
-class Pictures:
-    """Figures in rows of ``across``, each with what it shows."""
+class Pictures(Generic[T_co]):
+    """Figures in rows of ``across``, each with its caption."""
 
-    figures: Sequence[tuple[Figure, str]]
+    figures: Sequence[tuple[Figure[T_co], T_co]]
     across: int = 1
 
 
 @dataclass(frozen=True)
-class Signatures:
-    """Lines to be signed, each with the name where it is known."""
+class Signatures(Generic[T_co]):
+    """Lines to be signed."""
 
-    lines: Sequence[tuple[str, str]]
+    lines: Sequence[T_co]
 
 
-Block = Facts | ReportTable | TextBlock | Findings | Pictures | Signatures
+Block = (
+    Facts[T_co]
+    | ReportTable[T_co]
+    | TextBlock[T_co]
+    | Findings[T_co]
+    | Pictures[T_co]
+    | Signatures[T_co]
+)
 
 
 @dataclass(frozen=True)
-class Section:
-    """``together``: its blocks are kept on one sheet of paper."""
+class Section(Generic[T_co]):
+    """``together``: its blocks stay on one page of paper."""
 
-    title: str
-    blocks: Sequence[Block]
+    title: T_co
+    blocks: Sequence[Block[T_co]]
     together: bool = True
 
 
-def signatures(operator: str) -> Section:
-    """The lines that every report is signed on."""
-    lines = [("Operator", operator), ("Approved", ""), ("Date", "")]
-    return Section("Signatures", [Signatures(lines)])
+def signatures(operator: str) -> Section[Text]:
+    """The lines that every report is signed on, the first with the operator's name if known."""
+    role = message("operator-2")
+    operated = message("role-and-name", role=role, name=operator) if operator else role
+    lines = (operated, message("approved"), message("date"))
+    return Section(message("signatures"), [Signatures(lines)])
 
 
 @dataclass(frozen=True)
-class Report:
+class Report(Generic[T_co]):
     """One report; ``number`` is the session's."""
 
-    title: str
+    title: T_co
     number: str
-    station: str
-    date: str
-    verdict: Verdict
-    sections: Sequence[Section]
-    notes: Sequence[str] = field(default_factory=tuple)
+    station: T_co
+    date: T_co
+    verdict: Verdict[T_co]
+    sections: Sequence[Section[T_co]]
+    notes: Sequence[T_co] = field(default_factory=tuple)
     """What must be known before anything else, such as that the hardware was simulated."""
     language: str = "en"

@@ -1,11 +1,15 @@
-"""A drawing of lines, faces, words and photographs, in points, y downward.
+"""A drawing of lines, faces, labels and photographs, in points, y downward.
 
-It is drawn once, and shown alike by a browser (``svg``) and on paper (``pdf``).
+It is drawn once, and looks the same in a browser (``svg``) and on paper (``pdf``).
 """
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Generic, Literal, TypeVar
 
+from app.messages.message import Text
+
+T = TypeVar("T", bound=Text)
+"""``Text``, or ``str`` once it is rendered."""
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
 
@@ -38,11 +42,11 @@ class Dot:
 
 
 @dataclass(frozen=True)
-class Label:
+class Label(Generic[T]):
     """One line of text; ``at`` is on its base line."""
 
     at: Point
-    text: str
+    text: T
     size: float = 7.5
     colour: str = SOFT
     anchor: Anchor = "start"
@@ -59,18 +63,18 @@ class Photo:
     jpeg: bytes
 
 
-Item = Polyline | Dot | Label | Photo
+Item = Polyline | Dot | Label[T] | Photo
 
 
 @dataclass
-class Figure:
+class Figure(Generic[T]):
     """What is drawn later lies above."""
 
     width: float
     height: float
-    title: str
-    """For who cannot see it."""
-    items: list[Item] = field(default_factory=list)
+    title: T
+    """For readers who cannot see it."""
+    items: list[Item[T]] = field(default_factory=list)
 
     def line(self, *points: Point, stroke: str = LINE, width: float = 0.75) -> None:
         self.items.append(Polyline(points, stroke, width))
@@ -98,7 +102,7 @@ class Figure:
     def label(
         self,
         at: Point,
-        text: str,
+        text: T,
         size: float = 7.5,
         colour: str = SOFT,
         anchor: Anchor = "start",
@@ -107,11 +111,11 @@ class Figure:
         self.items.append(Label(at, text, size, colour, anchor, bold))
 
 
-def magnification(largest: float, room: float) -> float:
-    """A round factor (1, 2 or 5 times a power of ten) that makes ``largest`` at most ``room``."""
+def magnification(largest: float, space: float) -> float:
+    """A round factor (1, 2 or 5 times a power of ten) that makes ``largest`` at most ``space``."""
     if largest <= 0:
         return 1.0
-    wanted = room / largest
+    wanted = space / largest
     power = 1.0
     while power > wanted:
         power /= 10

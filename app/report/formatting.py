@@ -3,21 +3,28 @@
 import re
 from datetime import UTC
 
+from app.messages.message import Message, Quantity, Text, message, quantity, rounded, word
 from app.timestamps import parse_moment
 
 _UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
 _SIGNS = re.compile(r"(?<=\S) ([×Ø]) (?=\d)")
-_LIMIT = re.compile(r"([≤≥]) (?=\d)")
+_LIMIT = re.compile(r"([≤≥±]) (?=\d)")
 _MINUS = re.compile(r"(?<![\w-])-(?=\d)")
-UNKNOWN = "not stated"
+UNKNOWN = message("stated")
+NONE = word("none")
 
 
-def device_name(name: str, serial: str) -> str:
+def device_name(name: str, serial: str) -> Message:
     """A device by its name and serial number."""
-    return f"{name or UNKNOWN}, serial number {serial or UNKNOWN}"
+    return message("serial-number-3", value=name or UNKNOWN, value2=serial or UNKNOWN)
 
 
-def format_moment(text: str | None) -> str:
+def software_name(version: str) -> Message:
+    """This program in one of its versions."""
+    return message("crenel", version=version)
+
+
+def format_moment(text: str | None) -> Text:
     """An ISO time as people read it, in UTC."""
     if not text:
         return UNKNOWN
@@ -28,17 +35,37 @@ def format_moment(text: str | None) -> str:
     return f"{when:%Y-%m-%d %H:%M} UTC"
 
 
-def micrometres(value_um: float) -> str:
-    return f"{value_um:.1f} µm"
+def micrometres(value_um: float) -> Quantity:
+    return quantity(value_um, "µm", 1)
 
 
-def millimetres(value_um: float) -> str:
+def millimetres(value_um: float) -> Quantity:
     """Micrometres in millimetres, to a tenth of a micrometre."""
-    return f"{value_um / 1e3:.4f} mm"
+    return quantity(value_um / 1e3, "mm", 4)
 
 
-def temperature(value_c: float | None) -> str:
-    return "not measured" if value_c is None else f"{value_c:.1f} °C"
+def in_both_units(value_um: float) -> tuple[Quantity, Quantity]:
+    """A length in micrometres and in millimetres, as the tables have it in two columns."""
+    return micrometres(value_um), millimetres(value_um)
+
+
+def at_most(limit_um: float | None) -> Text:
+    """A limit as the tables have it."""
+    return NONE if limit_um is None else message("at-most-limit", limit=rounded(limit_um, "µm"))
+
+
+def plus_minus(uncertainty: Quantity) -> Message:
+    """An expanded uncertainty."""
+    return message("plus-minus", uncertainty=uncertainty)
+
+
+def ball_diameter(value_mm: float, digits: int = 4) -> Message:
+    """Of a ball, to so many digits at most."""
+    return message("ball-diameter", diameter=rounded(value_mm, "mm", digits))
+
+
+def temperature(value_c: float | None) -> Text:
+    return message("measured") if value_c is None else quantity(value_c, "°C", 1)
 
 
 def join_units(text: str) -> str:
@@ -48,6 +75,6 @@ def join_units(text: str) -> str:
     return _MINUS.sub("−", tight)
 
 
-def simulation_notes(simulated: bool) -> list[str]:
+def simulation_notes(simulated: bool) -> list[Text]:
     """What to know first of a record that was made without a real arm and sensor."""
-    return ["Made on simulated hardware: a demonstration."] if simulated else []
+    return [message("made-simulated-hardware-demonstration")] if simulated else []

@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from functools import cache
 
 from app.formats.software import SOFTWARE
+from app.messages.catalogue import Render, renderer
+from app.messages.isolated import isolate_names
+from app.messages.message import Message, message
 from app.report.content import (
     Block,
     Facts,
@@ -21,11 +24,13 @@ from app.report.fonts import REGULAR, SEMIBOLD
 from app.report.formatting import join_units
 from app.report.html_policy import POLICY
 from app.report.svg import svg
-from app.report.translation import Translate
-from app.strings.isolated import isolate_names
-from app.strings.sentences import load_sentences
 
-MARKS = {"good": "Good", "attention": "Attention", "bad": "Bad", "neutral": "Note"}
+MARKS = {
+    "good": message("good"),
+    "attention": message("attention"),
+    "bad": message("bad"),
+    "neutral": message("note"),
+}
 
 STYLE = """
 @page { size: A4; margin: 16mm 15mm; }
@@ -100,10 +105,10 @@ def _font_faces() -> str:
     return "".join(rules)
 
 
-def html_page(report: Report) -> bytes:
+def html_page(report: Report[str]) -> bytes:
     """The whole file, UTF-8."""
     notes = "".join(f'<p class="note">{escape(note)}</p>' for note in report.notes)
-    verdict, say = report.verdict, load_sentences(report.language).translate
+    verdict, render = report.verdict, renderer(report.language)
     of = f"<b>{escape(report.station)}</b><br>{escape(report.number)}<br>{escape(report.date)}"
     text = f"""<!doctype html>
 <html lang="{report.language}">
@@ -121,8 +126,8 @@ def html_page(report: Report) -> bytes:
 </header>
 {notes}
 <div class="verdict {verdict.quality}"><b>{escape(verdict.word)}</b>{escape(verdict.text)}</div>
-{"".join(_section(section, say) for section in report.sections)}
-<footer>{escape(say(producer_text()))}</footer>
+{"".join(_section(section, render) for section in report.sections)}
+<footer>{escape(render(producer_text()))}</footer>
 </body>
 </html>
 """
@@ -134,17 +139,17 @@ def escape(text: str) -> str:
     return html.escape(isolate_names(join_units(text)))
 
 
-def producer_text() -> str:
+def producer_text() -> Message:
     """What made the report."""
-    return f"Report made by Crenel {SOFTWARE.version} from the files of the session alone."
+    return message("report-made-crenel-files-session-alone", version=SOFTWARE.version)
 
 
-def _section(section: Section, say: Translate) -> str:
-    blocks = "".join(_block(block, say) for block in section.blocks)
+def _section(section: Section[str], render: Render) -> str:
+    blocks = "".join(_block(block, render) for block in section.blocks)
     return f"<section><h2>{escape(section.title)}</h2>{blocks}</section>\n"
 
 
-def _block(block: Block, say: Translate) -> str:
+def _block(block: Block[str], render: Render) -> str:
     match block:
         case Facts():
             rows = "".join(
@@ -159,7 +164,7 @@ def _block(block: Block, say: Translate) -> str:
             return f"<p{kind}>{escape(block.text)}</p>"
         case Findings():
             rows = "".join(
-                f'<li><b class="{row.quality}">{say(MARKS[row.quality])}</b>'
+                f'<li><b class="{row.quality}">{escape(render(MARKS[row.quality]))}</b>'
                 f'<span>{escape(row.text)} <span class="small">{escape(row.remedy)}</span></span>'
                 "</li>"
                 for row in block.rows
@@ -173,14 +178,11 @@ def _block(block: Block, say: Translate) -> str:
             columns = f"grid-template-columns: repeat({block.across}, minmax(0, 1fr))"
             return f'<div class="pictures" style="{columns}">{figures}</div>'
         case Signatures():
-            lines = "".join(
-                f"<div>{escape(role)}{': ' if name else ''}{escape(name)}</div>"
-                for role, name in block.lines
-            )
+            lines = "".join(f"<div>{escape(line)}</div>" for line in block.lines)
             return f'<div class="signatures">{lines}</div>'
 
 
-def _table(table: ReportTable) -> str:
+def _table(table: ReportTable[str]) -> str:
     def cells(row: Sequence[str], tag: str) -> str:
         kinds = ["" if i < table.numbers else ' class="n"' for i in range(len(row))]
         texts = zip(kinds, row, strict=True)

@@ -24,6 +24,9 @@ from reportlab.platypus import (
 )
 from reportlab.platypus import Table as Grid
 
+from app.messages.catalogue import Render, renderer
+from app.messages.isolated import TURNING
+from app.messages.message import message
 from app.report.content import (
     Block,
     Facts,
@@ -40,9 +43,6 @@ from app.report.fonts import REGULAR, SEMIBOLD
 from app.report.formatting import join_units
 from app.report.html import MARKS, producer_text
 from app.report.pdf_figure import BOLD, PLAIN, Drawing
-from app.report.translation import Translate
-from app.strings.isolated import TURNING
-from app.strings.sentences import load_sentences
 
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
@@ -56,22 +56,22 @@ COLOURS = {
     "neutral": ("#5f6b79", "#f2f4f7"),
 }
 LEAST_SPACE = 45 * mm
-"""Where less than this is left of a sheet, the next section begins on another."""
+"""Where less than this is left of a page, the next section begins on another."""
 
 
-def pdf_document(report: Report) -> bytes:
+def pdf_document(report: Report[str]) -> bytes:
     """The whole file."""
     _fonts()
-    # how many sheets there are is said on each, and known once they are laid out
-    _, sheets = _lay_out(report, 0)
-    return _lay_out(report, sheets)[0]
+    # each page has the number of pages, which is known once they are laid out
+    _, pages = _lay_out(report, 0)
+    return _lay_out(report, pages)[0]
 
 
-def _lay_out(report: Report, sheets: int) -> tuple[bytes, int]:
-    """The file, each sheet saying that there are so many, and how many there are."""
-    whole, say = io.BytesIO(), load_sentences(report.language).translate
+def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
+    """The file with ``pages`` as the number of pages on each, and their true number."""
+    file, render = io.BytesIO(), renderer(report.language)
     document = SimpleDocTemplate(
-        whole,
+        file,
         pagesize=A4,
         leftMargin=MARGIN - FRAME,
         rightMargin=MARGIN - FRAME,
@@ -89,15 +89,17 @@ def _lay_out(report: Report, sheets: int) -> tuple[bytes, int]:
         canvas.setFont(PLAIN, 7)
         canvas.setFillColor(HexColor(FAINT))
         canvas.drawString(MARGIN, 9 * mm, foot[:90])
-        canvas.drawRightString(A4[0] - MARGIN, 9 * mm, say(f"{own.page} of {sheets}"))
-        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, say(producer_text()))
+        canvas.drawRightString(
+            A4[0] - MARGIN, 9 * mm, render(message("of", page=own.page, pages=pages))
+        )
+        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, render(producer_text()))
 
     story = [
         *_head(report),
-        *[part for section in report.sections for part in _section(section, say)],
+        *[part for section in report.sections for part in _section(section, render)],
     ]
     document.build(story, onFirstPage=footer, onLaterPages=footer)
-    return whole.getvalue(), document.page
+    return file.getvalue(), document.page
 
 
 @cache
@@ -113,8 +115,8 @@ def _fonts() -> frozenset[int]:
 def _replace_missing(text: str) -> str:
     """The text with a box for each character that the face does not have, or that turns it."""
     known = _fonts()
-    shown = TURNING.sub("□", text)
-    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in shown)
+    boxed = TURNING.sub("□", text)
+    return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in boxed)
 
 
 def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:
@@ -136,7 +138,7 @@ def _paragraph(
     )
 
 
-def _head(report: Report) -> list[Flowable]:
+def _head(report: Report[str]) -> list[Flowable]:
     of = [
         _paragraph(report.station, 8.5, INK, True, True),
         _paragraph(report.number, 8, SOFT, False, True),
@@ -186,21 +188,21 @@ def _padding(left: float, top: float, right: float, bottom: float) -> list[tuple
     return [(f"{name}PADDING", (0, 0), (-1, -1), value) for name, value in sides]
 
 
-def _section(section: Section, say: Translate) -> list[Flowable]:
+def _section(section: Section[str], render: Render) -> list[Flowable]:
     title = _paragraph(section.title, 11, INK, True)
     parts: list[Flowable] = []
     for block in section.blocks:
-        parts += _block(block, say)
+        parts += _block(block, render)
     headed = [Spacer(1, 14), title, Spacer(1, 4)]
     if section.together:
         return [KeepTogether([*headed, *parts])]
     if section.blocks and isinstance(section.blocks[0], Pictures):
-        # a row of pictures is higher than the least room, and a title stays with what it names
+        # a row of pictures is higher than the least space, and a title stays with its row
         return [KeepTogether([*headed, *parts[:1]]), *parts[1:]]
     return [CondPageBreak(LEAST_SPACE), *headed, *parts]
 
 
-def _block(block: Block, say: Translate) -> list[Flowable]:
+def _block(block: Block[str], render: Render) -> list[Flowable]:
     match block:
         case Facts():
             return [_facts(block)]
@@ -210,14 +212,14 @@ def _block(block: Block, say: Translate) -> list[Flowable]:
             size, colour = (7.5, SOFT) if block.small else (8.5, INK)
             return [_paragraph(block.text, size, colour), Spacer(1, 4)]
         case Findings():
-            return [_findings(block, say)]
+            return [_findings(block, render)]
         case Pictures():
             return _pictures(block)
         case Signatures():
             return [Spacer(1, 44), _signatures(block)]
 
 
-def _facts(facts: Facts) -> Grid:
+def _facts(facts: Facts[str]) -> Grid:
     rows = list(facts.rows)
     half = -(-len(rows) // 2)
     left, right = rows[:half], [*rows[half:], *[("", "")] * (2 * half - len(rows))]
@@ -233,7 +235,7 @@ def _facts(facts: Facts) -> Grid:
     return grid
 
 
-def _table(table: ReportTable) -> Grid:
+def _table(table: ReportTable[str]) -> Grid:
     size = 7.0 if table.small else 8.5
 
     def cells(row: Sequence[str], head: bool) -> list[Paragraph]:
@@ -259,10 +261,10 @@ def _table(table: ReportTable) -> Grid:
     return grid
 
 
-def _findings(findings: Findings, say: Translate) -> Grid:
+def _findings(findings: Findings[str], render: Render) -> Grid:
     rows = [
         [
-            _paragraph(say(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
+            _paragraph(render(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
             [_paragraph(row.text), *([_paragraph(row.remedy, 7.5, SOFT)] if row.remedy else [])],
         ]
         for row in findings.rows
@@ -280,7 +282,7 @@ def _findings(findings: Findings, say: Translate) -> Grid:
     return grid
 
 
-def _pictures(pictures: Pictures) -> list[Flowable]:
+def _pictures(pictures: Pictures[str]) -> list[Flowable]:
     gap = 12.0
     each = (WIDTH - gap * (pictures.across - 1)) / pictures.across
     parts: list[Flowable] = []
@@ -295,12 +297,12 @@ def _pictures(pictures: Pictures) -> list[Flowable]:
     return parts
 
 
-def _signatures(signatures: Signatures) -> Grid:
+def _signatures(signatures: Signatures[str]) -> Grid:
     count, gap = len(signatures.lines), 24.0
     each = (WIDTH - gap * (count - 1)) / count
     cells: list[object] = []
-    for role, name in signatures.lines:
-        cells += [_paragraph(f"{role}: {name}" if name else role, 8, SOFT), ""]
+    for line in signatures.lines:
+        cells += [_paragraph(line, 8, SOFT), ""]
     grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (count - 1)])
     lines = [("LINEABOVE", (2 * i, 0), (2 * i, 0), 0.75, HexColor(INK)) for i in range(count)]
     grid.setStyle(TableStyle([*lines, *_padding(0, 3, 0, 0)]))

@@ -15,7 +15,7 @@ PLAIN, BOLD = "Crenel", "Crenel-Bold"
 class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
     """A figure at a given width."""
 
-    def __init__(self, figure: Figure, width: float) -> None:
+    def __init__(self, figure: Figure[str], width: float) -> None:
         super().__init__()
         self.figure = figure
         self.scale = width / figure.width
@@ -58,15 +58,15 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
         canvas.drawPath(path, int(bool(shape.stroke)), filled)
         canvas.setDash([])
 
-    def _label(self, canvas: Canvas, words: Label) -> None:
-        canvas.setFont(BOLD if words.bold else PLAIN, words.size)
-        canvas.setFillColor(HexColor(words.colour))
+    def _label(self, canvas: Canvas, label: Label[str]) -> None:
+        canvas.setFont(BOLD if label.bold else PLAIN, label.size)
+        canvas.setFillColor(HexColor(label.colour))
         draw = {
             "start": canvas.drawString,
             "middle": canvas.drawCentredString,
             "end": canvas.drawRightString,
-        }[words.anchor]
-        draw(*self._up(words.at), words.text)
+        }[label.anchor]
+        draw(*self._up(label.at), label.text)
 
 
 def _paint(canvas: Canvas, item: Polyline | Dot) -> int:

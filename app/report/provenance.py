@@ -2,37 +2,49 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Literal
 
 from app.formats.json_document import file_sha256
 from app.formats.results.calibration import Input
+from app.messages.message import Message, Text, message, word
 from app.report.content import Block, Findings, ReportFinding, ReportTable, Section, TextBlock
 
-SAME, RESULT = "unchanged", "the result"
+FileState = Literal["unchanged", "changed", "missing", "result"]
+STATES: dict[FileState, Message] = {
+    "unchanged": word("unchanged"),
+    "changed": word("changed"),
+    "missing": word("missing"),
+    "result": message("result-2"),
+}
 
 
 def inputs_section(
-    folder: Path, inputs: Sequence[Input], result: str, promised_sha256: str | None = None
-) -> Section:
-    """The files with their hashes, and the ``result`` with what was ``promised`` of it."""
-    rows = [(one.file, one.sha256, _state(folder, one)) for one in inputs]
+    folder: Path, inputs: Sequence[Input], result: str, accepted_sha256: str | None = None
+) -> Section[Text]:
+    """The files with their hashes, and the ``result`` against what was accepted."""
+    files = [(one.file, one.sha256, _state(folder, one)) for one in inputs]
     own = file_sha256(folder / result)
-    rows.append((result, own, RESULT if promised_sha256 in (None, own) else "changed"))
-    changed = sum(row[2] not in (SAME, RESULT) for row in rows)
-    table = ReportTable(("File", "SHA-256", "Now"), rows, (34, 70, 15), 3, small=True)
+    files.append((result, own, "result" if accepted_sha256 in (None, own) else "changed"))
+    changed = sum(state in ("changed", "missing") for _, _, state in files)
+    table = ReportTable[Text](
+        (message("file-4"), "SHA-256", message("now")),
+        [(name, sha256, STATES[state]) for name, sha256, state in files],
+        (34, 70, 15),
+        3,
+        small=True,
+    )
+    blocks: list[Block[Text]]
     if changed:
-        text = f"{changed} of these files are not what the result was made from and accepted as."
-        told = ReportFinding("bad", text, "The result cannot be traced to them.")
-        blocks: list[Block] = [Findings([told]), table]
+        text = message("these-files-what-result-made-accepted", changed=changed)
+        finding = ReportFinding[Text]("bad", text, message("result-cannot-traced-them"))
+        blocks = [Findings([finding]), table]
     else:
-        blocks = [
-            table,
-            TextBlock("Every file has the content that the result was made from.", True),
-        ]
-    return Section("Inputs", blocks, together=False)
+        blocks = [table, TextBlock(message("every-file-has-content-result-made"), True)]
+    return Section(message("inputs"), blocks, together=False)
 
 
-def _state(folder: Path, one: Input) -> str:
+def _state(folder: Path, one: Input) -> FileState:
     path = folder / one.file
     if not path.is_file():
         return "missing"
-    return SAME if file_sha256(path) == one.sha256 else "changed"
+    return "unchanged" if file_sha256(path) == one.sha256 else "changed"

@@ -7,6 +7,7 @@ from app.formats.file_names import display_path
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK
 from app.formats.results.verification import VERIFICATION
 from app.formats.session.arm_session import IDENTIFIED
+from app.messages.message import Text, join, message
 from app.report.content import Report
 from app.report.contents.arm_check import arm_check_report
 from app.report.contents.calibration import CALIBRATION, calibration_report
@@ -25,8 +26,8 @@ KINDS = (
 )
 
 
-def _pdf(report: Report) -> bytes:
-    from app.report.pdf import pdf_document  # the PDF library is loaded by who prints
+def _pdf(report: Report[str]) -> bytes:
+    from app.report.pdf import pdf_document  # loads the PDF library only where it is needed
 
     return pdf_document(report)
 
@@ -34,22 +35,24 @@ def _pdf(report: Report) -> bytes:
 FORMS = {".html": html_page, ".pdf": _pdf}
 
 
-def folder_report(folder: Path) -> Report:
-    """The report on whatever a folder records.
+def folder_report(folder: Path) -> Report[Text]:
+    """The report on the record of a folder.
 
     Raises:
-        Refusal: it records nothing that has a report, or a file of it is missing or damaged.
+        OperationError: it has no record with a report, or a file of it is missing or damaged.
     """
     for name, report in KINDS:
         if (folder / name).is_file():
             return report(folder)
-    there = "it holds no record of one" if folder.is_dir() else "there is no such folder"
+    there = message("holds-no-record-one") if folder.is_dir() else message("there-no-such-folder")
     raise OperationError(
         "no-record",
         display_path(folder),
         there,
-        f"Name the folder of a calibration, a check or a verification: it has one of "
-        f"{', '.join(name for name, _ in KINDS)}",
+        message(
+            "name-folder-calibration-check-verification-has",
+            files=join([name for name, _ in KINDS]),
+        ),
     )
 
 
@@ -57,13 +60,13 @@ def render_report(folder: Path, suffix: str, language: str = "en") -> bytes:
     """The report on a folder as ``.html`` or ``.pdf``, the same bytes for the same files.
 
     Raises:
-        Refusal: as ``folder_report``, or for another ``suffix`` or an unknown ``language``.
+        OperationError: as ``folder_report``, or for another ``suffix`` or an unknown ``language``.
     """
     form = FORMS.get(suffix.lower())
     if form is None:
         raise OperationError(
             "report-form",
-            f"a report cannot be written as '{suffix}'",
-            remedy=f"End the name with {' or '.join(FORMS)}",
+            message("report-cannot-written", suffix=suffix),
+            remedy=message("end-name"),
         )
     return form(translate_report(folder_report(folder), language))

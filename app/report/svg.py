@@ -3,18 +3,19 @@
 import base64
 from html import escape
 
+from app.messages.isolated import isolate_names
 from app.report.figure import Dot, Figure, Item, Photo, Polyline
-from app.strings.isolated import isolate_names
+from app.report.formatting import join_units
 
 
-def svg(figure: Figure) -> str:
+def svg(figure: Figure[str]) -> str:
     """One ``svg`` element; all texts escaped."""
     size = f'viewBox="0 0 {figure.width:g} {figure.height:g}" width="{figure.width:g}"'
     inner = "".join(_item(item) for item in figure.items)
     return f'<svg {size} role="img" aria-label="{escape(figure.title)}">{inner}</svg>'
 
 
-def _item(item: Item) -> str:
+def _item(item: Item[str]) -> str:
     if isinstance(item, Polyline):
         return _shape(item)
     if isinstance(item, Dot):
@@ -27,7 +28,8 @@ def _item(item: Item) -> str:
         return f'<image {place} href="data:image/jpeg;base64,{data}"/>'
     weight = ' font-weight="600"' if item.bold else ""
     look = f'font-size="{item.size:g}" fill="{item.colour}" text-anchor="{item.anchor}"{weight}'
-    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{escape(isolate_names(item.text))}</text>'
+    text = escape(isolate_names(join_units(item.text)))
+    return f'<text x="{x:.2f}" y="{y:.2f}" {look}>{text}</text>'
 
 
 def _shape(shape: Polyline) -> str:

@@ -1,9 +1,8 @@
-"""A report in another language: the same content, every sentence and word of it said there."""
-
-from collections.abc import Callable
-from dataclasses import replace
+"""A report's texts, rendered into one language."""
 
 from app.errors import OperationError
+from app.messages.catalogue import Render, languages, renderer
+from app.messages.message import Text, join, message
 from app.report.content import (
     Block,
     Facts,
@@ -17,69 +16,77 @@ from app.report.content import (
     TextBlock,
     Verdict,
 )
-from app.report.figure import Figure, Label
-from app.strings.files import ENGLISH, languages
-from app.strings.sentences import load_sentences
-
-Translate = Callable[[str], str]
+from app.report.figure import Figure, Item, Label
 
 
-def translate_report(report: Report, language: str) -> Report:
-    """The report in a language.
+def translate_report(report: Report[Text], language: str) -> Report[str]:
+    """The report in a language, numbers with its decimal point.
 
     Raises:
-        Refusal: there is no such language.
+        OperationError: there is no such language.
     """
     if language not in languages():
         raise OperationError(
             "report-language",
-            f"there is no language '{language}'",
-            remedy=f"Take one of {', '.join(languages())}",
+            message("there-no-language", language=language),
+            remedy=message("take-one", languages=join(languages())),
         )
-    if language == ENGLISH:
-        return report
-    return replace(apply_translation(report, load_sentences(language).translate), language=language)
-
-
-def apply_translation(report: Report, say: Translate) -> Report:
-    """The report with each of its texts as ``say`` says it; who signs keeps the name."""
-    return replace(
-        report,
-        title=say(report.title),
-        station=say(report.station),
-        verdict=Verdict(report.verdict.quality, say(report.verdict.word), say(report.verdict.text)),
+    render = renderer(language)
+    verdict = report.verdict
+    return Report(
+        title=render(report.title),
+        number=report.number,
+        station=render(report.station),
+        date=render(report.date),
+        verdict=Verdict(verdict.quality, render(verdict.word), render(verdict.text)),
         sections=[
-            Section(say(one.title), [_block(block, say) for block in one.blocks], one.together)
-            for one in report.sections
+            Section(
+                render(section.title),
+                [_block(block, render) for block in section.blocks],
+                section.together,
+            )
+            for section in report.sections
         ],
-        notes=[say(note) for note in report.notes],
+        notes=[render(note) for note in report.notes],
+        language=language,
     )
 
 
-def _block(block: Block, say: Translate) -> Block:
+def _block(block: Block[Text], render: Render) -> Block[str]:
     match block:
         case Facts():
-            return Facts([(say(name), say(value)) for name, value in block.rows])
+            return Facts([(render(name), render(value)) for name, value in block.rows])
         case ReportTable():
-            rows = [[say(cell) for cell in row] for row in block.rows]
-            return replace(block, columns=[say(cell) for cell in block.columns], rows=rows)
+            return ReportTable(
+                [render(cell) for cell in block.columns],
+                [[render(cell) for cell in row] for row in block.rows],
+                block.widths,
+                block.numbers,
+                block.small,
+            )
         case TextBlock():
-            return replace(block, text=say(block.text))
+            return TextBlock(render(block.text), block.small)
         case Findings():
-            found = [
-                ReportFinding(row.quality, say(row.text), say(row.remedy)) for row in block.rows
-            ]
-            return Findings(found)
+            return Findings(
+                [
+                    ReportFinding(row.quality, render(row.text), render(row.remedy))
+                    for row in block.rows
+                ]
+            )
         case Pictures():
-            figures = [(_figure(figure, say), say(caption)) for figure, caption in block.figures]
-            return replace(block, figures=figures)
+            return Pictures(
+                [(_figure(figure, render), render(caption)) for figure, caption in block.figures],
+                block.across,
+            )
         case Signatures():
-            return Signatures([(say(role), name) for role, name in block.lines])
+            return Signatures([render(line) for line in block.lines])
 
 
-def _figure(figure: Figure, say: Translate) -> Figure:
-    items = [
-        replace(item, text=say(item.text)) if isinstance(item, Label) else item
+def _figure(figure: Figure[Text], render: Render) -> Figure[str]:
+    items: list[Item[str]] = [
+        Label(item.at, render(item.text), item.size, item.colour, item.anchor, item.bold)
+        if isinstance(item, Label)
+        else item
         for item in figure.items
     ]
-    return Figure(figure.width, figure.height, say(figure.title), items)
+    return Figure(figure.width, figure.height, render(figure.title), items)

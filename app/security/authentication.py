@@ -4,6 +4,7 @@ import threading
 from hmac import compare_digest
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.security.errors import TooManyAttemptsError
 from app.security.login_throttle import Throttle, address_key
 from app.store.accounts import Account, AccountStore, Role, plain_name
@@ -86,8 +87,8 @@ class Authenticator:
             if not self.first_start:
                 raise OperationError(
                     "not-first-start",
-                    "The station has an administrator already",
-                    remedy="Sign in, or ask the administrator for an account",
+                    message("station-has-administrator-already"),
+                    remedy=message("sign-ask-administrator-account"),
                 )
             if not self._matches(code, address):
                 return None
@@ -105,7 +106,7 @@ class Authenticator:
 
     def check_metrics_token(self, token: str, address: str) -> bool:
         """Whether a program may read the metrics by this token."""
-        key = f"scraper {address_key(address)}"
+        key = f"metrics {address_key(address)}"
         with self._lock:
             self._check_throttle(key)
             good = self._scrapers.is_valid(token)

@@ -2,11 +2,13 @@
 
 from http import HTTPStatus
 
+from app.messages.message import Text
+
 
 class AccessDeniedError(Exception):
     """A request that its sender has no right to."""
 
-    def __init__(self, status: HTTPStatus, code: str, detail: str, remedy: str) -> None:
+    def __init__(self, status: HTTPStatus, code: str, detail: Text, remedy: Text) -> None:
         super().__init__(detail)
         self.status, self.code, self.detail, self.remedy = status, code, detail, remedy
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum, auto
 
+from app.messages.message import Text, message, word
 from app.store.accounts import Role
 
 
@@ -41,7 +42,7 @@ class Rule:
     """What a route asks, and how the audit log calls what it does; empty for what it leaves out."""
 
     right: Right
-    act: str = ""
+    act: Text = ""
 
 
 WEBSOCKET = "WEBSOCKET"
@@ -58,7 +59,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/session/code"): ENTER,
     ("POST", "/api/session/admin"): ENTER,
     ("POST", "/api/session/wall"): ENTER,
-    ("POST", "/api/session/password"): Rule(Right.be, "changed the own password"),
+    ("POST", "/api/session/password"): Rule(Right.be, message("changed-own-password")),
     ("GET", "/api/openapi.json"): LOOK,
     (WEBSOCKET, "/api/live"): LOOK,
     ("GET", "/viewer"): LOOK,
@@ -78,8 +79,8 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/verifications/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/scans"): LOOK,
     ("GET", "/api/scans/{scan_id}/cloud.ply"): LOOK,
-    ("POST", "/api/scans/{scan_id}/name"): Rule(Right.act, "renamed a scan"),
-    ("DELETE", "/api/scans/{scan_id}"): Rule(Right.act, "deleted a scan"),
+    ("POST", "/api/scans/{scan_id}/name"): Rule(Right.act, message("renamed-scan")),
+    ("DELETE", "/api/scans/{scan_id}"): Rule(Right.act, message("deleted-scan")),
     ("POST", "/api/scans/{scan_id}/shown"): Rule(Right.act),
     ("GET", "/api/view"): LOOK,
     ("POST", "/api/view/colours"): Rule(Right.act),
@@ -87,63 +88,65 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("DELETE", "/api/view/fits/{fit_id}"): Rule(Right.act),
     ("GET", "/api/flow"): LOOK,
     ("GET", "/api/flow/image/{name}"): LOOK,
-    ("POST", "/api/flow/start"): Rule(Right.act, "began or resumed a calibration"),
-    ("POST", "/api/flow/command"): Rule(Right.act, "calibration"),
+    ("POST", "/api/flow/start"): Rule(Right.act, message("began-resumed-calibration")),
+    ("POST", "/api/flow/command"): Rule(Right.act, word("calibration")),
     ("GET", "/api/arm"): LOOK,
     ("GET", "/api/arm/checks"): LOOK,
     ("GET", "/api/arm/tips"): LOOK,
     ("GET", "/api/arm/identifications"): LOOK,
-    ("POST", "/api/arm/start"): Rule(Right.act, "began or resumed an arm check"),
-    ("POST", "/api/arm/command"): Rule(Right.act, "arm check"),
+    ("POST", "/api/arm/start"): Rule(Right.act, message("began-resumed-arm-check")),
+    ("POST", "/api/arm/command"): Rule(Right.act, message("arm-check-2")),
     ("GET", "/api/verify"): LOOK,
-    ("POST", "/api/verify/start"): Rule(Right.act, "began or resumed a verification"),
-    ("POST", "/api/verify/command"): Rule(Right.act, "verification"),
+    ("POST", "/api/verify/start"): Rule(Right.act, message("began-resumed-verification")),
+    ("POST", "/api/verify/command"): Rule(Right.act, word("verification")),
     ("GET", "/api/verifications"): LOOK,
     ("GET", "/api/verifications/{verification_id}"): LOOK,
     ("GET", "/api/verifications/{verification_id}/cloud/{number}/map"): LOOK,
     ("GET", "/api/verifications/{verification_id}/study"): LOOK,
     ("POST", "/api/verifications/{verification_id}/study"): Rule(
-        Right.act, "rebuilt a verification with every calibration"
+        Right.act, message("rebuilt-verification-every-calibration")
     ),
-    ("POST", "/api/temperature"): Rule(Right.act, "told the temperature"),
+    ("POST", "/api/temperature"): Rule(Right.act, message("told-temperature")),
     ("GET", "/api/scan"): LOOK,
-    ("POST", "/api/scan/start"): Rule(Right.act, "started a scan"),
-    ("POST", "/api/scan/stop"): Rule(Right.act, "stopped a scan"),
-    ("POST", "/api/scan/hand"): Rule(Right.act, "moved the simulated hand, or stopped it"),
-    ("POST", "/api/laser/on"): Rule(Right.act, "switched the laser on"),
+    ("POST", "/api/scan/start"): Rule(Right.act, message("started-scan")),
+    ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),
+    ("POST", "/api/scan/hand"): Rule(Right.act, message("moved-simulated-hand-stopped")),
+    ("POST", "/api/laser/on"): Rule(Right.act, message("switched-laser")),
     # whoever sees a danger ends it, whoever has control
-    ("POST", "/api/laser/off"): Rule(Right.be, "switched the laser off"),
-    ("POST", "/api/stop"): Rule(Right.be, "pressed Stop"),
+    ("POST", "/api/laser/off"): Rule(Right.be, message("switched-laser-off")),
+    ("POST", "/api/stop"): Rule(Right.be, message("pressed-stop")),
     ("POST", "/api/exposure"): Rule(Right.act),
     ("GET", "/api/settings"): LOOK,
-    ("POST", "/api/settings"): Rule(Right.act, "changed the settings"),
-    ("POST", "/api/settings/exposure"): Rule(Right.act, "set the exposure by the picture"),
-    ("POST", "/api/settings/delay/find"): Rule(Right.act, "looked for the arm's delay"),
-    ("POST", "/api/settings/delay/pass"): Rule(Right.act, "had the hand pass over the plate"),
-    ("POST", "/api/settings/delay"): Rule(Right.act, "applied or dropped the arm's delay"),
-    ("POST", "/api/control/ask"): Rule(Right.operate, "asked for control"),
-    ("POST", "/api/control/answer"): Rule(Right.operate, "answered who asked for control"),
-    ("POST", "/api/control/release"): Rule(Right.operate, "let go of control"),
-    ("POST", "/api/control/take"): Rule(Right.operate, "took control over"),
+    ("POST", "/api/settings"): Rule(Right.act, message("changed-settings")),
+    ("POST", "/api/settings/exposure"): Rule(Right.act, message("set-exposure-picture")),
+    ("POST", "/api/settings/delay/find"): Rule(Right.act, message("looked-arms-delay")),
+    ("POST", "/api/settings/delay/pass"): Rule(Right.act, message("had-hand-pass-over-plate")),
+    ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
+    ("POST", "/api/control/ask"): Rule(Right.operate, message("asked-control")),
+    ("POST", "/api/control/answer"): Rule(Right.operate, message("answered-who-asked-control")),
+    ("POST", "/api/control/release"): Rule(Right.operate, message("let-go-control")),
+    ("POST", "/api/control/take"): Rule(Right.operate, message("took-control-over")),
     ("GET", "/api/accounts"): Rule(Right.administer),
-    ("POST", "/api/accounts"): Rule(Right.administer, "added an account"),
-    ("POST", "/api/account"): Rule(Right.administer, "changed an account"),
-    ("DELETE", "/api/account"): Rule(Right.administer, "removed an account"),
+    ("POST", "/api/accounts"): Rule(Right.administer, message("added-account")),
+    ("POST", "/api/account"): Rule(Right.administer, message("changed-account")),
+    ("DELETE", "/api/account"): Rule(Right.administer, message("removed-account")),
     ("GET", "/api/walls"): Rule(Right.administer),
-    ("POST", "/api/walls"): Rule(Right.administer, "made a wall-screen link"),
-    ("DELETE", "/api/walls/{wall_id}"): Rule(Right.administer, "removed a wall-screen link"),
+    ("POST", "/api/walls"): Rule(Right.administer, message("made-wall-screen-link")),
+    ("DELETE", "/api/walls/{wall_id}"): Rule(Right.administer, message("removed-wall-screen-link")),
     ("GET", "/api/audit"): Rule(Right.administer),
     ("GET", "/metrics"): Rule(Right.scrape),
     ("GET", "/api/health"): LOOK,
     ("GET", "/api/logs"): Rule(Right.operate),
-    ("GET", "/api/support.zip"): Rule(Right.operate, "took the support bundle"),
-    ("POST", "/api/backup"): Rule(Right.administer, "began a backup"),
+    ("GET", "/api/support.zip"): Rule(Right.operate, message("took-support-bundle")),
+    ("POST", "/api/backup"): Rule(Right.administer, message("began-backup")),
     ("GET", "/api/notifications"): Rule(Right.administer),
-    ("POST", "/api/notifications"): Rule(Right.administer, "changed the notifications"),
-    ("POST", "/api/notifications/test"): Rule(Right.administer, "tried the notifications"),
+    ("POST", "/api/notifications"): Rule(Right.administer, message("changed-notifications")),
+    ("POST", "/api/notifications/test"): Rule(Right.administer, message("tried-notifications")),
     ("GET", "/api/scrapers"): Rule(Right.administer),
-    ("POST", "/api/scrapers"): Rule(Right.administer, "made a token for metrics"),
-    ("DELETE", "/api/scrapers/{scraper_id}"): Rule(Right.administer, "ended a token for metrics"),
+    ("POST", "/api/scrapers"): Rule(Right.administer, message("made-token-metrics")),
+    ("DELETE", "/api/scrapers/{scraper_id}"): Rule(
+        Right.administer, message("ended-token-metrics")
+    ),
 } | {(method, "/api/{path:path}"): ENTER for method in ("GET", "POST", "PUT", "PATCH", "DELETE")}
 
 MESSAGES: dict[str, Right] = {

@@ -20,6 +20,7 @@ from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.commands import press as press_verify
 from app.guide.verify.guide import VerificationServices, VerifyGuide
+from app.messages.message import message
 from app.metrology.limits import LIMITS, Limits
 from app.operations.calibration_in_use import (
     calibration_error,
@@ -104,7 +105,8 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         bus, rig, scanner, preview, store.settings.read(), store.settings.save
     )
     if store.settings.trouble is not None:
-        bus.event("refused", f"The settings are lost: {store.settings.trouble.line}", "attention")
+        lost = message("settings-are-lost", error=store.settings.trouble.text)
+        bus.event("refused", lost, "attention")
 
     lease = Lease(bus)
     simulated = parts.simulated_operator is not None
@@ -243,9 +245,10 @@ def _use_calibration(
         return
     try:
         calibration = scan_calibration(record)
-    except OperationError as refusal:
-        bus.event("refused", f"The calibration in use cannot be read: {refusal.line}", "bad")
-        scanner.set_calibration(None, unreadable_calibration_error(refusal.line))
+    except OperationError as error:
+        text = message("calibration-in-use-unreadable", error=error.text)
+        bus.event("refused", text, "bad")
+        scanner.set_calibration(None, unreadable_calibration_error(error.text))
         return
     rig.arm.set_model(calibration.arm)
     preview.set_stripe_axis(calibration.stripe_axis)
@@ -266,5 +269,5 @@ def _unreadable(store: Store) -> OperationError | None:
     return (
         None
         if active is None
-        else unreadable_calibration_error(f"{active.name} has no readable figures.")
+        else unreadable_calibration_error(message("no-readable-figures", name=active.name))
     )

@@ -1,4 +1,4 @@
-"""The demonstration: the simulated station, with its papers in a data folder."""
+"""The demonstration: the simulated station, with its datasheets in a data folder."""
 
 import json
 from collections.abc import Iterator
@@ -9,6 +9,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.datasheets.arm import ArmFile
 from app.formats.io_errors import convert_io_errors
+from app.messages.message import join, message
 from app.operations.services import MonitoringSettings
 from app.server.composition import StationParts
 from hardware.registry import arm_driver
@@ -21,7 +22,7 @@ PLACES = {
     "chessboard.json": "objects/chessboard.json",
     "sensor.json": "sensors/simulated.json",
 }
-"""Where a paper belongs in the data folder; those of gauges into their own."""
+"""Where a datasheet belongs in the data folder; those of gauges into their own."""
 
 
 @contextmanager
@@ -63,12 +64,12 @@ def _is_identified(path: Path) -> bool:
 
 def write_datasheets(twin: SimulatedStation, data: Path) -> None:
     """Writes what an operator would be given with the devices into the data folder."""
-    for name, paper in twin.datasheets().items():
-        content = (json.dumps(paper, indent=1) + "\n").encode()
+    for name, datasheet in twin.datasheets().items():
+        content = (json.dumps(datasheet, indent=1) + "\n").encode()
         target = data / PLACES.get(name, f"gauges/{name}")
         with _explain_data_folder(data), convert_io_errors(target.parent):
             if name == "arm.json" and _is_identified(target):
-                continue  # it is known better than its papers have it
+                continue  # it is known better than by its datasheet
             target.parent.mkdir(parents=True, exist_ok=True)
             write_atomically(target, content)
 
@@ -78,12 +79,12 @@ def _explain_data_folder(data: Path) -> Iterator[None]:
     """Names the option by which another folder is given, where that is the remedy."""
     try:
         yield
-    except OperationError as refusal:
-        if refusal.code in ("disk-full", "output-not-a-file"):
+    except OperationError as error:
+        if error.code in ("disk-full", "output-not-a-file"):
             raise
         raise OperationError(
             "data-folder-unwritable",
-            f"The data folder {data} cannot be used",
-            f"{refusal.what}: {refusal.why}",
-            "Give a folder that this user may write with --data",
-        ) from refusal
+            message("data-folder-cannot-be-used", folder=data),
+            join([error.what, error.why], ": "),
+            message("give-folder-user-may-write-data"),
+        ) from error

@@ -104,7 +104,9 @@ class OneLineFormatter(logging.Formatter):
         if record.exc_info and record.exc_info[1] is not None:
             error = " ".join(str(record.exc_info[1]).split())
             plain.msg += f": {type(record.exc_info[1]).__name__}: {error} (the log has more)"
-        plain.msg = escape_unprintable(plain.msg[:LONGEST_LINE]) + getattr(record, "repeated", "")
+        plain.msg = escape_unprintable(plain.msg[:LONGEST_LINE])
+        if repeated := getattr(record, "repeated", None):
+            plain.msg += f" {repeated!s}"
         plain.exc_info = plain.exc_text = plain.stack_info = None
         return super().format(plain)
 

@@ -11,12 +11,13 @@ from typing import Literal
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.formats.clouds.points import Points
 from app.formats.recording.joint_samples import JointReader
 from app.formats.recording.reader import ImageRecord, last_stamp_ns, open_recording
 from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
+from app.messages.message import Text, join, message
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm
 from app.metrology.sensor.triangulation import sensor_points
@@ -53,7 +54,7 @@ class ReplayState:
     points: int
     points_shown: int
     state: State
-    text: str
+    text: Text
     """What became of it, once it has ended."""
 
 
@@ -109,7 +110,9 @@ class Replay:
         """The arm's rate in readings a second, and the first stamp."""
         stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
         if len(stamps) < 2:
-            raise OperationError("recording-without-joints", f"{self._path}: no joint angles")
+            raise OperationError(
+                "recording-without-joints", message("recording-has-no-joints", path=self._path)
+            )
         return 1e9 * (len(stamps) - 1) / max(stamps[-1] - stamps[0], 1), stamps[0]
 
     def _readings(self) -> Readings:
@@ -143,13 +146,14 @@ class Replay:
             rebuilt = reconstruct_into(self._path, self._calibration, self._arm, take)
         except _ReplayEndedError:
             return
-        except OperationError as refusal:
-            self._publish_state(scene, bus, last_ns, "failed", refusal.line)
-            bus.event("replay", refusal.line, "bad")
+        except OperationError as error:
+            self._publish_state(scene, bus, last_ns, "failed", error.text)
+            bus.event("replay", error.text, "bad")
             return
-        said = " ".join(f"{text[:1].upper()}{text[1:]}." for text in rebuilt.warnings)
-        self._publish_state(scene, bus, last_ns, "ended", said)
-        bus.event("replay", f"{self._path.name}: {rebuilt.points} points shown", "good")
+        warnings = join([sentence(text) for text in rebuilt.warnings], " ")
+        self._publish_state(scene, bus, last_ns, "ended", warnings if rebuilt.warnings else "")
+        shown = message("replay-points-shown", name=self._path.name, count=rebuilt.points)
+        bus.event("replay", shown, "good")
 
     def _in_time(self, points: Points, first_ns: int, last_ns: int) -> Iterator[tuple[Points, int]]:
         """Points spread over the time in which they were taken, each part when it is due."""
@@ -163,9 +167,9 @@ class Replay:
             yield piece, stamp_ns
 
     def _publish_state(
-        self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: str = ""
+        self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: Text = ""
     ) -> None:
-        """Says how far it is, some times a second."""
+        """Publishes how far it is, some times a second."""
         now = time.monotonic()
         if state == "playing" and now - self._last_publish_s < PUBLISH_PERIOD_S:
             return

@@ -3,8 +3,8 @@
 It answers only to the names it is known by, and to plain addresses (which defeats DNS
 rebinding: no foreign page has an address for its name), and takes changes and live
 connections only from its own pages (which defeats foreign pages open in the same browser).
-What is sent to it must be small and come soon, since it is read before it is known who sends
-it. Who may do what is looked at behind this, in ``access``.
+What is sent to it must be small and come soon, since it is read before its sender is known.
+Who may do what is looked at behind this, in ``access``.
 """
 
 import asyncio
@@ -13,12 +13,13 @@ from collections.abc import Collection
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.exceptions import HTTPException
 from starlette.responses import PlainTextResponse
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Message as AsgiMessage
 
+from app.messages.message import Text, message, quantity
 from app.report.html_policy import POLICY
-from app.wire.problem import problem
+from app.wire.problem import RequestError, problem
 
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 LARGEST_BODY = 1 << 18
@@ -30,7 +31,7 @@ SCHEMES = ("http", "https", "ws", "wss")
 OWNED_SITES = ("same-origin", "none")
 """What a browser says of a request by the station's own pages, or of what somebody typed."""
 LONGEST_PATH, LONGEST_PART = 1024, 200
-NOTHING = "No page or file has such an address."
+NOTHING = message("no-page-file-has-such-address")
 PAGES = (
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
@@ -75,19 +76,16 @@ class Guard:
             receive = _Body(receive)
         await self._app(scope, receive, _with_headers(send, _policy(scope), path))
 
-    def _refusal(self, scope: Scope) -> str:
+    def _refusal(self, scope: Scope) -> Text:
         headers = Headers(scope=scope)
         host = headers.get("host", "").lower()
         if _name(host) not in self._hosts and not _is_address(_name(host)):
-            return (
-                f"This station does not answer to the name '{_name(host)}'. "
-                "Names are added with hosts in station.toml."
-            )
+            return message("station-does-answer-name-names-added", name=_name(host))
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return ""
         origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
         if (origin is not None and _place(origin) != host) or site.lower() not in OWNED_SITES:
-            return "Only the station's own pages may do this."
+            return message("only-stations-own-pages-may-do")
         return ""
 
 
@@ -135,37 +133,40 @@ class _Body:
     """Receives a request: its body as far as ``LARGEST_BODY``, within ``BODY_S``.
 
     Raises:
-        HTTPException: it is larger, or late.
+        RequestError: it is larger, or late.
     """
 
     def __init__(self, receive: Receive) -> None:
         self._receive, self._bytes, self._is_complete = receive, 0, False
         self._until_s = 0.0
 
-    async def __call__(self) -> Message:
+    async def __call__(self) -> AsgiMessage:
         if self._is_complete:
             return await self._receive()
         self._until_s = self._until_s or asyncio.get_running_loop().time() + BODY_S
         try:
             async with asyncio.timeout_at(self._until_s):
-                message = await self._receive()
+                part = await self._receive()
         except TimeoutError:
-            late = f"What was sent did not arrive within {BODY_S:.0f} s."
-            raise HTTPException(408, late) from None
-        self._bytes += len(message.get("body", b""))
-        self._is_complete = not message.get("more_body", False)
+            late = message("what-sent-did-arrive-within", limit=quantity(BODY_S, "s"))
+            raise RequestError(408, late) from None
+        self._bytes += len(part.get("body", b""))
+        self._is_complete = not part.get("more_body", False)
         if self._bytes > LARGEST_BODY:
-            raise HTTPException(413, f"More than {LARGEST_BODY // 1024} kB were sent.")
-        return message
+            limit = quantity(LARGEST_BODY // 1024, "kB")
+            raise RequestError(413, message("more-than-kb-were-sent", limit=limit))
+        return part
 
 
-async def _refuse(text: str, scope: Scope, receive: Receive, send: Send, status: int = 403) -> None:
+async def _refuse(
+    text: Text, scope: Scope, receive: Receive, send: Send, status: int = 403
+) -> None:
     if scope["type"] == "websocket":
         await receive()
-        await send({"type": "websocket.close", "code": 1008, "reason": text[:120]})
+        await send({"type": "websocket.close", "code": 1008, "reason": str(text)[:120]})
         return
     if "text/html" in Headers(scope=scope).get("accept", ""):  # somebody reads it
-        await PlainTextResponse(text, status)(scope, receive, send)
+        await PlainTextResponse(str(text), status)(scope, receive, send)
         return
     code = "not-found" if status == 404 else "not-allowed"
     await problem(status, code, text)(scope, receive, send)
@@ -174,9 +175,9 @@ async def _refuse(text: str, scope: Scope, receive: Receive, send: Send, status:
 def _with_headers(send: Send, policy: str, path: str) -> Send:
     own = path.startswith(PRIVATE_PATHS)
 
-    async def sending(message: Message) -> None:
-        if message["type"] == "http.response.start":
-            headers = MutableHeaders(scope=message)
+    async def sending(part: AsgiMessage) -> None:
+        if part["type"] == "http.response.start":
+            headers = MutableHeaders(scope=part)
             headers["Content-Security-Policy"] = policy
             headers["X-Content-Type-Options"] = "nosniff"
             headers["Referrer-Policy"] = "same-origin"
@@ -184,6 +185,6 @@ def _with_headers(send: Send, policy: str, path: str) -> Send:
             headers["Cross-Origin-Resource-Policy"] = "same-origin"
             if own:
                 headers.setdefault("Cache-Control", "no-store")
-        await send(message)
+        await send(part)
 
     return sending

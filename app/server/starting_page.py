@@ -1,4 +1,4 @@
-"""The station while it is prepared: from its first second on it says how far it is.
+"""The station while it is prepared: from its first second on it reports how far it is.
 
 ``StartingApp`` answers in the application's place, behind the same guard, and gives way to it
 once the steps are done: the socket, the server and its connections stay as they are. Only
@@ -16,9 +16,10 @@ from typing import Any, Generic, TypeVar
 from pydantic_core import to_json
 from starlette.applications import Starlette
 from starlette.responses import Response
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.files.static_files import file_response, names_a_file, page_response
+from app.messages.message import Text, message
 from app.server.middleware import Guard
 from app.wire.problem import problem
 from app.wire.readiness import Readiness
@@ -31,13 +32,13 @@ TRY_AGAIN_LATER = 1013
 ABANDONED_AFTER_S = 3.0
 """Who ends the program while a step runs waits so long for it, and no longer."""
 # What is prepared, as the page has it.
-NUMERICS = "Numerics"
-PICTURES = "Image processing"
-VIEW = "3D view"
-GUIDE = "Guided steps"
-DEVICES = "Devices"
-DATA = "Data folder"
-MEASURING = "Extraction and detection"
+NUMERICS = message("numerics")
+PICTURES = message("image-processing")
+VIEW = message("n-3d-view")
+GUIDE = message("guided-steps")
+DEVICES = message("devices")
+DATA = message("data-folder")
+MEASURING = message("extraction-detection")
 
 
 T_co = TypeVar("T_co", covariant=True)
@@ -47,7 +48,7 @@ T_co = TypeVar("T_co", covariant=True)
 class StartStep(Generic[T_co]):
     """One thing that is prepared: what it is, the seconds it takes cold, and the work itself."""
 
-    words: str
+    words: Text
     cost_s: float
     prepare: Callable[[], T_co]
 
@@ -164,8 +165,7 @@ class StartingApp:
         """While the station is prepared: its page, and how far it is; nothing else."""
         if scope["type"] == "websocket":
             await receive()
-            closing: Message = {"type": "websocket.close", "code": TRY_AGAIN_LATER}
-            await send(closing)
+            await send({"type": "websocket.close", "code": TRY_AGAIN_LATER})
             return
         await self._response(scope["method"], scope["path"])(scope, receive, send)
 
@@ -175,7 +175,7 @@ class StartingApp:
             return self._progress() if path == PROGRESS else _starting_problem()
         found = file_response(asked)
         if found is None and names_a_file(asked):
-            return problem(404, "not-found", f"There is nothing at {path}.")
+            return problem(404, "not-found", message("there-nothing", path=path))
         return found or _forbid_caching(page_response(PAGE))
 
     def _progress(self) -> Response:
@@ -183,7 +183,7 @@ class StartingApp:
 
 
 def _starting_problem() -> Response:
-    answer = problem(503, "starting", "The station is starting.", "Try again in a moment")
+    answer = problem(503, "starting", message("station-starting"), message("try-again-moment"))
     answer.headers["Retry-After"] = "1"
     return answer
 

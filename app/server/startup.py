@@ -100,7 +100,7 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
         arm_driver(settings.arm.driver, settings.arm.options)
         sensor_driver(settings.sensor.driver, settings.sensor.options)
     except DeviceError as error:
-        named = error.what.replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
+        named = str(error.what).replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
         raise OperationError("driver", named, remedy=error.remedy) from error
 
 

@@ -59,6 +59,7 @@ from app.formats.datasheets.gauge import VerificationLimits
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.guide.common.validity import DUE
+from app.messages.validation import validation_text
 from app.metrology.limits import LIMITS
 from app.supervision.broker_settings import BrokerSettings
 
@@ -191,12 +192,12 @@ def _invalid(path: Path, error: ValidationError) -> OperationError:
         return OperationError(
             "settings-key-unknown", f"{named} is not known", remedy="Correct its name"
         )
-    message = str(first["msg"]).replace("Input should", "it must")
+    words = WORDS.get(first["type"])
     if first["type"] == "string_pattern_mismatch":
-        message = PATTERN_WORDS[place[-1]]
+        words = PATTERN_WORDS[place[-1]]
     return OperationError(
         "settings-key-invalid",
         f"{named} = {first['input']!r}",
-        WORDS.get(first["type"], message),
+        validation_text(first) if words is None else words,
         "Correct it",
     )

@@ -13,6 +13,7 @@ from types import TracebackType
 from typing import ParamSpec
 
 from app.findings import Quality
+from app.messages.message import Text
 
 P = ParamSpec("P")
 
@@ -26,7 +27,7 @@ class Event:
     id: int
     kind: str
     quality: Quality
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +77,7 @@ class Bus:
             self._versions[topic] = self._version
         self._wake()
 
-    def event(self, kind: str, text: str, quality: Quality = "neutral") -> Event:
+    def event(self, kind: str, text: Text, quality: Quality = "neutral") -> Event:
         """Tells every reader that something happened."""
         with self._lock:
             self._event_id += 1

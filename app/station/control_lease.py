@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.station.bus import Bus
 
 LAPSES_S = 20.0
@@ -64,12 +65,7 @@ class Lease:
             if holder is None:
                 self._set(Control(person))
             elif holder.id != person.id:
-                raise OperationError(
-                    "control",
-                    f"{holder.name} has control" + (self._elsewhere(person, holder)),
-                    "one browser acts at a time",
-                    "Ask for control, or take it over",
-                )
+                raise _not_in_control(person, holder)
             self._beat_s = self._clock()
 
     def beat(self, person_id: str) -> None:
@@ -87,21 +83,23 @@ class Lease:
                 self.act(person)
                 return
             self._set(Control(holder, person))
-            self._bus.event("control", f"{person.name} asks {holder.name} for control.")
+            self._bus.event(
+                "control", message("asks-control", name=person.name, holder=holder.name)
+            )
 
     def answer(self, person: Person, give: bool) -> None:
         """The holder hands over to whoever asked, or keeps control."""
         with self._lock:
             asked_by = self._require_holder(person).asked_by
             if asked_by is None:
-                raise OperationError("control-not-asked", "Nobody asks for control")
+                raise OperationError("control-not-asked", message("nobody-asks-control"))
             if give:
                 self._set(Control(asked_by))
                 self._beat_s = self._clock()
-                self._bus.event("control", f"{asked_by.name} has control now.")
+                self._bus.event("control", message("has-control-now", name=asked_by.name))
             else:
                 self._set(Control(person))
-                self._bus.event("control", f"{person.name} keeps control.")
+                self._bus.event("control", message("keeps-control", name=person.name))
 
     def release(self, person: Person) -> None:
         """Lets go of it."""
@@ -111,7 +109,7 @@ class Lease:
             self._beat_s = self._clock()
 
     def take_over(self, person: Person, reason: str) -> None:
-        """Takes control from whoever has it, for a reason that all are told.
+        """Takes control from whoever has it, for a reason that everybody reads.
 
         Raises:
             Refusal: no reason is given, where it is another person's.
@@ -123,14 +121,16 @@ class Lease:
             if others and not reason:
                 raise OperationError(
                     "control-reason",
-                    "No reason is given",
-                    "the one who loses control is told why",
-                    "Say in a few words why you take over",
+                    message("no-reason-given"),
+                    message("one-who-loses-control-told-why"),
+                    message("say-few-words-why-you-take"),
                 )
             self._set(Control(person))
             self._beat_s = self._clock()
             if holder is not None and others:
-                text = f"{person.name} took over control from {holder.name}: {reason}"
+                text = message(
+                    "took-over-control", name=person.name, holder=holder.name, reason=reason
+                )
                 self._bus.event("control", text, "attention")
 
     def leave(self, person_id: str) -> None:
@@ -153,7 +153,7 @@ class Lease:
     def _require_holder(self, person: Person) -> Control:
         control = self.control
         if control.holder is None or control.holder.id != person.id:
-            raise OperationError("control-not-yours", "You do not have control")
+            raise OperationError("control-not-yours", message("you-do-have-control"))
         return control
 
     def _lapse(self) -> None:
@@ -168,6 +168,13 @@ class Lease:
             self.last_name = control.holder.name if control.holder else self.last_name
             self._bus.publish("control", control)
 
-    @staticmethod
-    def _elsewhere(person: Person, holder: Person) -> str:
-        return " in another browser" if holder.name == person.name else ""
+
+def _not_in_control(person: Person, holder: Person) -> OperationError:
+    return OperationError(
+        "control",
+        message("has-control-in-another-browser", name=holder.name)
+        if holder.name == person.name
+        else message("has-control", name=holder.name),
+        message("one-browser-acts-time"),
+        message("ask-control-take-over"),
+    )

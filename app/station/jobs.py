@@ -7,28 +7,29 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.station.bus import Bus
 
 log = logging.getLogger(__name__)
 
 T = TypeVar("T")
-Progress = Callable[[str, float], None]
+Progress = Callable[[Text, float], None]
 """Called by the work with what it is doing, and its share done (0 to 1)."""
 
 
 class Job(Generic[T]):
     """One piece of work: how far it is, and how it ended."""
 
-    def __init__(self, title: str) -> None:
+    def __init__(self, title: Text) -> None:
         self.title = title
-        self.text = ""
+        self.text: Text = ""
         self.fraction: float | None = None
         self.result: T | None = None
         self.refusal: OperationError | None = None
-        """Why there is no result; an unexpected error is told as one, too."""
+        """Why there is no result, also after an unexpected error."""
         self.finished = False
 
-    def progress(self, text: str, fraction: float) -> None:
+    def progress(self, text: Text, fraction: float) -> None:
         self.text, self.fraction = text, fraction
 
 
@@ -41,7 +42,7 @@ class Jobs:
         self._current: Job[object] | None = None
         self._thread: threading.Thread | None = None
         self.on_ended: Callable[[str, float], None] = lambda title, seconds: None
-        """Called with each job's title and how long it took."""
+        """Called with each job's title in English and how long it took."""
 
     @property
     def current(self) -> Job[object] | None:
@@ -50,7 +51,7 @@ class Jobs:
             return self._current
 
     def start(
-        self, title: str, work: Callable[[Progress], T], done: Callable[[Job[T]], None]
+        self, title: Text, work: Callable[[Progress], T], done: Callable[[Job[T]], None]
     ) -> Job[T]:
         """Starts work on a thread; ``done`` runs on the event loop once it has ended.
 
@@ -62,13 +63,13 @@ class Jobs:
             if self._current is not None:
                 raise OperationError(
                     "busy",
-                    f"{title} cannot start",
-                    f"{self._current.title} is still running",
-                    "wait until it has ended",
+                    message("cannot-start", title=title),
+                    message("still-running", title=self._current.title),
+                    message("wait-until-has-ended"),
                 )
             self._current = job  # type: ignore[assignment]  # read only as a job of anything
         self._thread = threading.Thread(
-            target=self._run, args=(job, work, done), name=f"job-{title}", daemon=True
+            target=self._run, args=(job, work, done), name=f"job-{title!s}", daemon=True
         )
         self._thread.start()
         return job
@@ -87,17 +88,17 @@ class Jobs:
             job.result = work(job.progress)
         except OperationError as refusal:
             job.refusal = refusal
-        except Exception as error:  # the operator is told, and the station lives on
+        except Exception as error:  # the operator gets an error, and the station lives on
             log.exception("%s failed", job.title)
             job.refusal = OperationError(
                 "failed",
-                f"{job.title} failed",
+                message("failed-2", title=job.title),
                 f"{type(error).__name__}: {error}",
-                "nothing was changed; the station's log has the details",
+                message("nothing-changed-stations-log-has-details"),
             )
         finally:
             job.finished = True
             with self._lock:
                 self._current = None
-            self.on_ended(job.title, time.monotonic() - began_s)
+            self.on_ended(str(job.title), time.monotonic() - began_s)
         self._bus.call(done, job)

@@ -15,6 +15,7 @@ from app.formats.results.calibration import read_calibration
 from app.formats.results.delay import Sync
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings
+from app.messages.message import Text, message
 from app.metrology.stripe import PeakChoice
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import better_line_exposure_us
@@ -63,9 +64,9 @@ class StationSettings:
 
 @dataclass(frozen=True)
 class PassRecord:
-    """A scan that a delay can be found from."""
+    """A scan to estimate a delay from."""
 
-    name: str
+    name: Text
     recording: Path
     calibration: Path
     arm: Path
@@ -146,9 +147,9 @@ class OperatorSettings:
         if not sensor.laser_on:
             raise OperationError(
                 "laser-off",
-                "The exposure is set by the laser's line",
-                "the laser is off",
-                "switch it on, over a part",
+                message("exposure-set-lasers-line"),
+                message("laser-off"),
+                message("switch-over-part"),
             )
         seen = True
 
@@ -165,9 +166,9 @@ class OperatorSettings:
                 sensor.set_exposure_us(before_us)
             raise OperationError(
                 "no-line",
-                "The exposure is set by the laser's line",
-                "no line is seen",
-                "bring a part into the sensor's range",
+                message("exposure-set-lasers-line"),
+                message("no-line-seen"),
+                message("bring-part-into-sensors-range"),
             )
         with self._lock:
             self._set(self._settings.model_copy(update={"exposure_us": round(exposure_us, 1)}))
@@ -187,11 +188,11 @@ class OperatorSettings:
                 calibration,
                 arm,
                 lambda share, _: progress(source.name, share),
-                source.name,
+                str(source.name),
             )
 
         with self._lock:
-            jobs.start("Looking for the delay", work, self._delay_found)
+            jobs.start(message("looking-delay"), work, self._delay_found)
             self._finding = True
         self._publish()
 
@@ -206,7 +207,9 @@ class OperatorSettings:
                 if self._settings.sync is not None:
                     return  # somebody else was faster
                 raise OperationError(
-                    "no-delay", "No delay was found yet", remedy="Pass over a plane and find it"
+                    "no-delay",
+                    message("no-delay-found-yet"),
+                    remedy=message("pass-over-plane-find"),
                 )
             self._delay_estimate, sync = (
                 (None, self._delay_estimate) if on else (self._delay_estimate, None)
@@ -218,7 +221,7 @@ class OperatorSettings:
             self._finding = False
             self._delay_estimate = job.result or self._delay_estimate
         if job.refusal is not None:
-            self._bus.event("refused", job.refusal.line, "attention")
+            self._bus.event("refused", job.refusal.text, "attention")
         self._publish()
 
     def _delay(self) -> Delay | None:
@@ -245,9 +248,9 @@ class OperatorSettings:
         if info is None:
             raise OperationError(
                 "sensor-lost",
-                "zones cannot be set now",
-                "the sensor is not connected",
-                "wait until it is",
+                message("zones-cannot-set-now"),
+                message("sensor-connected"),
+                message("wait-until"),
             )
         try:
             return Mask.model_validate(
@@ -270,9 +273,14 @@ class OperatorSettings:
         return (
             Finding(
                 "attention",
-                f"The zones are for a picture of {mask.width_px} × {mask.height_px} pixels and "
-                f"are left out; the sensor's has {info.width_px} × {info.height_px}",
-                "Clear them, and draw them anew.",
+                message(
+                    "zones-picture-pixels-left-out-sensors",
+                    width_px=mask.width_px,
+                    height_px=mask.height_px,
+                    width_px2=info.width_px,
+                    height_px2=info.height_px,
+                ),
+                message("clear-them-draw-them-anew"),
             ),
         )
 

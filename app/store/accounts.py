@@ -10,6 +10,7 @@ from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerificationError
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.store.database import Database
 from app.timestamps import utc_now
 
@@ -62,7 +63,7 @@ class AccountStore:
         """A new account; without a password it can be entered by a link alone.
 
         Raises:
-            Refusal: the name is taken or no name, or the password will not do.
+            OperationError: the name is taken or no name, or the password will not do.
         """
         name = _check_account_name(name)
         hashed = NO_PASSWORD if password is None else self._hash_password(name, password)
@@ -72,8 +73,8 @@ class AccountStore:
             if taken:
                 raise OperationError(
                     "account-taken",
-                    f"There is an account {name} already",
-                    remedy="Choose another name",
+                    message("account-taken", name=name),
+                    remedy=message("choose-another-name"),
                 )
             connection.execute(
                 "INSERT INTO account (name, role, password, made_at) VALUES (?, ?, ?, ?)",
@@ -114,9 +115,9 @@ class AccountStore:
         if role is not Role.admin and admins == {name.lower()}:
             raise OperationError(
                 "last-admin",
-                f"{name} is the only administrator",
-                "somebody must be able to give people access",
-                "Make somebody else an administrator first",
+                message("only-administrator", name=name),
+                message("somebody-must-able-give-people-access"),
+                message("make-somebody-else-administrator-first"),
             )
 
     def _admins(self) -> list[str]:
@@ -130,13 +131,19 @@ class AccountStore:
         if not SHORTEST_PASSWORD <= len(password) <= LONGEST_PASSWORD:
             raise OperationError(
                 "password-length",
-                f"The password has {len(password)} characters",
-                f"{SHORTEST_PASSWORD} to {LONGEST_PASSWORD} are wanted",
-                "Take a longer one; three unrelated words are good",
+                message("password-has-characters", count=len(password)),
+                message(
+                    "password-length-wanted",
+                    least=SHORTEST_PASSWORD,
+                    most=LONGEST_PASSWORD,
+                ),
+                message("take-longer-one-three-unrelated-words"),
             )
         if password.lower() == name.lower():
             raise OperationError(
-                "password-is-name", "The password is the name", remedy="Take another"
+                "password-is-name",
+                message("password-is-name"),
+                remedy=message("take-another-password"),
             )
         return HASHER.hash(password)
 
@@ -166,7 +173,9 @@ def _check_account_name(name: str) -> str:
     if not plain or len(plain) > LONGEST_NAME or not plain.isprintable():
         raise OperationError(
             "account-name",
-            f"{plain!r} is no name of an account" if plain else "The account has no name",
-            f"1 to {LONGEST_NAME} letters, digits and signs",
+            message("no-account-name", name=repr(plain))
+            if plain
+            else message("account-has-no-name"),
+            message("account-name-length", most=LONGEST_NAME),
         )
     return plain

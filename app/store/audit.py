@@ -3,18 +3,24 @@
 import logging
 import threading
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice
 from sqlite3 import Row
 
 from app.errors import OperationError
+from app.messages.catalogue import Render
+from app.messages.message import Text
+from app.messages.stored import decode_text, encode_data
 from app.store.database import NOT_SAVED, Database
 from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
 
-Translate = Callable[[str], str]
+INSERT = (
+    "INSERT INTO audit (at, who, address, act, outcome, act_message, outcome_message)"
+    " VALUES (?, ?, ?, ?, ?, ?, ?)"
+)
 LONGEST = 200
 MOST_WAITING = 1000
 ALL = -1
@@ -31,8 +37,8 @@ class AuditEntry:
     """An account's name, or empty where nobody had signed in."""
     address: str
     """Of the browser."""
-    act: str
-    outcome: str
+    act: Text
+    outcome: Text
     """``done``, or why not."""
 
 
@@ -44,47 +50,52 @@ class AuditLog:
     def __init__(self, database: Database) -> None:
         self._database = database
         self._lock = threading.Lock()
-        self._waiting: deque[tuple[str, ...]] = deque(maxlen=MOST_WAITING)
+        self._waiting: deque[tuple[str | None, ...]] = deque(maxlen=MOST_WAITING)
 
-    def note(self, who: str, address: str, act: str, outcome: str = "done") -> None:
+    def note(self, who: str, address: str, act: Text, outcome: Text = "done") -> None:
         """Appends an entry."""
+        english = str(act)[:LONGEST], str(outcome)[:LONGEST]
+        data = encode_data(act), encode_data(outcome)
         with self._lock:
-            self._waiting.append((utc_now(), who, address, act[:LONGEST], outcome[:LONGEST]))
+            self._waiting.append((utc_now(), who, address, *english, *data))
             try:
                 with self._database.transaction() as connection:
-                    connection.executemany(
-                        "INSERT INTO audit (at, who, address, act, outcome) VALUES (?, ?, ?, ?, ?)",
-                        self._waiting,
-                    )
-            except OperationError as refusal:
-                if refusal.code != NOT_SAVED:
+                    connection.executemany(INSERT, self._waiting)
+            except OperationError as error:
+                if error.code != NOT_SAVED:
                     raise
-                log.warning("not in the audit log yet: %s: %s", act[:LONGEST], refusal.why)
+                log.warning("not in the audit log yet: %s: %s", english[0], error.why)
             else:
                 self._waiting.clear()
 
-    def newest(self, count: int, words: str = "", say: Translate = str) -> list[AuditEntry]:
+    def newest(self, count: int, words: str = "", render: Render = str) -> list[AuditEntry]:
         """The last entries that have all the words, newest first.
 
         Args:
-            say: what is written into another language; the words may be of that, too.
+            render: puts texts into another language; the words may be of that, too.
         """
         wanted = words.lower().split()
         rows = self._database.read(
             "SELECT * FROM audit ORDER BY number DESC LIMIT ?", ALL if wanted else count
         )
-        found = (one for one in map(_entry, rows) if not wanted or _has(one, wanted, say))
+        found = (one for one in map(_entry, rows) if not wanted or _has(one, wanted, render))
         return list(islice(found, count))
 
 
-def _has(entry: AuditEntry, wanted: Sequence[str], say: Translate) -> bool:
+def _has(entry: AuditEntry, wanted: Sequence[str], render: Render) -> bool:
     """Whether all the words, in small letters, stand in an entry."""
-    told = (entry.at, entry.who, entry.address, entry.act, entry.outcome)
-    line = " ".join((*told, say(entry.act), say(entry.outcome))).lower()
+    texts = (entry.act, entry.outcome)
+    names = (entry.at, entry.who, entry.address)
+    line = " ".join((*names, *map(str, texts), *map(render, texts))).lower()
     return all(word in line for word in wanted)
 
 
 def _entry(row: Row) -> AuditEntry:
     return AuditEntry(
-        row["number"], row["at"], row["who"], row["address"], row["act"], row["outcome"]
+        row["number"],
+        row["at"],
+        row["who"],
+        row["address"],
+        decode_text(row["act"], row["act_message"]),
+        decode_text(row["outcome"], row["outcome_message"]),
     )

@@ -25,6 +25,7 @@ from app.formats.io_errors import convert_io_errors, error_from_os
 from app.formats.json_document import file_sha256
 from app.formats.open_file import open_file, read_bounded
 from app.formats.software import SOFTWARE
+from app.messages.message import message, quantity
 from app.timestamps import is_moment, utc_now
 
 DATABASE = "station.db"
@@ -58,8 +59,8 @@ def backup(
         output: must not exist yet, or be an empty folder.
 
     Raises:
-        Refusal: there is no data folder, the output is taken or within it, or its disk has no
-            room. Nothing is then left behind.
+        OperationError: there is no data folder, the output is taken or within it, or its disk
+            has no space left. Nothing is then left behind.
     """
     data, output = data.resolve(), output.absolute()
     _check(data, output)
@@ -108,9 +109,9 @@ def check_data_folder(data: Path) -> None:
     if not (data / DATABASE).is_file():
         raise OperationError(
             "no-data-folder",
-            f"{data} is no station's data folder",
-            f"there is no {DATABASE}",
-            "Give the folder that the station was started with",
+            message("no-station-data-folder", folder=data),
+            message("no-database-there", database=DATABASE),
+            message("give-folder-station-started"),
         )
 
 
@@ -120,16 +121,16 @@ def _check(data: Path, output: Path) -> None:
     if inside and not output.resolve().is_relative_to(data / "backups"):
         raise OperationError(
             "output-inside",
-            f"{output} is inside the data folder",
-            "the next backup would hold this one",
-            "Choose a folder elsewhere, best on another disk",
+            message("folder-inside-data-folder", folder=output),
+            message("next-backup-would-include-this"),
+            message("choose-folder-elsewhere-best-another-disk"),
         )
     if output.exists() and (not output.is_dir() or any(output.iterdir())):
         raise OperationError(
             "output-taken",
-            f"{output} is there already",
-            "a backup replaces nothing",
-            "Name a folder that is not there yet",
+            message("folder-there-already", folder=output),
+            message("backup-replaces-nothing"),
+            message("name-folder-that-is-not-there"),
         )
 
 
@@ -144,9 +145,13 @@ def _copy(
     if total + RESERVE_BYTES > free:
         raise OperationError(
             "disk-full",
-            f"The backup needs {total / 1e9:.2f} GB",
-            f"{free / 1e9:.2f} GB are free on the disk of {display_path(output)}",
-            "Free some space, or choose another disk",
+            message("backup-needs", total=quantity(total / 1000000000.0, "GB", 2)),
+            message(
+                "free-on-disk",
+                free=quantity(free / 1000000000.0, "GB", 2),
+                folder=display_path(output),
+            ),
+            message("free-some-space-choose-another-disk"),
         )
     done = 0
     for path, size in files:
@@ -171,7 +176,7 @@ def _copy_file(source: Path, target: Path) -> None:
     """Copies a file as it is now, synced.
 
     Raises:
-        Refusal: the copy holds something else than was read.
+        OperationError: the copy holds something else than was read.
     """
     read = hashlib.sha256()
     with open_file(source) as reading, open(target, "xb") as writing:
@@ -186,9 +191,9 @@ def _copy_file(source: Path, target: Path) -> None:
     if file_sha256(target) != read.hexdigest():
         raise OperationError(
             "backup-differs",
-            f"The copy is not what was read from {display_path(source)}",
-            "the disk of the backup does not keep what is written to it",
-            "Make the backup on another disk",
+            message("copy-differs-from-source", path=display_path(source)),
+            message("disk-of-backup-loses-data"),
+            message("make-backup-another-disk"),
         )
 
 
@@ -211,9 +216,9 @@ def _copy_database(source: Path, target: Path) -> None:
     if found != "ok":
         raise OperationError(
             "database-unreadable",
-            f"{display_path(source)} cannot be copied",
+            message("cannot-be-copied", path=display_path(source)),
             found,
-            "Keep the data folder as it is, and start from an earlier backup",
+            message("keep-data-folder-start-earlier-backup"),
         )
 
 

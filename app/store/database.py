@@ -17,6 +17,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.io_errors import error_from_os
 from app.formats.open_file import check_ordinary
+from app.messages.message import message
 from app.store.schemas import SCHEMA_VERSION, SCHEMAS, current_columns, read_columns
 
 NOT_SAVED = "not-kept"
@@ -37,7 +38,7 @@ class Database:
     """A connection that threads share, one at a time.
 
     Raises:
-        Refusal: ``database-newer`` for a file that a later version of the program
+        OperationError: ``database-newer`` for a file that a later version of the program
             wrote, ``database-unreadable`` for one that is not a database.
     """
 
@@ -73,15 +74,19 @@ class Database:
         if names and (version == 0 or "journal" not in names):
             raise OperationError(
                 "database-foreign",
-                f"{path} is another program's database",
-                remedy="Give the station a data folder of its own",
+                message("another-programs-database", path=path),
+                remedy=message("give-station-data-folder-own"),
             )
         if version > SCHEMA_VERSION:
             raise OperationError(
                 "database-newer",
-                f"{path} was written by a later version of Crenel (schema {version}, "
-                f"this one knows {SCHEMA_VERSION})",
-                remedy="Install that version or a later one",
+                message(
+                    "database-of-later-version",
+                    path=path,
+                    version=version,
+                    known=SCHEMA_VERSION,
+                ),
+                remedy=message("install-version-later-one"),
             )
         if version < SCHEMA_VERSION:
             added = " ".join(SCHEMAS[version:])
@@ -93,9 +98,9 @@ class Database:
             table, column = missing[0]
             raise OperationError(
                 "database-unreadable",
-                f"{display_path(path)} cannot be read as a station's database",
-                f"its table {table} has no {column}",
-                "Put the last backup in its place, or move it away to begin anew",
+                message("is-no-station-database", path=display_path(path)),
+                message("table-lacks-column", table=table, column=column),
+                message("restore-backup-or-start-over"),
             )
 
     @contextmanager
@@ -103,7 +108,7 @@ class Database:
         """One transaction: all of it is kept, or on an exception nothing.
 
         Raises:
-            Refusal: ``not-kept``, where the disk does not take it.
+            OperationError: ``not-kept``, where the disk does not take it.
         """
         with self._lock:
             try:
@@ -131,7 +136,7 @@ class Database:
         """All rows of a query.
 
         Raises:
-            Refusal: ``database-unreadable``, where a page of the file is damaged or a
+            OperationError: ``database-unreadable``, where a page of the file is damaged or a
                 table is gone; or why its disk does not give it.
         """
         with self._lock:
@@ -182,11 +187,11 @@ def _check_file(path: Path, is_database: bool) -> None:
         if error.errno not in NO_FILE and not path.is_symlink():
             raise _open_error(path, error) from error
         if is_database:
-            what = f"{display_path(path)} cannot be read as a station's database"
-            remedy = "Put the last backup in its place, or move it away to begin anew"
+            what = message("is-no-station-database", path=display_path(path))
+            remedy = message("restore-backup-or-start-over")
         else:
-            what = f"{display_path(path)} cannot be used beside the station's database"
-            remedy = "Move it away, and start again"
+            what = message("not-usable-next-to-database", path=display_path(path))
+            remedy = message("move-away-start-again")
         why = error_from_os(error, path).why
         raise OperationError("database-unreadable", what, why, remedy) from error
 
@@ -197,30 +202,30 @@ def _open_error(path: Path, error: Exception) -> OperationError:
     if _is_full(path.parent, error, code):
         return OperationError(
             "disk-full",
-            f"The disk of {display_path(path.parent)} is full",
-            "the station's database cannot be opened there; it is not damaged",
-            "Free some space, and start again",
+            message("disk-of-folder-full", folder=display_path(path.parent)),
+            message("database-not-damaged"),
+            message("free-some-space-start-again"),
         )
     if code == sqlite3.SQLITE_IOERR or getattr(error, "errno", None) == errno.EIO:
         return OperationError(
             "disk-failing",
-            f"The disk of {display_path(path.parent)} does not read or write as it should",
+            message("disk-fails", folder=display_path(path.parent)),
             str(error),
-            "Look at the system's log and at the disk; keep the data folder as it is",
+            message("check-system-log-and-disk"),
         )
     forbidden = (sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_READONLY, sqlite3.SQLITE_PERM)
     if code in forbidden or isinstance(error, OSError):
         return OperationError(
             "database-forbidden",
-            f"{display_path(path)} cannot be opened for writing",
+            message("cannot-be-opened-for-writing", path=display_path(path)),
             str(getattr(error, "strerror", None) or error),
-            "Look at its owner and permissions, and at whether its disk is mounted read-only",
+            message("check-owner-and-permissions"),
         )
     return OperationError(
         "database-unreadable",
-        f"{display_path(path)} cannot be read as a station's database",
+        message("is-no-station-database", path=display_path(path)),
         str(getattr(error, "strerror", None) or error),
-        "Put the last backup in its place, or move it away to begin anew",
+        message("restore-backup-or-start-over"),
     )
 
 
@@ -238,7 +243,10 @@ def _is_full(folder: Path, error: Exception, code: int) -> bool:
 
 def _not_saved_error(error: sqlite3.OperationalError) -> OperationError:
     if error.sqlite_errorcode == sqlite3.SQLITE_FULL:
-        why, remedy = "the station's disk is full", "Free some space, then do it again"
+        why, remedy = message("stations-disk-full"), message("free-some-space-then-do-again")
     else:
-        why, remedy = f"the database cannot be written: {error}", "Look at the station's disk"
-    return OperationError(NOT_SAVED, "This was not kept", why, remedy)
+        why, remedy = (
+            message("database-cannot-be-written", error=error),
+            message("check-station-disk"),
+        )
+    return OperationError(NOT_SAVED, message("not-saved"), why, remedy)

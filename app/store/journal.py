@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.store.database import Database
 from app.timestamps import utc_now
 
@@ -88,7 +89,7 @@ class JournalStore:
         """Writes one row; it is on the disk when this returns.
 
         Raises:
-            Refusal: it cannot be written as JSON.
+            OperationError: it cannot be written as JSON.
             sqlite3.IntegrityError: the idempotency ``key`` was used before.
         """
         with self._database.transaction() as connection:
@@ -177,7 +178,7 @@ def append_row(
         text = json.dumps(payload, allow_nan=False)
     except (TypeError, ValueError) as error:
         raise OperationError(
-            NOT_READABLE, "This was not kept", f"it is no JSON: {error}"
+            NOT_READABLE, message("not-saved"), message("no-json", error=error)
         ) from error
     cursor = connection.execute(
         "INSERT INTO journal (session_id, at, kind, payload, command_key) VALUES (?, ?, ?, ?, ?)",

@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import Self
 
 from app.errors import OperationError
+from app.messages.message import message
 
 
 class FolderLock:
@@ -17,7 +18,7 @@ class FolderLock:
     server leaves nothing to clean up; the file itself stays and names the last holder.
 
     Raises:
-        Refusal: ``data-folder-in-use``, naming the process that holds it.
+        OperationError: ``data-folder-in-use``, naming the process that holds it.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -30,8 +31,8 @@ class FolderLock:
             os.close(self._file)
             raise OperationError(
                 "data-folder-in-use",
-                f"The data folder {folder} is in use by another Crenel server (process {holder})",
-                remedy="Stop that server, or give this one a data folder of its own with --data",
+                message("data-folder-in-use", folder=folder, process=holder),
+                remedy=message("stop-server-give-one-data-folder"),
             ) from None
         with contextlib.suppress(OSError):  # a full disk: only the holder's number is missing
             os.ftruncate(self._file, 0)

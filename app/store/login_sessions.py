@@ -69,10 +69,10 @@ class LoginSessionStore:
                     " VALUES (?, ?, ?, ?, ?)",
                     (_digest(token), account, device[:200], now, now),
                 )
-        except OperationError as refusal:  # a full disk keeps nobody out; the next start does
-            if refusal.code != NOT_SAVED:
+        except OperationError as error:  # a full disk keeps nobody out; the next start does
+            if error.code != NOT_SAVED:
                 raise
-            log.warning("a sign-in is kept in memory alone: %s", refusal.why)
+            log.warning("a sign-in is kept in memory alone: %s", error.why)
             self._in_memory[_digest(token)] = account, now
         return token
 
@@ -117,8 +117,8 @@ class LoginSessionStore:
                     connection.execute(
                         "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
                     )
-            except OperationError as refusal:  # a full disk keeps nobody from Stop
-                log.warning("a sign-in is not noted as used: %s", refusal.why)
+            except OperationError as error:  # a full disk keeps nobody from Stop
+                log.warning("a sign-in is not noted as used: %s", error.why)
         return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], kiosk=False)
 
     def end(self, token: str) -> None:
@@ -145,8 +145,8 @@ class LoginSessionStore:
                     " VALUES (?, ?, ?)",
                     (_digest(token), account, utc_now()),
                 )
-        except OperationError as refusal:  # it is known from the next time on
-            if refusal.code != NOT_SAVED:
+        except OperationError as error:  # it is known from the next time on
+            if error.code != NOT_SAVED:
                 raise
         return token
 

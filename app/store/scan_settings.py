@@ -22,8 +22,8 @@ class SettingsStore:
             return AUTOMATIC
         try:
             return ScanSettings.read(self._path)
-        except OperationError as refusal:
-            self.trouble = refusal
+        except OperationError as error:
+            self.trouble = error
             return AUTOMATIC
 
     def save(self, settings: ScanSettings) -> None:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
+from app.messages.message import Text
+from app.messages.stored import decode_text, encode_data
 from app.store.database import NOT_SAVED, Database
 
 log = logging.getLogger(__name__)
@@ -16,24 +18,24 @@ class ScanRecord:
     """One finished scan and the folder of its recording and cloud."""
 
     id: str
-    name: str
+    name: Text
     folder: Path
     started_at: str
     points: int
     frames: int
     seconds: float
     calibration_id: str
-    interrupted: str = ""
+    interrupted: Text = ""
     """Why it ended before the operator ended it; empty where it did not."""
     recording_bytes: int | None = None
     """Of its recording once that was completed; None for scans of earlier versions."""
 
 
 class ScanStore:
-    """The scans that were recorded. Folders are kept relative to the data folder.
+    """The scans that were recorded. Folders are stored relative to the data folder.
 
     Where the disk does not take a scan's row, the scan is listed from memory until it does;
-    its recording is kept in any case, and listed by the next start.
+    its recording is saved in any case, and listed by the next start.
     """
 
     def __init__(self, database: Database, folder: Path) -> None:
@@ -46,10 +48,10 @@ class ScanStore:
         """Lists a scan; raises ``OperationError`` only where the disk is not at fault."""
         try:
             self._insert(scan)
-        except OperationError as refusal:
-            if refusal.code != NOT_SAVED:
+        except OperationError as error:
+            if error.code != NOT_SAVED:
                 raise
-            log.warning("scan %s waits to be listed: %s", scan.id, refusal.why)
+            log.warning("scan %s waits to be listed: %s", scan.id, error.why)
             with self._lock:
                 self._waiting[scan.id] = scan
 
@@ -72,29 +74,33 @@ class ScanStore:
         with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
-                " calibration_id, interrupted, recording_bytes)"
-                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                " calibration_id, interrupted, recording_bytes, name_message, interrupted_message)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
                     scan.id,
-                    scan.name,
+                    str(scan.name),
                     scan.folder.relative_to(self._folder).as_posix(),
                     scan.started_at,
                     scan.points,
                     scan.frames,
                     scan.seconds,
                     scan.calibration_id,
-                    scan.interrupted,
+                    str(scan.interrupted),
                     scan.recording_bytes,
+                    encode_data(scan.name),
+                    encode_data(scan.interrupted),
                 ),
             )
 
     def rename(self, scan_id: str, name: str) -> None:
         """Gives a scan another name."""
         with self._database.transaction() as connection:
-            connection.execute("UPDATE scan SET name = ? WHERE id = ?", (name, scan_id))
+            connection.execute(
+                "UPDATE scan SET name = ?, name_message = NULL WHERE id = ?", (name, scan_id)
+            )
 
     def delete(self, scan_id: str) -> None:
-        """Takes a scan from the list; its folder is the caller's affair."""
+        """Takes a scan from the list; its folder is the caller's."""
         with self._lock:
             self._waiting.pop(scan_id, None)
         with self._database.transaction() as connection:
@@ -108,7 +114,7 @@ class ScanStore:
         return found[0] if found else None
 
     def newest(self) -> ScanRecord | None:
-        """The last that was begun and is kept."""
+        """The last that was begun and is listed."""
         found = self._read("ORDER BY started_at DESC, rowid DESC LIMIT 1")
         return found[0] if found else None
 
@@ -126,14 +132,14 @@ class ScanStore:
         return [
             ScanRecord(
                 row["id"],
-                row["name"],
+                decode_text(row["name"], row["name_message"]),
                 self._folder / row["folder"],
                 row["started_at"],
                 row["points"],
                 row["frames"],
                 row["seconds"],
                 row["calibration_id"],
-                row["interrupted"],
+                decode_text(row["interrupted"], row["interrupted_message"]),
                 row["recording_bytes"],
             )
             for row in self._database.read(f"SELECT * FROM scan {clause}", *values)

@@ -6,6 +6,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
 from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.formats.io_errors import error_from_os
+from app.messages.message import join, message
 from app.store.accounts import AccountStore
 from app.store.api_tokens import ApiTokenStore
 from app.store.audit import AuditLog
@@ -29,7 +30,7 @@ class Store:
     """The data folder, held by this process alone until ``close``.
 
     Raises:
-        Refusal: the folder cannot be written, is in use by another server, or holds
+        OperationError: the folder cannot be written, is in use by another server, or holds
             a database that cannot be read.
     """
 
@@ -43,16 +44,16 @@ class Store:
             if error.errno in FULL:
                 raise OperationError(
                     "disk-full",
-                    f"The disk of the data folder {folder} is full",
+                    message("disk-of-data-folder-full", folder=folder),
                     error.strerror or str(error),
-                    "Free some space, and start again",
+                    message("free-some-space-start-again"),
                 ) from error
-            found = error_from_os(error)
+            why = error_from_os(error)
             raise OperationError(
                 "data-folder-unwritable",
-                f"The data folder {folder} cannot be used",
-                f"{found.what}: {found.why}",
-                "Give a folder that this user may write with --data",
+                message("data-folder-cannot-be-used", folder=folder),
+                join([why.what, why.why], ": "),
+                message("give-folder-user-may-write-data"),
             ) from error
         try:
             self._check_database_exists()
@@ -80,12 +81,18 @@ class Store:
         full = [name for name in RECORD_FOLDERS if any((self.folder / name).iterdir())]
         if full:
             last = last_backup(self.folder)
-            at = f" from {last.folder}" if last is not None else " from the last backup"
+            remedy = (
+                message("restore-database-from-last-backup", database=DATABASE)
+                if last is None
+                else message("restore-database-from", database=DATABASE, folder=last.folder)
+            )
             raise OperationError(
                 "database-missing",
-                f"{database} is {'empty' if database.exists() else 'not there'}",
-                f"{' and '.join(full)} beside it are not empty",
-                f"Put {DATABASE}{at} in its place, or start on another folder with --data",
+                message("database-is-empty", database=database)
+                if database.exists()
+                else message("database-is-not-there", database=database),
+                message("folders-next-to-it-not-empty", folders=", ".join(full)),
+                remedy,
             )
 
     def check(self) -> str:

@@ -10,6 +10,8 @@ from typing import Any, Literal
 
 from pydantic import TypeAdapter
 
+from app.messages.message import Text, text_to_json
+from app.messages.stored import SUFFIX, restore_texts
 from app.store.database import Database
 from app.store.journal import Check, JournalRow, accept_any, append_row
 from app.timestamps import parse_moment, utc_now
@@ -22,7 +24,7 @@ class VerificationFigures:
     """What is listed of a verification without opening its file."""
 
     result: Literal["pass", "fail", "uncertain"]
-    text: str
+    text: Text
     """The verdict in one sentence."""
     shape: Literal["plane", "sphere"]
     gauge: str
@@ -46,7 +48,7 @@ FIGURES = TypeAdapter(VerificationFigures)
 
 
 class VerificationStore:
-    """The verifications that an operator accepted. Folders are kept relative to ``folder``."""
+    """The verifications that an operator accepted. Folders are stored relative to ``folder``."""
 
     def __init__(self, database: Database, folder: Path) -> None:
         self._database = database
@@ -61,15 +63,15 @@ class VerificationStore:
         key: str | None,
         check: Check = accept_any,
     ) -> JournalRow:
-        """Keeps a session's verification and closes the session, in one transaction.
+        """Saves a session's verification and closes the session, in one transaction.
 
         The verification's id is its session's. ``figures`` has the fields of
         ``VerificationFigures``.
         """
-        kept = VerificationFigures(**figures)
+        listed = VerificationFigures(**figures)
         with self._database.transaction() as connection:
-            told = {"result": kept.result}
-            row = append_row(connection, session_id, "accepted", told, key, check)
+            payload = {"result": listed.result}
+            row = append_row(connection, session_id, "accepted", payload, key, check)
             connection.execute(
                 f"INSERT INTO verification ({COLUMNS}) VALUES (?, ?, ?, ?, ?)",
                 (
@@ -77,7 +79,7 @@ class VerificationStore:
                     calibration_id,
                     folder.relative_to(self._folder).as_posix(),
                     row.at,
-                    json.dumps(asdict(kept), allow_nan=False),
+                    _encode(listed),
                 ),
             )
             connection.execute(
@@ -109,7 +111,7 @@ class VerificationStore:
     def _read(self, clause: str, *values: str) -> list[VerificationRecord]:
         found = []
         for row in self._database.read(f"SELECT {COLUMNS} FROM verification {clause}", *values):
-            with suppress(ValueError):
+            with suppress(ValueError, RecursionError):
                 found.append(self._record(row))
         return found
 
@@ -121,14 +123,22 @@ class VerificationStore:
             row["calibration_id"],
             self._folder / row["folder"],
             row["accepted_at"],
-            FIGURES.validate_json(row["figures"]),
+            FIGURES.validate_python(restore_texts(json.loads(row["figures"]))),
         )
 
     def unreadable(self) -> list[str]:
         """Ids of those whose row cannot be read."""
-        kept = {record.id for record in self.all()}
+        readable = {record.id for record in self.all()}
         return [
             row["id"]
             for row in self._database.read("SELECT id FROM verification ORDER BY rowid")
-            if row["id"] not in kept
+            if row["id"] not in readable
         ]
+
+
+def _encode(figures: VerificationFigures) -> str:
+    """The figures as JSON, the text in English with its data next to it."""
+    fields = {**asdict(figures), "text": str(figures.text)}
+    if not isinstance(figures.text, str):
+        fields[f"text{SUFFIX}"] = text_to_json(figures.text)
+    return json.dumps(fields, allow_nan=False)

@@ -1,4 +1,4 @@
-"""The connection to the MQTT broker: this station's words out, the others' in."""
+"""The connection to the MQTT broker: this station's messages out, the others' in."""
 
 import asyncio
 import contextlib
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import aiomqtt
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.supervision.bounded_client import BoundedClient
 from app.supervision.broker_settings import BrokerSettings
 from app.supervision.inbox import Inbox, ReceivedMessage
@@ -39,7 +40,7 @@ class BrokerState:
     """How the connection is, for the health page."""
 
     connected: bool
-    text: str
+    text: Text
     """What went wrong last, while it is not connected."""
     since_s: float
     tries: int
@@ -60,7 +61,7 @@ class Broker:
         self._report: StationReport | None = None
         self._changed = asyncio.Event()
         self._events: asyncio.Queue[StationEvent] = asyncio.Queue(EVENTS_WAITING)
-        self._state = BrokerState(False, "not connected yet", time.monotonic(), 0)
+        self._state = BrokerState(False, message("connected-yet"), time.monotonic(), 0)
         self.events_dropped = 0
         self.doubled_at_s: float | None = None
         """When another process was last heard under this station's name."""
@@ -88,16 +89,16 @@ class Broker:
         self._events.put_nowait(event)
 
     async def run(self) -> None:
-        """Until cancelled; then says that the station has ended in order."""
+        """Until cancelled; then publishes that the station has ended in order."""
         pause_s, tries = FIRST_BACK_OFF_S, 0
         while True:
             began_s = time.monotonic()
             try:
                 await self._connection()
             except (aiomqtt.MqttError, OperationError, OSError, ssl.SSLError, ValueError) as error:
-                text = error.line if isinstance(error, OperationError) else str(error)
+                text = error.text if isinstance(error, OperationError) else str(error)
                 if self._state.connected:
-                    log.warning("the connection to the broker was lost: %s", text)
+                    log.warning(message("log-broker-lost", reason=text))
                     tries = 0
                 if time.monotonic() - began_s > LONGEST_BACK_OFF_S:
                     pause_s = FIRST_BACK_OFF_S
@@ -134,7 +135,7 @@ class Broker:
             _end_if_cancelled()
             self._state = BrokerState(True, "", time.monotonic(), 0)
             self.fleet.note_broker(True)
-            log.info("connected to the broker at %s:%s", settings.host, settings.port)
+            log.info(message("log-broker-connected", host=settings.host, port=str(settings.port)))
             tasks = [
                 asyncio.create_task(self._publish_reports(client)),
                 asyncio.create_task(self._publish_events(client)),

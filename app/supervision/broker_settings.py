@@ -5,6 +5,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.open_file import read_bounded
+from app.messages.message import message
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class BrokerSettings:
         except (OSError, UnicodeDecodeError) as error:
             raise OperationError(
                 "mqtt-password",
-                f"{self.password_file} cannot be read",
+                message("cannot-read-2", password_file=self.password_file),
                 str(getattr(error, "strerror", None) or error),
-                "Name a file that holds the broker's password alone, readable by the station",
+                message("name-file-holds-brokers-password-alone"),
             ) from error

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from app.supervision.messages import EVENTS_STORED, parse_topic
 from app.supervision.unread import Unread
 
-LONGEST_BYTES = {"report": 64 * 1024, "presence": 4 * 1024, "event": 4 * 1024}
-"""A station's own are a tenth of it."""
+LONGEST_BYTES = {"report": 64 * 1024, "presence": 4 * 1024, "event": 8 * 1024}
+"""A station's own are mostly a tenth of it."""
 MOST_UNKNOWN, MOST_UNKNOWN_BYTES = 600, 8_000_000
 """Of stations that are not known yet so many topics may wait; of the known all may."""
 TOLERATED = 10

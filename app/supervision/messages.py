@@ -1,7 +1,8 @@
-"""What stations tell one another over MQTT: the payloads, and the topics they go to.
+"""What stations publish over MQTT: the payloads, and the topics they go to.
 
-Every payload is one JSON object. ``crenel mqtt-schema`` prints the JSON schema of them,
-and docker/SUPERVISION.md describes the rest.
+Every payload is one JSON object. Texts are English; a field with ``_message`` after its name
+has the same text as data, for a reader of another language. ``crenel mqtt-schema`` prints the
+JSON schema of them, and docker/SUPERVISION.md describes the rest.
 """
 
 import re
@@ -12,6 +13,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter
 
 from app.findings import Quality
+from app.supervision.message_data import MessageData
 
 BEAT_S = 1.0
 """A station publishes its report at least so often, changed or not."""
@@ -53,6 +55,7 @@ class DeviceReport(Payload):
     name: Literal["arm", "camera"]
     state: Literal["connected", "connecting", "lost", "off"]
     text: ShortText
+    text_message: MessageData = None
     age_s: Amount | None = Field(description="Age of the newest data when this was written")
     rate_hz: Amount | None
     received: Count
@@ -65,9 +68,11 @@ class ActivityReport(Payload):
 
     kind: Activity
     title: ShortText
+    title_message: MessageData = None
     step: Count = Field(description="Counted from 1; 0 where there are no steps")
     steps: Count
     progress: ShortText
+    progress_message: MessageData = None
     points: Count = Field(description="Of the running scan, or of the last")
     rate_points_s: Amount
     lost_frames: Count
@@ -92,6 +97,7 @@ class VerificationReport(Payload):
     at: Moment
     quality: Quality
     text: ShortText
+    text_message: MessageData = None
 
 
 class Alarm(Payload):
@@ -99,7 +105,9 @@ class Alarm(Payload):
 
     quality: Quality
     text: ShortText
+    text_message: MessageData = None
     remedy: ShortText
+    remedy_message: MessageData = None
 
 
 class StationReport(Payload):
@@ -107,7 +115,7 @@ class StationReport(Payload):
 
     format: Literal["crenel/station-report"] = "crenel/station-report"
     station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
-    instance: Annotated[str, Field(max_length=32)] = Field(description="Anew at each start")
+    instance: Annotated[str, Field(max_length=32)] = Field(description="New at each start")
     name: Name
     version: Name
     simulated: bool
@@ -152,6 +160,7 @@ class StationEvent(Payload):
     kind: Name
     quality: Quality
     text: ShortText
+    text_message: MessageData = None
 
 
 KINDS: dict[str, type[Payload]] = {

@@ -1,4 +1,4 @@
-"""What somebody who is away wants to be told of: done, at fault, due."""
+"""Notifications for somebody who is away: done, at fault, due."""
 
 import time
 from collections.abc import Callable
@@ -6,13 +6,15 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.messages.message import Text
 from app.station.bus import Event
+from app.supervision.message_data import MessageData
 from app.supervision.messages import Count, Moment, Name, Payload, ShortText
 
 NoticeKind = Literal["done", "fault", "due", "test"]
 DONE = {"accepted", "scan-saved", "replay"}
 REPEAT_S = 60.0
-"""The same words are told once in so long: a loose cable is no reason for a hundred messages."""
+"""The same text is sent once in so long: a loose cable is no reason for a hundred messages."""
 
 
 class Notice(Payload):
@@ -26,6 +28,7 @@ class Notice(Payload):
     kind: NoticeKind
     at: Moment
     text: ShortText
+    text_message: MessageData = None
 
 
 def notice_kind(event: Event) -> NoticeKind | None:
@@ -38,14 +41,14 @@ def notice_kind(event: Event) -> NoticeKind | None:
 
 
 class NoticeDeduplicator:
-    """Whether the same was told lately."""
+    """Whether the same was sent lately."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._sent: dict[tuple[str, str], float] = {}
+        self._sent: dict[tuple[str, Text], float] = {}
 
-    def is_new(self, kind: str, text: str) -> bool:
-        """Notes it; False where it was told within the last minute."""
+    def is_new(self, kind: str, text: Text) -> bool:
+        """Notes it; False where it was sent within the last minute."""
         now_s = self._clock()
         self._sent = {key: at for key, at in self._sent.items() if now_s - at < REPEAT_S}
         new = (kind, text) not in self._sent

@@ -3,12 +3,13 @@
 import math
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, PlainSerializer, ValidationError
 
+from app.supervision.message_data import readable
 from app.supervision.messages import EVENTS_STORED, KINDS, Presence, StationEvent, StationReport
 from app.supervision.unread import Unread
 
@@ -25,8 +26,16 @@ TURNED_AWAY_STORED = 8192
 State = Literal["live", "lost", "off", "waiting", "unknown"]
 
 
+def _readable(payload: BaseModel | None) -> object:
+    return None if payload is None else readable(payload)
+
+
+def _all_readable(payloads: Sequence[BaseModel]) -> object:
+    return [readable(payload) for payload in payloads]
+
+
 class RemoteStation(BaseModel):
-    """One station as the browser shows it."""
+    """One station as the browser shows it: sent with each text as its message, if it has one."""
 
     model_config = ConfigDict(frozen=True)
 
@@ -36,10 +45,10 @@ class RemoteStation(BaseModel):
     """waiting: kept by the broker, and not heard yet; unknown: the broker itself is lost."""
     silent_s: float | None
     """Since its last report; null before the first."""
-    report: StationReport | None
+    report: Annotated[StationReport | None, PlainSerializer(_readable)]
     """With the worst of its alarms alone."""
     alarms: int
-    events: tuple[StationEvent, ...]
+    events: Annotated[tuple[StationEvent, ...], PlainSerializer(_all_readable)]
     """The newest, if any."""
 
 
@@ -83,18 +92,18 @@ class Fleet:
                 self._stations.pop(station, None)
             return
         try:
-            message = KINDS[kind].model_validate_json(payload)
+            received = KINDS[kind].model_validate_json(payload)
         except ValidationError:
             self.unread.add("strange")
             return
-        if getattr(message, "station", None) != station:
+        if getattr(received, "station", None) != station:
             self.unread.add("strange")
             return
         if station not in self._stations and not self._make_space(station, retained):
             self.unread.add("crowded")
             return
         known = self._stations.setdefault(station, _TrackedStation(station, self._clock()))
-        self._fold(known, message, retained)
+        self._fold(known, received, retained)
 
     def knows(self, station: str) -> bool:
         return station in self._stations

@@ -27,8 +27,9 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 from app.errors import OperationError
 from app.formats.atomic_write import atomic_path
-from app.formats.io_errors import error_from_validation
+from app.formats.io_errors import error_from_os, error_from_validation
 from app.formats.open_file import read_bounded
+from app.messages.message import Text, message, quantity
 from app.supervision.notifications import Notice
 
 log = logging.getLogger(__name__)
@@ -56,15 +57,15 @@ def check_url(url: str) -> str:
     if url and not (good and url.isprintable()):
         raise OperationError(
             "webhook-url",
-            "The address is none that a message can be sent to",
-            "it must begin with http:// or https:// and name a machine",
-            "Copy it whole from the service that receives",
+            message("address-none-message-can-sent"),
+            message("must-begin-http-https-name-machine"),
+            message("copy-whole-service-receives"),
         )
     return url
 
 
 class WebhookSettings(BaseModel):
-    """What is told, and where to; without an address nothing is sent.
+    """Which notices are sent, and where to; without an address none are.
 
     Raises:
         Refusal: the address is none (``check_url``), wherever it comes from.
@@ -91,18 +92,18 @@ class WebhookStore:
         self._path = folder / FILE
 
     def read(self) -> WebhookSettings:
-        """What was kept; nothing where the file is missing or no such, which the log says."""
+        """The saved settings; none where the file is missing or unreadable, which is logged."""
         try:
             return WebhookSettings.model_validate_json(read_bounded(self._path))
         except FileNotFoundError:
             return WebhookSettings()
         except OSError as error:
-            why = error.strerror or str(error)
+            why = error_from_os(error).why
         except ValidationError as error:
             why = error_from_validation(FILE, error).why
-        except OperationError as refusal:
-            why = refusal.line
-        log.warning("%s is done without: %s", FILE, why)
+        except OperationError as error:
+            why = error.text
+        log.warning(message("log-file-not-used", file=FILE, reason=why))
         return WebhookSettings()
 
     def save(self, settings: WebhookSettings) -> None:
@@ -127,7 +128,7 @@ class Webhook:
         self._tries = asyncio.Semaphore(TRIES_AT_ONCE)
         self.sent = self.failed = 0
         """Received there; given up."""
-        self.trouble = ""
+        self.trouble: Text = ""
         """Of the last try; empty once one was received."""
         self.on_change: Callable[[], None] = lambda: None
 
@@ -176,7 +177,7 @@ class Webhook:
             self.sent, self.trouble = self.sent + 1, ""
         else:
             self.failed += 1
-            log.warning("a notification was given up: %s", self.trouble)
+            log.warning(message("log-notification-given-up", reason=self.trouble))
         self.on_change()
 
     async def _deliver(self, client: httpx.AsyncClient, notice: Notice) -> bool:
@@ -194,7 +195,7 @@ class Webhook:
             await self._wait_for_change(settings, pause_s)
         return False
 
-    async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, str]:
+    async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, Text]:
         """One try; another in its place where the settings are corrected meanwhile."""
         while True:
             settings = self.settings
@@ -216,7 +217,7 @@ class Webhook:
 
     async def _try(
         self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice
-    ) -> tuple[bool, str]:
+    ) -> tuple[bool, Text]:
         """Whether another try may help, and what went wrong; empty where nothing did."""
         body = notice.model_dump_json().encode()
         headers = {
@@ -234,7 +235,8 @@ class Webhook:
                 status, good = answer.status_code, answer.is_success
         except (httpx.HTTPError, httpx.InvalidURL, TimeoutError, ValueError) as error:
             return True, _error_text(error)
-        return status in RETRY_STATUSES or status >= 500, "" if good else f"status {status}"
+        again = status in RETRY_STATUSES or status >= 500
+        return again, "" if good else message("http-status", status=str(status))
 
 
 def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
@@ -253,12 +255,12 @@ def _tls_context() -> ssl.SSLContext:
     return context
 
 
-def _error_text(error: Exception) -> str:
+def _error_text(error: Exception) -> Text:
     """Without the address, which may hold a secret."""
     if isinstance(error, (httpx.TimeoutException, TimeoutError)):
-        return f"no answer within {ANSWER_S:.0f} s"
+        return message("no-answer-within", limit=quantity(ANSWER_S, "s"))
     if "CERTIFICATE_VERIFY_FAILED" in str(error):
-        return "its certificate is not trusted here"
+        return message("certificate-trusted-here")
     if isinstance(error, httpx.ConnectError):
-        return "no connection"
-    return "the request failed"
+        return message("no-connection")
+    return message("request-failed")

@@ -2,22 +2,37 @@
 
 from http import HTTPStatus
 
+from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
+from app.messages.message import Text
 from app.wire.encoding import encode_json
 
 
+class RequestError(HTTPException):
+    """A request that is not read to its end."""
+
+    def __init__(self, status: int, text: Text) -> None:
+        super().__init__(status, str(text))
+        self.text = text
+
+
 def problem(
-    status: int, code: str, detail: str, remedy: str = "", view: object | None = None
+    status: int, code: str, detail: Text, remedy: Text = "", view: object | None = None
 ) -> Response:
-    """The response of an error; its fields are those of ``schema.Problem``."""
+    """The response of an error; its fields are those of ``schema.Problem``.
+
+    ``detail`` and ``remedy`` are English, for programs; ``messages`` has both as data, for the
+    browser, which puts them into its reader's language.
+    """
     body = {
         "type": "about:blank",
         "title": HTTPStatus(status).phrase,
         "status": status,
-        "detail": detail,
+        "detail": str(detail),
         "code": code,
-        "remedy": remedy,
+        "remedy": str(remedy),
+        "messages": {"detail": detail, "remedy": remedy},
     }
     if view is not None:
         body["view"] = view

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from app.messages.message import Text
+
 
 @dataclass(frozen=True)
 class Readiness:
@@ -10,7 +12,7 @@ class Readiness:
 
     ready: bool
     station: str = ""
-    steps: Sequence[str] = ()
+    steps: Sequence[Text] = ()
     done: int = 0
     share: float = 0.0
 

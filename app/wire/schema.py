@@ -11,6 +11,7 @@ from app.formats.datasheets.gauge import Shape
 from app.formats.results.verification import Result
 from app.guide.common import validity as due
 from app.guide.common.view import FlowView, ResultPicture
+from app.messages.message import Text
 from app.metrology.fitting.shape import ShapeName
 from app.metrology.stripe import PeakChoice
 from app.station.scan import state as scan_state
@@ -116,8 +117,17 @@ LiveRequest = Annotated[
 
 
 @dataclass(frozen=True)
+class ProblemMessages:
+    """The texts of a problem as data, for whoever puts them into another language."""
+
+    detail: Text
+    remedy: Text
+
+
+@dataclass(frozen=True)
 class Problem:
-    """RFC 9457; ``view`` comes with the 409 of a stale flow command."""
+    """RFC 9457, ``detail`` and ``remedy`` in English; ``view`` comes with the 409 of a stale
+    flow command."""
 
     type: str
     title: str
@@ -125,6 +135,7 @@ class Problem:
     detail: str
     code: str
     remedy: str
+    messages: ProblemMessages
     view: FlowView | None = None
 
 
@@ -152,13 +163,13 @@ class CalibrationSummary:
 @dataclass(frozen=True)
 class ScanSummary:
     id: str
-    name: str
+    name: Text
     started_at: str
     points: int
     frames: int
     seconds: float
     calibration_id: str
-    note: str
+    note: Text
     """What is wrong with its recording, or why it ended early; mostly empty."""
 
 
@@ -313,7 +324,7 @@ class VerificationSummary:
     calibration: str
     """Its name."""
     result: Result
-    text: str
+    text: Text
     shape: Shape
     gauge: str
     clouds: int
@@ -326,7 +337,7 @@ class StudyState:
     """Of the clouds rebuilt with every calibration: under way, or done, or neither."""
 
     running: bool
-    text: str
+    text: Text
     fraction: float | None
     accepted: int
     """How many calibrations there are by now."""

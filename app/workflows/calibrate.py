@@ -27,6 +27,7 @@ from app.formats.session.calibration_session import (
     Pose,
     read_any_session,
 )
+from app.messages.message import Text, message
 from app.metrology.adjustment.block.calibrate import BlockInputs, calibrate_block, observe_block
 from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
@@ -54,7 +55,7 @@ def calibrate_session(
     progress: Progress = no_progress,
     method: Method = "joint",
     limits: Limits = LIMITS,
-) -> tuple[CalibrationFile, list[str]]:
+) -> tuple[CalibrationFile, list[Text]]:
     """Calibrates a session, and writes the result to ``output``.
 
     Args:
@@ -63,7 +64,7 @@ def calibrate_session(
         limits: what the verdict goes by.
 
     Returns:
-        What was written, and what whoever asked for it should know beside it.
+        What was written, and what whoever asked for it should know in addition.
 
     Raises:
         Refusal: the session or the place to write to is not in order, or no
@@ -81,12 +82,10 @@ def calibrate_session(
             sheet = _calibrate_from_all_poses(session, limits, progress)
     sheet.write(output)
     unused = len(session.poses) - 1 if method == "one-pose" else 0
-    warnings = (
-        [f"pose {session.poses[0].number} was used; the other {unused} are not, by one-pose"]
-        if unused
-        else []
-    )
-    return sheet, warnings
+    if not unused:
+        return sheet, []
+    first = session.poses[0].number
+    return sheet, [message("pose-used-other-one-pose", number=first, unused=unused)]
 
 
 def _calibrate_from_one_pose(session: BlockSession, progress: Progress) -> CalibrationFile:
@@ -110,16 +109,16 @@ def _calibrate_on_board(
     if method == "one-pose":
         raise OperationError(
             "one-pose-on-board",
-            f"one pose is not enough on {session.board.name}",
-            "one picture of a flat board tells neither the focal length nor the laser's plane",
-            "use --method joint, with pictures of the board from several sides",
+            message("one-pose-enough", name=session.board.name),
+            message("one-picture-flat-board-tells-neither"),
+            message("use-method-joint-pictures-board-several"),
         )
     result = calibrate_board(board_inputs(session, limits, progress), _solve_progress(progress))
     return board_document(result, calibration_origin(session, session.poses, _user_name()))
 
 
-def _solve_progress(progress: Progress) -> Callable[[str, float], None]:
-    """Progress of what follows after the pictures were looked at."""
+def _solve_progress(progress: Progress) -> Callable[[Text, float], None]:
+    """Progress of what follows after the detection in the pictures."""
     return lambda text, share: progress(DETECTION_SHARE + (1 - DETECTION_SHARE) * share, text)
 
 
@@ -206,7 +205,9 @@ def _detect_all(
         for done, (pose, one) in enumerate(
             zip(poses, looking.map(look, poses), strict=True), start=1
         ):
-            progress(DETECTION_SHARE * done / len(poses), f"Looked at pose {pose.number}")
+            progress(
+                DETECTION_SHARE * done / len(poses), message("looked-pose", number=pose.number)
+            )
             if isinstance(one, OperationError):
                 unseen.append(FailedPose(pose.number, one))
             else:

@@ -8,6 +8,7 @@ import numpy as np
 from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import prefix_errors
 from app.formats.session.arm_session import ARM, ARTICULATION, read_seats
+from app.messages.message import message
 from app.metrology.arm.identification.articulation import (
     Articulation,
     ArticulationLimits,
@@ -42,7 +43,10 @@ def check_table(
     seats = read_seats(table, arm)
     with prefix_errors(table):
         return tuple(
-            SeatReport(seat.name, check_articulation(arm, seat.q_rad, limits, f"set {seat.name}"))
+            SeatReport(
+                seat.name,
+                check_articulation(arm, seat.q_rad, limits, message("set", name=seat.name)),
+            )
             for seat in seats
         )
 

@@ -4,23 +4,33 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.recording.reader import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC, Recording
 from app.formats.results.calibration import Calibration
+from app.messages.message import Text, message, word
 from app.metrology.arm.kinematics import Arm
 
 
-def check_content(recording: Recording, frames: int, joint_samples: int) -> str:
+def check_content(recording: Recording, frames: int, joint_samples: int) -> Text:
     """What a recording that was read is called; refuses one that holds no scan."""
     topics = recording.topics
     if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
         raise OperationError(
             "recording-foreign",
-            f"{display_path(recording.path)} holds {', '.join(sorted(topics)) or 'no topics'}",
-            f"a scan has {JOINTS_TOPIC} and {IMAGE_TOPIC} or {STRIPE_TOPIC}",
+            message(
+                "holds-topics", path=display_path(recording.path), topics=", ".join(sorted(topics))
+            )
+            if topics
+            else message("holds-no-topics", path=display_path(recording.path)),
+            message(
+                "scan-has",
+                joints_topic=JOINTS_TOPIC,
+                image_topic=IMAGE_TOPIC,
+                stripe_topic=STRIPE_TOPIC,
+            ),
         )
     named = recording.cut or display_path(recording.path)
     if not frames:
-        raise OperationError("recording-without-frames", f"{named}: no frames")
+        raise OperationError("recording-without-frames", message("no-frames", named=named))
     if not joint_samples:
-        raise OperationError("recording-without-joints", f"{named}: no joint angles")
+        raise OperationError("recording-without-joints", message("no-joint-angles", named=named))
     return named
 
 
@@ -34,9 +44,14 @@ def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> N
         if recorded and known and recorded != known:
             raise OperationError(
                 f"{device}-of-another-serial",
-                f"{display_path(recording.path)} was taken with {device} {recorded}",
-                f"the {'calibration' if device == 'sensor' else 'arm.json'} is for {known}",
-                "Give the files that belong together",
+                message(
+                    "taken",
+                    path=display_path(recording.path),
+                    device=word(device),
+                    recorded=recorded,
+                ),
+                message("the-is-for", device=device, known=known),
+                message("give-files-belong-together"),
             )
 
 
@@ -46,7 +61,7 @@ def check_serials(calibration: Calibration, arm: Arm) -> None:
     if known and arm.serial_number and known != arm.serial_number:
         raise OperationError(
             "arm-of-another-serial",
-            f"the arm model is of arm {arm.serial_number}",
-            f"the calibration is for arm {known}",
-            "Give the files that belong together",
+            message("arm-model-arm", serial_number=arm.serial_number),
+            message("calibration-arm", known=known),
+            message("give-files-belong-together"),
         )

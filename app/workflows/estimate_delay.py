@@ -17,6 +17,7 @@ from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.stream import Block, read_blocks
 from app.formats.results.calibration import Calibration
 from app.formats.results.delay import Sync
+from app.messages.message import message, word
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.time_delay.delay import ClockDelay, estimate_delay
@@ -73,9 +74,9 @@ def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
         if of and known and of != known:
             raise OperationError(
                 f"{device}-of-another-serial",
-                f"{display_path(path)} is of {device} {of}",
-                f"the other files are of {device} {known}",
-                "Give the files that belong together",
+                message("is-of", path=display_path(path), device=word(device), of=of),
+                message("other-files", device=word(device), known=known),
+                message("give-files-belong-together"),
             )
     return sheet
 
@@ -137,9 +138,13 @@ class _PassReader:
         if len(self._stamps_ns) + len(frames) > MOST_FRAMES:
             raise OperationError(
                 "recording-too-long",
-                f"{display_path(self._recording.path)} holds more than {MOST_FRAMES} frames",
-                "a pass of half a minute is enough",
-                "Record one pass over a plane",
+                message(
+                    "holds-more-than-frames",
+                    path=display_path(self._recording.path),
+                    most=MOST_FRAMES,
+                ),
+                message("pass-half-minute-enough"),
+                message("record-one-pass-over-plane"),
             )
         placing = FrameReconstruction(self._recording.path, self._calibration)
         first = len(self._stamps_ns)

@@ -12,6 +12,7 @@ from app.formats.csv_table import table_text
 from app.formats.file_names import display_path
 from app.formats.images import GreyImage, read_grey
 from app.formats.settings.mask import Mask
+from app.messages.message import message, quantity
 from app.metrology.image import saturation_level
 from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 from app.progress import Progress, no_progress
@@ -57,23 +58,23 @@ def extract_stripes(
 
 
 def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) -> OperationError:
-    """Says what the picture is like instead."""
-    what = f"{display_path(path)} shows no laser stripe{' outside the mask' if masked else ''}"
+    """With what the picture is like instead."""
+    what = message("shows-no-stripe", path=display_path(path))
+    if masked:
+        what = message("shows-no-stripe-outside-mask", path=display_path(path))
     full = saturation_level(picture)
     clipped = float(np.mean(picture >= full))
     brightest = int(picture.max())
     if clipped > MANY_CLIPPED:
-        why = f"it is overexposed: {100 * clipped:.0f} % of its pixels are at full scale"
+        why = message("overexposed-share-at-full-scale", share=quantity(100 * clipped, "%"))
         return OperationError(
-            "stripe-not-found", what, why, "Shorten the exposure, or darken the room"
+            "stripe-not-found", what, why, message("shorten-exposure-or-darken-room")
         )
     if brightest < DARK * full:
-        why = f"it is dark: its brightest pixel is at {brightest} of {full:.0f} grey levels"
-        return OperationError(
-            "stripe-not-found", what, why, "Switch the laser on, or expose longer"
-        )
-    why = f"no bright line runs {'across' if axis == 'u' else 'down'} the picture"
-    remedy = "Take it with the laser on and the exposure set, or choose the other --axis"
+        why = message("dark-brightest-pixel", brightest=brightest, full=quantity(full))
+        return OperationError("stripe-not-found", what, why, message("laser-on-or-expose-longer"))
+    why = message("no-bright-line-runs", axis=axis)
+    remedy = message("take-with-laser-or-other-axis")
     return OperationError("stripe-not-found", what, why, remedy)
 
 

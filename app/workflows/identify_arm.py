@@ -22,8 +22,10 @@ from app.formats.io_errors import prefix_errors
 from app.formats.json_document import file_sha256
 from app.formats.session.arm_session import TABLES, read_identification_session, read_observations
 from app.formats.software import SOFTWARE
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.cross_validation import Deviations, Validation
 from app.metrology.arm.identification.identify import Identification, Outlier, identify
+from app.metrology.arm.identification.parameter_selection import REASONS, FixedReason
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 
@@ -110,11 +112,11 @@ def identification_part(
     )
 
 
-def outlier_text(outlier: Outlier) -> str:
-    """One point that was left out, in words."""
+def outlier_text(outlier: Outlier) -> Text:
+    """One point that was left out."""
     far_mm = outlier.distance_mm
-    far = f"{far_mm * 1e3:.0f} µm" if far_mm < 1.0 else f"{far_mm:.1f} mm"
-    return f"{outlier.place}, point {outlier.number}: {far} off"
+    far = quantity(1e3 * far_mm, "µm") if far_mm < 1.0 else quantity(far_mm, "mm", 1)
+    return message("point-left-out-off", place=outlier.place, number=outlier.number, distance=far)
 
 
 def identification_summary(result: Identification) -> list[tuple[str, str]]:
@@ -147,7 +149,7 @@ def identification_summary(result: Identification) -> list[tuple[str, str]]:
             ("spheres' diameters seen", f"{2e3 * result.radius_excess_mm:+.1f} ± {sd_um:.1f} µm")
         )
     for k, outlier in enumerate(result.outliers):
-        figures.append(("left out" if k == 0 else "", outlier_text(outlier)))
+        figures.append(("left out" if k == 0 else "", str(outlier_text(outlier))))
     return figures
 
 
@@ -184,13 +186,13 @@ def parameter_rows(result: Identification) -> list[list[str]]:
     return rows
 
 
-def list_fixed_parameters(result: Identification) -> list[tuple[str, str]]:
+def list_fixed_parameters(result: Identification) -> list[tuple[str, Text]]:
     """The D-H parameters that kept their values, by reason."""
-    by_reason: dict[str, list[str]] = {}
+    by_reason: dict[FixedReason, list[str]] = {}
     for held in result.fixed:
         if ".error." not in held.name or held.reason in ("redundant", "unobserved"):
-            by_reason.setdefault(held.why, []).append(_in_degrees(held.name))
-    return [(", ".join(names), why) for why, names in by_reason.items()]
+            by_reason.setdefault(held.reason, []).append(_in_degrees(held.name))
+    return [(", ".join(names), REASONS[reason]) for reason, names in by_reason.items()]
 
 
 def strong_correlations(result: Identification) -> list[tuple[str, str, float]]:

@@ -11,6 +11,7 @@ from app.formats.clouds.points import Points
 from app.formats.datasheets.gauge import GaugeFile
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
+from app.messages.message import Text
 from app.metrology.arm.kinematics import Arm
 from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
@@ -36,7 +37,7 @@ class GaugeFit(DocumentPart):
     covariance: tuple[tuple[Number, ...], ...] = ()
     """k = 1, mm and rad; of a plane the shift and two tilts, of a sphere centre and radius.
     Empty where too few frames took part to tell."""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Text, ...] = ()
 
     @property
     def plane(self) -> PlaneFit:

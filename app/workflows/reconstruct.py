@@ -18,6 +18,7 @@ from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.stream import Block, RecordedFrame, read_blocks
 from app.formats.results.calibration import Calibration
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -57,9 +58,9 @@ class Reconstruction:
     """Places where a clock was set back or forth."""
     seconds: float
     """From the recording's first message to its last."""
-    cut: str
+    cut: Text
     """Where and why the recording ended early; empty for a whole one."""
-    warnings: tuple[str, ...]
+    warnings: tuple[Text, ...]
     """What whoever asked for the cloud should know, one sentence each."""
 
     @property
@@ -293,22 +294,25 @@ class _Job:
         self._dark += made.dark
         self._unplaced_ns += made.unplaced_ns
 
-    def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[str]:
-        said = [self._recording.cut] if self._recording.cut else []
+    def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[Text]:
+        warnings = [self._recording.cut] if self._recording.cut else []
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
-            said.append(
+            warnings.append(
                 missing_joints_warning(
                     unplaced, self._numbered, self._track, self._delay_ns, start_ns
                 )
             )
         if self._joints.unusable:
-            said.append(f"{self._joints.unusable} joint samples left out: not numbers")
+            warnings.append(
+                message("joint-samples-left-out-numbers", unusable=self._joints.unusable)
+            )
         first = self._joints.first_implausible
         if first is not None:
-            said.append(implausible_joints_warning(self._joints.implausible, first, start_ns))
-        said += clock_warnings("joint samples", joints, start_ns)
-        return said + clock_warnings("frames", frames, start_ns)
+            warnings.append(implausible_joints_warning(self._joints.implausible, first, start_ns))
+        warnings += clock_warnings("joints", joints, start_ns)
+        warnings += clock_warnings("frames", frames, start_ns)
+        return warnings
 
     def _check_result(self) -> None:
         if self._points:
@@ -319,7 +323,7 @@ class _Job:
             raise no_joints_error(named, self._unplaced_ns, self._track, start_ns)
         raise OperationError(
             "recording-without-stripes",
-            f"{named}: no laser stripe in front of the sensor in any frame of {self._numbered}",
-            "the laser was off, too weak, or the part out of range",
-            "Scan again",
+            message("no-laser-stripe-front-sensor-any", named=named, numbered=self._numbered),
+            message("laser-off-too-weak-part-out"),
+            message("scan-again"),
         )

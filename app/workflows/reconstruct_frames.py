@@ -15,6 +15,7 @@ from app.formats.recording.reader import StripeRecord
 from app.formats.recording.stream import Block, RecordedFrame
 from app.formats.recording.wire_format import AXIS, HEIGHT, WIDTH
 from app.formats.results.calibration import Calibration
+from app.messages.message import message
 from app.metrology.sensor.triangulation import scan_points
 from app.metrology.stripe import extract_stripe
 from app.metrology.transforms import Floats
@@ -35,9 +36,15 @@ class FrameReconstruction:
         if (width_px, height_px) != (camera.width_px, camera.height_px):
             raise OperationError(
                 "image-size",
-                f"{display_path(self.path)}: frame {number} has {width_px} × {height_px} pixels",
-                f"the calibration is for {camera.width_px} × {camera.height_px}",
-                "Give the calibration of the sensor that took this recording",
+                message(
+                    "frame-has-pixels",
+                    path=display_path(self.path),
+                    number=number,
+                    width_px=width_px,
+                    height_px=height_px,
+                ),
+                message("calibration-4", width_px=camera.width_px, height_px=camera.height_px),
+                message("give-calibration-sensor-took-recording"),
             )
 
 

@@ -17,6 +17,7 @@ from app.formats.atomic_write import write_atomically
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.calibration import Calibration
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import Arm
 from app.metrology.fitting.plane_sphere import PlaneFit, fit_plane
 from app.metrology.gauges.errors import (
@@ -70,7 +71,7 @@ class Study:
     """Of each recording; empty for one calibration."""
     between_recordings: tuple[PlaneSpread, ...]
     """Of each calibration; empty for one recording."""
-    warnings: tuple[str, ...]
+    warnings: tuple[Text, ...]
 
     def write_csv(self, path: Path) -> None:
         """The table, one row a recording and calibration; raises ``OperationError``."""
@@ -99,20 +100,13 @@ def run_study(
     if len(recordings) * len(calibrations) < 2:
         raise OperationError(
             "too-few-clouds",
-            "one recording and one calibration give one plane",
-            "a study compares several",
-            "Give more recordings of the plane, or more calibrations",
+            message("one-recording-one-calibration-give-one"),
+            message("study-compares-several"),
+            message("give-more-recordings-plane-more-calibrations"),
         )
-    nominal = None if nominal_path is None else read_nominal(nominal_path)
-    if nominal is not None and not isinstance(nominal, NominalPlane):
-        raise OperationError(
-            "nominal-of-another-shape",
-            f"{nominal_path}: it is of a sphere",
-            "the study is of a plane",
-            "Give the plane's own nominal",
-        )
+    nominal = None if nominal_path is None else _read_plane(nominal_path)
     fits: list[list[PlaneFit]] = []
-    warnings: list[str] = []
+    warnings: list[Text] = []
     total = len(recordings) * len(calibrations)
     for c, (name, calibration) in enumerate(calibrations):
         fits.append([])
@@ -127,12 +121,24 @@ def run_study(
     return _compare_planes(recordings, [name for name, _ in calibrations], fits, nominal, warnings)
 
 
+def _read_plane(path: Path) -> NominalPlane:
+    nominal = read_nominal(path)
+    if not isinstance(nominal, NominalPlane):
+        raise OperationError(
+            "nominal-of-another-shape",
+            message("sphere-4", path=path),
+            message("study-plane"),
+            message("give-planes-own-nominal"),
+        )
+    return nominal
+
+
 def _compare_planes(
     recordings: Sequence[Path],
     calibrations: Sequence[Path],
     fits: list[list[PlaneFit]],
     nominal: NominalPlane | None,
-    warnings: list[str],
+    warnings: list[Text],
 ) -> Study:
     normals = np.array([[fit.normal for fit in row] for row in fits])  # (C, R, 3)
     first = normals[0, 0] if nominal is None else nominal.normal
@@ -146,8 +152,7 @@ def _compare_planes(
     turned = max(angle_between_rad(n, normals[0, 0]) for n in normals[0])
     if turned > ONE_PLANE_RAD:
         warnings.append(
-            f"the recordings are turned by up to {np.rad2deg(turned):.1f}° to one another: "
-            "they are not of one plane, and their ranges mean nothing"
+            message("recordings-turned-to-one-another", angle=quantity(np.rad2deg(turned), "°", 1))
         )
     rows = [
         StudyPlane(
@@ -180,7 +185,7 @@ def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[Pl
 
 
 def range_rows(done: Study) -> list[tuple[str, ...]]:
-    """The mean ranges to print, the paper's beside them."""
+    """The mean ranges to print, in English, next to those of the paper."""
     rows: list[tuple[str, ...]] = []
     for title, ranges, arcsec, um in (
         ("between calibrations", done.between_calibrations, ARTICLE_ARCSEC, ARTICLE_UM),

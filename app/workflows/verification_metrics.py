@@ -8,7 +8,14 @@ from typing import Literal
 import numpy as np
 
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
-from app.formats.results.verification import FigureName, FigurePart, Result, VerificationVerdict
+from app.formats.results.verification import (
+    Decision,
+    FigureName,
+    FigurePart,
+    Result,
+    VerificationVerdict,
+)
+from app.messages.message import Text, message, quantity
 from app.metrology.gauges.conformity import decide
 from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
@@ -17,17 +24,17 @@ from app.workflows.measure_gauge import GaugeFit
 ProbedGauge = ProbedPlane | ProbedSphere
 K = 2.0
 UNIFORM = float(np.sqrt(12.0))
-TITLES: dict[FigureName, str] = {
-    "rms": "Scatter of the points (rms)",
-    "form": "Form of the cloud (95 % of the points)",
-    "angle": "Angle to the touched plane",
-    "offset": "Distance from the touched plane",
-    "z_error": "Height above the touched plane, along Z",
-    "radius_error": "Error of the radius",
-    "centre_error": "Distance from the touched centre",
-    "angle_range": "Angle between clouds",
-    "offset_range": "Distance between clouds",
-    "centre_range": "Distance between the clouds' centres",
+TITLES: dict[FigureName, Text] = {
+    "rms": message("scatter-points-rms"),
+    "form": message("form-cloud-95-points"),
+    "angle": message("angle-touched-plane"),
+    "offset": message("distance-touched-plane"),
+    "z_error": message("height-above-touched-plane-along-z"),
+    "radius_error": message("error-radius"),
+    "centre_error": message("distance-touched-centre"),
+    "angle_range": message("angle-between-clouds"),
+    "offset_range": message("distance-between-clouds"),
+    "centre_range": message("distance-between-clouds-centres"),
 }
 ANGLES: tuple[FigureName, ...] = ("angle", "angle_range")
 ORDER = ("fail", "uncertain", "pass", "none")
@@ -182,27 +189,41 @@ def _range(name: FigureName, value: float, expanded: float, limit: float | None)
 
 
 def _reason(
-    title: str, value: float, expanded: float, limit: float | None, decision: str, unit: str
-) -> str:
-    space = "" if unit == "″" else " "
-    own = f"{abs(value):.0f}{space}{unit}"
+    title: Text,
+    value: float,
+    expanded: float,
+    limit: float | None,
+    decision: Decision,
+    unit: Literal["µm", "″"],
+) -> Text:
+    size, uncertainty = quantity(abs(value), unit), quantity(expanded, unit)
     if limit is None:
-        return f"{title}: {own}; there is no limit."
-    sure = f"{expanded:.0f}{space}{unit} (k = 2)"
-    of = f"the limit of {limit:.0f}{space}{unit}"
-    words = {
-        "pass": f"within {of}, by more than its uncertainty of {sure}",
-        "fail": f"beyond {of}, by more than its uncertainty of {sure}",
-        "uncertain": f"nearer to {of} than its uncertainty of {sure}, so it is not decided",
-    }
-    return f"{title}: {own}, {words[decision]}."
+        return message("there-no-limit", title=title, value=size)
+    most = quantity(limit, unit)
+    if decision == "pass":
+        return message(
+            "figure-within-limit", title=title, value=size, limit=most, uncertainty=uncertainty
+        )
+    if decision == "fail":
+        return message(
+            "figure-beyond-limit", title=title, value=size, limit=most, uncertainty=uncertainty
+        )
+    return message(
+        "figure-near-limit", title=title, value=size, limit=most, uncertainty=uncertainty
+    )
 
 
-WORDS: dict[Result, str] = {
-    "pass": "Every figure keeps its limit.",
-    "fail": "Not every figure keeps its limit.",
-    "uncertain": "Not every figure is known well enough to be judged.",
+WORDS: dict[Result, Text] = {
+    "pass": message("every-figure-keeps-limit"),
+    "fail": message("every-figure-keeps-limit-2"),
+    "uncertain": message("every-figure-known-well-enough-judged"),
 }
+WORDS_UNTOUCHED: dict[Result, Text] = {
+    "pass": message("figures-keep-limits-not-compared"),
+    "fail": message("figures-break-limits-not-compared"),
+    "uncertain": message("figures-undecided-not-compared"),
+}
+"""Where the gauge was not touched."""
 
 
 def verification_verdict(figures: Sequence[FigurePart], touched: bool) -> VerificationVerdict:
@@ -214,9 +235,7 @@ def verification_verdict(figures: Sequence[FigurePart], touched: bool) -> Verifi
     elif "uncertain" in decisions or set(decisions) <= {"none"}:
         result = "uncertain"
     ordered = sorted(figures, key=lambda figure: ORDER.index(figure.decision))
-    text = WORDS[result]
-    if not touched:
-        text = f"{text[:-1]}; scan and probe were not compared."
+    text = WORDS[result] if touched else WORDS_UNTOUCHED[result]
     return VerificationVerdict(
         result=result, text=text, reasons=tuple(figure.reason for figure in ordered)
     )

@@ -20,6 +20,7 @@ from app.formats.json_document import Document, DocumentPart, NotNegative, Numbe
 from app.formats.results.calibration import read_calibration
 from app.formats.results.verification import CONTACTS, GAUGE, read_verification
 from app.formats.session.calibration_session import ARM, read_contacts
+from app.messages.message import Message, MessageList, Text, join, message
 from app.metrology.arm.kinematics import Arm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import (
@@ -78,14 +79,14 @@ class StudyFile(Document):
     """Else against the mean of all, where the gauge was not touched."""
     clouds: tuple[str, ...]
     calibrations: tuple[str, ...]
-    """Names; ids beside them."""
+    """Names, in the order of the ids."""
     calibration_ids: tuple[str, ...]
     rows: tuple[StudyRow, ...]
     between_clouds: tuple[StudyRange, ...] = ()
     """Of each calibration (Figs. 9-10)."""
     between_calibrations: tuple[StudyRange, ...] = ()
     """Of each cloud."""
-    left_out: Annotated[tuple[str, ...], Field(default_factory=tuple)]
+    left_out: Annotated[tuple[Text, ...], Field(default_factory=tuple)]
     """Calibrations that do not belong to these recordings, one sentence each."""
 
 
@@ -100,7 +101,7 @@ def study_verification(
     record, gauge = read_verification(folder), read_gauge(folder / GAUGE)
     fits: list[list[GaugeFit]] = []
     used: list[tuple[AcceptedCalibration, Arm]] = []
-    left_out: list[str] = []
+    left_out: list[Text] = []
     total = max(len(sources) * len(record.clouds), 1)
     for c, source in enumerate(sources):
         try:
@@ -111,17 +112,16 @@ def study_verification(
                 progress((c * len(record.clouds) + r) / total, f"{cloud.name}, {source.name}")
                 row.append(measure_recording(folder / cloud.recording, calibration, arm, gauge).fit)
         except OperationError as refusal:
-            left_out.append(
-                f"{source.name}: {refusal.what.replace(f'{display_path(folder)}/', '')}."
-            )
+            reason = _within_folder(refusal.what, f"{display_path(folder)}/")
+            left_out.append(message("study-left-out", name=source.name, reason=reason))
             continue
         used.append((source, arm))
         fits.append(row)
     if not used:
         raise OperationError(
             "no-calibration-fits",
-            "None of the calibrations belongs to these recordings",
-            "; ".join(left_out),
+            message("none-calibrations-belongs-these-recordings"),
+            join(left_out, "; "),
         )
     touched = [_fit_contacts(folder, arm, gauge) for _, arm in used]
     probe = all(one is not None for one in touched)
@@ -143,6 +143,24 @@ def study_verification(
         between_calibrations=_ranges(rows, "cloud", count) if len(used) > 1 else (),
         left_out=tuple(left_out),
     )
+
+
+def _within_folder(text: Text, prefix: str) -> Text:
+    """A text whose file names are those within a folder."""
+    match text:
+        case str():
+            return text.replace(prefix, "")
+        case Message():
+            values = {
+                name: value if isinstance(value, int) else _within_folder(value, prefix)
+                for name, value in text.values.items()
+            }
+            return Message(text.message_id, values)
+        case MessageList():
+            items = [_within_folder(item, prefix) for item in text.items]
+            return join(items, text.separator)
+        case _:
+            return text
 
 
 def _fit_contacts(folder: Path, arm: Arm, gauge: GaugeFile) -> ProbedGauge | None:

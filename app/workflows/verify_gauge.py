@@ -11,6 +11,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
+from app.messages.message import message
 from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
@@ -119,9 +120,9 @@ def _sphere_report(path: Path, points_mm: Floats, nominal: NominalSphere | None)
 def _shape_error(found: Shape, wanted: Shape) -> OperationError:
     return OperationError(
         "nominal-of-another-shape",
-        f"the nominal is of a {found}",
-        f"a {wanted} is to be verified",
-        "Give the gauge's own nominal",
+        message("nominal-is-of", shape=found),
+        message("is-to-be-verified", shape=wanted),
+        message("give-gauges-own-nominal"),
     )
 
 

@@ -20,7 +20,18 @@ import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 import { useUnits } from "./state/units";
 
-const PAGE = { home: HomePage, calibrate: CalibratePage, verify: VerifyPage, scan: ScanPage, arm: ArmPage, records: RecordsPage, supervise: SupervisePage, health: HealthPage, settings: SettingsPage, people: PeoplePage };
+const PAGE = {
+  home: HomePage,
+  calibrate: CalibratePage,
+  verify: VerifyPage,
+  scan: ScanPage,
+  arm: ArmPage,
+  records: RecordsPage,
+  supervise: SupervisePage,
+  health: HealthPage,
+  settings: SettingsPage,
+  people: PeoplePage,
+};
 
 export function App() {
   const language = useLanguage();
@@ -28,17 +39,18 @@ export function App() {
   const page = usePage();
   const Page = PAGE[page];
   const session = useLive((s) => s.session);
+  const title = `${t(TITLES[page])} · Crenel`;
   useEffect(() => {
-    document.title = `${t(TITLES[page])} · Crenel`;
-  }, [page, language]);
+    document.title = title;
+  }, [title]);
   if (session && !session.you) return <EntrancePage session={session} />;
-  // a screen on the wall has no hands: what it shows fills it
+  // a kiosk display has no controls: the page fills it
   if (session?.you?.wall) return <SupervisePage key={`${language} ${units}`} />;
   return (
     <div className={styles.frame}>
       <TopBar page={page} />
       <Rail page={page} />
-      {/* in other words and units a page begins anew, for what it has read holds sentences */}
+      {/* a page loads again in another language or unit, for it has loaded texts */}
       <Page key={`${language} ${units}`} />
       <StatusLine />
     </div>

@@ -17,13 +17,12 @@ import "./styles/base.css";
 import { MantineProvider } from "@mantine/core";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
-
+import { App } from "./App";
 import { startLive } from "./api/live";
 import { startSession } from "./api/session";
-import { App } from "./App";
 import { startLanguage } from "./state/language";
+import { startNotifications } from "./state/notifications";
 import { unlockSound } from "./state/sounds";
-import { startTelling } from "./state/telling";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
@@ -36,7 +35,7 @@ void startSession();
 // a link put into the address of a page that is open
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
-startTelling();
+startNotifications();
 await language;
 createRoot(root).render(
   <StrictMode>

@@ -20,6 +20,7 @@ from math import pi
 
 from pydantic import Field, PositiveInt
 
+from app.messages.message import message, rounded
 from hardware.arm.device_clock import DeviceClock
 from hardware.arm.protocol import HELLO_REQUEST, Hello, PacketReader, Sample
 from hardware.arm.wire import Wire
@@ -82,7 +83,7 @@ class SerialEncoderArm:
                 self._wire = wire
         if self._wire is not wire:
             wire.close()
-            raise DeviceError(f"The arm at {self._options.url} was closed while opening")
+            raise DeviceError(message("arm-closed-while-opening", url=self._options.url))
         self._health = LinkHealth()
         self._stream = _Stream(self._options, self._health)
         try:
@@ -102,7 +103,7 @@ class SerialEncoderArm:
         """Samples and button edges since the last call, a sample before its edges."""
         wire = self._wire
         if wire is None:
-            raise DeviceError(f"The arm at {self._options.url} is not open")
+            raise DeviceError(message("arm-not-open", url=self._options.url))
         deadline = time.monotonic() + timeout_s
         try:
             while True:
@@ -181,28 +182,35 @@ class _Stream:
         url, reader = self._options.url, self._reader
         if self.hello is not None:
             return DeviceError(
-                f"The arm at {url} says who it is ({self.hello.name}) but sends no samples",
-                "Switch the arm off and on.",
+                message("arm-sends-hello-but-no-samples", url=url, name=self.hello.name),
+                message("switch-arm-off"),
             )
         if self._last is not None:
             return DeviceError(
-                f"The arm at {url} sends samples but does not say who it is",
-                "Its firmware must answer the hello request (hardware/arm/protocol.py).",
+                message("arm-sends-samples-but-no-hello", url=url),
+                message("firmware-must-answer-hello"),
             )
         if reader.other_version is not None:
             return DeviceError(
-                f"The arm at {url} speaks version {reader.other_version} of the protocol; "
-                "this driver speaks version 1",
-                "Update this program or the arm's firmware.",
+                message(
+                    "arm-speaks-version-protocol-driver-speaks",
+                    url=url,
+                    other_version=reader.other_version,
+                ),
+                message("update-program-arms-firmware"),
             )
         if reader.received_bytes:
             return DeviceError(
-                f"{reader.received_bytes} bytes came from {url}, but no packet of an encoder arm",
-                "Check the baud rate, and that the arm is on this port and not another device.",
+                message(
+                    "bytes-but-no-packet",
+                    count=reader.received_bytes,
+                    url=url,
+                ),
+                message("check-baud-rate-arm-port-another"),
             )
         return DeviceError(
-            f"Nothing came from {url} for {self._options.timeout_s:g} s",
-            "Switch the arm on, and check its cable and that this is its port.",
+            message("nothing-came-for", url=url, time=rounded(self._options.timeout_s, "s")),
+            message("switch-arm-check-cable-port"),
         )
 
     def _greet(self, hello: Hello) -> None:
@@ -212,9 +220,16 @@ class _Stream:
             self.hello = hello
         elif hello != self.hello:
             raise DeviceError(
-                f"Another arm answers at {options.url}: {hello.name} {hello.serial_number} "
-                f"({joints} joints) in place of {self.hello.name} {self.hello.serial_number}",
-                "Check which arm is plugged in.",
+                message(
+                    "another-arm-answers",
+                    url=options.url,
+                    name=hello.name,
+                    serial_number=hello.serial_number,
+                    joints=joints,
+                    expected_name=self.hello.name,
+                    expected_serial_number=self.hello.serial_number,
+                ),
+                message("check-which-arm-plugged"),
             )
 
     def _advance(self, sample: Sample) -> bool:
@@ -246,9 +261,13 @@ class _Stream:
     def _append(self, records: list[ArmRecord], sample: Sample, before: Sample | None) -> None:
         if len(sample.counts) != len(self._scale):
             raise DeviceError(
-                f"The arm at {self._options.url} said it has {len(self._scale)} joints, "
-                f"but sends {len(sample.counts)}",
-                "Its firmware must send as many counts as its hello says.",
+                message(
+                    "arm-sends-other-joint-count",
+                    url=self._options.url,
+                    expected=len(self._scale),
+                    count=len(sample.counts),
+                ),
+                message("firmware-must-send-counts-of-hello"),
             )
         stamp_ns = self._clock.stamp(sample.device_us * 1000) - self._latency_ns
         joints = tuple(
@@ -267,13 +286,20 @@ def _counts(options: SerialEncoderOptions, hello: Hello) -> tuple[int, ...]:
     joints = len(hello.counts_per_revolution)
     if joints not in (6, 7):
         raise DeviceError(
-            f"The arm at {options.url} reports {joints} joints", "Arms of 6 or 7 joints are served."
+            message("arm-reports-joints", url=options.url, joints=joints),
+            message("arms-6-7-joints-served"),
         )
     if options.joint_count not in (None, joints):
         raise DeviceError(
-            f"The arm at {options.url} ({hello.name} {hello.serial_number}) has {joints} joints, "
-            f"and station.toml asks for joint_count = {options.joint_count}",
-            "Plug in the right arm, or correct [arm] joint_count.",
+            message(
+                "arm-has-joints-station-toml-asks",
+                url=options.url,
+                name=hello.name,
+                serial_number=hello.serial_number,
+                joints=joints,
+                joint_count=options.joint_count,
+            ),
+            message("plug-right-arm-correct-arm-joint"),
         )
     given = options.counts_per_revolution
     if given is None:
@@ -282,13 +308,14 @@ def _counts(options: SerialEncoderOptions, hello: Hello) -> tuple[int, ...]:
         counts = tuple(given) if isinstance(given, list) else (given,) * joints
     if len(counts) != joints:
         raise DeviceError(
-            f"station.toml gives {len(counts)} counts_per_revolution, the arm has {joints} joints",
-            "Give one number for all joints, or one for each.",
+            message("station-toml-gives-counts-per-revolution", counts=len(counts), joints=joints),
+            message("give-one-number-all-joints-one"),
         )
     if 0 in counts:
         raise DeviceError(
-            f"The arm at {options.url} reports 0 counts per revolution for joint "
-            f"{counts.index(0) + 1}",
-            "Set [arm] counts_per_revolution in station.toml.",
+            message(
+                "arm-reports-no-counts-per-revolution", url=options.url, joint=counts.index(0) + 1
+            ),
+            message("set-arm-counts-per-revolution-station"),
         )
     return counts

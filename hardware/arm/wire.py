@@ -17,6 +17,7 @@ from typing import Protocol, cast
 import serial
 from serial.tools import list_ports
 
+from app.messages.message import Text, message
 from hardware.errors import DeviceError
 
 _SLICE_S = 0.05
@@ -64,8 +65,8 @@ class Wire:
                 data = self._receive(timeout_s)
             except (OSError, ValueError, TypeError) as error:
                 raise DeviceError(
-                    f"The line to the arm at {self._url} was lost ({_reason(error)})",
-                    "Check its cable and its power.",
+                    message("line-to-arm-lost", url=self._url, reason=_reason(error)),
+                    message("check-cable-power"),
                 ) from error
         if not data and self._closed:
             raise self._line_closed_error()
@@ -82,8 +83,8 @@ class Wire:
                 pass  # an arm that cannot listen still speaks
             except OSError as error:
                 raise DeviceError(
-                    f"Nothing can be sent to the arm at {self._url} ({_reason(error)})",
-                    "Check its cable and its power.",
+                    message("nothing-can-be-sent-to-arm", url=self._url, reason=_reason(error)),
+                    message("check-cable-power"),
                 ) from error
 
     def close(self) -> None:
@@ -125,7 +126,7 @@ class Wire:
                 return data
 
     def _line_closed_error(self) -> DeviceError:
-        return DeviceError(f"The line to the arm at {self._url} is closed")
+        return DeviceError(message("line-to-arm-closed", url=self._url))
 
 
 def _open_port(url: str, baudrate: int) -> _Port:
@@ -148,29 +149,31 @@ def _open_error(url: str, error: Exception) -> DeviceError:
     number = getattr(error, "errno", None) or getattr(cause, "errno", None)
     text = str(error)
     if isinstance(cause, socket.gaierror):
-        return DeviceError(f"The host in {url} is not known", "Check the arm's url.")
+        return DeviceError(message("host-not-known", url=url), message("check-arm-url"))
     if number == errno.ENOENT or "FileNotFoundError" in text:
-        return DeviceError(f"There is no serial port {url}", _list_ports_text())
+        return DeviceError(message("no-serial-port-named", url=url), _list_ports_text())
     if number in (errno.EAGAIN, errno.EBUSY):
         return DeviceError(
-            f"The serial port {url} is in use by another program",
-            "Close that program, or a second station on the same port.",
+            message("serial-port-use-another-program", url=url),
+            message("close-program-second-station-same-port"),
         )
     if number in (errno.EACCES, errno.EPERM) or "PermissionError" in text:
         return DeviceError(
-            f"This user may not open the serial port {url}, or another program has it open",
-            "On Linux, add the user to the group that owns the port (often dialout).",
+            message("user-may-open-serial-port-another", url=url),
+            message("linux-add-user-group-owns-port"),
         )
     if number == errno.ECONNREFUSED:
-        return DeviceError(f"Nothing listens at {url}", "Is the arm's adapter running?")
+        return DeviceError(message("nothing-listens", url=url), message("arms-adapter-running"))
     if isinstance(cause, TimeoutError) or number in (errno.EHOSTUNREACH, errno.ENETUNREACH):
-        return DeviceError(f"There is no answer from {url}", "Check its address and its network.")
-    return DeviceError(f"The arm's url {url} cannot be opened ({_reason(error)})", "")
+        return DeviceError(message("no-answer-from", url=url), message("check-address-network"))
+    return DeviceError(message("arm-url-cannot-be-opened", url=url, reason=_reason(error)), "")
 
 
-def _list_ports_text() -> str:
+def _list_ports_text() -> Text:
     names = sorted(port.device for port in list_ports.comports())
-    return f"Ports there are: {', '.join(names)}." if names else "No serial port is plugged in."
+    if not names:
+        return message("no-serial-port-plugged")
+    return message("ports-are", names=", ".join(names))
 
 
 def _reason(error: Exception) -> str:

@@ -20,6 +20,7 @@ import cv2
 import numpy as np
 from pydantic import Field
 
+from app.messages.message import message
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import (
@@ -47,7 +48,9 @@ def from_options(options: Mapping[str, object]) -> GrabbingSensor:
     """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
     read = read_options(FolderOptions, options, "sensor")
     return GrabbingSensor(
-        f"The folder {read.path}", lambda stop: _Folder(read, stop), first_within_s=10.0
+        message("folder-named", folder=read.path),
+        lambda stop: _Folder(read, stop),
+        first_within_s=10.0,
     )
 
 
@@ -57,15 +60,17 @@ class _Folder(ImageSource):
     def __init__(self, options: FolderOptions, stop: threading.Event) -> None:
         folder = Path(options.path)
         if not folder.is_dir():
-            raise DeviceError(f"There is no folder {folder}", "Check [sensor] path.")
+            raise DeviceError(
+                message("no-such-folder-named", folder=folder), message("check-sensor-path")
+            )
         self._files = sorted(
             (path for path in folder.iterdir() if path.suffix.lower() in _SUFFIXES),
             key=_natural_order,
         )
         if not self._files:
             raise DeviceError(
-                f"There is no picture in the folder {folder}",
-                f"It is searched for {', '.join(sorted(_SUFFIXES))}.",
+                message("no-picture-in-folder", folder=folder),
+                message("files-searched", suffixes=", ".join(sorted(_SUFFIXES))),
             )
         self.name = folder.name
         self.exposure_range_us = (options.exposure_us, options.exposure_us)
@@ -83,11 +88,14 @@ class _Folder(ImageSource):
         # a pipe or a device would be read for ever
         raw = cv2.imread(str(path), cv2.IMREAD_UNCHANGED) if path.is_file() else None
         if raw is None:
-            raise DeviceError(f"The picture {path} cannot be read", "Is it there, and whole?")
+            raise DeviceError(
+                message("picture-cannot-read", path=path), message("is-it-there-and-complete")
+            )
         image = to_grey(raw, raw.shape[0]) if raw.dtype in (np.uint8, np.uint16) else None
         if image is None:
             raise DeviceError(
-                f"The picture {path} is of {raw.dtype} numbers", "Save it with 8 or 16 bits."
+                message("picture-of-numbers", path=path, kind=str(raw.dtype)),
+                message("save-8-16-bits"),
             )
         return GrabbedImage(image, self._pace.wait(), self._options.exposure_us)
 

@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text, message, rounded
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, LinkHealth, SensorInfo
@@ -102,7 +103,7 @@ class GrabbingSensor:
     """
 
     def __init__(
-        self, title: str, connect: Callable[[threading.Event], ImageSource], first_within_s: float
+        self, title: Text, connect: Callable[[threading.Event], ImageSource], first_within_s: float
     ) -> None:
         self._title = title
         self._connect = connect
@@ -131,7 +132,7 @@ class GrabbingSensor:
         with self._state:
             if self._closings != closings:
                 source.release()
-                raise DeviceError(f"{self._title} was closed while opening")
+                raise DeviceError(message("device-closed-while-opening", title=self._title))
             self._health = LinkHealth()
             self._grabber = grabber = _Grabber(self._title, source, stop, self._health)
             grabber.start()
@@ -154,7 +155,7 @@ class GrabbingSensor:
         """The next picture; None after ``timeout_s``, and ever after a recording's end."""
         grabber = self._grabber
         if grabber is None:
-            raise DeviceError(f"{self._title} is not open")
+            raise DeviceError(message("device-not-open", title=self._title))
         try:
             return grabber.take(timeout_s)
         except DeviceError:
@@ -191,9 +192,9 @@ class _Grabber(threading.Thread):
     """Grabs from one source until it ends, is lost, or is told to stop."""
 
     def __init__(
-        self, title: str, source: ImageSource, stop: threading.Event, health: LinkHealth
+        self, title: Text, source: ImageSource, stop: threading.Event, health: LinkHealth
     ) -> None:
-        super().__init__(name=f"grabbing {title}", daemon=True)
+        super().__init__(name=f"grabbing {title!s}", daemon=True)
         self.wanted_exposure_us: float | None = None
         self._title = title
         self._source = source
@@ -212,8 +213,10 @@ class _Grabber(threading.Thread):
                 return self._queue[0].image
             raise self._silence_error(
                 DeviceError(
-                    f"{self._title} gave no picture within {within_s:g} s",
-                    "Check its cable, and that no other program uses it.",
+                    message(
+                        "gave-no-picture-within", title=self._title, time=rounded(within_s, "s")
+                    ),
+                    message("check-cable-no-other-program-uses"),
                 )
             )
 
@@ -223,7 +226,7 @@ class _Grabber(threading.Thread):
                 lambda: self._queue or self._error or self._stop_asked.is_set(), timeout_s
             )
             if self._stop_asked.is_set():
-                raise DeviceError(f"{self._title} is closed")
+                raise DeviceError(message("device-closed", title=self._title))
             if self._queue:
                 self._changed.notify_all()
                 return self._queue.popleft()
@@ -255,7 +258,11 @@ class _Grabber(threading.Thread):
         except DeviceError as error:
             self._finish(error)
         except cv2.error as error:
-            self._finish(DeviceError(f"{self._title} failed: {error}", "Open it again."))
+            self._finish(
+                DeviceError(
+                    message("device-failed", title=self._title, error=error), message("open-again")
+                )
+            )
         finally:
             self._source.release()
 
@@ -264,9 +271,15 @@ class _Grabber(threading.Thread):
         if shape != (self._shape or shape):
             assert self._shape is not None
             raise DeviceError(
-                f"{self._title} changed its picture from {self._shape[1]} × {self._shape[0]} "
-                f"to {shape[1]} × {shape[0]} pixels",
-                "All pictures of one sensor must have one size.",
+                message(
+                    "picture-size-changed",
+                    title=self._title,
+                    width=self._shape[1],
+                    height=self._shape[0],
+                    new_width=shape[1],
+                    new_height=shape[0],
+                ),
+                message("all-pictures-one-sensor-must-have"),
             )
         self._shape = shape
         frame = Frame(
@@ -294,5 +307,5 @@ class _Grabber(threading.Thread):
 
     def _silence_error(self, silence: DeviceError) -> DeviceError:
         if self._stop_asked.is_set():
-            return DeviceError(f"{self._title} was closed while opening")
+            return DeviceError(message("device-closed-while-opening", title=self._title))
         return self._error or silence

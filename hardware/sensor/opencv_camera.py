@@ -34,6 +34,7 @@ from pathlib import Path
 import cv2
 from pydantic import Field, PositiveFloat, PositiveInt
 
+from app.messages.message import Text, join, message, rounded
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
@@ -69,8 +70,8 @@ def from_options(options: Mapping[str, object]) -> GrabbingSensor:
     read = read_options(OpenCvOptions, options, "sensor")
     if read.exposure_range_us is not None and read.exposure_us is None:
         raise DeviceError(
-            "station.toml, [sensor]: exposure_range_us needs exposure_us, to begin with",
-            "Add a line exposure_us = …",
+            message("station-toml-exposure-range-alone"),
+            message("add-exposure-us-line"),
         )
 
     def connect(stop: threading.Event) -> ImageSource:
@@ -90,14 +91,16 @@ class _Recording(ImageSource):
         for key in ("width_px", "height_px", "exposure_us"):
             if getattr(options, key) is not None:
                 raise DeviceError(
-                    f"station.toml, [sensor]: {key} cannot be set of a video file",
-                    f"Take {key} out.",
+                    message("station-toml-key-not-for-video", key=key),
+                    message("take-out", key=key),
                 )
         self._loop = options.loop
         self._capture = self._open()
         rate_hz = options.rate_hz or self._capture.get(cv2.CAP_PROP_FPS)
         if not (math.isfinite(rate_hz) and rate_hz > 0):
-            raise DeviceError(f"{self._title} does not say its rate", "Set [sensor] rate_hz.")
+            raise DeviceError(
+                message("video-without-rate", title=self._title), message("set-sensor-rate-hz")
+            )
         self._pace = PlaybackTimer(rate_hz, stop)
         self.name = self._path.name
 
@@ -110,7 +113,9 @@ class _Recording(ImageSource):
             self._capture = self._open()
             there, raw = self._capture.read()
             if not there:
-                raise DeviceError(f"{self._title} holds no picture", "Is the file whole?")
+                raise DeviceError(
+                    message("video-has-no-picture", title=self._title), message("is-file-complete")
+                )
         image = to_grey(raw, raw.shape[0])
         due_ns = self._pace.wait()
         return None if image is None else GrabbedImage(image, due_ns, 0.0)
@@ -120,10 +125,15 @@ class _Recording(ImageSource):
 
     def _open(self) -> cv2.VideoCapture:
         if not self._path.is_file():
-            raise DeviceError(f"There is no video file {self._path}", "Check [sensor] source.")
+            raise DeviceError(
+                message("no-video-file-named", path=self._path), message("check-sensor-source")
+            )
         capture = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         if not capture.isOpened():
-            raise DeviceError(f"{self._title} cannot be played", "Is it a video, and whole?")
+            raise DeviceError(
+                message("device-cannot-be-played", title=self._title),
+                message("is-it-a-complete-video"),
+            )
         return capture
 
 
@@ -148,7 +158,9 @@ class _Camera(ImageSource):
 
     def grab(self) -> GrabbedImage | None:
         if not self._capture.grab():
-            raise DeviceError(f"{self._title} was lost", "Check its cable and its power.")
+            raise DeviceError(
+                message("device-lost", title=self._title), message("check-cable-power")
+            )
         event_ns = self._event_ns(now_ns())
         there, raw = self._capture.retrieve()
         image = to_grey(raw, self._height_px or raw.shape[0]) if there else None
@@ -187,8 +199,14 @@ class _Camera(ImageSource):
             given = self._capture.get(prop)
             if value is not None and abs(given - value) > 0.02 * value:
                 raise DeviceError(
-                    f"{self._title} cannot do {key} = {value:g}; it offers {given:g}",
-                    f"Correct [sensor] {key}, or take it out.",
+                    message(
+                        "camera-cannot-do",
+                        title=self._title,
+                        key=key,
+                        value=f"{value:g}",
+                        given=f"{given:g}",
+                    ),
+                    message("correct-sensor-take-out", key=key),
                 )
         # The camera's own luma, where the system hands it through unconverted.
         if self._backend == "V4L2":
@@ -205,8 +223,10 @@ class _Camera(ImageSource):
             self._capture.set(cv2.CAP_PROP_AUTO_EXPOSURE, _V4L2_MANUAL)
         if not self._capture.set(cv2.CAP_PROP_EXPOSURE, setting):
             raise DeviceError(
-                f"{self._title} does not take an exposure of {actual_us:g} µs",
-                "Correct [sensor] exposure_us, or take it out.",
+                message(
+                    "does-not-take-exposure", title=self._title, exposure=rounded(actual_us, "µs")
+                ),
+                message("correct-sensor-exposure-us-take-out"),
             )
         self._exposure_us = actual_us
 
@@ -239,30 +259,31 @@ def _is_file(source: int | str) -> bool:
     return isinstance(source, str) and "://" not in source and not source.startswith("/dev/")
 
 
-def _title(source: int | str) -> str:
+def _title(source: int | str) -> Text:
     if _is_file(source):
-        return f"The video file {source}"
+        return message("video-file", source=source)
     is_stream = isinstance(source, str) and "://" in source
-    return f"The video stream {source}" if is_stream else f"The camera {source}"
+    return message("video-stream", source=source) if is_stream else message("camera", source=source)
 
 
-def _open_live(source: int | str, title: str) -> cv2.VideoCapture:
+def _open_live(source: int | str, title: Text) -> cv2.VideoCapture:
     # A camera that is away is tried again and again; OpenCV would warn each time.
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_ERROR)
     if isinstance(source, str) and "://" in source:
         timeouts = [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, _OPEN_MS]
         timeouts += [cv2.CAP_PROP_READ_TIMEOUT_MSEC, _READ_MS]
         capture = cv2.VideoCapture(source, cv2.CAP_FFMPEG, timeouts)
-        remedy = "Check its address, its network, and that it is switched on."
+        remedy: Text = message("check-address-network-and-power")
     else:
         on_linux = sys.platform == "linux"
         capture = cv2.VideoCapture(source, cv2.CAP_V4L2 if on_linux else cv2.CAP_ANY)
-        remedy = "Check its cable, and that no other program uses it. " + _list_cameras_text()
+        remedy = join([message("check-cable-no-other-program-uses"), *_cameras()], " ")
     if not capture.isOpened():
-        raise DeviceError(f"{title} cannot be opened", remedy.strip())
+        raise DeviceError(message("device-cannot-be-opened", title=title), remedy)
     return capture
 
 
-def _list_cameras_text() -> str:
+def _cameras() -> list[Text]:
+    """Which cameras there are, in a sentence; nothing where there is none."""
     names = sorted(str(path) for path in Path("/dev").glob("video*"))
-    return f"Cameras there are: {', '.join(names)}." if names else ""
+    return [message("cameras-are", names=", ".join(names))] if names else []

@@ -1,4 +1,4 @@
-"""A real server on the twin, which the tests of this room share."""
+"""A real server on the twin, which the tests of this package share."""
 
 import socket
 import threading
@@ -20,7 +20,7 @@ from app.server.demo import station_parts
 from app.server.listener import make_server
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
-from tests.said import MessageCollector
+from tests.sent_texts import TextCollector
 
 
 def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
@@ -34,7 +34,7 @@ def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
 
 @dataclass
 class Server:
-    """A running server, its insides, and the twin under it."""
+    """A running server, its context, and its twin."""
 
     port: int
     data: Path
@@ -94,23 +94,23 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
         port = listening.getsockname()[1]
-        heard = MessageCollector()
-        hooks = {"response": [heard.answer]}
+        sent = TextCollector()
+        hooks = {"response": [sent.answer]}
         address = f"http://127.0.0.1:{port}"
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
             enter(http, app.state.context.authenticator.code)
             context = app.state.context
             yield Server(port, data, context, twin, http, app)
             # the live connection's newest topics, and the events that it still has
-            told = context.bus._take({}, {"preview"}, 0)
-            heard.value(to_jsonable_python(told.topics, inf_nan_mode="null"))
-            for event in told.events:
-                heard.text(event.text)
+            latest = context.bus._take({}, {"preview"}, 0)
+            sent.value(to_jsonable_python(latest.topics, inf_nan_mode="null"))
+            for event in latest.events:
+                sent.text(event.text)
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()
-    # whatever the tests made it say, every language knows it
-    assert not heard.untranslated()
+    # every language has all that it sent
+    assert not sent.untranslated()
 
 
 @pytest.fixture

@@ -14,6 +14,7 @@ from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table
 from tests.api.conftest import Server, run_command
 from tests.metrology.arm_sessions import volumetric_error_um
+from tests.sent_texts import english
 
 View = dict[str, Any]
 
@@ -143,7 +144,7 @@ def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     view = wait(server, lambda view: view["busy"] is None, 60.0)
     assert len(view["picture"]["seats"]) == 1, view["findings"]
     (sphere,) = view["picture"]["seats"]
-    assert (sphere["name"], sphere["points"]) == ("Sphere 1", 15)
+    assert (english(sphere["name"]), sphere["points"]) == ("Sphere 1", 15)
     do(server, "choose_artefact", kind="bar")
     do(server, "let_hand")
     view = wait(
@@ -151,10 +152,11 @@ def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     )
     do(server, "stop_hand")
     view = wait(server, lambda view: view["busy"] is None)
-    names = [seat["name"] for seat in view["picture"]["seats"]]
+    names = [english(seat["name"]) for seat in view["picture"]["seats"]]
     assert names == ["Sphere 1", "Bar 1, end A", "Bar 1, end B", "Bar 2, end A"]
-    # an arm that its papers do not know to 45 µm reads the bar's length wrong, but not by much
-    assert abs(float(view["picture"]["seats"][2]["note"].split()[1].replace("−", "-"))) < 500
+    # an arm that its datasheet does not know to 45 µm reads the bar's length wrong, but not by much
+    note = english(view["picture"]["seats"][2]["note"])
+    assert abs(float(note.split()[1].replace("−", "-"))) < 500
     do(server, "drop_swing")
     folder = server.data / "sessions" / view["session_id"]
     arm = read_arm(folder / "arm.json")
@@ -180,7 +182,7 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     (seats,) = result["lines"]
     assert seats["after_um"] < seats["before_um"]
     assert result["volume_after_um"] < result["volume_before_um"] / 2
-    assert any("ball bar" in finding["text"] for finding in view["findings"])
+    assert any("ball bar" in english(finding["text"]) for finding in view["findings"])
     (identified,) = server.http.get("/api/arm/identifications").json()
     assert identified["volume_after_um"] == result["volume_after_um"]
     report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
@@ -201,7 +203,8 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     do(server, "restore")
     assert (arms / "simulated.json").read_bytes() == before
     view = view_of(server)
-    assert (view["title"], view["actions"][0]["name"]) == ("Before and after", "save")
+    assert english(view["title"]) == "Before and after"
+    assert view["actions"][0]["name"] == "save"
     do(server, "end")
 
 
@@ -225,9 +228,9 @@ def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     # a wrong sphere reads as a wrong tip, and the next step says so
     do(server, "choose_artefact", kind="sphere", size_mm=24.0)
     view = checked_by_the_hand(server)
-    assert "another tip is mounted" in view["findings"][-1]["text"]
+    assert "another tip is mounted" in english(view["findings"][-1]["text"])
     home = server.http.get("/api/home").json()
-    assert (home["next"]["page"], home["next"]["label"]) == ("arm", "Check the tip again")
+    assert (home["next"]["page"], english(home["next"]["label"])) == ("arm", "Check the tip again")
     do(server, "again")
     view = checked_by_the_hand(server)
     tip = view["picture"]["tip"]

@@ -38,4 +38,4 @@ def test_a_folder_that_cannot_be_written_is_refused_with_the_option_for_another(
     with pytest.raises(OperationError) as refused:
         write_datasheets(twin, tmp_path / "file" / "data")
     assert refused.value.code == "data-folder-unwritable"
-    assert "--data" in refused.value.remedy
+    assert "--data" in str(refused.value.remedy)

@@ -193,7 +193,7 @@ def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
                 break
             answer = server.http.post("/api/walls", json={"name": "w" * 60})
         assert answer.status_code == 507
-        assert answer.json()["detail"] == "This was not kept: the station's disk is full."
+        assert answer.json()["detail"] == "This was not saved: the station's disk is full."
         for _ in range(300):  # small rows have room for a while
             answer = server.http.post("/api/flow/start")
             if answer.status_code == 200:

@@ -12,6 +12,7 @@ from websockets.sync.connection import Connection
 from websockets.typing import Origin
 
 from tests.api.conftest import Server
+from tests.sent_texts import english
 
 
 def message(socket: Connection, timeout_s: float = 5.0) -> dict[str, Any]:
@@ -62,7 +63,7 @@ def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
             received = message(socket)
             if received.get("name") == "flow" and received["value"]["rev"] == rev:
                 break
-        assert received["value"]["instruction"].startswith("Touch the front face")
+        assert english(received["value"]["instruction"]).startswith("Touch the front face")
 
 
 def test_an_event_is_numbered_and_told_once(server: Server) -> None:

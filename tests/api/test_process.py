@@ -25,6 +25,7 @@ from app.formats.images import write_png
 from app.formats.software import SOFTWARE
 from hardware.simulator.station import SimulatedStation
 from tests.entering import client
+from tests.sent_texts import english
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
@@ -154,7 +155,7 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
             while not (view := http.get("/api/flow").json())["actions"][0]["enabled"]:
                 assert time.monotonic() < deadline, view
                 time.sleep(0.1)
-            assert "TWIN-A1" in view["picture"]["devices"][0]["text"]
+            assert "TWIN-A1" in english(view["picture"]["devices"][0]["text"])
             assert "let_hand" not in [action["name"] for action in view["actions"]]
             laser = http.post("/api/laser/on")
             assert laser.status_code == 422

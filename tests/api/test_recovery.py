@@ -14,6 +14,7 @@ from app.formats.recording.raw import MAGIC
 from app.store.store import Store
 from tests.api.processes import PATIENCE_S, demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
+from tests.sent_texts import english
 
 Scan = dict[str, Any]
 
@@ -47,9 +48,9 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
     with demonstration(tmp_path, calibrated=True) as (http, _):
         (scan,) = http.get("/api/scans").json()
         assert scan["name"] == "Bracket"
-        assert scan["note"].startswith("The station ended during this scan.")
+        assert english(scan["note"]).startswith("The station ended during this scan.")
         (scan,) = until(http, "/api/scans", lambda scans: scans[0]["points"] > 0)
-        assert scan["note"].endswith("What was recorded is kept.")
+        assert english(scan["note"]).endswith("What was recorded is kept.")
         # what was shown less than half a second before may be lost
         assert scan["frames"] > 0.5 * before["frames"]
         cloud = read_cloud(folder / "cloud.ply")
@@ -60,15 +61,18 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         assert health(http, "recordings")["quality"] == "good"
         whole = (folder / "scan.mcap").read_bytes()
         (folder / "scan.mcap").write_bytes(whole[:-1])
-        assert "is cut off" in http.get("/api/scans").json()[0]["note"]
+        assert "is cut off" in english(http.get("/api/scans").json()[0]["note"])
         (folder / "scan.mcap").unlink()
-        assert "is missing" in http.get("/api/scans").json()[0]["note"]
+        assert "is missing" in english(http.get("/api/scans").json()[0]["note"])
     (folder / "scan.mcap").write_bytes(b"")
     with demonstration(tmp_path, calibrated=True) as (http, _):
         (scan,) = http.get("/api/scans").json()
-        assert scan["note"] == "The recording is empty."
+        assert english(scan["note"]) == "The recording is empty."
         item = health(http, "recordings")
-        assert (item["quality"], item["what"]) == ("bad", "Bracket: the recording is empty.")
+        assert (item["quality"], english(item["what"])) == (
+            "bad",
+            "Bracket: the recording is empty.",
+        )
 
 
 def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> None:
@@ -86,7 +90,9 @@ def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> N
         until(
             http,
             "/api/scans",
-            lambda scans: all("No points can be made of it" in scan["note"] for scan in scans),
+            lambda scans: all(
+                "No points can be made of it" in english(scan["note"]) for scan in scans
+            ),
         )
         status = Path(f"/proc/{pid}/status").read_text()
         assert int(status.split("VmHWM:")[1].split()[0]) < 1_500_000

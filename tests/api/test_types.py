@@ -12,6 +12,8 @@ from pydantic import BaseModel
 from app import findings
 from app.guide.common import result_view, view
 from app.guide.common import validity as due
+from app.messages.message import Text
+from app.messages.stored import SUFFIX
 from app.metrology.detection import failure_evidence as evidence
 from app.server import live_replay as replay
 from app.station import control_lease as lease
@@ -129,6 +131,9 @@ def members(body: str) -> dict[str, str]:
 def kind_of(hint: object) -> set[str]:
     """The primitive kinds that a Python type is sent as; nested shapes are 'object'."""
     origin = get_origin(hint)
+    if hint == Text or hint == Text | None:
+        # the browser has put it into words
+        return {"string"} if hint == Text else {"string", "null"}
     if origin in (Union, types.UnionType):
         return set().union(*(kind_of(arg) for arg in get_args(hint)))
     if origin is Literal or hint is str:
@@ -164,10 +169,12 @@ def kind_in_types(text: str) -> set[str]:
 
 def hints_of(shape: type) -> dict[str, object]:
     if is_dataclass(shape):
-        names = [field.name for field in fields(shape)]
+        # the browser puts a problem's messages in the place of its English
+        names = [field.name for field in fields(shape) if field.type is not schema.ProblemMessages]
     else:
         assert issubclass(shape, BaseModel)
-        names = list(shape.model_fields)
+        # a payload's texts are sent as their messages where it has them
+        names = [name for name in shape.model_fields if not name.endswith(SUFFIX)]
     hints = get_type_hints(shape)
     return {name: hints[name] for name in names}
 

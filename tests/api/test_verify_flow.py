@@ -28,6 +28,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, run_command
+from tests.sent_texts import english
 
 View = dict[str, Any]
 
@@ -190,14 +191,14 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
     view = desk.wait(
         lambda view: view["busy"] is None and view["picture"]["clouds"][0]["state"] == "refused"
     )
-    assert "no sphere of 25.40 mm" in view["picture"]["clouds"][0]["text"]
+    assert "no sphere of 25.40 mm" in english(view["picture"]["clouds"][0]["text"])
     assert "No cloud shows the gauge" in refusal(desk.command("confirm_clouds"))
     view = desk.cloud("sphere")
     assert view["picture"]["clouds"][1]["state"] == "good"
     assert abs(view["picture"]["clouds"][1]["radius_error_um"]) < 100
     assert view["picture"]["clouds"][1]["centre_error_um"] is None
     view = desk.do("confirm_clouds")
-    assert "were not compared" in view["picture"]["verdict"]["text"]
+    assert "were not compared" in english(view["picture"]["verdict"]["text"])
 
 
 def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
@@ -234,7 +235,7 @@ def test_another_calibration_meanwhile_is_told_in_one_sentence(desk: Desk) -> No
     desk.do("skip_touch")
     use_truth(desk.server, f"meanwhile-{uuid.uuid4().hex[:6]}")
     view = desk.view()
-    assert any("Another calibration came into use" in f["text"] for f in view["findings"])
+    assert any("Another calibration came into use" in english(f["text"]) for f in view["findings"])
     assert [action["name"] for action in view["actions"]] == ["again", "abandon"]
     assert "Another calibration" in refusal(desk.command("begin_cloud"))
     view = desk.do("again")
@@ -248,10 +249,10 @@ def test_a_broken_paper_is_named_beside_the_others(desk: Desk) -> None:
     try:
         desk.start("plate")
         desk.do("back")
-        view = desk.wait(lambda view: any("broken" in f["text"] for f in view["findings"]))
-        finding = next(f for f in view["findings"] if "broken" in f["text"])
-        assert finding["text"].startswith("gauges/broken.nominal.json")
-        assert "radius_mm" in finding["text"]
+        view = desk.wait(lambda view: any("broken" in english(f["text"]) for f in view["findings"]))
+        finding = next(f for f in view["findings"] if "broken" in english(f["text"]))
+        assert english(finding["text"]).startswith("gauges/broken.nominal.json")
+        assert "radius_mm" in english(finding["text"])
         assert [gauge["id"] for gauge in view["gauges"]] == ["plate", "sphere"]
     finally:
         broken.unlink()

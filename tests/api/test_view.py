@@ -16,6 +16,7 @@ from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import pack_points
 from app.store.scans import ScanRecord
 from tests.api.conftest import Server
+from tests.sent_texts import english
 
 KEY = "0123456789abcdef" * 2
 # From above the middle of the plate: x to the right, y down, z ahead.
@@ -75,7 +76,7 @@ def test_a_shown_scan_is_coloured_hidden_and_shown(server: Server, scan: ScanRec
     legend = server.http.post("/api/view/colours", json=asked).json()["legend"]
     assert (legend["measure"], legend["unit"], legend["automatic"]) == (
         "intensity",
-        "grey levels",
+        {"message_id": "grey-levels", "values": {}},
         False,
     )
     assert len(legend["colours"]) == 17
@@ -108,7 +109,7 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
             assert time.monotonic() < deadline
             time.sleep(0.05)
     (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]
-    figures = {figure["label"]: figure for figure in fitted["figures"]}
+    figures = {english(figure["label"]): figure for figure in fitted["figures"]}
     offset = figures["From the arm's zero"]
     assert fitted["every"]
     assert offset["value"] == pytest.approx(5.0, abs=0.002)

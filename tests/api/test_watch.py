@@ -20,9 +20,12 @@ from websockets.sync.client import connect
 
 from app.api.authorization import cookie_for
 from app.api.health import BUNDLING
+from app.errors import sentence
+from app.messages.message import message
 from app.monitoring.health import ORDER
 from app.operations.publishers import _notify_due, _pass_on
 from app.operations.services import MonitoringSettings
+from app.operations.status_report import build_report
 from app.station.bus import Event
 from app.store.accounts import Role
 from app.store.store import Store
@@ -30,6 +33,7 @@ from app.supervision.broker_settings import BrokerSettings
 from app.supervision.messages import schema
 from app.wire.schema import Home
 from tests.api.conftest import Server
+from tests.sent_texts import english
 from tests.supervision.test_webhook import Receiver, receiver
 
 __all__ = ["receiver"]
@@ -68,8 +72,7 @@ def topics(server: Server, wanted: set[str]) -> dict[str, Any]:
 def test_the_report_is_as_the_schema_says(server: Server) -> None:
     until(lambda: server.context.monitoring.temperature.now.celsius)
     time.sleep(0.6)
-    report = topics(server, {"report", "stations"})["report"]
-    assert isinstance(report, dict)
+    report = build_report(server.context).model_dump(mode="json")
     document = json.loads(json.dumps(schema()))
     Draft202012Validator({**document, "$ref": "#/$defs/StationReport"}).validate(report)
     assert report["name"] == "Demonstration"
@@ -77,6 +80,10 @@ def test_the_report_is_as_the_schema_says(server: Server) -> None:
     assert report["devices"][0]["state"] == "connected"
     assert 20 < report["temperature_c"] < 23
     assert report["disk_free_gb"] > 0
+    shown = topics(server, {"report", "stations"})["report"]
+    title = report["activity"]["title_message"]
+    assert shown["activity"]["title"] == title
+    assert "title_message" not in shown["activity"]
 
 
 def test_what_is_repeated_is_warned_of_once(
@@ -192,7 +199,7 @@ def test_the_log_is_for_operators(server: Server) -> None:
     assert (line["level"], line["logger"]) == ("warning", "app.test")
     assert server.http.get("/api/logs", params={"level": "error", "words": "gearbox"}).json() == []
     assert server.http.get("/api/logs", params={"level": "loud"}).status_code == 422
-    logging.getLogger("app.test").warning("there is no such file")
+    logging.getLogger("app.test").warning(message("no-such-file-or-folder"))
     german = {"words": "Datei strange", "lang": "de"}
     assert server.http.get("/api/logs", params=german).json() == []
     german["words"] = "DATEI app.test"
@@ -324,7 +331,8 @@ def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None
     assert isinstance(home, Home)
     change = {"url": receiver.url, "secret": "", "done": False, "fault": False, "due": True}
     server.http.post("/api/notifications", json=change).raise_for_status()
-    old = replace(home.checks[0], state="due", text="It is old.", at="2026-01-01T00:00:00Z")
+    at = "2026-01-01T00:00:00Z"
+    old = replace(home.checks[0], state="due", text="It is old, says a test.", at=at)
     told = _notify_due(server.context, set())
     server.context.bus.publish("home", replace(home, checks=(old, *home.checks[1:])))
     for _ in range(3):
@@ -332,7 +340,7 @@ def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None
     server.context.bus.publish("home", home)
     until(lambda: receiver.taken)
     texts = [json.loads(body)["text"] for _, body in receiver.taken]
-    assert texts.count(f"Calibration: it is old. {old.action}.") == 1
+    assert texts.count(f"Calibration: It is old, says a test. {sentence(old.action)!s}") == 1
     server.http.post("/api/notifications", json={**change, "url": ""}).raise_for_status()
 
 
@@ -357,7 +365,7 @@ def test_a_backup_of_the_running_station_is_a_station(server: Server) -> None:
     copy.close()
     until(
         lambda: any(
-            item["id"] == "backup" and "same disk" in item["what"]
+            item["id"] == "backup" and "same disk" in english(item["what"])
             for item in server.http.get("/api/health").json()["health"]["items"]
         )
     )

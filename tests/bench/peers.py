@@ -198,7 +198,7 @@ def calibrate_crenel(
     )
     coordinates = result.adjustment.state.coordinates
     board = made.board
-    said = {pose.number for pose in result.poses if "laser line" in pose.reason}
+    said = {pose.number for pose in result.poses if "laser line" in str(pose.reason)}
     solved = PeerCalibration(
         CRENEL,
         result.camera,

@@ -238,7 +238,7 @@ def findings_of(session: Path) -> dict[str, str]:
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
-        ({"inner_corners": [8, 6]}, "7 x 6 inner corners was found: rendered board has 8 x 6"),
+        ({"inner_corners": [8, 6]}, "7 × 6 inner corners was found: rendered board has 8 × 6"),
         ({"inner_corners": [6, 5]}, "Give the certificate of the board in the picture"),
         ({"square_mm": 12.0}, "wide: its certificate says 12 mm"),
         ({"square_mm": 0.01}, "is it in metres?"),
@@ -263,7 +263,7 @@ def test_pictures_of_nothing_are_left_out_and_named(spoilt: Path) -> None:
     assert shown.exit_code == 0, shown.output
     poses = {pose["number"]: pose for pose in json.loads(shown.stdout)["poses"]}
     assert {number for number, pose in poses.items() if not pose["used"]} == {2, 5}
-    assert "no chessboard of 7 x 6" in poses[5]["reason"]
+    assert "No chessboard of 7 × 6" in poses[5]["reason"]
 
 
 def test_pictures_without_the_laser_are_refused(spoilt: Path) -> None:
@@ -290,7 +290,7 @@ def test_poses_that_are_all_one_are_refused(spoilt: Path) -> None:
     alike = [",".join([*row.split(",")[:3], *pose]) for row in rows]
     (spoilt / "images.csv").write_text("\n".join([first, *alike]) + "\n")
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
-    assert "poses all alike do not tell where the sensor sits" in said
+    assert "poses that are all alike do not determine where the sensor sits" in said
 
 
 def test_poses_in_metres_are_refused(spoilt: Path) -> None:

@@ -1,6 +1,7 @@
 """The examples of ``docs/formats.md`` are read by the package's own readers."""
 
 import importlib
+import json
 import pkgutil
 import re
 from pathlib import Path
@@ -36,6 +37,7 @@ from app.formats.session.calibration_session import (
 from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings
+from app.messages.message import Message
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.chessboard import Chessboard
@@ -127,6 +129,12 @@ def test_the_calibration_is_read_and_its_fields_are_named(examples: Path) -> Non
     section = PAGE.split("\n## Calibration\n")[1].split("\n## ")[0]
     for name in CalibrationFile.model_fields:
         assert f"`{name}`" in section or f'"{name}"' in section, name
+    sheet = CalibrationFile.read(examples / "calibration.json")
+    assert sheet.verdict is not None
+    text = sheet.verdict.text
+    assert isinstance(text, Message), "the example's message is none of the language files"
+    assert str(text) == json.loads(sheet.text())["verdict"]["text"]
+    assert f'"{text!s}"' in section
 
 
 def test_gauges_and_nominals_are_read(examples: Path) -> None:

@@ -76,14 +76,14 @@ class Demo:
         watchdog = threading.Timer(START_UP_S, self.process.kill)
         watchdog.start()
         assert self.process.stdout is not None
-        told = ""
+        output = ""
         for line in self.process.stdout:
-            told += line
+            output += line
             if line.startswith("Ready" if patient else "Crenel is at"):
                 break
         watchdog.cancel()
-        address = re.search(r"http://\S+", told)
-        assert address, f"the demo did not start: {told}{''.join(self.errors)}"
+        address = re.search(r"http://\S+", output)
+        assert address, f"the demo did not start: {output}{''.join(self.errors)}"
         self.link = address.group()
         self.address = self.link.partition("#")[0]
 

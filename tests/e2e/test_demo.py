@@ -58,10 +58,10 @@ class Visit:
 def look_at_the_record(visit: Visit) -> None:
     """The accepted calibration as a page of its own, and its report in a tab of its own."""
     page = visit.page
-    page.get_by_role("button", name="Look at it").first.click()
-    expect(page.get_by_text("It is in use.")).to_be_visible()
+    page.get_by_role("button", name="Open").first.click()
+    expect(page.get_by_text("In use.")).to_be_visible()
     page.get_by_text("Poses", exact=True).click()
-    expect(page.get_by_text("found minus computed")).to_be_visible()
+    expect(page.get_by_text("detected minus computed")).to_be_visible()
     visit.look("calibration-record")
     with page.expect_popup() as opened:
         page.get_by_role("link", name="Report", exact=True).click()
@@ -110,9 +110,9 @@ def calibrate(visit: Visit) -> None:
         page.wait_for_timeout(500)
         visit.look(step)
         if step == "touch":
-            page.get_by_role("button", name="How to").click()
+            page.get_by_role("button", name="Help").click()
             expect(page.get_by_text("The arm's main button takes a point.")).to_be_visible()
-        page.get_by_role("button", name="Let the hand do it").click()
+        page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(1500)
         visit.look(f"{step}-by-the-hand")
     take_poses(visit)
@@ -145,7 +145,7 @@ def verify(visit: Visit) -> None:
         )
         page.wait_for_timeout(400)
         visit.look(f"verify-{step}")
-        page.get_by_role("button", name="Let the hand do it").click()
+        page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(3000)
         visit.look(f"verify-{step}-by-the-hand")
     visit.wait_until(
@@ -216,7 +216,7 @@ def take_poses(visit: Visit) -> None:
             poses.add(view["rev"])
             assert view["picture"]["target"]
             visit.look(f"pose-{len(poses) + 1}")
-        visit.page.get_by_role("button", name="Let the hand do it").click()
+        visit.page.get_by_role("button", name="Let the simulated operator do it").click()
         visit.page.wait_for_timeout(500)
     raise AssertionError("the hand never came to the result")
 
@@ -228,7 +228,7 @@ def scan(visit: Visit, folder: Path) -> None:
     expect(start).to_be_enabled(timeout=20_000)
     visit.look("scan-ready")
     start.click()
-    page.get_by_role("button", name="Let the hand do it").click()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 30000)
     visit.look("scanning")
     page.get_by_role("button", name="Stop the scan").click()
@@ -267,7 +267,7 @@ def look_closer(visit: Visit, folder: Path) -> None:
     fitted = visit.ask("/api/view")["fits"][0]
     assert fitted["every"]
     assert fitted["points"] > 1000
-    page.get_by_role("button", name="Colour by deviation from it").click()
+    page.get_by_role("button", name="Colour by deviation").click()
     expect(page.get_by_role("figure")).to_contain_text("Deviation from the shape")
     visit.look("deviation")
     with page.expect_download() as download:

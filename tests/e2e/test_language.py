@@ -1,4 +1,4 @@
-"""German and inch in a real browser: chosen in the bar, kept, and exact where they are typed."""
+"""German and inch in a real browser: chosen in the bar, remembered, and exact where typed."""
 
 import json
 from collections.abc import Iterator
@@ -13,6 +13,7 @@ from tests.e2e.conftest import Demo
 
 MM_PER_INCH = Fraction(254, 10)
 TYPED = ("0.5", "0.0123", "0.1", "0.000787", ".02", "0.0000393701")
+"""With a point; German fields take a comma, too."""
 
 
 @pytest.fixture(scope="module")
@@ -31,20 +32,20 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
     expect(html).to_have_attribute("lang", "en")
     page.get_by_role("link", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()
-    page.get_by_role("button", name="Let the hand do it").click()
+    page.get_by_role("button", name="Let the simulated operator do it").click()
     expect(page.get_by_text("44.000 × 24.000 × 27.000 mm, 4 merlons")).to_be_visible(timeout=30_000)
     page.get_by_role("button", name="Language and units").click()
     page.get_by_role("button", name="inch").click()
     expect(page.get_by_text("1.73228 × 0.94488 × 1.06299 in, 4 merlons")).to_be_visible()
-    expect(page.get_by_text("1.73 × 0.94 × 1.06 in").first).to_be_visible()
+    expect(page.get_by_text("1.73 in × 0.94 in × 1.06 in").first).to_be_visible()
     german = page.get_by_role("button", name="Deutsch", exact=True)
     german.click()
     expect(html).to_have_attribute("lang", "de")
     expect(german).to_be_focused()
-    expect(page.get_by_text("1.73228 × 0.94488 × 1.06299 in, 4 Zinnen")).to_be_visible()
+    expect(page.get_by_text("1,73228 × 0,94488 × 1,06299 in, 4 Zinnen")).to_be_visible()
     page.keyboard.press("Escape")
 
-    page.get_by_role("button", name="Die Hand machen lassen").click()
+    page.get_by_role("button", name="Den simulierten Bediener machen lassen").click()
     expect(page.get_by_role("heading", name="Das Objekt antasten")).to_be_visible(timeout=30_000)
     expect(page.get_by_role("button", name="Punkt aufnehmen")).to_be_visible()
     expect(page.get_by_text("An den Ringen antasten.")).to_be_visible()
@@ -60,18 +61,18 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
     for text in TYPED:
         set_to(page, text)
         assert ask(page, "/api/settings")["blur_limit_mm"] == float(Fraction(text) * MM_PER_INCH)
-        expect(blur).to_have_value(str(float(text)) if float(text) > 1e-4 else text)
+        expect(blur).to_have_value(in_german(str(float(text)) if float(text) > 1e-4 else text))
     page.screenshot(path=pictures / "language-2-settings.png")
     page.reload()
-    expect(blur).to_have_value(TYPED[-1])
+    expect(blur).to_have_value(in_german(TYPED[-1]))
     page.get_by_role("group", name="Längen").get_by_role("button", name="mm").click()
-    expect(blur).to_have_value("0.00100000054")
-    set_to(page, "0.1")
+    expect(blur).to_have_value("0,00100000054")
+    set_to(page, "0,1")
     page.get_by_role("group", name="Sprache").get_by_role(
         "button", name="English", exact=True
     ).click()
     expect(html).to_have_attribute("lang", "en")
-    expect(page.get_by_label("Blur from which a pass is too fast")).to_have_value("0.1")
+    expect(page.get_by_label("Blur above which a pass is too fast")).to_have_value("0.1")
     page.context.close()
     assert not faults, "\n".join(faults)
 
@@ -84,6 +85,10 @@ def set_to(page: Page, text: str) -> None:
     assert answer.value.ok, answer.value.text()
 
 
+def in_german(number: str) -> str:
+    return number.replace(".", ",")
+
+
 def ask(page: Page, path: str) -> Any:
     return json.loads(page.evaluate("path => fetch(path).then(answer => answer.text())", path))
 
@@ -91,17 +96,17 @@ def ask(page: Page, path: str) -> Any:
 def test_a_link_may_ask_for_its_language(browser: Browser, station: Demo) -> None:
     page = browser.new_page(locale="en-US")
     page.goto(f"{station.address}?lang=de#wall=nonsense")
-    expect(page.get_by_role("heading", name="Mit dem Link öffnen")).to_be_visible()
+    expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     assert page.url == station.address
     page.reload()
-    expect(page.get_by_role("heading", name="Mit dem Link öffnen")).to_be_visible()
+    expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     page.context.close()
 
 
 def test_a_browser_brings_its_language_along(browser: Browser, station: Demo) -> None:
     page = browser.new_page(locale="de-AT")
     page.goto(station.address)
-    expect(page.get_by_role("heading", name="Mit dem Link öffnen")).to_be_visible()
+    expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     page.get_by_role("button", name="English", exact=True).click()
-    expect(page.get_by_role("heading", name="Open it by its link")).to_be_visible()
+    expect(page.get_by_role("heading", name="Open the station by its link")).to_be_visible()
     page.context.close()

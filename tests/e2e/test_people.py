@@ -24,11 +24,11 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
     admin.get_by_role("link", name="People").click()
     assert "#" not in admin.url
     admin.get_by_role("textbox", name="New account").fill("Anna")
-    admin.get_by_label("Its first password").fill(PASSWORD)
+    admin.get_by_label("Initial password").fill(PASSWORD)
     admin.get_by_role("button", name="Add").click()
     expect(admin.get_by_text("Anna", exact=True)).to_be_visible()
     admin.get_by_label("New link").fill("Hall 3")
-    admin.get_by_role("button", name="Make a link").click()
+    admin.get_by_role("button", name="Create link").click()
     wall_link = admin.locator("code").inner_text()
     admin.screenshot(path=pictures / "people-2-accounts.png")
     admin.get_by_role("link", name="Calibrate").click()
@@ -37,7 +37,7 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
 
     anna = page_of(browser, 1024, 768)
     anna.goto(f"{demo.address}calibrate")
-    anna.get_by_role("button", name="Sign in by name").click()
+    anna.get_by_role("button", name="Sign in with a name").click()
     anna.get_by_label("Name").fill("Anna")
     anna.get_by_label("Password").fill(PASSWORD)
     anna.get_by_label("Password").press("Enter")
@@ -47,11 +47,11 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
     expect(anna.get_by_text("Demo has control.").first).to_be_visible()
     anna.get_by_role("button", name="Control: Demo").click()
     anna.screenshot(path=pictures / "people-3-looking-on.png")
-    anna.get_by_role("button", name="Ask for control").click()
+    anna.get_by_role("button", name="Request control").click()
 
-    expect(admin.get_by_text("Anna asks for control")).to_be_visible()
+    expect(admin.get_by_text("Anna requests control")).to_be_visible()
     admin.screenshot(path=pictures / "people-4-asked.png")
-    admin.get_by_role("button", name="Hand over").click()
+    admin.get_by_role("button", name="Give control").click()
     expect(anna.get_by_role("button", name="Control: you")).to_be_visible()
     anna.keyboard.press("Escape")
     proceed.click()
@@ -67,7 +67,7 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
 
     anna.get_by_role("button", name="Control: you").click()
     anna.get_by_role("button", name="Sign out").click()
-    expect(anna.get_by_role("button", name="Enter", exact=True)).to_be_visible()
+    expect(anna.get_by_role("button", name="Sign in", exact=True)).to_be_visible()
     expect(admin.get_by_role("button", name="Control: nobody")).to_be_visible()
     for page in (admin, anna, wall):
         page.context.close()

@@ -67,23 +67,23 @@ def test_the_picture_comes_back_by_itself(
     first_after(page, 1e3 * time.time())
     page.evaluate("window.drawn = []")
     page.wait_for_timeout(3000)
-    told = [f"{page.evaluate('window.drawn.length') / 3:.1f} pictures a second"]
+    figures = [f"{page.evaluate('window.drawn.length') / 3:.1f} pictures a second"]
     for _ in range(ROUNDS):
         station.process.send_signal(signal.SIGUSR1)
-        away = page.get_by_text("The camera is away, and this picture")
+        away = page.get_by_text("The camera is offline. This picture")
         expect(away).to_be_visible(timeout=20_000)
         expect(picture).to_have_attribute("data-old", "true")
         page.screenshot(path=pictures / "picture-away.png")
         back_ms = 1e3 * time.time()
         station.process.send_signal(signal.SIGUSR1)
-        told.append(f"drawn again {(first_after(page, back_ms) - back_ms) / 1e3:.2f} s after")
+        figures.append(f"drawn again {(first_after(page, back_ms) - back_ms) / 1e3:.2f} s after")
         expect(away).to_have_count(0)
         expect(picture).not_to_have_attribute("data-old", "true")
     # nothing was loaded anew: what was drawn before the camera went is still known
     assert page.evaluate("window.drawn.length") > ROUNDS
     page.close()
     with capsys.disabled():
-        print(f"\nlive picture: {', '.join(told)} the camera is back")
+        print(f"\nlive picture: {', '.join(figures)} the camera is back")
 
 
 @pytest.mark.parametrize("language", ["en", "de"])
@@ -105,7 +105,7 @@ def test_stop_is_whole_on_a_phone(
     page.close()
 
 
-def test_an_answer_that_breaks_off_is_told_as_none(browser: Browser, station: Demo) -> None:
+def test_an_answer_that_breaks_off_is_none(browser: Browser, station: Demo) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     faults: list[str] = []
     page.on("pageerror", lambda error: faults.append(str(error)))

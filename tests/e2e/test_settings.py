@@ -18,7 +18,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     editor = page.get_by_role("group", name="Zones without measurement")
     expect(editor).to_be_visible(timeout=30_000)
     page.get_by_role("button", name="Draw a zone").click()
-    expect(page.get_by_text("Draw it: press on the picture, and pull.")).to_be_visible()
+    expect(page.get_by_text("Draw it: press on the picture and drag.")).to_be_visible()
     box = editor.bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + 100, box["y"] + 100)

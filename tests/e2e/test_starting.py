@@ -39,8 +39,8 @@ def test_the_starting_page_says_that_the_station_did_not_start(
     demo = Demo(tmp_path / "data", patient=False)
     page = browser.new_page()
     page.goto(demo.link)
-    told = page.get_by_role("alert").get_by_role("heading", name="The station did not start")
-    expect(told).to_be_visible(timeout=1000 * START_UP_S)
+    heading = page.get_by_role("alert").get_by_role("heading", name="The station did not start")
+    expect(heading).to_be_visible(timeout=1000 * START_UP_S)
     page.close()
     assert demo.end() == 1
     assert len(demo.errors) == 1, demo.errors

@@ -23,13 +23,13 @@ from app.supervision.messages import schema
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
 from tests.supervision.mosquitto import BINARY, Mosquitto
 
-TOLD = """
+COLLECT_NOTIFICATIONS = """
 const Plain = Notification;
-window.told = [];
+window.notifications = [];
 window.Notification = class extends Plain {
   constructor(title, options) {
     super(title, options);
-    window.told.push(`${title}. ${options.body}`);
+    window.notifications.push(`${title}. ${options.body}`);
   }
 };
 """
@@ -59,7 +59,7 @@ def station(broker: Mosquitto, tmp_path_factory: pytest.TempPathFactory) -> Iter
 def admin(browser: Browser, station: Demo) -> Iterator[Page]:
     page = page_of(browser, 1440, 900)
     page.context.grant_permissions(["notifications"])
-    page.add_init_script(TOLD)
+    page.add_init_script(COLLECT_NOTIFICATIONS)
     page.goto(station.link)
     yield page
     page.context.close()
@@ -69,7 +69,7 @@ def admin(browser: Browser, station: Demo) -> Iterator[Page]:
 def wall(browser: Browser, admin: Page) -> Iterator[Page]:
     admin.get_by_role("link", name="People").click()
     admin.get_by_label("New link").fill("Hall 3")
-    admin.get_by_role("button", name="Make a link").click()
+    admin.get_by_role("button", name="Create link").click()
     page = page_of(browser, 1920, 1080)
     # without a graphics card the 3D view slows the page down: it is opened last
     page.add_init_script("localStorage.setItem('crenel-supervise', 'all')")
@@ -104,18 +104,18 @@ def test_a_wall_shows_every_station_and_which_is_lost(
 def test_the_health_page(admin: Page, pictures: Path) -> None:
     admin.get_by_role("link", name="Health").click()
     expect(admin.get_by_text("It is whole")).to_be_visible()
-    admin.get_by_role("button", name="Make a backup now").click()
+    admin.get_by_role("button", name="Back up now").click()
     expect(admin.get_by_text("It is on the same disk as the data.")).to_be_visible(timeout=20_000)
     admin.screenshot(path=pictures / "health-1.png")
     with admin.expect_download() as started:
         admin.get_by_role("link", name="Save the support bundle").click()
     with zipfile.ZipFile(started.value.path()) as archive:
         assert "logs/station.jsonl" in archive.namelist()
-    admin.get_by_label("Words in it").fill("backup")
+    admin.get_by_label("Search text").fill("backup")
     expect(admin.get_by_text("The backup is in").first).to_be_visible()
     admin.get_by_label("New token").fill("Prometheus")
-    admin.get_by_role("button", name="Make a token").click()
-    expect(admin.get_by_text("It is shown this once")).to_be_visible()
+    admin.get_by_role("button", name="Create token").click()
+    expect(admin.get_by_text("It appears only once")).to_be_visible()
     admin.screenshot(path=pictures / "health-2.png")
 
 
@@ -141,16 +141,16 @@ def test_what_the_station_publishes_is_as_the_schema_says(broker: Mosquitto, adm
     assert payload["state"] == "online"
 
 
-def test_a_browser_is_told_once_it_was_asked_to(admin: Page) -> None:
-    press = admin.get_by_role("button", name="Notify me here")
+def test_a_browser_notifies_once_it_is_turned_on(admin: Page) -> None:
+    press = admin.get_by_role("button", name="Turn on notifications here")
     expect(press).to_be_visible()
-    assert admin.evaluate("told.length") == 0
+    assert admin.evaluate("notifications.length") == 0
     press.click()
-    expect(admin.get_by_role("button", name="Notify here no more")).to_be_visible()
+    expect(admin.get_by_role("button", name="Turn off notifications here")).to_be_visible()
     assert ask(admin, "scan/start") == 200
     assert ask(admin, "scan/stop") == 200
-    wait_in_page(admin, "() => told.length > 0")
-    (words,) = admin.evaluate("told")
+    wait_in_page(admin, "() => notifications.length > 0")
+    (words,) = admin.evaluate("notifications")
     assert words.startswith("Demonstration: done. ")
     assert words.endswith("points saved")
 
@@ -165,7 +165,7 @@ def ask(page: Page, path: str, body: str = "{}") -> int:
 def test_it_ends_in_order_while_it_scans_and_is_watched(
     station: Demo, broker: Mosquitto, admin: Page, wall: Page, pictures: Path
 ) -> None:
-    """Told to end, with live sockets and a 3D view open, a scan running and recording."""
+    """Asked to end, with live sockets and a 3D view open, a scan running and recording."""
     wall.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
     wall.get_by_role("button", name="This station").click()
     assert ask(admin, "scan/start") == 200
@@ -182,7 +182,7 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     assert took_s < 10.0
     assert status in (0, 128 + signal.SIGTERM, -signal.SIGTERM)
     assert retained(broker, "presence")["state"] == "off"
-    expect(wall.get_by_text("not heard for")).to_be_visible(timeout=30_000)
+    expect(wall.get_by_text("no contact for")).to_be_visible(timeout=30_000)
     wall.screenshot(path=pictures / "supervise-3-ended.png")
     store = Store(station.data)
     scan, *_ = store.scans.all()

@@ -146,7 +146,7 @@ def test_bad_tables_are_refused(
     with pytest.raises(OperationError) as caught:
         identify_folder(tmp_path / "s", out)
     assert caught.value.code == code
-    assert "s" in caught.value.what
+    assert "s" in str(caught.value.what)
     assert not out.exists()
 
 

@@ -16,7 +16,16 @@ from app.formats.datasheets.arm import read_arm, write_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor, write_sensor
 from app.formats.datasheets.target import read_object, write_object
-from app.formats.results.calibration import CalibrationFile, read_calibration
+from app.formats.json_document import Document
+from app.formats.results.calibration import (
+    CalibrationFile,
+    FindingPart,
+    PosePart,
+    VerdictPart,
+    read_calibration,
+)
+from app.formats.results.verification import VerificationVerdict
+from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.crenellated_block import Crenellated
@@ -122,7 +131,7 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
     with pytest.raises(OperationError) as refused:
         read_arm(path)
     assert refused.value.code == code
-    assert str(path) in refused.value.what
+    assert str(path) in str(refused.value.what)
     assert said in refused.value.line
     assert "\n" not in refused.value.line
 
@@ -147,7 +156,7 @@ def test_a_spoilt_object_is_refused(tmp_path: Path, spoil: Any, said: str) -> No
     edit_json(path, spoil)
     with pytest.raises(OperationError, match=said) as refused:
         read_object(path)
-    assert str(path) in refused.value.what
+    assert str(path) in str(refused.value.what)
 
 
 @pytest.mark.parametrize(
@@ -278,6 +287,59 @@ def test_a_spoilt_calibration_is_refused(tmp_path: Path, spoil: Any, said: str) 
     edit_json(path, spoil)
     with pytest.raises(OperationError, match=said):
         read_calibration(path)
+
+
+def judged_file() -> CalibrationFile:
+    text = message("scanned-point-known-k-1-flange", total=quantity(23.1, "µm"))
+    return calibration_file().model_copy(
+        update={
+            "verdict": VerdictPart(
+                quality="good",
+                text=text,
+                findings=(FindingPart(quality="good", code="uncertainty", text=text),),
+            ),
+            "poses": (PosePart(number=1, used=False, reason="left out by hand"),),
+        }
+    )
+
+
+def test_a_sentence_is_english_with_its_message_next_to_it(tmp_path: Path) -> None:
+    path, judged = tmp_path / "calibration.json", judged_file()
+    judged.write(path)
+    verdict = json.loads(path.read_text())["verdict"]
+    for part in (verdict, *verdict["findings"]):
+        assert part["text"] == "A scanned point is known to 23 µm (k = 1) in the flange frame"
+        assert part["text_message"]["message_id"] == "scanned-point-known-k-1-flange"
+    assert "reason_message" not in json.loads(path.read_text())["poses"][0]
+    assert CalibrationFile.read(path) == judged
+
+
+def test_a_sentence_without_a_known_message_stays_english(tmp_path: Path) -> None:
+    path = tmp_path / "calibration.json"
+    judged_file().write(path)
+
+    def older(fields: dict[str, Any]) -> None:
+        del fields["verdict"]["text_message"]
+        fields["verdict"]["findings"][0]["text_message"] = {"message_id": "later", "values": {}}
+
+    edit_json(path, older)
+    verdict = CalibrationFile.read(path).verdict
+    assert verdict is not None
+    assert verdict.text == "A scanned point is known to 23 µm (k = 1) in the flange frame"
+    assert verdict.findings[0].text == verdict.text
+
+
+def test_a_list_of_sentences_has_a_list_of_messages() -> None:
+    class Record(Document):
+        FORMAT = "crenel/test"
+        verdict: VerificationVerdict
+
+    cut = message("file-cut-off")
+    record = Record(verdict=VerificationVerdict(result="fail", text="No", reasons=("a", cut)))
+    verdict = record.fields()["verdict"]
+    assert verdict["reasons"] == ["a", "the file was cut off"]
+    assert verdict["reasons_message"] == ["a", {"message_id": "file-cut-off", "values": {}}]
+    assert "text_message" not in verdict
 
 
 @given(

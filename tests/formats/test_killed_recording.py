@@ -77,7 +77,7 @@ def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_
         killed_ns = time.monotonic_ns()
     recording = open_recording(path)
     records = list(recording.records())
-    assert "cut off" in recording.cut
+    assert "cut off" in str(recording.cut)
     stamps = [record.stamp_ns for record in records if isinstance(record, StripeRecord)]
     joints = [record.stamp_ns for record in records if isinstance(record, JointRecord)]
     assert killed_ns - max(stamps) < 1e9
@@ -86,7 +86,7 @@ def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_
     assert (steps > 0).all()
     assert len(stamps) >= 0.8 * RATE_HZ * (max(stamps) - max(min(stamps), began_ns)) / 1e9
     result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
-    assert "read up to" in result.cut
+    assert "read up to" in str(result.cut)
     # the last frame's later joints may be in the second that was lost
     assert result.frames >= len(stamps) - 1
     assert len(read_cloud(tmp_path / "cloud.ply").points_mm) == result.frames * POINTS
@@ -103,7 +103,7 @@ def test_a_full_disk_ends_the_recording_and_keeps_what_is_there(tmp_path: Path) 
     assert path.stat().st_size <= 5_000_000
     recording = open_recording(path)
     stamps = [one.stamp_ns for one in recording.records() if isinstance(one, StripeRecord)]
-    assert "cut off" in recording.cut
+    assert "cut off" in str(recording.cut)
     assert recording.bytes_read > 3_900_000  # all but the last chunk
     result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
     assert result.frames >= len(stamps) - 1 > 80

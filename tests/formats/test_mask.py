@@ -60,7 +60,7 @@ def test_a_mask_of_another_picture_is_refused(picture: Path, tmp_path: Path) -> 
     [
         ({"zones": [ZONE[:2]]}, "zones"),
         ({"zones": [[[0, 0], [10, 10], [20, 20]]]}, "zone 1 has no area"),
-        ({"zones": [ZONE, [[300, 0], [310, 0], [310, 20]]]}, "zone 2 lies beside"),
+        ({"zones": [ZONE, [[300, 0], [310, 0], [310, 20]]]}, "zone 2 lies outside"),
         ({"zones": [ZONE] * 33}, "zones"),
         ({"zones": [[[0, 0], [1e9, 0], [5, 5]]]}, "zone 1 reaches far"),
         ({"zones": [[["a", 0], [9, 0], [5, 5]]]}, "number"),

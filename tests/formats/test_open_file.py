@@ -93,7 +93,7 @@ def test_what_is_no_ordinary_file_is_refused(
     make(path)
     with pytest.raises(OperationError) as refused:
         read(path)
-    assert "there" in refused.value.what
+    assert "there" in str(refused.value.what)
     assert refused.value.why
 
 

@@ -117,7 +117,7 @@ def test_a_recording_still_being_written_reads_up_to_its_last_chunk(tmp_path: Pa
     recording, records = read(path)
     writer.close()
     assert sum(isinstance(record, ImageRecord) for record in records) >= 6
-    assert "is cut off" in recording.cut
+    assert "is cut off" in str(recording.cut)
     assert read(path)[0].cut == ""
     writer.close()
 
@@ -145,9 +145,9 @@ def test_a_cut_file_reads_up_to_the_cut(
         assert records == all_records[: len(records)]
         counts.append(len(records))
         if len(records) < 200:
-            assert f"of {length} bytes" in recording.cut
+            assert f"of {length} bytes" in str(recording.cut)
             where = f"{len(records) - 1}.000 s" if records else "before its first message"
-            assert where in recording.cut
+            assert where in str(recording.cut)
     assert counts == sorted(counts)
     assert counts[len(counts) // 2] > 50
 
@@ -159,7 +159,7 @@ def test_a_damaged_chunk_ends_the_reading(tmp_path: Path) -> None:
     damaged[len(damaged) // 2] ^= 1
     path.write_bytes(damaged)
     recording, records = read(path)
-    assert "damaged" in recording.cut
+    assert "damaged" in str(recording.cut)
     assert 0 < len(records) < 24
 
 

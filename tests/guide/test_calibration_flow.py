@@ -110,7 +110,7 @@ def test_every_step_tells_what_to_do_and_why_not(
     view = build_view(state, live)
     assert view.step == step
     assert view.running
-    assert view.instruction.endswith(".")
+    assert str(view.instruction).endswith(".")
     assert [s.id for s in view.steps] == list(STEPS)
     assert [s.state for s in view.steps].count("current") == 1
     assert (view.progress is None) == (step in ("devices", "setup", "review"))
@@ -128,9 +128,9 @@ def test_a_lost_arm_is_said_and_no_point_can_be_taken(
     state = state_after(start_row("touch"), *contacts)
     lost = replace(CONNECTED, state="lost", text="No data from the arm for 3 s")
     view = build_view(state, make_live(state, arm, block, arm_link=lost))
-    assert "No data from the arm" in action(view, "take_point").why_not
+    assert "No data from the arm" in str(action(view, "take_point").why_not)
     assert view.findings[0].quality == "bad"
-    assert "kept" in view.findings[0].remedy
+    assert "kept" in str(view.findings[0].remedy)
     assert isinstance(view.picture, ObjectPicture)
     assert len(view.picture.points) == 27
 
@@ -140,7 +140,7 @@ def test_the_touch_step_goes_on_only_once_the_object_is_fixed(
 ) -> None:
     few = state_after(start_row("touch"), *contacts[:18])
     view = build_view(few, make_live(few, arm, block))
-    assert "left" in action(view, "confirm_touch").why_not
+    assert "left" in str(action(view, "confirm_touch").why_not)
     assert action(view, "take_point").primary
     enough = state_after(start_row("touch"), *contacts)
     view = build_view(enough, make_live(enough, arm, block))
@@ -161,7 +161,7 @@ def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
     wrong = point_row("crest", contact_joints(arm, block, "front", (1.0, -12.0, 7.5)))
     state = state_after(start_row("touch"), *contacts, wrong)
     view = build_view(state, make_live(state, arm, block))
-    assert "Remove point 28" in action(view, "confirm_touch").why_not
+    assert "Remove point 28" in str(action(view, "confirm_touch").why_not)
     assert action(view, "void_point").args == {"index": 27}
     assert action(view, "void_point").enabled
 
@@ -174,17 +174,18 @@ def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
     assert live.arm is not None
     assert live.sensor is not None
     seven = replace(live, arm=replace(live.arm, joint_count=7))
-    assert "7 joints" in action(build_view(state, seven), "confirm_setup").why_not
+    assert "7 joints" in str(action(build_view(state, seven), "confirm_setup").why_not)
     small = replace(live, sensor=replace(live.sensor, width_px=640))
-    assert "640" in action(build_view(state, small), "confirm_setup").why_not
+    assert "640" in str(action(build_view(state, small), "confirm_setup").why_not)
     other = replace(live, sensor=replace(live.sensor, serial_number="S-9"))
     view = build_view(state, other)
-    assert "S-9" in action(view, "confirm_setup").why_not
-    assert any("S-9" in finding.text for finding in view.findings)
+    assert "S-9" in str(action(view, "confirm_setup").why_not)
+    assert any("S-9" in str(finding.text) for finding in view.findings)
     silent = replace(live, sensor=replace(live.sensor, serial_number=""))
     assert action(build_view(state, silent), "confirm_setup").enabled
     nothing = make_live(state, None, None)
-    assert "Choose the arm" in action(build_view(state, nothing), "confirm_setup").why_not
+    why_not = action(build_view(state, nothing), "confirm_setup").why_not
+    assert str(why_not) == "Choose first: arm, object, sensor."
 
 
 def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
@@ -192,21 +193,22 @@ def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Cren
     dark = (Finding("attention", "the picture is dark", "open the iris"),) * 2
     live = make_live(state, arm, block, corners_detected=0, picture_findings=dark)
     view = build_view(state, live)
-    assert view.findings == [Finding("attention", "The picture is dark.", "Open the iris.")]
+    (finding,) = view.findings
+    assert (str(finding.text), str(finding.remedy)) == ("The picture is dark.", "Open the iris.")
     for_it = Finding("attention", "no board was found: the picture is dark", "open the iris")
     (said,) = build_view(state, replace(live, picture_findings=(*dark, for_it))).findings
-    assert said.text == "No board was found: the picture is dark."
+    assert str(said.text) == "No board was found: the picture is dark."
     (hint,) = build_view(state, replace(live, laser_on=True)).findings
-    assert "laser is on" in hint.text
+    assert "laser is on" in str(hint.text)
     (found,) = build_view(state, make_live(state, arm, block, corners_detected=20)).findings
-    assert found.text == "20 corners of the object are found."
+    assert str(found.text) == "20 corners of the object are found."
     assert build_view(state, replace(live, corners_detected=20)).findings == view.findings
 
 
 def test_a_running_scan_keeps_the_laser(arm: Arm, block: Crenellated) -> None:
     state = state_after(start_row("capture"))
     live = make_live(state, arm, block, scanning=True)
-    assert "scan" in action(build_view(state, live), "capture").why_not
+    assert "scan" in str(action(build_view(state, live), "capture").why_not)
 
 
 def test_a_refused_solve_says_why_and_offers_the_ways_back(
@@ -225,7 +227,9 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
     assert view.step == "solve"
     assert isinstance(view.picture, StillPicture)
     said = "The picture is dark: 2 % of full scale."
-    assert view.findings == [Finding("bad", said, "Raise the exposure.")]
+    (finding,) = view.findings
+    assert (finding.quality, str(finding.text)) == ("bad", said)
+    assert str(finding.remedy) == "Raise the exposure."
     assert action(view, "retake").primary
     of_picture = Finding("bad", f"Exposure is at fault. {said}", "Raise the exposure.")
     declined = CalibrationOutcome([], [], [], [of_picture], None, fault="exposure")
@@ -245,13 +249,13 @@ def test_a_bad_calibration_cannot_be_accepted(
     state = solved_state(contacts)
     view = build_view(state, make_live(state, arm, block, latest_outcome=outcome("bad")))
     assert isinstance(view.picture, ResultPicture)
-    assert action(view, "accept").why_not == "It should not be used: the findings say why."
+    assert str(action(view, "accept").why_not) == "It should not be used: the findings say why."
     assert action(view, "repeat").primary
     live = make_live(state, arm, block, latest_outcome=outcome("attention"))
     assert action(build_view(state, live), "accept").enabled
     assert live.arm is not None
     exchanged = replace(live, arm=replace(live.arm, serial_number="A-9"))
-    assert "A-9" in action(build_view(state, exchanged), "accept").why_not
+    assert "A-9" in str(action(build_view(state, exchanged), "accept").why_not)
 
 
 def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
@@ -283,9 +287,9 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
     view, picture = shown(("pose_voided", {"number": 1}))
     assert picture.stale
     assert [pose.state for pose in picture.poses] == ["aside", "used"]
-    assert [pose.note for pose in picture.poses] == ["Set aside", ""]
+    assert [str(pose.note) for pose in picture.poses] == ["Set aside", ""]
     assert [pose.edges_rms_px for pose in picture.poses] == [None, 0.1]
-    assert view.findings[0].text.startswith("Pose 1 is set aside")
+    assert str(view.findings[0].text).startswith("Pose 1 is set aside")
     assert action(view, "solve").primary
     assert action(view, "solve").enabled
     assert not [a for a in view.actions if a.name == "accept"]
@@ -293,7 +297,7 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
     assert back is not None
     assert (back.name, back.enabled) == ("restore_pose", True)
     assert only is not None
-    assert "only pose" in only.why_not
+    assert "only pose" in str(only.why_not)
 
     _, picture = shown(("pose_voided", {"number": 1}), ("pose_restored", {"number": 1}))
     assert not picture.stale
@@ -310,17 +314,17 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     view = build_view(state, make_live(state, arm, block))
     assert isinstance(view.picture, StillPicture)
     assert view.picture.shown == 2
-    assert [pose.note for pose in view.picture.poses] == ["", "Not usable: focus"]
+    assert [str(pose.note) for pose in view.picture.poses] == ["", "Not usable: focus"]
     assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
     told = build_view(state, make_live(state, arm, block, latest_outcome=blurred))
-    assert "cannot be used" in told.instruction
+    assert "cannot be used" in str(told.instruction)
     assert action(told, "retake").primary
     assert told.progress is not None
-    assert (told.progress.done, told.progress.text) == (2, "2 of up to 6 poses")
+    assert (told.progress.done, str(told.progress.text)) == (2, "2 of up to 6 poses")
     assert action(told, "solve").enabled
     alone = state_after(start_row("touch"), *contacts, capture_row(outcome=bad))
     told = build_view(alone, make_live(alone, arm, block, latest_outcome=blurred))
-    assert action(told, "solve").why_not == "No picture shows the object yet. Take one anew."
+    assert str(action(told, "solve").why_not) == "No picture shows the object yet. Take one anew."
     assert action(told, "retake").enabled
 
 
@@ -337,9 +341,8 @@ def test_few_points_are_told_how_many_more_help(
     assert view.number is not None
     assert view.number.value == pytest.approx(known)
     told = view.findings[-1]
-    assert re.fullmatch(
-        r"Object known to \d+ µm \(k = 1\); \d+ more on the \w+ face.* brings? \d+ µm\.", told.text
-    )
+    expected = r"Object known to \d+ µm \(k = 1\); \d+ more on the \w+ face.* brings? \d+ µm\."
+    assert re.fullmatch(expected, str(told.text))
 
 
 def place_um(touch: TouchReport) -> float:
@@ -392,7 +395,7 @@ def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: C
     view = build_view(state, busy)
     assert action(view, "stop_hand").enabled
     assert not action(view, "undo").enabled
-    assert "the hand at work" in action(view, "undo").why_not
+    assert "The hand at work" in str(action(view, "undo").why_not)
 
 
 def test_an_outcome_comes_back_from_the_journal_as_it_was() -> None:
@@ -412,7 +415,7 @@ def test_a_pose_used_without_its_laser_line_says_so(
     picture = build_view(state, make_live(state, arm, block, latest_outcome=there)).picture
     assert isinstance(picture, ResultPicture)
     (pose,) = picture.poses
-    assert (pose.state, pose.note) == ("used", f"Used, but {row.reason}")
+    assert (pose.state, str(pose.note)) == ("used", f"Used, but {row.reason}")
     assert (pose.edges_rms_px, pose.stripe_rms_px) == (0.1, None)
 
 
@@ -421,9 +424,9 @@ def test_no_outline_is_spoken_of_where_none_is_drawn(
 ) -> None:
     first = state_after(start_row("place"), *contacts)
     live = make_live(first, arm, block, corners_detected=0)
-    assert "dashed outline" in build_view(first, live).instruction
+    assert "dashed outline" in str(build_view(first, live).instruction)
     # after a picture of which no advice came
     later = state_after(start_row("touch"), *contacts, capture_row(), ("another_pose", {}))
     view = build_view(later, make_live(later, arm, block, corners_detected=0))
     assert view.step == "place"
-    assert "outline" not in view.instruction
+    assert "outline" not in str(view.instruction)

@@ -87,9 +87,9 @@ def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     monkeypatch.setattr("app.operations.health_checks.list_unreadable", broken)
     monkeypatch.setattr(type(context.store), "check", refused)
     items = {item.id: item for item in HealthChecker(context).look().items}
-    assert items["not-made-records"].what == "The check records cannot be made: IndexError."
+    assert str(items["not-made-records"].what) == "The check records cannot be made: IndexError."
     assert items["not-made-database"].quality == "attention"
-    assert "The database cannot be read" in items["not-made-database"].what
+    assert "The database cannot be read" in str(items["not-made-database"].what)
     assert whole - set(items) == {"records", "database"}
 
 
@@ -141,6 +141,6 @@ def test_figures_that_no_calibration_has_are_set_aside(
         connection.execute("UPDATE calibration SET figures = ?", (figures,))
     assert context.store.calibrations.all() == []
     assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
-    assert any("cannot be read" in text for text in list_unreadable(context))
+    assert any("cannot be read" in str(text) for text in list_unreadable(context))
     assert build_report(context).calibration is None
     assert all(not item.id.startswith("not-made") for item in HealthChecker(context).look().items)

@@ -31,7 +31,7 @@ def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_told(
         "board": BOARD,
     }
     (damaged,) = library.findings
-    assert damaged.remedy == "Correct or remove the file."
+    assert str(damaged.remedy) == "Correct or remove the file."
 
 
 def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path, block: Crenellated) -> None:

@@ -19,6 +19,7 @@ from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.solve import solve
 from app.guide.common.result_view import Comparison
+from app.messages.message import Text
 from app.metrology.adjustment.block.calibrate import calibrate_block
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.limits import LIMITS
@@ -37,7 +38,7 @@ class InUse:
     file: Path
 
 
-def quiet(text: str, share: float) -> None:
+def quiet(text: Text, share: float) -> None:
     assert text
     assert 0 <= share <= 1
 
@@ -81,10 +82,11 @@ def test_what_is_graver_than_the_uncertainty_is_pointed_to(
     solved = solve(SessionFolder(tmp_path / "slipped"), None, quiet, {}, LIMITS, range(45))
     assert solved.result is not None
     assert solved.result.verdict == "attention"
-    assert "1 of 27 contacts disagree" in solved.findings[0].text
-    (known,) = (one for one in solved.findings if one.text.startswith("A scanned point is known"))
-    assert solved.result.verdict_text.startswith(known.text)
-    assert solved.result.verdict_text.endswith("But what is marked below needs attention.")
+    assert "1 of 27 contacts disagree" in str(solved.findings[0].text)
+    texts = [str(one.text) for one in solved.findings]
+    (known,) = (text for text in texts if text.startswith("A scanned point is known"))
+    assert str(solved.result.verdict_text).startswith(known)
+    assert str(solved.result.verdict_text).endswith("But what is marked below needs attention.")
 
 
 def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
@@ -97,7 +99,7 @@ def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
     for point in solved.result.worst:
         if point.kind == "contact":
             assert point.point is not None
-            assert point.name.endswith(f", point {point.point + 1}")
+            assert str(point.name).endswith(f", point {point.point + 1}")
             assert point.point >= 100
         else:
             assert point.pose == pose.number
@@ -185,6 +187,6 @@ def test_a_fresh_picture_is_looked_at_at_once(folder: SessionFolder) -> None:
     assert isinstance(unseen, OperationError)
     assert seen.corners == ()
     assert seen.findings[0].quality == "bad"
-    assert seen.findings[0].remedy.endswith(".")
+    assert str(seen.findings[0].remedy).endswith(".")
     assert seen.fault == "exposure"
-    assert "Exposure is at fault." in seen.findings[0].text
+    assert "Exposure is at fault." in str(seen.findings[0].text)

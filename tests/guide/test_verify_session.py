@@ -124,7 +124,7 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
         *TO_SCAN, ("cloud_begun", {"number": 1}), ("cloud_ended", {"number": 1, "ended": True})
     )
     assert ended.clouds[0].waiting
-    assert "measured" in rejection_reason(ended, live, "begin_cloud", {})
+    assert "measured" in str(rejection_reason(ended, live, "begin_cloud", {}))
 
 
 @pytest.mark.parametrize(
@@ -137,18 +137,18 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
         ({}, "touch", "another step"),
         ({}, "fly", "no command"),
         ({}, "stop_hand", "not moving"),
-        ({}, "let_hand", "no simulated hand"),
+        ({}, "let_hand", "no simulated operator"),
     ],
 )
 def test_what_cannot_be_done_says_why(changes: dict[str, object], name: str, said: str) -> None:
-    assert said in rejection_reason(state_after(*TO_SCAN), live_of(**changes), name, {})
+    assert said in str(rejection_reason(state_after(*TO_SCAN), live_of(**changes), name, {}))
 
 
 def test_a_lost_arm_is_said_and_nothing_is_lost() -> None:
     state = state_after(*TO_SCAN, *cloud(1))
     lost = replace(CONNECTED, state="lost", text="No data for 3 s")
     view = build_view(state, live_of(arm_link=lost))
-    assert any("No data for 3 s" in f.text and "kept" in f.remedy for f in view.findings)
+    assert any("No data for 3 s" in str(f.text) and "kept" in str(f.remedy) for f in view.findings)
     assert view.progress is not None
     assert view.progress.done == 1
 
@@ -184,7 +184,7 @@ def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
     far = gauge_figures(near, PLANE, touched_plane(-0.5), limits)
     verdict = verification_verdict(far, True)
     assert verdict.result == "fail"
-    assert "520 µm, beyond the limit of 20 µm" in verdict.reasons[0]
+    assert "520 µm, beyond the limit of 20 µm" in str(verdict.reasons[0])
 
 
 def test_a_sphere_is_judged_by_its_paper_and_its_touched_centre() -> None:

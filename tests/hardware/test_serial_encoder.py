@@ -217,15 +217,15 @@ def test_another_arm_on_the_same_line_is_an_error(arm: FakeSerialArm, driver: Ar
     driver.open()
     arm.inject(hello_packet([COUNTS] * 6, arm.rate_hz, serial="B-2"))
     error = read_until_lost(lambda: driver.read(0.1))
-    assert "B-2" in error.what
-    assert "B-1" in error.what
+    assert "B-2" in str(error.what)
+    assert "B-1" in str(error.what)
 
 
 def test_samples_of_another_joint_count_are_an_error(arm: FakeSerialArm, driver: ArmDriver) -> None:
     driver.open()
     arm.joints = 7
     error = read_until_lost(lambda: driver.read(0.1))
-    assert "said it has 6 joints, but sends 7" in error.what
+    assert "announced 6 joints, but sends 7" in str(error.what)
 
 
 def open_error(options: dict[str, object]) -> str:
@@ -240,11 +240,11 @@ def open_error(options: dict[str, object]) -> str:
 def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
     url = arm.line.url
     arm.silent = True
-    assert "says who it is (Bench arm) but sends no samples" in open_error({"url": url})
+    assert "sends its hello (Bench arm) but no samples" in open_error({"url": url})
     arm.greets = False
     assert "Nothing came from" in open_error({"url": url})
     arm.silent = False
-    assert "does not say who it is" in open_error({"url": url})
+    assert "sends samples but no hello" in open_error({"url": url})
     arm.silent, arm.chatter = True, b"$GPGGA,123519\r\n"
     message = open_error({"url": url})
     assert "no packet of an encoder arm" in message
@@ -315,7 +315,7 @@ def test_closing_ends_a_waiting_open(arm: FakeSerialArm) -> None:
 def test_a_wrong_option_is_named(options: dict[str, object], words: str) -> None:
     with pytest.raises(DeviceError) as caught:
         from_options(options)
-    assert "station.toml, [arm]" in caught.value.what
+    assert "station.toml, [arm]" in str(caught.value.what)
     assert words in str(caught.value)
 
 

@@ -67,4 +67,4 @@ def test_too_few_points_and_an_arm_that_hardly_moved_are_refused(
     with pytest.raises(OperationError) as still:
         check_articulation(arm, np.repeat(seat.q_rad[:1], 30, axis=0), label="set 1")
     assert still.value.code == "arm-hardly-moved"
-    assert "set 1" in still.value.what
+    assert "set 1" in str(still.value.what)

@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
+from app.messages.message import Message
 from app.metrology.adjustment.board.bundle import adjust_bundle
 from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import board_camera
@@ -18,7 +19,6 @@ from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import pattern_centre
 from app.metrology.transforms import Floats, rigid
-from app.strings.sentences import load_sentences
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_pose
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um, session
 from tests.metrology.test_board_calibration import touching
@@ -71,19 +71,19 @@ def test_a_robots_noise_is_told_from_a_rocking_board() -> None:
 def test_a_rocking_board_is_named() -> None:
     rocks = finding(session(2, BoardErrors(tilt_rad=3e-3)), "board-rocks")
     assert rocks.quality == "attention"
-    assert "Fix the board" in rocks.remedy
+    assert "Fix the board" in str(rocks.remedy)
 
 
 def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     poor = session(3, BoardErrors(turn_rad=2e-4, shift_mm=0.2))
     told = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
     assert told.quality == "bad"
-    assert "robot's poses" in told.text
-    assert "more pictures" in told.remedy
-    assert "--usable-um" in told.remedy
+    assert "robot's poses" in str(told.text)
+    assert "more pictures" in str(told.remedy)
+    assert "--usable-um" in str(told.remedy)
     nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
-    assert "like these, in all, would do" in nearer.remedy
-    assert not load_sentences("de").best(nearer.remedy).english_letters
+    assert "like these, in all, would do" in str(nearer.remedy)
+    assert isinstance(nearer.remedy, Message)
     easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
     assert easy.quality == "good"
 
@@ -94,13 +94,13 @@ def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: 
     wrong = replace(PAPER_BOARD, square_mm=10.2)
     size = finding(replace(given, board=wrong, contact_readings=touched), "board-size")
     assert size.quality == "bad"
-    assert "the certificate 10.2 mm" in size.text
+    assert "the certificate 10.2 mm" in str(size.text)
 
 
 def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> None:
     proud = replace(PAPER_BOARD, standard_uncertainty_mm=0.001, flatness_mm=0.01)
     found = calibrate_board(replace(given, board=proud))
-    said = {one.code: one.text for one in found.findings}
+    said = {one.code: str(one.text) for one in found.findings}
     assert "by the certificate 1 µm" in said["board-print"]
     assert "flat to 0.01 mm was expected" in said["board-bent"]
     assert error_um(found) < 3 * found.uncertainty.total_um
@@ -108,8 +108,8 @@ def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> Non
 
 def test_another_tip_is_seen_by_the_contacts(given: BoardInputs) -> None:
     tip = finding(replace(given, contact_readings=touching(12, 4.0)), "tip-diameter")
-    assert "than with 6.000 mm" in tip.text
-    assert "its length" in tip.remedy
+    assert "than with 6.000 mm" in str(tip.text)
+    assert "its length" in str(tip.remedy)
 
 
 def test_a_board_that_was_tilted_after_it_was_touched_is_seen(given: BoardInputs) -> None:
@@ -118,7 +118,7 @@ def test_a_board_that_was_tilted_after_it_was_touched_is_seen(given: BoardInputs
     tips = readings[:, :3, :3] @ TIP.centre_mm + readings[:, :3, 3]
     readings[:, :3, 3] += (tips - T_ARM_OBJ[:3, 3]) @ turn.T + T_ARM_OBJ[:3, 3] - tips
     moved = finding(replace(given, contact_readings=readings), "object-moved")
-    assert "turned by 0.9" in moved.text or "turned by 1.0" in moved.text
+    assert "turned by 0.9" in str(moved.text) or "turned by 1.0" in str(moved.text)
 
 
 def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:
@@ -134,7 +134,7 @@ def test_contacts_that_slipped_are_left_out_and_named(
     given: BoardInputs, rows: tuple[int, ...]
 ) -> None:
     found = calibrate_board(replace(given, contact_readings=slipped(rows, 0.6)))
-    told = {one.code: one.text for one in found.findings}
+    told = {one.code: str(one.text) for one in found.findings}
     assert f"{12 - len(rows)} contacts lie on the board" in told["contacts"]
     for row in rows:
         assert f" {row + 1} (board, +" in told["contact-outliers"]
@@ -154,13 +154,13 @@ def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
 def test_contacts_of_which_a_quarter_slipped_are_not_called_good(given: BoardInputs) -> None:
     said = finding(replace(given, contact_readings=slipped((0, 5, 10), 0.6)), "contacts")
     assert said.quality == "attention"
-    assert "stood firm" in said.remedy
+    assert "stood firm" in str(said.remedy)
 
 
 def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:
     swapped = given.readings[[0, 1, 5, 3, 4, 2, 6, 7]]
     poses = calibrate_board(replace(given, readings=swapped)).poses
-    left_out = {pose.number: pose.reason for pose in poses if not pose.used}
+    left_out = {pose.number: str(pose.reason) for pose in poses if not pose.used}
     assert set(left_out) == {3, 6}
     assert left_out[3].endswith("it fits the robot's pose of pose 6")
     assert left_out[6].endswith("it fits the robot's pose of pose 3")
@@ -177,10 +177,10 @@ def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
     found = calibrate_board(session(4, BoardErrors(drift_mm=(3.0, 2.5))))
     (moved,) = (one for one in found.findings if one.code == "laser-moved")
     assert moved.quality == "attention"
-    assert "poses 1, 2 lie" in moved.text
-    assert "left out" in moved.text
-    assert "warm up" in moved.remedy
-    assert [pose.number for pose in found.poses if "left out" in pose.reason] == [1, 2]
+    assert "poses 1, 2 lie" in str(moved.text)
+    assert "left out" in str(moved.text)
+    assert "warm up" in str(moved.remedy)
+    assert [pose.number for pose in found.poses if "left out" in str(pose.reason)] == [1, 2]
     assert error_um(found) < 3 * found.uncertainty.total_um < 900
 
 
@@ -191,7 +191,7 @@ def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
     found = calibrate_board(replace(given, readings=readings))
     out = {pose.number for pose in found.poses if not pose.used}
     assert out == {given.observations[0].number, given.observations[1].number}
-    told = [one.text for one in found.findings if one.code == "pose-left-out"]
+    told = [str(one.text) for one in found.findings if one.code == "pose-left-out"]
     assert {int(text.split()[1].rstrip(":")) for text in told} == out
     assert "laser-moved" in {one.code for one in found.findings}
 
@@ -199,15 +199,15 @@ def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
 def test_a_laser_that_moved_at_the_end_is_nowhere_for_sure() -> None:
     moved = finding(session(4, BoardErrors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
     assert moved.quality == "bad"
-    assert "poses 7, 8 lie" in moved.text
-    assert "made to count" in moved.text
+    assert "poses 7, 8 lie" in str(moved.text)
+    assert "all lines count" in str(moved.text)
 
 
 def test_one_line_that_contradicts_is_left_out() -> None:
     found = calibrate_board(session(4, BoardErrors(drift_mm=(3.0,))))
     (left_out,) = (pose for pose in found.poses if pose.reason)
     assert left_out.number == 1
-    assert "laser line was left out" in left_out.reason
+    assert "laser line was left out" in str(left_out.reason)
     assert left_out.stripe_points == 0
     assert error_um(found) < 3 * found.uncertainty.total_um
 

@@ -71,7 +71,7 @@ def test_the_size_that_is_wrong_is_told_and_by_how_much(
     wrong = f"crest:{edge // 2}:{'LR'[edge % 2]}"
     assert found.frame.names[against.edges[0]] == wrong
     px_per_mm = against.off_px / abs(by_mm)
-    told_mm = float(against.text.split(" mm ")[0].rsplit(" ", 1)[1])
+    told_mm = float(str(against.text).split(" mm ")[0].rsplit(" ", 1)[1])
     assert told_mm == pytest.approx(abs(by_mm), abs=2.0 / px_per_mm)
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from app.metrology.detection.edges.dimension_test import (
     PlaneShift,
+    describe_plane,
     estimate_shifts,
     find_unobserved_planes,
     planes,
@@ -55,11 +56,12 @@ def test_a_side_whose_edges_do_not_show_is_named(plain: RenderedBlock) -> None:
     found = measure_edges(grey, wireframe(plain.block), plain.camera, 0.8, 0.002)
     assert found is not None
     assert find_unobserved_planes(found) == ()
-    for plane, name in ((2, "the left side of merlon 2"), (5, "the right side of merlon 3")):
+    for plane, name in ((2, "left side of merlon 2"), (5, "right side of merlon 3")):
         _, at_mm, edges = planes(found.frame)[plane]
         assert at_mm == plain.block.edges_x_mm[plane]
         hidden = replace(found, used=found.used & ~np.isin(found.at.edge, edges))
-        assert find_unobserved_planes(hidden) == (name,)
+        assert find_unobserved_planes(hidden) == ((0, plane),)
+        assert str(describe_plane(0, plane)) == f"the {name}"
 
 
 @pytest.mark.parametrize(("aside_mm", "measured"), [(-0.05, False), (0.05, False), (25.0, True)])
@@ -90,4 +92,4 @@ def test_a_face_seen_edge_on_is_not_measured(
     ],
 )
 def test_edges_are_named_in_words(edge: str, words: str) -> None:
-    assert describe_edge(edge) == words
+    assert str(describe_edge(edge)) == words

@@ -140,7 +140,7 @@ def test_a_separate_set_shows_the_improvement(session: SimulatedArmSession) -> N
 def test_seats_alone_keep_the_papers_scale(session: SimulatedArmSession) -> None:
     arm = nominal_arm(session.nominal_arm)
     result = identify(arm, ArmObservations(collect_observations(session).seats))
-    assert any("ball bar" in text for text in result.warnings)
+    assert any("ball bar" in str(text) for text in result.warnings)
     assert [held.name for held in result.fixed if held.reason == "scale"]
     before, after = (volumetric_error_um(session.arm, a) for a in (arm, result.arm))
     assert after < before
@@ -152,7 +152,7 @@ def test_an_arm_that_is_right_is_left_alone() -> None:
     with pytest.raises(OperationError) as caught:
         identify(nominal_arm(session.nominal_arm), collect_observations(session))
     assert caught.value.code == "identification-no-better"
-    assert "already" in caught.value.why
+    assert "already" in str(caught.value.why)
 
 
 def test_bad_points_are_named_and_do_no_harm(session: SimulatedArmSession) -> None:
@@ -167,7 +167,7 @@ def test_bad_points_are_named_and_do_no_harm(session: SimulatedArmSession) -> No
         spheres=(good.spheres[0], replace(sphere, q_rad=q_sphere)),
     )
     result = identify(arm, bad)
-    named = {(outlier.place, outlier.number) for outlier in result.outliers}
+    named = {(str(outlier.place), outlier.number) for outlier in result.outliers}
     assert {(f"seat {seat.name}", 5), (f"sphere {sphere.name}", 7)} <= named
     assert len(named) <= 3
     assert volumetric_error_um(session.arm, result.arm) < 10
@@ -196,8 +196,8 @@ def test_a_seat_that_moved_is_refused(session: SimulatedArmSession, moved_um: fl
         replace(good, seats=(*good.seats[:3], replace(seat, q_rad=q), *good.seats[4:])),
     )
     assert refusal.code == "seat-moved"
-    assert seat.name in refusal.what
-    assert "1 to 12" in refusal.what
+    assert seat.name in str(refusal.what)
+    assert "1 to 12" in str(refusal.what)
 
 
 def test_points_of_two_seats_under_one_name_are_refused(session: SimulatedArmSession) -> None:
@@ -205,7 +205,7 @@ def test_points_of_two_seats_under_one_name_are_refused(session: SimulatedArmSes
     mixed = np.concatenate([good.seats[0].q_rad[:10], good.seats[1].q_rad[:10]])
     refusal = refused(session, replace(good, seats=(replace(good.seats[0], q_rad=mixed),)))
     assert refusal.code in ("seat-moved", "place-disagrees")
-    assert good.seats[0].name in refusal.what
+    assert good.seats[0].name in str(refusal.what)
 
 
 def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: SimulatedArmSession) -> None:
@@ -214,7 +214,7 @@ def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: SimulatedArmSessio
     wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
     refusal = refused(session, collect_observations(session), wrong)
     assert refusal.code == "tip-diameter"
-    (told,) = re.findall(r"has ([\d.]+) mm", refusal.why)
+    (told,) = re.findall(r"has ([\d.]+) mm", str(refusal.why))
     assert float(told) == pytest.approx(tip.diameter_mm, abs=0.02)
 
 
@@ -251,16 +251,16 @@ def test_a_wrong_length_of_a_bar_is_told_by_the_others(session: SimulatedArmSess
     bars = tuple(replace(b, length_mm=b.length_mm + (b.name == "B2") * 0.5) for b in good.bars)
     refusal = refused(session, replace(good, bars=bars))
     assert refusal.code == "bar-length"
-    assert "bar B2" in refusal.what
+    assert "bar B2" in str(refusal.what)
     only = tuple(bar for bar in bars if bar.name == "B2")
     result = identify(
         nominal_arm(session.nominal_arm),
         replace(good, spheres=(), bars=tuple(replace(b, length_mm=851.5) for b in only)),
     )
-    assert any("bar B2" in text for text in result.warnings)
+    assert any("bar B2" in str(text) for text in result.warnings)
     # spheres tell it, too: they are seen larger with the whole arm
     of_all = replace(good, bars=tuple(replace(b, length_mm=852.5) for b in only))
-    assert "bar's length" in refused(session, of_all).why
+    assert "bar's length" in str(refused(session, of_all).why)
 
 
 def test_a_joint_that_reads_the_same_everywhere_is_refused(session: SimulatedArmSession) -> None:
@@ -271,7 +271,7 @@ def test_a_joint_that_reads_the_same_everywhere_is_refused(session: SimulatedArm
     bad = ArmObservations(tuple(replace(s, q_rad=stuck(s.q_rad)) for s in good.seats))
     refusal = refused(session, bad)
     assert refusal.code == "joint-still"
-    assert "J6" in refusal.what
+    assert "J6" in str(refusal.what)
 
 
 def test_the_same_points_again_are_refused(session: SimulatedArmSession) -> None:
@@ -284,7 +284,7 @@ def test_a_tip_that_was_exchanged_is_found(session: SimulatedArmSession) -> None
     other = replace(arm, tip=replace(arm.tip, x_mm=arm.tip.x_mm + 20, z_mm=arm.tip.z_mm - 25))
     result = identify(other, collect_observations(session))
     assert volumetric_error_um(session.arm, result.arm) < 10
-    assert any("tip.z_mm moves" in text for text in result.warnings)
+    assert any("tip.z_mm moves" in str(text) for text in result.warnings)
 
 
 def test_the_arms_reach_decides_what_the_covariance_is_worth(session: SimulatedArmSession) -> None:
@@ -305,9 +305,10 @@ def test_one_sphere_of_another_size_is_named(session: SimulatedArmSession) -> No
 
     refusal = refused(session, with_wrong(0.2))
     assert refusal.code == "sphere-diameter"
-    assert f"sphere {third.name[:1]}" in refusal.what
+    assert f"sphere {third.name[:1]}" in str(refusal.what)
     assert refused(session, with_wrong(-1.0)).code == "sphere-diameter"
-    assert "sphere" not in " ".join(identify(nominal_arm(session.nominal_arm), good).warnings)
+    warnings = identify(nominal_arm(session.nominal_arm), good).warnings
+    assert not any("sphere" in str(text) for text in warnings)
 
 
 def test_a_length_in_another_unit_is_told_as_that(session: SimulatedArmSession) -> None:
@@ -315,7 +316,7 @@ def test_a_length_in_another_unit_is_told_as_that(session: SimulatedArmSession) 
     metres = tuple(replace(bar, length_mm=bar.length_mm / 1000) for bar in good.bars)
     refusal = refused(session, replace(good, bars=metres))
     assert refusal.code == "bar-length"
-    assert "millimetres" in refusal.remedy
+    assert "millimetres" in str(refusal.remedy)
 
 
 def test_spheres_and_papers_outvote_a_single_bar(session: SimulatedArmSession) -> None:
@@ -323,7 +324,7 @@ def test_spheres_and_papers_outvote_a_single_bar(session: SimulatedArmSession) -
     only = tuple(replace(b, length_mm=b.length_mm + 1.2) for b in good.bars if b.name == "B2")
     refusal = refused(session, replace(good, bars=only))
     assert refusal.code == "bar-length"
-    assert "bar B2" in refusal.what
+    assert "bar B2" in str(refusal.what)
 
 
 def test_points_of_the_fit_do_not_check_it(session: SimulatedArmSession) -> None:

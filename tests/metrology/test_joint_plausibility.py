@@ -103,7 +103,7 @@ def test_readings_outside_the_limits_are_left_out_and_named() -> None:
     assert judge.newest is not None
     line = judge.newest.error.line
     assert "joint J1 reads" in line
-    assert "-171.9° to 171.9°" in line
+    assert "−171.9° to 171.9°" in line
 
 
 def test_no_number_is_no_reading() -> None:
@@ -111,7 +111,7 @@ def test_no_number_is_no_reading() -> None:
     q[50, 5] = np.nan
     judge, passed = judged(samples(q), None)
     assert judge.newest is not None
-    assert judge.newest.error.what == "joint J6 reads no number"
+    assert str(judge.newest.error.what) == "joint J6 reads no number"
     assert len(passed) == 99
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.messages.message import Text
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, flange_pose
 from app.metrology.calibration.one_pose import (
     OnePoseCalibration,
@@ -215,7 +216,7 @@ def test_any_other_sensor_frame_gives_the_same_points(
 
 
 def test_progress_is_told_from_beginning_to_end(samples: Path) -> None:
-    told: list[tuple[str, float]] = []
+    told: list[tuple[Text, float]] = []
     calibrate_one_pose(
         read_inputs(samples / "metal"), lambda what, share: told.append((what, share))
     )

@@ -2,7 +2,10 @@
 
 import html
 import json
+import re
 import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 
 import numpy as np
@@ -21,27 +24,31 @@ from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
 from app.formats.software import SOFTWARE
+from app.messages.catalogue import languages, renderer
+from app.messages.message import Message, Text, message, quantity
 from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
-from app.report.content import Pictures, Report, Section, TextBlock, Verdict
+from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
 from app.report.contents.calibration import calibration_report
+from app.report.contents.identification import BARS
 from app.report.contents.verification import LABELS
 from app.report.figure import Figure, magnification
 from app.report.formatting import format_moment, join_units
 from app.report.html import html_page
 from app.report.pdf import pdf_document
 from app.report.reports import folder_report, render_report
-from app.report.translation import apply_translation
-from app.strings.files import languages
-from app.strings.sentences import load_sentences
+from app.report.translation import translate_report
 from app.workflows.calibrate import calibrate_session
 from app.workflows.identify_arm import IdentificationProvenance, identify_folder
 from app.workflows.measure_gauge import MAP, MapFile
 from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.simulator.session import SessionPlan, render_session
 from tests.formats.builders import ARM
-from tests.said import TWO_WORDS
 from tests.workflows.test_verification import SHEET
 
+TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
+DECIMAL_POINT = re.compile(r"(?<![\d.])\d+\.\d+ ?(?:µm|mm|px|°|″)")
+SIMULATED = ("Drawn at random", "Simulated stripe sensor", "Simulated crenellated block")
+"""Names in the session's datasheets."""
 HOSTILE = '<script>alert(1)</script>"><img src=x onerror=alert(1)> & 井上'
 
 
@@ -79,19 +86,37 @@ def text_of(pdf: bytes) -> str:
     return " ".join(text.replace("\u00a0", " ").split())
 
 
-def known_in_german(folder: Path, *own: str) -> None:
-    """Nothing of a report stays English but a test's own words; the same bytes again."""
-    texts: list[str] = []
-    apply_translation(folder_report(folder), lambda text: texts.append(text) or text)  # type: ignore[func-returns-value]
-    german = load_sentences("de")
-    missed = {part for text in texts for part in german.best(text).missed}
-    assert not [part for part in missed if TWO_WORDS.search(part) and part not in own]
+def english_page(folder: Path) -> bytes:
+    return html_page(translate_report(calibration_report(folder), "en"))
+
+
+def plain_texts(value: object) -> Iterator[str]:
+    """Every string of a report's content, those within its messages too."""
+    if isinstance(value, str):
+        yield value
+    elif is_dataclass(value):
+        for field in fields(value):
+            yield from plain_texts(getattr(value, field.name))
+    elif isinstance(value, Mapping):
+        for item in value.values():
+            yield from plain_texts(item)
+    elif isinstance(value, Sequence) and not isinstance(value, bytes):
+        for item in value:
+            yield from plain_texts(item)
+
+
+def assert_german(folder: Path, *own: str) -> None:
+    """A report has no prose that is not a message, but for a test's own words; no decimal point
+    in German; and the same bytes again."""
+    texts = list(plain_texts(folder_report(folder)))
+    assert not [text for text in texts if TWO_WORDS.search(text) and text not in own]
+    assert not DECIMAL_POINT.search(text_of(render_report(folder, ".pdf", "de")))
     for form in (".html", ".pdf"):
         assert render_report(folder, form, "de") == render_report(folder, form, "de")
 
 
 def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
-    known_in_german(folder, "Drawn at random")
+    assert_german(folder, *SIMULATED)
     written = tmp_path / "bericht.html"
     asked = ["report", str(folder), "-o", str(written), "--language", "de"]
     result = CliRunner().invoke(cli, asked)
@@ -133,31 +158,33 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
         ):
             assert told in text, told
     assert all(one.sha256 in shown and one.file in shown for one in sheet.inputs)
-    assert all(
-        finding.text in shown for finding in (sheet.verdict.findings if sheet.verdict else ())
-    )
+    assert sheet.verdict is not None
+    for finding in sheet.verdict.findings:
+        assert isinstance(finding.text, Message)
+        assert join_units(str(finding.text)).replace("\u00a0", " ") in shown
 
 
-def test_a_pose_without_its_laser_line_is_told_apart(folder: Path, tmp_path: Path) -> None:
-    away = tmp_path / "away"
-    shutil.copytree(folder, away)
-    told = json.loads((away / "calibration.json").read_text())
-    reason = "its laser line was left out, 2.1 mm off the plane of the others"
-    told["poses"][0].update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
-    (away / "calibration.json").write_text(json.dumps(told))
-    found = html.unescape(html_page(calibration_report(away)).decode()).replace("\u00a0", " ")
-    assert found.count(f"used, but {reason}") == 1
-    assert found.count("no stripe. Edges") == 1
-    assert ">0.000<" not in found
-    known_in_german(away, "Drawn at random")
+def test_a_pose_without_its_laser_line_is_marked(folder: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "copy"
+    shutil.copytree(folder, copy)
+    calibration = json.loads((copy / "calibration.json").read_text())
+    reason = "its laser line was left out, 2 mm off the plane of the others"
+    pose = calibration["poses"][0]
+    pose.update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
+    (copy / "calibration.json").write_text(json.dumps(calibration))
+    shown = html.unescape(english_page(copy).decode()).replace("\u00a0", " ")
+    assert shown.count(f"used, but {reason}") == 1
+    assert shown.count("no stripe. Edges") == 1
+    assert ">0.000<" not in shown
+    assert_german(copy, reason, *SIMULATED)
 
 
 def test_its_pictures_are_in_both_forms(folder: Path) -> None:
     shown = render_report(folder, ".html").decode()
     for title in (
         "Residuals of the contacts on the object",
-        "Residuals of pose 0 on its picture",
-        "Residuals of pose 1 on its picture",
+        "Residuals of pose 0 in its image",
+        "Residuals of pose 1 in its image",
         "Uncertainty over the measuring volume",
         "Error budget",
     ):
@@ -194,15 +221,15 @@ def test_a_page_needs_nothing_and_runs_nothing(folder: Path, tmp_path: Path) -> 
     assert "<script>" in text_of(render_report(own, ".pdf"))
 
 
-def test_changed_inputs_are_told(folder: Path, tmp_path: Path) -> None:
+def test_changed_inputs_are_marked(folder: Path, tmp_path: Path) -> None:
     own = tmp_path / "changed"
     shutil.copytree(folder, own)
     with open(own / "probing.csv", "a") as table:
         table.write("\n")
-    shown = html_page(calibration_report(own)).decode()
-    assert "1 of these files are not what the result was made from" in shown
+    shown = english_page(own).decode()
+    assert "1 of these files is not what the result was made from" in shown
     (own / ACCEPTANCE).unlink()
-    assert "was not accepted at a station" in html_page(calibration_report(own)).decode()
+    assert "was not accepted at a station" in english_page(own).decode()
 
 
 def test_an_arm_checks_report(tmp_path: Path) -> None:
@@ -232,7 +259,7 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
     for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
         assert told in printed, told
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
-    known_in_german(tmp_path, ARM.name)
+    assert_german(tmp_path, ARM.name)
 
 
 def test_a_tip_checks_report(tmp_path: Path) -> None:
@@ -262,7 +289,7 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
     printed = text_of(render_report(tmp_path, ".pdf"))
     for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
         assert told in printed, told
-    known_in_german(tmp_path, ARM.name, "The tip is worn.")
+    assert_german(tmp_path, ARM.name, "The tip is worn.")
 
 
 def test_an_identifications_report(tmp_path: Path) -> None:
@@ -286,14 +313,14 @@ def test_an_identifications_report(tmp_path: Path) -> None:
     for words in (*told, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
         assert words in printed, words
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
-    known_in_german(tmp_path, sheet.name, "Room 2")
+    assert_german(tmp_path, sheet.name, "Room 2")
     assert "1 in 4 Lagen" in text_of(render_report(tmp_path, ".pdf", "de"))
     (tmp_path / "articulation.csv").write_text(
         (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
     )
     assert "changed" in text_of(render_report(tmp_path, ".pdf"))
     write_arm(identified, ARM)
-    with pytest.raises(OperationError, match="says nothing of an identification"):
+    with pytest.raises(OperationError, match="has no identification"):
         folder_report(tmp_path)
 
 
@@ -311,11 +338,11 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
     assert "Residuals of Cloud 1 on the gauge" in shown
-    known_in_german(tmp_path, "100 µm by more than 6 µm.", "It keeps its limits.")
+    assert_german(tmp_path, *plain_texts(SHEET))
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
-    with pytest.raises(OperationError, match="holds no record"):
+    with pytest.raises(OperationError, match="has no record"):
         render_report(tmp_path, ".pdf")
     with pytest.raises(OperationError, match="no such folder"):
         render_report(tmp_path / "nowhere", ".pdf")
@@ -341,14 +368,52 @@ def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
     picture = (Figure(100, 60, "A picture"), "What it shows")
     filling = Section("Before", [TextBlock("A line.")] * lines, together=False)
     pictures = Section("Pictures", [Pictures([picture])], together=False)
-    report = Report("Report", "1", "Room", "", Verdict("good", "Good", ""), [filling, pictures])
+    verdict = Verdict("good", "Good", "")
+    report = Report("Report", "1", "Room", "", verdict, [filling, pictures])
     document = pypdfium2.PdfDocument(pdf_document(report))
     pages = [sheet.get_textpage().get_text_range() for sheet in document]
     assert next("What it shows" in page for page in pages if "Pictures" in page)
 
 
+FACE_FACTOR = 1.08
+"""The report's own face is wider than the one that the tests measure with."""
+
+
 @pytest.mark.parametrize("language", languages())
-def test_the_longest_name_of_a_figure_is_whole_in_every_language(language: str) -> None:
-    longest = load_sentences(language).translate("Distance between the clouds' centres")
-    # the report's own face is wider than the one that is measured with here
-    assert 1.08 * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8
+def test_the_longest_title_of_a_figure_fits_in_every_language(language: str) -> None:
+    longest = renderer(language)(message("distance-between-clouds-centres"))
+    assert FACE_FACTOR * stringWidth(longest, "Helvetica", 7.5) < LABELS - 8
+
+
+@pytest.mark.parametrize("language", languages())
+def test_titles_before_bars_fit_in_every_language(language: str) -> None:
+    render = renderer(language)
+    titles = map(render, (message("lengths-ball-bars-held-out"), message("tip-over-whole-reach")))
+    marks = map(render, (message("before-mark"), message("after-mark")))
+    title_width = max(stringWidth(title, "Helvetica", 8) for title in titles)
+    mark_width = max(stringWidth(mark, "Helvetica", 7) for mark in marks)
+    assert 2 + FACE_FACTOR * (title_width + mark_width) < BARS - 6
+
+
+def test_a_report_holds_data_and_is_rendered_once(folder: Path) -> None:
+    report = calibration_report(folder)
+    assert report.title == message("calibration-report")
+    german = translate_report(report, "de")
+    assert german.title == "Kalibrierbericht"
+    assert german.language == "de"
+    table = german.sections[1].blocks[0]
+    assert isinstance(table, ReportTable)
+    cells = [cell for row in table.rows for cell in row]
+    assert all(isinstance(cell, str) for cell in cells)
+    assert any(re.fullmatch(r"0,\d{4} mm", cell) for cell in cells)
+
+
+def test_figures_and_axes_have_the_decimal_point_of_their_language() -> None:
+    figure = Figure[Text](100, 60, message("tip"))
+    figure.label((1, 2), quantity(-1.5, "µm", 1))
+    pictures = Pictures[Text]([(figure, message("wide", wide=quantity(2.5, "mm", 1)))])
+    sections = [Section[Text](message("results"), [pictures])]
+    report = Report[Text]("Report", "1", "Room", "", Verdict("good", "Good", ""), sections)
+    page = html.unescape(html_page(translate_report(report, "de")).decode())
+    assert "−1,5\u00a0µm" in page
+    assert "2,5\u00a0mm breit" in page

@@ -1,8 +1,8 @@
-"""How sentences are put together."""
+"""How numbers are written in English."""
 
 import pytest
 
-from app.findings import figures, format_signed
+from app.messages.message import quantity, signed
 
 
 @pytest.mark.parametrize(
@@ -19,5 +19,5 @@ from app.findings import figures, format_signed
 def test_numbers_have_a_true_minus_and_nothing_has_no_sign(
     value: float, decimals: int, plain: str, with_sign: str
 ) -> None:
-    assert figures(value, decimals) == plain
-    assert format_signed(value, decimals) == with_sign
+    assert str(quantity(value, "", decimals)).strip() == plain
+    assert str(signed(value, "", decimals)).strip() == with_sign

@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 
 from app.errors import OperationError
+from app.messages.catalogue import translator
+from app.messages.message import MessageList, message, quantity
 from app.monitoring import health
 from app.monitoring.log_store import FILE, FILE_BYTES, LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
@@ -84,27 +86,53 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
         assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
 
 
-def test_the_log_is_searched_in_the_readers_language_too(book: LogStore) -> None:
+def test_a_message_is_logged_with_its_data_and_searched_in_the_readers_language(
+    book: LogStore,
+) -> None:
     log = logging.getLogger("app.test_health")
-    german = {"point #": "Punkt #", "the arm came back": "der Messarm ist zurück"}
-    asked = []
-
-    def say(text: str) -> str:
-        asked.append(text)
-        return german.get(text, text)
-
+    stood = message("log-program-stood-still", duration=quantity(1.5, "s", 1))
+    log.warning(stood)
     log.info("the arm came back")
-    for number in range(20):
-        log.info("point %d", number)
-    written(book, 21)
-    assert [line.text for line in book.read("info", "MESSARM zurück", 10, say)] == [
-        "the arm came back"
-    ]
-    assert [line.text for line in book.read("info", "punkt 17", 10, say)] == ["point 17"]
-    assert [line.text for line in book.read("info", "point 17", 10, say)] == ["point 17"]
-    assert book.read("info", "punkt", 10) == []
-    assert book.read("warning", "punkt", 10, say) == []
-    assert asked.count("point #") == 3, "once for each search, however many points there are"
+    written(book, 2)
+    german = translator("de")
+    assert german is not None
+    assert [line.text for line in book.read("info", "", 10)] == ["the arm came back", stood]
+    for words in ("PROGRAMM 1,5", "program 1.5"):
+        assert [line.text for line in book.read("info", words, 10, german)] == [stood]
+    assert book.read("info", "programm", 10) == []
+    assert book.read("error", "programm", 10, german) == []
+    warning = json.loads((book.folder / FILE).read_text().splitlines()[0])
+    assert warning["text"] == "the whole program stood still for 1.5 s"
+    assert warning["text_message"]["message_id"] == "log-program-stood-still"
+
+
+def test_what_is_no_message_of_this_version_is_shown_in_english(book: LogStore) -> None:
+    line = {"at": "", "level": "info", "logger": "", "thread": "", "text": "plain"}
+    for data in ({"message_id": "of-another-version", "values": {}}, {"value": 1}, 3, None):
+        with (book.folder / FILE).open("a") as file:
+            file.write(json.dumps({**line, "text_message": data}) + "\n")
+    assert [one.text for one in book.read("info", "", 10)] == ["plain"] * 4
+
+
+def test_a_repeated_message_keeps_its_data(book: LogStore) -> None:
+    log = logging.getLogger("app.test_health")
+    for _ in range(10):
+        log.warning(message("log-program-stood-still", duration=quantity(1.5, "s", 1)))
+    written(book, 4)
+    newest = book.read("info", "", 1)[0].text
+    assert str(newest).startswith("the whole program stood still for 1.5 s (10 of these since ")
+    assert isinstance(newest, MessageList)
+
+
+def test_what_strangers_put_into_a_message_does_nothing_to_readers(book: LogStore) -> None:
+    log = logging.getLogger("app.test_health")
+    log.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x" * 100_000))
+    log.warning(message("log-file-not-used", file="\x1b[31m\u202e", reason="x"))
+    written(book, 2)
+    raw = (book.folder / FILE).read_text("utf-8")
+    assert all(sign.isprintable() or sign == "\n" for sign in raw)
+    assert len(raw) < 3000
+    assert "\\x1b[31m" in str(book.read("info", "", 1)[0].text)
 
 
 def written(book: LogStore, count: int) -> None:
@@ -147,9 +175,9 @@ def test_losses_are_of_the_last_minutes() -> None:
     lately = window.over(100 * 1995, 1060, 60)
     assert (lately.lost, lately.corrupt) == (60, 60)
     assert 0.001 < lately.share < 0.01
-    assert health.losses("Arm", lately).quality == "attention"
-    assert health.losses("Arm", Losses(100, 5, 0)).quality == "bad"
-    assert health.losses("Arm", Losses(100_000, 5, 0)).quality == "good"
+    assert health.losses("arm", lately).quality == "attention"
+    assert health.losses("arm", Losses(100, 5, 0)).quality == "bad"
+    assert health.losses("arm", Losses(100_000, 5, 0)).quality == "good"
 
 
 def test_thermometers(tmp_path: Path) -> None:
@@ -167,10 +195,8 @@ def test_thermometers(tmp_path: Path) -> None:
     assert health.temperature(watch.now, None).quality == "attention"
     assert 20 < RoomThermometer().read_c() < 23
     colder = health.temperature(Temperature(-4.0), -2.5)
-    assert (colder.quality, colder.what) == (
-        "attention",
-        "−4.0 °C, −2.5 °C since the calibration.",
-    )
+    assert colder.quality == "attention"
+    assert str(colder.what) == "−4.0 °C, −2.5 °C since the calibration."
     assert health.temperature(Temperature(21.0), 0.3).quality == "good"
     nothing = TemperatureWatch(None, kept.append)
     nothing.read()
@@ -221,6 +247,6 @@ def test_readings_that_cannot_be_true_are_told_with_what_to_do() -> None:
     )
     told = health.readings(3, refusal, 5.0)
     assert told.quality == "bad"
-    assert told.what == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
-    assert told.remedy == "Check its cable."
+    assert str(told.what) == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
+    assert str(told.remedy) == "Check its cable."
     assert health.readings(3, refusal, 3600.0).quality == "attention"

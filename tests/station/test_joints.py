@@ -102,7 +102,7 @@ def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_told() -> None:
     assert found.moved_um == pytest.approx(
         5 / 6 * 1000 * np.linalg.norm(tips[1] - tips[0]), rel=0.02
     )
-    assert f"{found.moved_um:.0f} µm" in found.text
+    assert f"{found.moved_um:.0f} µm" in str(found.text)
 
 
 def test_a_turn_about_the_tip_is_not_still() -> None:

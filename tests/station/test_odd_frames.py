@@ -30,7 +30,7 @@ def test_odd_pictures_end_the_scan_with_a_reason_and_the_station_lives(
     bench.picture = picture
     until(lambda: scanner.state().state == "idle")
     (finding,) = [one for one in scanner.state().findings if one.quality == "bad"]
-    assert words in finding.text
+    assert words in str(finding.text)
     recording = open_recording(tmp_path / "scans" / scan_id / "scan.mcap")
     records = [one for one in recording.records() if isinstance(one, StripeRecord)]
     assert recording.cut == ""
@@ -48,7 +48,7 @@ def test_dark_and_bright_pictures_give_no_points_and_say_so(
 ) -> None:
     scanner.start("blind")
     bench.picture = np.full((HEIGHT, WIDTH), level, np.uint8)
-    until(lambda: any("No line is seen" in one.text for one in scanner.state().findings))
+    until(lambda: any("No line is seen" in str(one.text) for one in scanner.state().findings))
     points = scanner.state().points
     bench.picture = None
     until(lambda: scanner.state().points > points)

@@ -68,14 +68,14 @@ def test_a_moving_arm_and_a_bright_picture_are_told(preview: Preview, bench: Ben
     bench.scene_level = 1.0
     with preview.watch():
         until(lambda: newest(preview).header.saturated_percent > 50)
-        until(lambda: any("saturated" in aid.words for aid in newest(preview).header.aids))
+        until(lambda: any("saturated" in str(aid.words) for aid in newest(preview).header.aids))
         # the scripted arm jumps to its swing, which is told first
-        until(lambda: any("Moved" in one.text for one in newest(preview).header.findings))
+        until(lambda: any("Moved" in str(one.text) for one in newest(preview).header.findings))
         header = newest(preview).header
     assert not header.arm_still
     assert len(header.findings) > 1
     assert header.saturated
-    assert "Moved" in header.findings[0].text
+    assert "Moved" in str(header.findings[0].text)
     assert all(finding.quality == "attention" for finding in header.findings)
 
 

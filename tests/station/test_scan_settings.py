@@ -139,13 +139,13 @@ def test_the_exposure_is_set_and_found_from_the_line(
 def test_too_fast_is_said_while_it_lasts_and_counted(scanner: Scanner, bench: Bench) -> None:
     bench.joints_at = lambda seconds: REST_RAD + 0.2 * np.sin(6 * seconds)
     scanner.start("fast")
-    until(lambda: any("Too fast" in one.text for one in scanner.state().findings))
+    until(lambda: any("Too fast" in str(one.text) for one in scanner.state().findings))
     state = scanner.state()
     assert state.blur_mm is None or state.blur_mm > 0
     scanner.stop()
     ended = scanner.state()
     assert ended.frames_too_fast > 0
-    assert any("taken too fast" in one.text for one in ended.findings)
+    assert any("taken too fast" in str(one.text) for one in ended.findings)
     assert ended.blur_mm is None
 
 
@@ -154,7 +154,7 @@ def test_standing_still_is_said_and_a_limit_of_its_own_holds(
 ) -> None:
     operator.change({**UNSET, "blur_limit_mm": 50.0}, [])
     scanner.start("still")
-    until(lambda: any("Standing still" in one.text for one in scanner.state().findings))
+    until(lambda: any("Standing still" in str(one.text) for one in scanner.state().findings))
     state = scanner.state()
     assert state.blur_limit_mm == 50.0
     assert state.frames_too_fast == 0
@@ -239,7 +239,7 @@ def test_a_delay_that_cannot_be_found_is_said(
             assert operator.view().finding_delay
             while not (events := (await reader.next()).events):
                 continue
-        return events[0].text
+        return str(events[0].text)
 
     assert "nothing: there is no such file" in asyncio.run(scenario())
     assert not operator.view().finding_delay

@@ -91,7 +91,7 @@ class Room:
         until(lambda: not self.viewing.state().busy)
 
     def told(self) -> list[str]:
-        return [event.text for event in self.bus._events]
+        return [str(event.text) for event in self.bus._events]
 
 
 @pytest.fixture
@@ -156,7 +156,11 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(room: Room) -> None:
     diameter, *centre = fitted.figures
     assert fitted.every
     assert fitted.points <= fitted.picked <= 40_000
-    assert (diameter.label, diameter.unit, diameter.uncertainty_unit) == ("Diameter", "mm", "µm")
+    assert (str(diameter.label), diameter.unit, diameter.uncertainty_unit) == (
+        "Diameter",
+        "mm",
+        "µm",
+    )
     assert diameter.value == pytest.approx(40.0, abs=0.003)
     assert diameter.uncertainty is not None
     assert 0.05 < diameter.uncertainty < 3.0
@@ -178,7 +182,7 @@ def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(room: Ro
     room.fitted(MIDDLE, "plane")
     (fitted,) = room.viewing.state().fits
     assert not fitted.every
-    figures = {figure.label: figure for figure in fitted.figures}
+    figures = {str(figure.label): figure for figure in fitted.figures}
     assert figures["Tilt from level"].value == pytest.approx(0, abs=0.02)
     assert figures["From the arm's zero"].value == pytest.approx(0, abs=0.05)
     assert figures["Normal Z"].value == pytest.approx(1)

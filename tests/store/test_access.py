@@ -8,13 +8,14 @@ from pathlib import Path
 import pytest
 
 from app.errors import OperationError
+from app.messages.catalogue import renderer
+from app.messages.message import message
 from app.monitoring.log_store import LogStore
 from app.store import login_sessions as sign_ins
 from app.store.accounts import Role
 from app.store.database import Database
-from app.store.schemas import FIRST, KNOWN_BROWSERS, SCHEMA_VERSION, SCHEMAS
+from app.store.schemas import FIRST, KNOWN_BROWSERS, MESSAGES, SCHEMA_VERSION, SCHEMAS
 from app.store.store import Store
-from app.strings.sentences import load_sentences
 
 PASSWORD = "three unrelated words"
 
@@ -126,14 +127,16 @@ def test_the_audit_log_is_searched_by_words(store: Store) -> None:
 
 
 def test_the_audit_log_is_searched_in_the_readers_language_too(store: Store) -> None:
+    act, why = message("account-has-no-name"), message("password-has-characters", count=3)
     store.audit.note("Anna", "10.0.0.1", "pressed Stop")
-    store.audit.note("Ben", "10.0.0.2", "calibration: took a point", "Control is with Anna.")
-    say = load_sentences("de").translate
-    found = [entry.who for entry in store.audit.newest(10, "punkt kalibrierung", say)]
-    assert found == ["Ben"]
-    assert [entry.who for entry in store.audit.newest(1, "anna", say)] == ["Ben"]
-    assert [entry.who for entry in store.audit.newest(10, "pressed", say)] == ["Anna"]
-    assert len(store.audit.newest(10, "", say)) == 2
+    store.audit.note("Ben", "10.0.0.2", act, why)
+    german = renderer("de")
+    assert [entry.who for entry in store.audit.newest(10, "3 zeichen konto", german)] == ["Ben"]
+    assert [entry.who for entry in store.audit.newest(10, "3 characters", german)] == ["Ben"]
+    assert [entry.who for entry in store.audit.newest(1, "anna", german)] == ["Anna"]
+    assert [entry.who for entry in store.audit.newest(10, "pressed", german)] == ["Anna"]
+    assert len(store.audit.newest(10, "", german)) == 2
+    assert store.audit.newest(10, "3 zeichen") == []
 
 
 def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:
@@ -149,6 +152,35 @@ def test_the_audit_log_is_only_ever_added_to(store: Store) -> None:
         with pytest.raises(sqlite3.IntegrityError, match="append-only"):
             connection.execute(statement)
     connection.close()
+
+
+def test_the_log_is_english_with_the_messages_next_to_it(store: Store) -> None:
+    act, why = message("account-has-no-name"), message("password-has-characters", count=3)
+    store.audit.note("Anna", "10.0.0.1", act, why)
+    store.audit.note("Anna", "10.0.0.1", "pressed Stop")
+    first = store.audit.newest(10)[1]
+    assert (first.act, first.outcome) == (act, why)
+    connection = sqlite3.connect(store.folder / "station.db")
+    rows = connection.execute("SELECT act, outcome FROM audit ORDER BY number").fetchall()
+    connection.close()
+    assert rows == [(str(act), str(why)), ("pressed Stop", "done")]
+
+
+def test_a_log_of_the_version_before_stays_english(tmp_path: Path) -> None:
+    place = SCHEMAS.index(MESSAGES)
+    old = sqlite3.connect(tmp_path / "station.db")
+    old.executescript(f"{' '.join(SCHEMAS[:place])} PRAGMA user_version = {place};")
+    old.execute("INSERT INTO audit VALUES (1, 'then', 'Anna', '10.0.0.1', 'signed in', 'done')")
+    old.execute(
+        "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds, calibration_id,"
+        " interrupted) VALUES ('s', 'Plate', 'scans/s', 'then', 1, 1, 1.0, 'c', 'The disk.')"
+    )
+    old.commit()
+    old.close()
+    store = Store(tmp_path)
+    assert [entry.act for entry in store.audit.newest(9)] == ["signed in"]
+    assert [(scan.name, scan.interrupted) for scan in store.scans.all()] == [("Plate", "The disk.")]
+    store.close()
 
 
 def test_a_database_of_the_first_version_is_brought_up_to_date(tmp_path: Path) -> None:

@@ -9,11 +9,14 @@ from pathlib import Path
 import pytest
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.store.accounts import Role
 from app.store.backup import backup
 from app.store.database import Database
 from app.store.scans import ScanRecord
 from app.store.store import Store
+
+DISK_FULL = message("stations-disk-full")
 
 
 @pytest.fixture
@@ -56,7 +59,9 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
     store.login_sessions.remember_browser("", "Ada")
     store.audit.note("Ada", "::1", "signed in")
     folder = store.folder / "scans/one"
-    scan = ScanRecord("one", "One", folder, "2026-11-24T00:00:00", 7, 3, 1.0, "c", "The disk.", 9)
+    scan = ScanRecord(
+        "one", message("name-a-file"), folder, "2026-11-24T00:00:00", 7, 3, 1.0, "c", DISK_FULL, 9
+    )
     store.scans.add(scan)
     assert store.scans.all() == [scan]
     assert store.scans.get("one") == scan
@@ -64,8 +69,8 @@ def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None
         store.scans.add_waiting()
     filler.unlink()
     store.scans.add_waiting()
-    store.audit.note("Ada", "::1", "went on")
-    assert [entry.act for entry in store.audit.newest(9)] == ["went on", "signed in"]
+    store.audit.note("Ada", "::1", message("rename"))
+    assert [entry.act for entry in store.audit.newest(9)] == [message("rename"), "signed in"]
     assert store.scans.all() == [scan]
     store.login_sessions.end(token)
     assert store.login_sessions.principal(token) is None
@@ -78,7 +83,7 @@ def test_a_full_disk_is_no_broken_database(small: Path) -> None:
     with pytest.raises(OperationError) as refused:
         Store(small / "data").close()
     assert refused.value.code == "disk-full"
-    assert "Free some space" in refused.value.remedy
+    assert "Free some space" in str(refused.value.remedy)
     assert "backup" not in refused.value.line
     filler.unlink()
     Store(small / "data").close()

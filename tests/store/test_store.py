@@ -198,9 +198,9 @@ def test_no_file_in_the_place_of_one_of_the_databases_is_named(
     make(tmp_path / f"station.db{name}")
     with pytest.raises(OperationError) as caught:
         Store(tmp_path)
-    assert f"station.db{name} cannot be" in caught.value.what
-    assert caught.value.why.startswith("it is a ")
-    assert "ove it away" in caught.value.remedy
+    assert f"station.db{name} cannot be" in str(caught.value.what)
+    assert str(caught.value.why).startswith("it is a ")
+    assert "ove it away" in str(caught.value.remedy)
     assert "permission" not in caught.value.line
 
 

@@ -1,10 +1,12 @@
 """Verifications and temperatures in the station's database."""
 
+import json
 import sqlite3
 from pathlib import Path
 
 import pytest
 
+from app.messages.message import message
 from app.store import temperatures
 from app.store.schemas import ACCESS, FIRST, SUPERVISION
 from app.store.store import Store
@@ -52,6 +54,21 @@ def test_the_newest_verification_of_a_calibration_is_found_again(tmp_path: Path)
     assert session is not None
     assert session.ended_at is not None
     again.close()
+
+
+def test_a_verdict_is_english_with_its_message_next_to_it(tmp_path: Path) -> None:
+    store = calibrated(tmp_path)
+    store.journal.begin_session("v1", "verify")
+    text = message("file-cut-off")
+    folder = store.folder / "verifications/v1"
+    store.verifications.accept("v1", "c1", folder, FOUND | {"text": text}, None)
+    (record,) = store.verifications.all()
+    assert record.figures.text == text
+    store.close()
+    database = sqlite3.connect(tmp_path / "station.db")
+    ((figures,),) = database.execute("SELECT figures FROM verification").fetchall()
+    database.close()
+    assert json.loads(figures)["text"] == "the file was cut off"
 
 
 def test_a_key_that_was_used_keeps_nothing_twice(tmp_path: Path) -> None:

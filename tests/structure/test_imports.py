@@ -10,8 +10,11 @@ ROOT = Path(__file__).resolve().parents[2]
 
 NUMERICS = {"numpy", "scipy", "cv2"}
 LEAVES = {"app.errors", "app.findings", "app.progress", "app.timestamps"}
-"""What every package but the simulator may import."""
+"""Modules that every package but ``hardware`` may import."""
+MESSAGES = "app.messages"
+"""The package that every other may import; it imports none of them."""
 LAYERS: dict[str, set[str]] = {
+    MESSAGES: set(),
     "app.native": set(),
     "app.metrology": {"app.native"},
     "app.formats": {"app.metrology", "app.native"},
@@ -22,8 +25,7 @@ LAYERS: dict[str, set[str]] = {
     "app.guide": {"app.station", "app.workflows", "app.formats", "app.metrology"},
     "app.monitoring": {"app.station", "app.formats"},
     "app.supervision": {"app.station", "app.formats"},
-    "app.strings": set(),
-    "app.report": {"app.strings", "app.workflows", "app.formats", "app.metrology"},
+    "app.report": {"app.workflows", "app.formats", "app.metrology"},
     "app.settings": {"app.guide", "app.supervision", "app.formats", "app.metrology"},
     "app.wire": {"app.guide", "app.station", "app.formats", "app.metrology"},
     "app.operations": {
@@ -48,14 +50,15 @@ LAYERS: dict[str, set[str]] = {
         "app.guide",
         "app.store",
         "app.station",
-        "app.strings",
         "app.workflows",
         "app.formats",
     },
     "hardware": {"app.native"},
 }
-"""What each package may import beside itself. ``app.server`` puts them together, ``app.cli`` and
-``app.bench`` stand above it."""
+"""What each package may import apart from itself, ``MESSAGES`` and ``LEAVES``.
+
+``app.server`` puts them together, ``app.cli`` and ``app.bench`` stand above it.
+"""
 
 
 def imported_modules(path: Path) -> Iterator[str]:
@@ -76,7 +79,9 @@ def is_within(module: str, package: str) -> bool:
 def test_a_package_imports_only_what_is_below_it(package: str) -> None:
     files = sorted((ROOT / package.replace(".", "/")).rglob("*.py"))
     assert files
-    allowed = {package, *LAYERS[package]} | (set() if package == "hardware" else LEAVES)
+    allowed = {package, *LAYERS[package]}
+    if package != MESSAGES:
+        allowed |= {MESSAGES} if package == "hardware" else {MESSAGES, *LEAVES}
     for path in files:
         for module in imported_modules(path):
             if module.split(".")[0] in {"app", "hardware", "tests"}:
@@ -138,5 +143,7 @@ def test_the_mathematics_uses_numerical_libraries_only() -> None:
 def test_the_simulator_shares_nothing_with_the_solver() -> None:
     for path in sorted((ROOT / "hardware").rglob("*.py")):
         for module in imported_modules(path):
-            shared = is_within(module, "app") and not is_within(module, "app.native")
-            assert not shared, f"{path.relative_to(ROOT)} imports {module}"
+            common = is_within(module, "app.native") or is_within(module, MESSAGES)
+            assert common or not is_within(module, "app"), (
+                f"{path.relative_to(ROOT)} imports {module}"
+            )

@@ -4,7 +4,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-OF_THE_PROGRAM = ("app/bench/", "app/native/", "app/strings/", "app/report/html.py")
+OF_THE_PROGRAM = ("app/bench/", "app/native/", "app/messages/", "app/report/html.py")
 """They read what was installed with them, or wrote it themselves."""
 KERNEL = ("app/monitoring/system_info.py",)
 

@@ -183,7 +183,7 @@ def test_a_broker_with_passwords(tmp_path: Path, broker: Mosquitto) -> None:
                     partial(lambda watch, state: watch.broker.state is not state, watch, state)
                 )
                 assert watch.broker.state.connected is connects, name
-                assert PASSWORD not in watch.broker.state.text
+                assert PASSWORD not in str(watch.broker.state.text)
                 running.cancel()
                 await asyncio.gather(running, return_exceptions=True)
 

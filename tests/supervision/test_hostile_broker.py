@@ -148,7 +148,7 @@ def test_a_broker_that_answers_nothing_holds_nothing_up() -> None:
         async def look(watch: Watch) -> None:
             await watch.until(lambda: len(held) >= 2)
             assert not watch.broker.state.connected
-            assert "timed out" in watch.broker.state.text
+            assert "timed out" in str(watch.broker.state.text)
             held[0].setblocking(False)
             while held[0].recv(65536):
                 pass  # it was closed here

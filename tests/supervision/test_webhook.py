@@ -16,6 +16,7 @@ import pytest
 
 from app.errors import OperationError
 from app.findings import Quality
+from app.messages.message import message
 from app.station.bus import Event
 from app.supervision import webhook as webhook_room
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
@@ -128,7 +129,7 @@ def test_what_is_never_taken_is_given_up_and_the_next_is_sent(
     receiver.refused = {1: status}
     webhook = Webhook(WebhookSettings(url=receiver.url), PAUSES_S)
     troubles: list[str] = []
-    webhook.on_change = lambda: troubles.append(webhook.trouble)
+    webhook.on_change = lambda: troubles.append(str(webhook.trouble))
 
     async def act() -> None:
         webhook.offer(notice(1))
@@ -153,7 +154,7 @@ def test_an_address_where_nobody_is_holds_nobody_up() -> None:
         assert (webhook.waiting, webhook.failed) == (MOST_WAITING, 21)
 
     sending(webhook, act)
-    assert webhook.trouble == "no connection"
+    assert webhook.trouble == message("no-connection")
 
 
 def test_a_notice_that_is_not_taken_holds_up_none_of_the_others(receiver: Receiver) -> None:
@@ -233,7 +234,7 @@ def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPat
 
         sending(webhook, act)
         listening.close()
-        assert (webhook.sent, webhook.trouble) == (sent, trouble)
+        assert (webhook.sent, str(webhook.trouble)) == (sent, trouble)
 
 
 def test_only_what_is_wanted_is_sent() -> None:

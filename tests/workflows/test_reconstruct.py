@@ -113,7 +113,7 @@ def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
     result, points = rebuilt(tmp_path)
     assert (result.frames, result.frames_without_joints) == (2, 3)
     assert result.first_without_joints_s == pytest.approx(0.15)
-    assert "3 of 5 frames left out" in result.warnings[0]
+    assert "3 of 5 frames left out" in str(result.warnings[0])
     np.testing.assert_allclose(points, expected([50 * MS, 350 * MS]), atol=1e-8)
 
 
@@ -137,8 +137,8 @@ def test_readings_that_cannot_be_true_are_left_out_and_told(tmp_path: Path) -> N
         record_stripe(writer, 102 * MS)
     result, points = rebuilt(tmp_path)
     assert len(result.warnings) == 1
-    assert "1 joint samples left out that cannot be true, the first 0.102 s" in result.warnings[0]
-    assert "joint J1 reads" in result.warnings[0]
+    assert "1 joint sample left out that cannot be true, 0.102 s" in str(result.warnings[0])
+    assert "oint J1 reads" in str(result.warnings[0])
     np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
 
@@ -161,7 +161,7 @@ def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None
     whole = (tmp_path / "whole.mcap").read_bytes()
     (tmp_path / "scan.mcap").write_bytes(whole[: len(whole) * 2 // 3])
     result, points = rebuilt(tmp_path)
-    assert "is cut off" in result.cut
+    assert "is cut off" in str(result.cut)
     assert result.cut in result.warnings
     assert 60 < result.frames < 199
     np.testing.assert_allclose(points, expected(stamps[: result.frames]), atol=1e-8)
@@ -258,11 +258,11 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
     result, _ = rebuilt(tmp_path)
     assert (result.frame_holes, result.clock_jumps) == (1, 1)
     assert result.frames_without_joints == 7
-    said = " ".join(result.warnings)
+    said = " ".join(map(str, result.warnings))
     assert "7 of 57 frames left out" in said
     assert "0 before the first or after the last sample, 7 in gaps" in said
-    assert "about 3 frames are missing in 1 places, the longest 32.0 ms, 0.172 s" in said
-    assert "the clock of the joint samples jumps 1 times, first to 0.100 s" in said
+    assert "about 3 frames are missing in 1 place, the longest 32.0 ms, 0.172 s" in said
+    assert "the clock of the joint samples jumps once, 0.100 s" in said
 
 
 def test_a_steady_recording_has_no_warnings(tmp_path: Path) -> None:

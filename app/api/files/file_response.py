@@ -7,15 +7,16 @@ from starlette.responses import FileResponse, Response
 from app.api.problems import NotFoundError
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
+from app.messages.message import Text
 
 
 def send_file(
-    path: Path | None, missing: str, media_type: str, name: str = "", cached: bool = False
+    path: Path | None, missing: Text, media_type: str, name: str = "", cached: bool = False
 ) -> Response:
     """A file to look at, or where it is named to download.
 
     Args:
-        missing: what is said where there is no ordinary file.
+        missing: the text where there is no ordinary file.
 
     Raises:
         NotFound: there is none.

@@ -9,6 +9,7 @@ from app.api.files.file_response import send_file
 from app.guide.calibration.commands import command
 from app.guide.common.audit_labels import audit_label
 from app.guide.common.view import FlowView
+from app.messages.message import message
 from app.operations.context import TheContext
 from app.wire.encoding import encode_json
 from app.wire.schema import FlowCommand
@@ -43,4 +44,4 @@ def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Re
 def image(name: str, context: TheContext) -> Response:
     """A captured picture of the present session."""
     path: Path | None = context.guide.folder.image(name)
-    return send_file(path, f"This session has no picture {name}.", "image/png", cached=True)
+    return send_file(path, message("session-has-no-picture", name=name), "image/png", cached=True)

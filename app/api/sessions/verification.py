@@ -13,6 +13,7 @@ from app.formats.results.verification import STUDY, VERIFICATION
 from app.guide.common.audit_labels import audit_label
 from app.guide.verify.commands import command
 from app.guide.verify.view import VerifyView
+from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
 from app.store.verifications import VerificationRecord
@@ -23,7 +24,7 @@ from app.workflows.verification_study import AcceptedCalibration, StudyFile, stu
 
 router = APIRouter(prefix="/api")
 CloudNumber = Annotated[int, Path(ge=1, le=999)]
-STUDY_TITLE = "Rebuilding the clouds with every calibration"
+STUDY_TITLE = message("rebuilding-clouds-every-calibration")
 
 
 def _answer(view: VerifyView) -> Response:
@@ -92,7 +93,7 @@ def verification_summary(record: VerificationRecord, calibration: str) -> Verifi
 def verification(verification_id: str, context: TheContext) -> Response:
     """The record as its file has it."""
     path = _record(verification_id, context).folder / VERIFICATION
-    missing = "The record is not in the data folder any more."
+    missing = message("record-data-folder-any-more")
     return send_file(path, missing, "application/json", f"verification-{verification_id}.json")
 
 
@@ -105,7 +106,7 @@ def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) ->
     else:
         folder = _record(verification_id, context).folder
     path = folder / f"cloud-{number}" / MAP
-    return send_file(path, f"There is no map of cloud {number}.", "application/json")
+    return send_file(path, message("there-no-map-cloud", number=number), "application/json")
 
 
 @router.get("/verifications/{verification_id}/study")
@@ -129,9 +130,9 @@ def make_study(verification_id: str, context: TheContext) -> StudyState:
 
     def ended(job: Job[None]) -> None:
         if job.refusal is not None:
-            context.bus.event("refused", job.refusal.line, "bad")
+            context.bus.event("refused", job.refusal.text, "bad")
         else:
-            context.bus.event("step_done", "The clouds are rebuilt with every calibration.", "good")
+            context.bus.event("step_done", message("clouds-rebuilt-every-calibration"), "good")
 
     context.jobs.start(STUDY_TITLE, work, ended)
     return _study_state(verification_id, context)
@@ -156,5 +157,5 @@ def _study_state(verification_id: str, context: Context) -> StudyState:
 def _record(verification_id: str, context: Context) -> VerificationRecord:
     record = context.store.verifications.get(verification_id)
     if record is None:
-        raise NotFoundError(f"There is no verification {verification_id}.")
+        raise NotFoundError(message("there-no-verification-2", verification_id=verification_id))
     return record

@@ -23,6 +23,7 @@ from websockets.typing import Subprotocol
 from app.api.authorization import wait_for_sign_out
 from app.api.problems import NotFoundError
 from app.api.viewer.point_limit import PointLimiter
+from app.messages.message import message
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
 from app.station.view3d.view_controller import ViewController
@@ -93,9 +94,11 @@ async def page(path: str, context: TheContext) -> Response:
             # as sent, so that what viser compressed stays compressed
             body = b"".join([part async for part in found.aiter_raw()])
     except httpx.HTTPError:
-        return problem(503, "viewer-gone", "The 3D view does not answer.", "Load the page again.")
+        return problem(
+            503, "viewer-gone", message("n-3d-view-does-answer"), message("load-page-again")
+        )
     if found.status_code == 404:
-        raise NotFoundError("There is no such page of the 3D view.")
+        raise NotFoundError(message("there-no-such-page-3d-view"))
     headers = {name: found.headers[name] for name in PASSED_HEADERS if name in found.headers}
     return Response(body, found.status_code, {**headers, "Cache-Control": "no-cache"})
 

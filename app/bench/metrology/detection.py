@@ -14,7 +14,6 @@ import numpy as np
 
 from app.errors import OperationError
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.detection.edges.dimension_test import describe_plane
 from app.metrology.detection.visibility import visible_parts
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
@@ -238,14 +237,14 @@ def search_wrong_certificate(shot: DegradedImage, seed: int) -> WrongCertificate
     """Searches a shot with a wrong certificate: another block's, one size off, or mirrored."""
     rng = np.random.default_rng((seed, 4))
     kind = str(rng.choice(["other", "size", "size", "mirrored"]))
-    claimed, wrong = block_certificate(shot.certificate), ""
+    claimed, wrong = block_certificate(shot.certificate), None
     if kind == "other":
         claimed = block_certificate(draw_workshop_block(rng))
     elif kind == "mirrored":
         claimed = replace(claimed, edges_x_mm=tuple(-x for x in reversed(claimed.edges_x_mm)))
     else:
         claimed, kind, wrong = _change_one_size(claimed, rng)
-    moved = _edge_shift_px(shot, claimed) if wrong else np.inf
+    moved = np.inf if wrong is None else _edge_shift_px(shot, claimed)
     try:
         found = detect_block(shot, claimed)
     except OperationError:
@@ -253,7 +252,9 @@ def search_wrong_certificate(shot: DegradedImage, seed: int) -> WrongCertificate
     return WrongCertificateOutcome(seed, kind, moved, True, wrong in found.unobserved_planes)
 
 
-def _change_one_size(block: Crenellated, rng: np.random.Generator) -> tuple[Crenellated, str, str]:
+def _change_one_size(
+    block: Crenellated, rng: np.random.Generator
+) -> tuple[Crenellated, str, tuple[int, int]]:
     """The certificate with one size off by 0.3 to 2 mm, which, and what of the block that is."""
     by = float(rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 2.0))
     count = len(block.edges_x_mm)
@@ -262,10 +263,10 @@ def _change_one_size(block: Crenellated, rng: np.random.Generator) -> tuple[Cren
         edges = list(block.edges_x_mm)
         edges[which] += by
         wrong = replace(block, edges_x_mm=tuple(edges))
-        return wrong, f"edge {which} by {by:+.2f} mm", describe_plane(0, which)
+        return wrong, f"edge {which} by {by:+.2f} mm", (0, which)
     name, field, axis, number = _OTHER_SIZES[which - count]
     wrong = replace(block, **{field: getattr(block, field) + by})
-    return wrong, f"{name} by {by:+.2f} mm", describe_plane(axis, number)
+    return wrong, f"{name} by {by:+.2f} mm", (axis, number)
 
 
 def _edge_shift_px(shot: DegradedImage, claimed: Crenellated) -> float:

@@ -111,7 +111,7 @@ def read_e57(path: Path) -> Cloud:
     """Reads the Cartesian points of all scans of an E57, by their poses in one frame.
 
     Raises:
-        Refusal: malformed or cut off, or without Cartesian points.
+        OperationError: malformed or cut off, or without Cartesian points.
     """
     pye57 = load_library(path, "pye57")
     try:

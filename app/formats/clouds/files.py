@@ -18,6 +18,7 @@ from app.formats.clouds.xyz import XyzSink, read_xyz
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
+from app.messages.message import message, rounded
 from app.metrology.transforms import Floats
 
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
@@ -83,7 +84,7 @@ def cloud_writer(path: Path) -> Iterator[CloudWriter]:
     Only some pieces are in memory at a time, however large it grows.
 
     Raises:
-        Refusal: its suffix is none of ``SUFFIXES``, the format's library is not
+        OperationError: its suffix is none of ``SUFFIXES``, the format's library is not
             installed, the format cannot hold a point, or the file cannot be written.
     """
     suffix = check_suffix(path)
@@ -118,8 +119,8 @@ def check_suffix(path: Path) -> str:
         raise OperationError(
             "cloud-format",
             display_path(path),
-            f"clouds are written as {', '.join(SUFFIXES)}",
-            f"Name it {path.with_suffix('.ply').name}",
+            message("cloud-formats", suffixes=", ".join(SUFFIXES)),
+            message("cloud-name-proposal", name=path.with_suffix(".ply").name),
         )
     return suffix
 
@@ -128,7 +129,7 @@ def read_cloud(path: Path) -> Cloud:
     """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
 
     Raises:
-        Refusal: missing, cut off, malformed, or without points; or the format's
+        OperationError: missing, cut off, malformed, or without points; or the format's
             library is not installed.
     """
     with convert_io_errors(path), open_file(path) as file:
@@ -145,7 +146,10 @@ def read_cloud(path: Path) -> Cloud:
             cloud = read_xyz(path, file)
     if not len(cloud.points_mm):
         raise OperationError(
-            "cloud-empty", display_path(path), "it holds no points", "Scan the gauge again"
+            "cloud-empty",
+            display_path(path),
+            message("cloud-has-no-points"),
+            message("scan-gauge-again"),
         )
     largest = float(
         np.max(np.abs(cloud.points_mm), initial=0.0, where=np.isfinite(cloud.points_mm))
@@ -153,8 +157,8 @@ def read_cloud(path: Path) -> Cloud:
     if largest > FARTHEST_MM:
         raise OperationError(
             "cloud-too-far",
-            f"{display_path(path)} has a coordinate of {largest:.3g} mm",
-            f"an arm measures within {FARTHEST_MM:.0e} mm",
-            "Give a cloud in millimetres",
+            message("has-coordinate", path=display_path(path), coordinate=f"{largest:.3g} mm"),
+            message("arm-measures-within", farthest=rounded(FARTHEST_MM / 1000, "m")),
+            message("give-cloud-millimetres"),
         )
     return cloud

@@ -11,6 +11,7 @@ from app.formats.clouds.points import POINT, Points
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
+from app.messages.message import message
 
 PIECE = 250_000
 
@@ -19,15 +20,15 @@ def read_cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
     """Points of ``cloud.ply`` in the order of their frames, and how much is read, 0 to 1.
 
     Raises:
-        Refusal: missing, cut off, or not as the scanner writes it.
+        OperationError: missing, cut off, or not as the scanner writes it.
     """
     with convert_io_errors(path), open_file(path) as file:
         vertices = find_vertices(path, file)
         if vertices.ascii or vertices.layout != POINT or vertices.bytes_before:
             raise OperationError(
                 "cloud-foreign",
-                f"{display_path(path)} is not as a scan leaves it",
-                "it was written anew by another program",
+                message("cloud-not-as-scan-wrote-it", path=display_path(path)),
+                message("rewritten-by-another-program"),
             )
         left = vertices.count
         while left > 0:
@@ -35,9 +36,13 @@ def read_cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
             if not len(points):
                 raise OperationError(
                     "cloud-cut-off",
-                    f"{display_path(path)} holds "
-                    f"{vertices.count - left} of {vertices.count} points",
-                    "the file was cut off",
+                    message(
+                        "cloud-has-points-of",
+                        path=display_path(path),
+                        count=vertices.count - left,
+                        announced=vertices.count,
+                    ),
+                    message("file-cut-off"),
                 )
             left -= len(points)
             yield points, 1.0 - left / vertices.count

@@ -51,7 +51,7 @@ class PlySink:
 
 
 def read_ply(path: Path, file: BinaryIO) -> Cloud:
-    """Reads a PLY's vertices; raises ``Refusal`` if malformed or cut off."""
+    """Reads a PLY's vertices; raises ``OperationError`` if malformed or cut off."""
     return cloud_from_columns(read_vertices(path, file, find_vertices(path, file)))
 
 
@@ -69,7 +69,7 @@ class Vertices:
 
 
 def find_vertices(path: Path, file: BinaryIO) -> Vertices:
-    """Reads the header and leaves the file at its end; raises ``Refusal`` if malformed."""
+    """Reads the header and leaves the file at its end; raises ``OperationError`` if malformed."""
     file.seek(0)
     words = [line.split() for line in _header_lines(path, file)]
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]

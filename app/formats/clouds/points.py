@@ -56,7 +56,7 @@ class PointSink(Protocol):
     """A file of some format that grows by pieces."""
 
     def write(self, points: Points) -> None:
-        """Appends points; raises ``Refusal`` where the format cannot hold them."""
+        """Appends points; raises ``OperationError`` where the format cannot hold them."""
 
     def finish(self) -> None:
         """Completes the file."""

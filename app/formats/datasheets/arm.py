@@ -10,6 +10,7 @@ from app.errors import OperationError
 from app.formats.datasheets.arm_identification import IdentificationPart
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, RobotArm, Tip
 
 
@@ -36,7 +37,7 @@ class JointPart(DocumentPart):
     @model_validator(mode="after")
     def _limits_ascend(self) -> Self:
         if self.limits_deg[0] >= self.limits_deg[1]:
-            raise ValueError(f"limits_deg of {self.name} must ascend")
+            raise ValueError(message("limits-deg-must-ascend", name=self.name))
         return self
 
 
@@ -63,13 +64,13 @@ class ArmFile(Document):
     @model_validator(mode="after")
     def _check_joints(self) -> Self:
         if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
-            raise ValueError(f"six or seven joints are expected, not {len(self.joints)}")
+            raise ValueError(message("six-seven-joints-expected", joints=len(self.joints)))
         if self.convention == "dh-standard" and self.tip is None:
-            raise ValueError("tip is missing: its place on the flange and its diameter")
+            raise ValueError(message("tip-missing-place-flange-diameter"))
         names = [joint.name for joint in self.joints]
         for name in names:
             if names.count(name) > 1:
-                raise ValueError(f"two joints are named {name!r}; recordings tell them by name")
+                raise ValueError(message("joint-name-twice", name=repr(name)))
         return self
 
 
@@ -91,9 +92,9 @@ def read_arm(path: Path) -> Arm:
         return arm
     raise OperationError(
         "arm-without-joints",
-        f"{display_path(path)}: convention is 'pose'",
-        "here an arm is needed that reports its joint angles",
-        "Give the arm's Denavit-Hartenberg model (convention 'dh-standard')",
+        message("convention-is-pose", path=display_path(path)),
+        message("arm-with-joints-needed"),
+        message("give-denavit-hartenberg-model"),
     )
 
 

@@ -6,6 +6,7 @@ from pydantic import Field
 
 from app.formats.json_document import DocumentPart, NotNegative, Number
 from app.formats.software import Software
+from app.messages.message import Text
 
 
 class IdentificationInput(DocumentPart):
@@ -26,7 +27,7 @@ class FixedParameterPart(DocumentPart):
     """One parameter that kept its value."""
 
     name: str
-    reason: str
+    reason: Text
 
 
 class CorrelationPart(DocumentPart):
@@ -77,7 +78,7 @@ class IdentificationPart(DocumentPart):
     scatter_um: NotNegative
     """Per coordinate, of single points beyond the encoders' noise."""
     validation: ValidationPart
-    outliers: Annotated[tuple[str, ...], Field(default=())]
-    warnings: Annotated[tuple[str, ...], Field(default=())]
+    outliers: Annotated[tuple[Text, ...], Field(default=())]
+    warnings: Annotated[tuple[Text, ...], Field(default=())]
     inputs: tuple[IdentificationInput, ...]
     software: Software

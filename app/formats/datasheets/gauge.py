@@ -16,6 +16,7 @@ from typing import Annotated, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
+from app.messages.message import message
 
 Shape = Literal["plane", "sphere"]
 LARGEST_RADIUS_MM = 300.0
@@ -76,10 +77,10 @@ class GaugeFile(Document):
     @model_validator(mode="after")
     def _check_radius(self) -> Self:
         if self.shape == "sphere" and self.radius_mm is None:
-            raise ValueError("radius_mm is missing: a sphere is judged by its size")
+            raise ValueError(message("radius-mm-missing-sphere-judged-size"))
         return self
 
 
 def read_gauge(path: Path) -> GaugeFile:
-    """Reads a gauge's paper; raises ``Refusal`` naming the file and the field."""
+    """Reads a gauge's paper; raises ``OperationError`` naming the file and the field."""
     return GaugeFile.read(path)

@@ -10,6 +10,7 @@ from pydantic import model_validator
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, Positive, Vector3
+from app.messages.message import message
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 
 UNIT_TOLERANCE = 1e-6
@@ -26,7 +27,7 @@ class PlaneFile(Document):
     def _normal_is_unit(self) -> Self:
         length = math.hypot(*self.normal)
         if abs(length - 1) > UNIT_TOLERANCE:
-            raise ValueError(f"normal must be of unit length, not {length:.6g}")
+            raise ValueError(message("normal-must-be-of-unit-length", length=f"{length:.6g}"))
         return self
 
 
@@ -55,6 +56,6 @@ def read_nominal(path: Path) -> NominalPlane | NominalSphere:
         return NominalSphere(np.array(sphere.centre_mm), sphere.radius_mm)
     raise OperationError(
         "shape-unknown",
-        f"{display_path(path)}: shape is {shape!r}",
-        "gauges are a plane or a sphere",
+        message("gauge-shape", path=display_path(path), shape=repr(shape)),
+        message("gauges-are-plane-or-sphere"),
     )

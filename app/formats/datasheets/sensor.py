@@ -24,7 +24,7 @@ class SensorDatasheet(Document):
 
 
 def read_sensor(path: Path) -> SensorDatasheet:
-    """Reads ``sensor.json``; raises ``Refusal`` naming the file and the field."""
+    """Reads ``sensor.json``; raises ``OperationError`` naming the file and the field."""
     return SensorDatasheet.read(path)
 
 

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, NotNegative, Number, Positive
+from app.messages.message import message
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 
@@ -50,26 +51,21 @@ class ObjectFile(Document):
     def _is_a_block(self) -> Self:
         x = self.edges_x_mm
         if len(x) % 2:
-            raise ValueError(
-                f"edges_x_mm holds {len(x)} edges; every merlon has two, a left and a right one"
-            )
+            raise ValueError(message("edges-x-mm-odd-count", count=len(x)))
         for left, right in pairwise(x):
             if left >= right:
-                raise ValueError(f"edges_x_mm must ascend: {right:g} follows {left:g}")
+                raise ValueError(
+                    message("edges-x-mm-must-ascend-follows", right=f"{right:g}", left=f"{left:g}")
+                )
         if self.front_y_mm >= self.back_y_mm:
-            raise ValueError("front_y_mm must be less than back_y_mm")
+            raise ValueError(message("front-y-mm-must-less-than"))
         if not self.crest_z_mm > self.floor_z_mm > self.base_z_mm:
-            raise ValueError("crest_z_mm must be above floor_z_mm, and that above base_z_mm")
+            raise ValueError(message("crest-z-mm-must-above-floor"))
         if self.standard_uncertainty_mm > COARSEST_MM:
-            raise ValueError(
-                f"standard_uncertainty_mm must be at most {COARSEST_MM:g}; is it in micrometres?"
-            )
+            raise ValueError(message("standard-uncertainty-mm-too-large", most=f"{COARSEST_MM:g}"))
         mirrored = [x[0] + x[-1] - edge for edge in reversed(x)]
         if max(abs(a - b) for a, b in zip(x, mirrored, strict=True)) < MIRROR_TOLERANCE_MM:
-            raise ValueError(
-                "the merlons' widths and gaps read the same from both ends, "
-                "so that the block cannot be told from its mirror image"
-            )
+            raise ValueError(message("merlons-are-symmetric"))
         return self
 
 
@@ -92,10 +88,10 @@ class ChessboardFile(Document):
     @model_validator(mode="after")
     def _is_a_board(self) -> Self:
         if self.square_mm < SMALLEST_SQUARE_MM:
-            raise ValueError(f"square_mm must be at least {SMALLEST_SQUARE_MM:g}; is it in metres?")
+            raise ValueError(message("square-mm-too-small", least=f"{SMALLEST_SQUARE_MM:g}"))
         for name in ("standard_uncertainty_mm", "flatness_mm"):
             if (getattr(self, name) or 0.0) > self.square_mm / 2:
-                raise ValueError(f"{name} must be less than half a square; is it in micrometres?")
+                raise ValueError(message("field-must-be-less-than-half-square", field=name))
         return self
 
 
@@ -118,9 +114,9 @@ def read_object(path: Path) -> Crenellated | Chessboard:
         return Chessboard(**fields)
     raise OperationError(
         "object-kind-unsupported",
-        f"{display_path(path)}: kind {kind!r} is unknown",
-        "it is 'crenellated' or 'chessboard'",
-        "Correct it",
+        message("kind-unknown", path=display_path(path), kind=repr(kind)),
+        message("kind-is-crenellated-or-chessboard"),
+        message("correct-it"),
     )
 
 
@@ -136,9 +132,9 @@ def read_block(path: Path) -> Crenellated:
         return found
     raise OperationError(
         "object-kind-unsupported",
-        f"{display_path(path)}: kind 'chessboard' is not supported here",
-        "contacts and stripe on several levels need a crenellated object",
-        "Give the certificate of a crenellated object, or calibrate on the command line",
+        message("kind-chessboard-not-supported", path=display_path(path)),
+        message("contacts-stripe-several-levels-need-crenellated"),
+        message("give-certificate-crenellated-object-calibrate-command"),
     )
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.recording.stream import JointSamples
+from app.messages.message import message, quantity
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.joint_plausibility import ImplausibleReading, PlausibilityFilter
 from app.metrology.arm.kinematics import Arm
@@ -57,7 +58,7 @@ class JointReader:
         by name where the recording names them as ``arm.json`` does, else by their order.
 
         Raises:
-            Refusal: another number of joints than the arm's, only some names known, or
+            OperationError: another number of joints than the arm's, only some names known, or
                 most angles outside the arm's limits.
         """
         if samples.names != self._names:
@@ -84,15 +85,21 @@ class JointReader:
         first = self._judge.first
         if first is None or 2 * self._judge.outside <= self._read:
             return
-        low, high = first.limits_rad
+        low, high = (quantity(limit, "rad", 4) for limit in first.limits_rad)
         degrees = abs(first.reading_rad) > 4 * np.pi
-        hint = "; these are degrees where radians are expected" if degrees else ""
         raise OperationError(
             "joint-outside-limits",
-            f"{display_path(self._path)} at {first.stamp_ns} ns: joint {first.joint} is at "
-            f"{first.reading_rad:.4f} rad",
-            f"it turns from {low:.4f} to {high:.4f} rad{hint}",
-            "Record radians" if degrees else "Give the arm.json of the arm that took this",
+            message(
+                "joint-at-stamp",
+                path=display_path(self._path),
+                stamp_ns=first.stamp_ns,
+                joint=first.joint,
+                reading=quantity(first.reading_rad, "rad", 4),
+            ),
+            message("joint-range-in-radians", low=low, high=high)
+            if degrees
+            else message("joint-range", low=low, high=high),
+            message("record-radians") if degrees else message("give-arm-json-arm-took"),
         )
 
     def _arrays(self, good: list[_JointReading]) -> tuple[Stamps, Floats]:
@@ -105,17 +112,23 @@ class JointReader:
         if len(names) != len(own):
             raise OperationError(
                 "joint-count",
-                f"{display_path(self._path)} holds {len(names)} joints",
-                f"the arm {self._arm.serial_number or self._arm.name} has {len(own)}",
-                "Give the arm.json of the arm that took this recording",
+                message("recording-has-joints", path=display_path(self._path), count=len(names)),
+                message(
+                    "arm-has-joint-number",
+                    arm=self._arm.serial_number or self._arm.name,
+                    count=len(own),
+                ),
+                message("give-arm-json-arm-took-recording"),
             )
         if sorted(names) == sorted(own) and len(set(own)) == len(own):
             return [names.index(name) for name in own]
         if set(names) & set(own):
             raise OperationError(
                 "joint-names",
-                f"{display_path(self._path)} names its joints {', '.join(names)}",
-                f"arm.json names them {', '.join(own)}",
-                "Give the arm.json of the arm that took this recording",
+                message(
+                    "recording-names-joints", path=display_path(self._path), names=", ".join(names)
+                ),
+                message("arm-json-names-joints", names=", ".join(own)),
+                message("give-arm-json-arm-took-recording"),
             )
         return list(range(len(own)))

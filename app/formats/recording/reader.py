@@ -10,7 +10,8 @@ from typing import BinaryIO, Protocol, cast
 import numpy as np
 from google.protobuf.message import DecodeError
 from mcap.exceptions import McapError
-from mcap.records import Channel, Chunk, DataEnd, McapRecord, Message, Metadata, Schema
+from mcap.records import Channel, Chunk, DataEnd, McapRecord, Metadata, Schema
+from mcap.records import Message as LoggedMessage
 from mcap_protobuf.decoder import DecoderFactory
 
 from app.errors import OperationError
@@ -21,6 +22,8 @@ from app.formats.open_file import open_file
 from app.formats.recording.blocks import MOST_DESCRIBED, open_chunk
 from app.formats.recording.raw import DAMAGE, MAGIC, raw_records, summary_statistics
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, decode_stripe
+from app.messages.message import Text, message, quantity
+from app.messages.validation import exception_text
 from app.metrology.stripe import Stripe
 
 JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
@@ -84,7 +87,7 @@ class Recording:
     last_ns: int | None = None
     """Newest log time so far."""
     first_ns: int | None = None
-    cut: str = ""
+    cut: Text = ""
     """Where and why reading ended early; empty for a whole file."""
     station: dict[str, str] = field(default_factory=dict)
     """What the recording says of arm and sensor, e.g. ``sensor_serial``."""
@@ -104,7 +107,7 @@ class Recording:
         ``cut`` saying so.
 
         Raises:
-            Refusal: missing, no MCAP, or a topic of another message type.
+            OperationError: missing, no MCAP, or a topic of another message type.
         """
         with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
@@ -116,13 +119,16 @@ class Recording:
         It looks at the beginning alone, and opens no chunk.
 
         Raises:
-            Refusal: missing, or no MCAP.
+            OperationError: missing, or no MCAP.
         """
         with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
             with suppress(*DAMAGE):
                 for record in raw_records(file, LARGEST_TOLD):
-                    if isinstance(record, Chunk | Message | DataEnd) or file.tell() > LARGEST_TOLD:
+                    if (
+                        isinstance(record, Chunk | LoggedMessage | DataEnd)
+                        or file.tell() > LARGEST_TOLD
+                    ):
                         break
                     if isinstance(record, Metadata) and record.name == STATION_METADATA:
                         return dict(record.metadata)
@@ -133,7 +139,7 @@ class Recording:
         for record in self._raw(file, decoders):
             if isinstance(record, Metadata) and record.name == STATION_METADATA:
                 self.station = dict(record.metadata)
-            elif isinstance(record, Message):
+            elif isinstance(record, LoggedMessage):
                 self.note_times(record.log_time, record.log_time)
                 decoded = decoders.decode(record)
                 if decoded is not None:
@@ -176,16 +182,24 @@ class Recording:
 
     def mark_cut(self) -> None:
         """Takes note that nothing can be read behind what was read."""
-        share = 100 * self.bytes_read / max(self.size, 1)
-        text = (
-            f"{display_path(self.path)} is cut off or damaged after "
-            f"{self.bytes_read} of {self.size} bytes "
-            f"({share:.0f} %)"
-        )
+        path, share = display_path(self.path), 100 * self.bytes_read / max(self.size, 1)
         if self.first_ns is None or self.last_ns is None:
-            self.cut = text + ", before its first message"
+            self.cut = message(
+                "recording-cut-off-before-first-message",
+                path=path,
+                bytes=self.bytes_read,
+                size=self.size,
+                share=quantity(share, "%"),
+            )
             return
-        self.cut = f"{text}; read up to {(self.last_ns - self.first_ns) / 1e9:.3f} s from its start"
+        self.cut = message(
+            "recording-cut-off-after",
+            path=path,
+            bytes=self.bytes_read,
+            size=self.size,
+            share=quantity(share, "%"),
+            end=quantity((self.last_ns - self.first_ns) / 1e9, "s", 3),
+        )
 
 
 def open_recording(path: Path) -> Recording:
@@ -194,12 +208,15 @@ def open_recording(path: Path) -> Recording:
         size = path.stat().st_size
         if not path.is_file():
             raise OperationError(
-                "recording-not-a-file", display_path(path), "it is no file", "Name a recording"
+                "recording-not-a-file",
+                display_path(path),
+                message("no-file"),
+                message("name-recording"),
             )
     return Recording(path, size)
 
 
-def find_damage(path: Path, bytes_written: int | None = None) -> str:
+def find_damage(path: Path, bytes_written: int | None = None) -> Text:
     """Why a recording that was completed is not what it was; empty where it seems whole.
 
     It looks at the size and at both ends alone, so that a thousand are looked at in a moment.
@@ -210,23 +227,23 @@ def find_damage(path: Path, bytes_written: int | None = None) -> str:
     try:
         size = path.stat().st_size
         if not path.is_file():
-            return "the recording is no file"
+            return message("recording-no-file")
         if not size:
-            return "the recording is empty"
+            return message("recording-empty")
         if bytes_written is not None and size < bytes_written:
-            return f"the recording is cut off: {size} of {bytes_written} bytes are left"
+            return message("recording-cut-off-bytes-left", size=size, written=bytes_written)
         with open_file(path) as file:
             first = file.read(len(MAGIC))
             file.seek(-min(size, len(MAGIC)), os.SEEK_END)
             last = file.read(len(MAGIC))
     except FileNotFoundError:
-        return "the recording is missing"
+        return message("recording-missing")
     except OSError as error:
-        return f"the recording cannot be read: {error.strerror or error}"
+        return message("recording-cannot-read", reason=error.strerror or error)
     if first != MAGIC:
-        return "the recording is damaged"
+        return message("recording-damaged")
     whole = last == MAGIC or bytes_written is not None
-    return "" if whole else "the recording is cut off"
+    return "" if whole else message("recording-cut-off")
 
 
 def last_stamp_ns(path: Path) -> int | None:
@@ -243,8 +260,10 @@ def check_magic(path: Path, file: BinaryIO) -> None:
     """Reads a recording's first bytes; raises ``OperationError`` where they are another's."""
     head = file.read(len(MAGIC))
     if head != MAGIC:
-        why = "it is no MCAP recording" if head else "it is empty"
-        raise OperationError("recording-not-mcap", display_path(path), why, "Name a scan.mcap")
+        why = message("no-mcap-recording") if head else message("empty")
+        raise OperationError(
+            "recording-not-mcap", display_path(path), why, message("name-scan-mcap")
+        )
 
 
 class _JointState(Protocol):
@@ -301,43 +320,54 @@ class Decoders:
         if self._described_bytes > MOST_DESCRIBED:
             raise McapError
 
-    def decode(self, message: Message) -> Record | None:
+    def decode(self, logged: LoggedMessage) -> Record | None:
         """None for topics that the program does not know."""
-        channel = self.channels.get(message.channel_id)
+        channel = self.channels.get(logged.channel_id)
         if channel is None or channel.topic not in SCHEMAS:
             return None
         decoder = self._by_channel.get(channel.id)
         if decoder is None:
             decoder = self._by_channel[channel.id] = self._decoder(channel)
-        named = f"{display_path(self._path)} {channel.topic} at {message.log_time} ns"
-        size = len(message.data)
+        named = message(
+            "recording-message-at",
+            path=display_path(self._path),
+            topic=channel.topic,
+            stamp_ns=logged.log_time,
+        )
+        size = len(logged.data)
         if size > LARGEST_MESSAGE.get(channel.topic, size):
             raise OperationError(
-                "recording-message-malformed", named, f"{size} bytes are more than it can have"
+                "recording-message-malformed", named, message("message-too-large", size=size)
             )
         try:
-            return self._record(channel, decoder(message.data), message.log_time, named)
+            return self._record(channel, decoder(logged.data), logged.log_time, named)
         except (DecodeError, ValueError) as error:
-            raise OperationError("recording-message-malformed", named, str(error)) from error
+            raise OperationError(
+                "recording-message-malformed", named, exception_text(error)
+            ) from error
 
     def _decoder(self, channel: Channel) -> Callable[[bytes], object]:
         schema = self.schemas.get(channel.schema_id)
-        name = schema.name if schema else "without a schema"
         decoder = None
-        if name in SCHEMAS[channel.topic]:
+        if schema is not None and schema.name in SCHEMAS[channel.topic]:
             with suppress(McapError, DecodeError, TypeError):  # a schema that describes nothing
                 decoder = self._factory.decoder_for(channel.message_encoding, schema)
         if decoder is None:
             raise OperationError(
                 "recording-of-another-type",
-                f"{display_path(self._path)}: {channel.topic} holds {name} "
-                f"({channel.message_encoding})",
-                f"{' or '.join(SCHEMAS[channel.topic])} in protobuf is expected",
-                "Give a recording as docs/formats.md describes it",
+                message(
+                    "topic-holds",
+                    path=display_path(self._path),
+                    topic=channel.topic,
+                    schema=schema.name if schema else message("without-schema"),
+                    encoding=channel.message_encoding,
+                ),
+                message("protobuf-expected", schemas=", ".join(SCHEMAS[channel.topic])),
+                message("give-recording-as-documented"),
             )
         return decoder
 
-    def _record(self, channel: Channel, decoded: object, log_ns: int, named: str) -> Record:
+    def _record(self, channel: Channel, decoded: object, log_ns: int, named: Text) -> Record:
         stamp_ns = _stamp_ns(cast(_StampedMessage, decoded), log_ns)
         if channel.topic == JOINTS_TOPIC:
             joints = cast(_JointStates, decoded).joints
@@ -358,20 +388,20 @@ class Decoders:
         return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
 
 
-def _stamp_ns(message: _StampedMessage, log_ns: int) -> int:
+def _stamp_ns(stamped: _StampedMessage, log_ns: int) -> int:
     """The message's own stamp where it has one, else the time it was logged at."""
-    if not message.HasField("timestamp"):
+    if not stamped.HasField("timestamp"):
         return log_ns
-    return message.timestamp.seconds * 1_000_000_000 + message.timestamp.nanos
+    return stamped.timestamp.seconds * 1_000_000_000 + stamped.timestamp.nanos
 
 
-def _raw_picture(raw: _RawImage, named: str) -> GreyImage:
+def _raw_picture(raw: _RawImage, named: Text) -> GreyImage:
     kind = GREY_ENCODINGS.get(raw.encoding)
     if kind is None:
         raise OperationError(
             "image-not-grey",
-            f"{named}: encoding {raw.encoding!r}",
-            f"grey is expected: {', '.join(GREY_ENCODINGS)}",
+            message("image-encoding", name=named, encoding=repr(raw.encoding)),
+            message("grey-encodings-expected", encodings=", ".join(GREY_ENCODINGS)),
         )
     pixel = np.dtype(kind).itemsize
     row = raw.step or raw.width * pixel
@@ -379,8 +409,15 @@ def _raw_picture(raw: _RawImage, named: str) -> GreyImage:
     if raw.width < 1 or raw.height < 1 or row < raw.width * pixel or len(data) < row * raw.height:
         raise OperationError(
             "image-cut-off",
-            f"{named}: {len(data)} bytes for {raw.width} × {raw.height} pixels, {row} a row",
-            "the picture is not whole",
+            message(
+                "picture-bytes-do-not-fit",
+                name=named,
+                bytes=len(data),
+                width=raw.width,
+                height=raw.height,
+                row=row,
+            ),
+            message("picture-incomplete"),
         )
     rows = np.frombuffer(data, np.uint8, row * raw.height).reshape(raw.height, row)
     packed = np.ascontiguousarray(rows[:, : raw.width * pixel])

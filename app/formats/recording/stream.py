@@ -77,7 +77,7 @@ def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Bl
     ``recording.cut`` saying so.
 
     Raises:
-        Refusal: as ``Recording.records``.
+        OperationError: as ``Recording.records``.
     """
     with convert_io_errors(recording.path), open_file(recording.path) as file:
         check_magic(recording.path, file)

@@ -29,6 +29,7 @@ from google.protobuf.descriptor_pb2 import FieldDescriptorProto, FileDescriptorP
 from google.protobuf.descriptor_pb2 import FileDescriptorSet as DescriptorSet
 from google.protobuf.descriptor_pool import DescriptorPool
 
+from app.messages.message import message
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
 
@@ -71,13 +72,13 @@ def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) 
     Messages put one behind the other are one message, and packed numbers are the bytes of
     their array (Protocol Buffers' encoding): so the lists need not pass through Python.
     """
-    message = cast(StripeMessage, _message_class()())
-    message.timestamp.seconds, message.timestamp.nanos = divmod(stamp_ns, 1_000_000_000)
-    message.width_px, message.height_px = width_px, height_px
-    message.axis = stripe.axis
+    profile = cast(StripeMessage, _message_class()())
+    profile.timestamp.seconds, profile.timestamp.nanos = divmod(stamp_ns, 1_000_000_000)
+    profile.width_px, profile.height_px = width_px, height_px
+    profile.axis = stripe.axis
     return b"".join(
         (
-            message.SerializeToString(),
+            profile.SerializeToString(),
             *_pack_numbers("u", stripe.u, "<f8"),
             *_pack_numbers("v", stripe.v, "<f8"),
             *_pack_numbers("intensity", stripe.intensity, "<f4"),
@@ -104,18 +105,18 @@ def _varint(value: int) -> bytes:
     return bytes(coded)
 
 
-def decode_stripe(message: StripeMessage) -> Stripe:
+def decode_stripe(profile: StripeMessage) -> Stripe:
     """The points of a message; raises ``ValueError`` where its lists differ in length."""
     stripe = Stripe(
-        np.array(message.u, dtype=np.float64),
-        np.array(message.v, dtype=np.float64),
-        np.array(message.intensity, dtype=np.float64),
-        np.array(message.sigma_px, dtype=np.float64),
-        message.axis or "u",
+        np.array(profile.u, dtype=np.float64),
+        np.array(profile.v, dtype=np.float64),
+        np.array(profile.intensity, dtype=np.float64),
+        np.array(profile.sigma_px, dtype=np.float64),
+        profile.axis or "u",
     )
     lengths = {len(stripe.u), len(stripe.v), len(stripe.intensity), len(stripe.sigma_px)}
     if len(lengths) > 1:
-        raise ValueError("the lists of a stripe differ in length")
+        raise ValueError(message("lists-stripe-differ-length"))
     return stripe
 
 
@@ -151,9 +152,9 @@ def _stripe_file() -> FileDescriptorProto:
         ("sigma_px", many, FieldDescriptorProto.TYPE_FLOAT),
         ("axis", one, FieldDescriptorProto.TYPE_STRING),
     )
-    message = file.message_type.add(name="StripeProfile")
+    described = file.message_type.add(name="StripeProfile")
     for number, (name, label, kind) in enumerate(fields, start=1):
-        field = message.field.add(name=name, number=number, label=label, type=kind)
+        field = described.field.add(name=name, number=number, label=label, type=kind)
         if kind == FieldDescriptorProto.TYPE_MESSAGE:
             field.type_name = ".google.protobuf.Timestamp"
     return file

@@ -41,7 +41,7 @@ class RecordingWriter:
                 ``sensor_serial``, ``arm_delay_ns``, ``extraction``.
 
         Raises:
-            Refusal: the file exists or cannot be created.
+            OperationError: the file exists or cannot be created.
         """
         self._names = tuple(joint_names)
         self._sink = _Sink(path)
@@ -86,7 +86,7 @@ class RecordingWriter:
         """One reading of the arm, angles (n,) before sign and offset.
 
         Raises:
-            Refusal: the disk is full or gone, as do the other two.
+            OperationError: the disk is full or gone, as do the other two.
         """
         states = [
             JointState(name=name, position=float(angle))
@@ -133,7 +133,7 @@ class RecordingWriter:
         self._sink.sync()
 
     def close(self) -> None:
-        """Completes the file on disk; idempotent. Raises ``Refusal`` where it could not."""
+        """Completes the file on disk; idempotent. Raises ``OperationError`` where it could not."""
         if not self._open:
             return
         self._open = False

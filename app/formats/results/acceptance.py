@@ -41,7 +41,7 @@ def read_acceptance(folder: Path) -> Acceptance | None:
     """Of a session's folder; None where its calibration was not put to use on a station.
 
     Raises:
-        Refusal: the file is damaged.
+        OperationError: the file is damaged.
     """
     path = folder / ACCEPTANCE
     return Acceptance.read(path) if path.exists() else None

@@ -5,6 +5,7 @@ from typing import ClassVar, Literal
 from app.formats.json_document import Document, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Input
 from app.formats.software import Software
+from app.messages.message import Text
 
 ARM_CHECK = "arm-check.json"
 
@@ -60,7 +61,7 @@ class TipCheckFile(Document):
     bend_um: NotNegative | None = None
     limit_um: NotNegative | None = None
     decision: Literal["pass", "fail", "uncertain", "none"]
-    words: str
+    words: Text
     """What was found, in a sentence."""
     temperature_c: Number | None = None
     inputs: tuple[Input, ...] = ()

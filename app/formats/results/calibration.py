@@ -19,6 +19,7 @@ from app.formats.json_document import (
     Vector3,
 )
 from app.formats.software import Software
+from app.messages.message import Text, message
 from app.metrology.calibration.findings import Quality
 from app.metrology.sensor.camera import Camera, project, rays
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -49,9 +50,9 @@ class CameraPart(DocumentPart):
         if length == 0 or not np.allclose(
             given / length, product, rtol=AGREEMENT, atol=AGREEMENT * float(np.abs(product).max())
         ):
-            raise ValueError("projection_matrix is not matrix · [rotation | translation_mm]")
+            raise ValueError(message("projection-matrix-contradicts"))
         if not _is_lens_invertible(self.model()):
-            raise ValueError("distortion cannot be undone all over the picture")
+            raise ValueError(message("distortion-not-invertible"))
         return self
 
     def model(self) -> Camera:
@@ -72,7 +73,7 @@ class LaserPlanePart(DocumentPart):
     @model_validator(mode="after")
     def _normal_is_unit(self) -> Self:
         if abs(math.hypot(*self.normal) - 1) > RIGID_TOLERANCE:
-            raise ValueError("normal must be of unit length")
+            raise ValueError(message("normal-must-have-unit-length"))
         return self
 
 
@@ -93,7 +94,7 @@ class FacePart(DocumentPart):
 
 class WorstPart(DocumentPart):
     kind: Literal["contact", "corner", "stripe"]
-    name: str
+    name: Text
     value: NotNegative
     unit: str
 
@@ -159,7 +160,7 @@ class PosePart(DocumentPart):
 
     number: int
     used: bool
-    reason: str = ""
+    reason: Text = ""
     edges_rms_px: NotNegative = 0.0
     edge_points: int = 0
     stripe_rms_px: NotNegative = 0.0
@@ -180,15 +181,15 @@ class ScalesPart(DocumentPart):
     links_rad: NotNegative
     links_mm: NotNegative
     reading_factor: NotNegative
-    """On the noise of the arm's readings by its sheet."""
+    """On the noise of the arm's readings by its datasheet."""
     touch_mm: NotNegative
 
 
 class FindingPart(DocumentPart):
     quality: Quality
     code: str
-    text: str
-    remedy: str = ""
+    text: Text
+    remedy: Text = ""
 
 
 class VerdictPart(DocumentPart):
@@ -196,7 +197,7 @@ class VerdictPart(DocumentPart):
     words of the first, which is the gravest; of a good one, how well a point is known."""
 
     quality: Quality
-    text: str
+    text: Text
     findings: tuple[FindingPart, ...] = ()
 
 
@@ -249,7 +250,7 @@ class CalibrationFile(Document):
                 continue
             T = np.array(rows)
             if not np.array_equal(T[3], [0, 0, 0, 1]):
-                raise ValueError(f"the last row of {name} must be 0 0 0 1")
+                raise ValueError(message("last-row-must-0-0-0", name=name))
             _require_rotation(T[:3, :3], name)
         return self
 
@@ -267,7 +268,7 @@ class Calibration:
 
 
 def read_calibration(path: Path) -> Calibration:
-    """Reads what reconstruction needs; raises ``Refusal`` naming the file and the field."""
+    """Reads what reconstruction needs; raises ``OperationError`` naming the file and the field."""
     return calibration_from_document(CalibrationFile.read(path))
 
 
@@ -285,7 +286,7 @@ def calibration_from_document(sheet: CalibrationFile) -> Calibration:
 def _require_rotation(R: Floats, name: str) -> None:
     unlike = float(np.abs(R @ R.T - np.eye(3)).max())
     if unlike > RIGID_TOLERANCE or np.linalg.det(R) < 0:
-        raise ValueError(f"{name} holds no rotation: R·Rᵀ differs from 1 by {unlike:.2g}")
+        raise ValueError(message("matrix-is-no-rotation", name=name, difference=f"{unlike:.2g}"))
 
 
 def _is_lens_invertible(camera: Camera) -> bool:

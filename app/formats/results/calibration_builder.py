@@ -126,7 +126,7 @@ def verdict_part(found: Sequence[CalibrationFinding]) -> VerdictPart:
     )
     return VerdictPart(
         quality=findings[0].quality,
-        text=findings[0].text.rstrip("."),
+        text=findings[0].text,
         findings=findings,
     )
 

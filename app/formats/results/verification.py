@@ -14,6 +14,7 @@ from app.formats.datasheets.gauge import Shape
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Input, SerialNumbers
 from app.formats.software import Software
+from app.messages.message import Text
 
 Decision = Literal["pass", "fail", "uncertain", "none"]
 """By ISO 14253-1 with an expanded uncertainty (k = 2); ``none`` where there is no limit."""
@@ -116,7 +117,7 @@ class FigurePart(DocumentPart):
     """One figure against its limit."""
 
     name: FigureName
-    title: str
+    title: Text
     unit: Literal["µm", "″"]
     value: Number
     """The worst of the clouds, with its sign; of ``…_range`` between the clouds."""
@@ -125,7 +126,7 @@ class FigurePart(DocumentPart):
     limit: Positive | None = None
     """Of the absolute value."""
     decision: Decision
-    reason: str
+    reason: Text
     """One sentence."""
     clouds: tuple[Number, ...] = ()
     """Of each cloud in turn; empty for ``…_range``."""
@@ -138,9 +139,9 @@ class VerificationVerdict(DocumentPart):
     """``fail`` where one figure fails, else ``uncertain`` where one is, else ``pass``."""
 
     result: Result
-    text: str
+    text: Text
     """One sentence."""
-    reasons: tuple[str, ...]
+    reasons: tuple[Text, ...]
     """The figures' own sentences, the worst first."""
 
 
@@ -175,7 +176,7 @@ class VerificationFile(Document):
     """The coverage factor of every ``expanded_uncertainty``."""
     figures: tuple[FigurePart, ...]
     verdict: VerificationVerdict
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
     """What else should be known, one sentence each."""
     temperature: TemperaturePart = TemperaturePart()
     inputs: tuple[Input, ...]
@@ -184,12 +185,12 @@ class VerificationFile(Document):
 
 
 def write_verification(folder: Path, sheet: VerificationFile) -> Path:
-    """Writes the record into the verification's folder; raises ``Refusal`` where it cannot."""
+    """Writes the record into the verification's folder; raises ``OperationError``."""
     path = folder / VERIFICATION
     sheet.write(path)
     return path
 
 
 def read_verification(folder: Path) -> VerificationFile:
-    """The record in a verification's folder; raises ``Refusal`` where it cannot be read."""
+    """The record in a verification's folder; raises ``OperationError`` where it cannot be read."""
     return VerificationFile.read(folder / VERIFICATION)

@@ -21,6 +21,7 @@ from app.formats.csv_table import CsvTable, TableRow, read_table, table_text
 from app.formats.datasheets.arm import read_arm
 from app.formats.file_names import display_path
 from app.formats.session.pose_columns import JointAngles, joint_columns
+from app.messages.message import Text, message
 from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
@@ -59,8 +60,8 @@ def read_observations(folder: Path, arm: Arm) -> ArmObservations:
         raise OperationError(
             "no-observations",
             display_path(folder),
-            f"it holds none of {', '.join(TABLES)}",
-            "Name a folder of seats, spheres or ball bars touched with the arm",
+            message("folder-has-none-of", names=", ".join(TABLES)),
+            message("name-folder-of-seats-spheres-bars"),
         )
     seats = read_seats(folder / ARTICULATION, arm) if (folder / ARTICULATION).exists() else ()
     spheres = read_spheres(folder / SPHERES, arm) if (folder / SPHERES).exists() else ()
@@ -110,7 +111,11 @@ def read_spheres(path: Path, arm: Arm) -> tuple[Sphere, ...]:
     table = read_table(path, ("sphere", "diameter_mm"))
     found: list[Sphere] = []
     for name, (rows, q_rad) in _rows_by_label(table, arm, "sphere").items():
-        found.append(Sphere(name, _common_length(rows, "diameter_mm", f"sphere {name}"), q_rad))
+        found.append(
+            Sphere(
+                name, _common_length(rows, "diameter_mm", message("sphere-named", name=name)), q_rad
+            )
+        )
     return tuple(found)
 
 
@@ -123,8 +128,9 @@ def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
         by_bar.setdefault(row.text("bar"), []).append(row)
     lengths: dict[str, tuple[float, float]] = {}
     for name, rows in by_bar.items():
-        length = _common_length(rows, "length_mm", f"bar {name}")
-        lengths[name] = length, _length_uncertainty(rows, f"bar {name}")
+        label = message("bar-named", name=name)
+        length = _common_length(rows, "length_mm", label)
+        lengths[name] = length, _length_uncertainty(rows, label)
     ends: dict[tuple[str, str], dict[str, Floats]] = {}
     for (bar, position, end), (_, q_rad) in _rows_by_labels(
         table, arm, ("bar", "position", "end")
@@ -135,9 +141,15 @@ def read_bars(path: Path, arm: Arm) -> tuple[Bar, ...]:
         if len(both) != 2:
             raise OperationError(
                 "bar-ends",
-                f"{display_path(path)}: bar {bar}, position {position} has ends {', '.join(both)}",
-                "a bar has two ends",
-                "Complete or delete the rows of this position",
+                message(
+                    "bar-position-has-ends",
+                    path=display_path(path),
+                    bar=bar,
+                    position=position,
+                    ends=", ".join(both),
+                ),
+                message("bar-has-two-ends"),
+                message("complete-or-delete-rows-of-position"),
             )
         (name_a, q_a), (name_b, q_b) = both.items()
         found.append(Bar(bar, position, *lengths[bar], (name_a, name_b), (q_a, q_b)))
@@ -164,45 +176,53 @@ def _rows_by_labels(
     if not rows:
         raise OperationError(
             "no-points",
-            f"{display_path(table.path)} holds no points",
+            message("file-has-no-points", path=display_path(table.path)),
             "",
-            "Take some, or delete the file",
+            message("take-points-or-delete-file"),
         )
     angles.refuse_radians([q for own in q_rad.values() for q in own])
     return {label: (rows[label], np.array(q_rad[label])) for label in rows}
 
 
-def _common_length(rows: Sequence[TableRow], column: str, label: str) -> float:
+def _common_length(rows: Sequence[TableRow], column: str, label: Text) -> float:
     """A length that is the same in all rows of an artefact."""
     value = rows[0].number(column)
     if value <= 0:
-        raise OperationError("length-not-positive", f"{rows[0].place}: {column} is {value:g}")
+        raise OperationError("length-not-positive", _column_is(rows[0], column, value))
     for row in rows[1:]:
         if row.number(column) != value:
             raise OperationError(
                 "length-differs",
-                f"{row.place}: {column} is {row.number(column):g}",
-                f"line {rows[0].line} gives {value:g} for the same {label}",
-                "Correct the value, or name another artefact differently",
+                _column_is(row, column, row.number(column)),
+                message(
+                    "line-gives-other-length", line=rows[0].line, length=f"{value:g}", label=label
+                ),
+                message("correct-value-or-name-artefact-differently"),
             )
     return value
 
 
-def _length_uncertainty(rows: Sequence[TableRow], label: str) -> float:
+def _length_uncertainty(rows: Sequence[TableRow], label: Text) -> float:
     value = rows[0].number("standard_uncertainty_mm")
     for row in rows:
         own = row.number("standard_uncertainty_mm")
         if own < 0 or own > LARGEST_UNCERTAINTY_MM or own != value:
             raise OperationError(
                 "uncertainty-senseless",
-                f"{row.place}: standard_uncertainty_mm is {own:g}",
-                f"one value from 0 to {LARGEST_UNCERTAINTY_MM:g} is expected for {label}",
-                "Give the standard uncertainty (k = 1) of its certificate in millimetres",
+                _column_is(row, "standard_uncertainty_mm", own),
+                message(
+                    "one-value-expected-for", largest=f"{LARGEST_UNCERTAINTY_MM:g}", label=label
+                ),
+                message("give-standard-uncertainty-of-certificate"),
             )
     return value
 
 
+def _column_is(row: TableRow, column: str, value: float) -> Text:
+    return message("column-cell-is", place=row.place, column=column, value=f"{value:g}")
+
+
 def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
-        there = "it is a file" if folder.exists() else "there is no such folder"
-        raise OperationError("folder-missing", display_path(folder), there, "Name a folder")
+        why = message("it-is-a-file") if folder.exists() else message("there-no-such-folder")
+        raise OperationError("folder-missing", display_path(folder), why, message("name-a-folder"))

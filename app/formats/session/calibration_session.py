@@ -15,6 +15,7 @@ from app.formats.datasheets.target import read_block, read_object
 from app.formats.file_names import display_path
 from app.formats.images import grey_png_size
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
+from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
@@ -132,7 +133,7 @@ def read_session(folder: Path) -> BlockSession:
     """Reads and checks a session on a block, touched by an arm with joints.
 
     Raises:
-        Refusal: names file, line, value and remedy.
+        OperationError: names file, line, value and remedy.
     """
     _check_folder(folder)
     arm = read_arm(folder / ARM)
@@ -171,9 +172,9 @@ def read_any_session(folder: Path) -> BlockSession | BoardSession:
 
 def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
-        there = "it is a file" if folder.exists() else "there is no such folder"
+        there = message("it-is-a-file") if folder.exists() else message("there-no-such-folder")
         raise OperationError(
-            "session-missing", display_path(folder), there, "Name a session's folder"
+            "session-missing", display_path(folder), there, message("name-sessions-folder")
         )
 
 
@@ -187,14 +188,17 @@ def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES)
         if feature not in faces:
             raise OperationError(
                 "feature-unknown",
-                f"{row.place}: feature {feature!r}",
-                f"the faces are {', '.join(faces)}",
-                "Correct the name",
+                message("row-feature", place=row.place, feature=repr(feature)),
+                message("faces-are", names=", ".join(faces)),
+                message("correct-name"),
             )
         features.append(feature)
     if not features:
         raise OperationError(
-            "no-contacts", f"{display_path(path)} holds no contact points", "", "Probe the object"
+            "no-contacts",
+            message("file-has-no-contact-points", path=display_path(path)),
+            "",
+            message("probe-object"),
         )
     return ContactReadings(tuple(features), *readings.read_rows(table.rows))
 
@@ -212,9 +216,9 @@ def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tupl
     if not by_pose:
         raise OperationError(
             "no-images",
-            f"{display_path(path)} holds no pictures",
+            message("file-has-no-pictures", path=display_path(path)),
             "",
-            "Take a picture of the object",
+            message("take-picture-object"),
         )
     readings.read_rows(table.rows)
     return tuple(_build_pose(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
@@ -259,9 +263,9 @@ def _read_lighting(row: TableRow) -> str:
     if lighting not in LIGHTINGS:
         raise OperationError(
             "lighting-unknown",
-            f"{row.place}: lighting {lighting!r}",
-            f"it is one of {', '.join(LIGHTINGS)}",
-            "Correct the name",
+            message("row-lighting", place=row.place, lighting=repr(lighting)),
+            message("one-of", names=", ".join(LIGHTINGS)),
+            message("correct-name"),
         )
     return lighting
 
@@ -271,23 +275,23 @@ def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
     if relative.is_absolute() or ".." in relative.parts:
         raise OperationError(
             "image-outside-session",
-            f"{row.place}: file {str(relative)!r}",
-            "a session's pictures lie inside its folder",
+            message("row-file", place=row.place, file=repr(str(relative))),
+            message("sessions-pictures-lie-inside-folder"),
         )
     if not path.is_file():
         raise OperationError(
             "image-missing",
-            f"{row.place}: {display_path(path)}",
-            "there is no such file",
-            "Restore the picture or delete the row",
+            join([row.place, display_path(path)], ": "),
+            message("no-such-file"),
+            message("restore-picture-delete-row"),
         )
     width, height = grey_png_size(path)
     if (width, height) != (sensor.width_px, sensor.height_px):
         raise OperationError(
             "image-size",
-            f"{display_path(path)} has {width} × {height} pixels",
-            f"the sensor has {sensor.width_px} × {sensor.height_px}",
-            "Give the picture as the camera took it, and the right sensor.json",
+            message("image-has-pixels", name=display_path(path), width=width, height=height),
+            message("sensor-has-pixels", width=sensor.width_px, height=sensor.height_px),
+            message("give-picture-as-taken-and-sensor-json"),
         )
 
 
@@ -299,16 +303,27 @@ def _build_pose(folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, Im
         if moved:
             raise OperationError(
                 "pose-moved",
-                f"{row.place}: {moved} from line {first_row.line} of the same pose {image.pose}",
-                "the pictures of one pose are taken with the arm held still",
-                "Give the rows different pose numbers, or take the pictures again",
+                message(
+                    "pose-differs-from-line",
+                    place=row.place,
+                    moved=moved,
+                    line=first_row.line,
+                    pose=image.pose,
+                ),
+                message("pictures-of-one-pose-need-still-arm"),
+                message("give-rows-different-pose-numbers-take"),
             )
         if image.lighting in files:
             raise OperationError(
                 "image-twice",
-                f"{row.place}: a second {image.lighting!r} picture of pose {image.pose}",
-                "one is used of each lighting",
-                "Delete one of the rows",
+                message(
+                    "second-picture-pose",
+                    place=row.place,
+                    lighting=repr(image.lighting),
+                    pose=image.pose,
+                ),
+                message("one-used-each-lighting"),
+                message("delete-one-rows"),
             )
         files[image.lighting] = folder / image.file
     q_rad = np.mean([image.q_rad for _, image in rows], axis=0)
@@ -319,22 +334,29 @@ def _build_pose(folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, Im
     missing = "laser" if "ambient" in files else "ambient"
     raise OperationError(
         "pose-incomplete",
-        f"{first_row.place}: pose {first.pose} has no {missing!r} picture",
-        "a pose needs one 'ambient' and one 'laser' picture, or one with 'both' lights",
-        "Add the picture, or delete the pose",
+        message(
+            "pose-has-no-picture", place=first_row.place, pose=first.pose, missing=repr(missing)
+        ),
+        message("pose-needs-both-lightings"),
+        message("add-picture-delete-pose"),
     )
 
 
-def _pose_difference(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> str:
+def _pose_difference(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> Text:
     """How an arm stood differently in two pictures of one pose; empty where it did not."""
     if isinstance(arm, Arm):
         moved = np.abs(np.rad2deg(image.q_rad - first.q_rad))
         noise = 6 * np.sqrt(2) * np.rad2deg(arm.encoder_sd_rad)
         worst = int(np.argmax(moved - noise))
-        still = moved[worst] <= STILL_DEG + noise[worst]
-        return "" if still else f"q{worst + 1}_deg differs by {moved[worst]:.4f}°"
+        if moved[worst] <= STILL_DEG + noise[worst]:
+            return ""
+        return message(
+            "joint-column-differs", joint=worst + 1, moved=quantity(moved[worst], "°", 4)
+        )
     assert image.T_arm_flange is not None
     assert first.T_arm_flange is not None
     apart = image.T_arm_flange - first.T_arm_flange
     moved_mm = float(np.linalg.norm(apart[:3, 3]) + 500 * np.abs(apart[:3, :3]).max())
-    return "" if moved_mm <= STILL_MM else f"the flange differs by {moved_mm:.3f} mm"
+    if moved_mm <= STILL_MM:
+        return ""
+    return message("flange-differs", moved=quantity(moved_mm, "mm", 3))

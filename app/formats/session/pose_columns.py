@@ -8,6 +8,7 @@ import numpy as np
 from app.errors import OperationError
 from app.formats.csv_table import CsvTable, TableRow
 from app.formats.file_names import display_path
+from app.messages.message import message, quantity, rounded
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.transforms import Floats, rigid
 
@@ -55,16 +56,17 @@ class FlangePoses:
         missing = [name for name in COLUMNS if name not in table.columns]
         if not missing:
             return
-        have = ", ".join(table.columns)
-        why, remedy = f"the first line names {have}", f"It must name {', '.join(COLUMNS)}"
+        have, needed = ", ".join(table.columns), ", ".join(COLUMNS)
+        why = message("first-line-names", names=have)
+        remedy = message("must-name", names=needed)
         if any(re.fullmatch(r"q\d+_deg", name) for name in table.columns):
-            why = "these are joint angles, but arm.json says that the arm reports poses"
-            remedy = f"Give the arm's own model, or columns {', '.join(COLUMNS)}"
+            why = message("these-joint-angles-but-arm-json")
+            remedy = message("give-arms-own-model-columns", names=needed)
         elif {"x", "y", "z"} <= set(table.columns) or "x_m" in table.columns:
-            remedy = f"Convert lengths to mm, and name the columns {', '.join(COLUMNS)}"
+            remedy = message("convert-lengths-mm-name-columns", names=needed)
         raise OperationError(
             "columns-missing",
-            f"{display_path(table.path)}: no column {', '.join(missing)}",
+            message("no-column", path=display_path(table.path), names=", ".join(missing)),
             why,
             remedy,
         )
@@ -78,9 +80,9 @@ class FlangePoses:
         if abs(length - 1) > UNIT_TOLERANCE:
             raise OperationError(
                 "quaternion-not-unit",
-                f"{row.place}: (qx, qy, qz, qw) is {length:.4f} long",
-                "a rotation's quaternion has length 1",
-                "Give qx, qy, qz, qw in this order, the scalar last",
+                message("quaternion-length", place=row.place, length=quantity(length, "", 4)),
+                message("rotations-quaternion-has-length-1"),
+                message("give-qx-qy-qz-qw-order"),
             )
         return rigid(Rotation.from_quat(values[3:]).as_matrix(), values[:3])
 
@@ -90,10 +92,13 @@ class FlangePoses:
         if 0 < furthest < REACH_MM:
             raise OperationError(
                 "poses-in-metres",
-                f"{display_path(self._path)}: "
-                f"no flange is further than {furthest:.4g} mm from the arm's base",
-                "these are metres where millimetres are expected",
-                "Convert the columns x_mm, y_mm and z_mm to millimetres",
+                message(
+                    "no-flange-further-than",
+                    path=display_path(self._path),
+                    furthest=rounded(furthest, "mm", 4),
+                ),
+                message("these-metres-where-millimetres-expected"),
+                message("convert-columns-x-mm-y-mm"),
             )
 
 
@@ -126,17 +131,37 @@ class JointAngles:
         if any(re.fullmatch(r"q\d+(_rad)?", name) for name in table.columns):
             raise OperationError(
                 "columns-without-degrees",
-                f"{display_path(table.path)}: its first line names {', '.join(table.columns)}",
-                "joint angles are given in degrees",
-                f"Convert them and name the columns {self._columns[0]} to {self._columns[-1]}",
+                message(
+                    "table-first-line-names",
+                    path=display_path(table.path),
+                    names=", ".join(table.columns),
+                ),
+                message("joint-angles-given-degrees"),
+                message(
+                    "convert-them-name-columns",
+                    first=self._columns[0],
+                    last=self._columns[-1],
+                ),
             )
         if sorted(found) != sorted(self._columns):
             raise OperationError(
                 "joint-count",
-                f"{display_path(table.path)} has "
-                f"{len(found)} joint columns ({', '.join(found) or 'none'})",
-                f"the arm {arm.serial_number or arm.name} has {arm.joint_count} joints",
-                f"Give the right arm.json, or columns {self._columns[0]} to {self._columns[-1]}",
+                message(
+                    "has-joint-columns",
+                    path=display_path(table.path),
+                    count=len(found),
+                    names=", ".join(found),
+                ),
+                message(
+                    "arm-has-joints",
+                    arm=arm.serial_number or arm.name,
+                    count=arm.joint_count,
+                ),
+                message(
+                    "give-right-arm-json-columns",
+                    first=self._columns[0],
+                    last=self._columns[-1],
+                ),
             )
 
     def read_row(self, row: TableRow) -> Floats:
@@ -147,9 +172,14 @@ class JointAngles:
             if not low - STOP_TOLERANCE_DEG <= angle <= high + STOP_TOLERANCE_DEG:
                 raise OperationError(
                     "joint-outside-limits",
-                    f"{row.place}: {column} is {angle:g}°",
-                    f"joint {joint.name} turns from {low:g}° to {high:g}°",
-                    "Correct the value, or give the right arm.json",
+                    message("column-is", place=row.place, column=column, value=rounded(angle, "°")),
+                    message(
+                        "named-joint-range",
+                        joint=joint.name,
+                        low=rounded(low, "°"),
+                        high=rounded(high, "°"),
+                    ),
+                    message("correct-value-or-give-arm-json"),
                 )
         return np.asarray(np.deg2rad(q_deg))
 
@@ -163,7 +193,11 @@ class JointAngles:
         if 0 < largest_deg <= 2 * np.pi:
             raise OperationError(
                 "joints-in-radians",
-                f"{display_path(self._path)}: no joint angle exceeds {largest_deg:.4g}",
-                "these are radians where degrees are expected",
-                "Convert the columns to degrees",
+                message(
+                    "no-joint-angle-exceeds",
+                    path=display_path(self._path),
+                    largest=f"{largest_deg:.4g}",
+                ),
+                message("these-radians-where-degrees-expected"),
+                message("convert-columns-degrees"),
             )

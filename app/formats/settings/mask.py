@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, Number
+from app.messages.message import message
 
 MOST_ZONES = 32
 LEAST_AREA_PX = 4.0
@@ -35,12 +36,12 @@ class Mask(Document):
         for number, zone in enumerate(self.zones, 1):
             u, v = np.array(zone).T
             if u.max() < 0 or v.max() < 0 or u.min() >= self.width_px or v.min() >= self.height_px:
-                raise ValueError(f"zone {number} lies beside the picture")
+                raise ValueError(message("zone-outside-picture", number=number))
             if np.abs(np.array(zone)).max() > 4 * 65536:
-                raise ValueError(f"zone {number} reaches far beyond the picture")
+                raise ValueError(message("zone-reaches-far-beyond-picture", number=number))
             area = 0.5 * abs(float(u @ np.roll(v, -1) - v @ np.roll(u, -1)))
             if area < LEAST_AREA_PX:
-                raise ValueError(f"zone {number} has no area")
+                raise ValueError(message("zone-has-no-area", number=number))
         return self
 
     def where(self) -> NDArray[np.bool_]:
@@ -55,7 +56,9 @@ class Mask(Document):
         if (width_px, height_px) != (self.width_px, self.height_px):
             raise OperationError(
                 "mask-size",
-                f"{display_path(path)} has {width_px} × {height_px} pixels",
-                f"the mask is for {self.width_px} × {self.height_px}",
-                "Give the mask of the sensor that took this picture",
+                message(
+                    "image-has-pixels", name=display_path(path), width=width_px, height=height_px
+                ),
+                message("mask-has-pixels", width=self.width_px, height=self.height_px),
+                message("give-mask-sensor-took-picture"),
             )

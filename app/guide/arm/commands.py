@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from app.errors import OperationError
-from app.guide.arm import tasks as works
+from app.guide.arm import tasks
 from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.simulated_operator import simulation_job
@@ -11,13 +11,14 @@ from app.guide.arm.view import ArmView
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import Press
 from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
+from app.messages.message import message
 
 
 def command(guide: ArmGuide, name: str, args: Args, rev: int, key: str) -> ArmView:
     """Does a command of the browser, once for each ``key``.
 
     Raises:
-        Refusal: the command is not possible now, or was given on an old view.
+        OperationError: the command is not possible now, or was given on an old view.
     """
     with guide.lock:
         if not guide.knows_key(key):
@@ -54,7 +55,7 @@ def press(guide: ArmGuide, event: Press) -> bool:
 
 
 def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
-    start_job(guide, "Identifying the arm", lambda progress: works.fit(guide, progress))
+    start_job(guide, message("identifying-arm"), lambda progress: tasks.fit(guide, progress))
 
 
 def _start_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
@@ -86,8 +87,8 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "drop_swing": _drop,
     "drop_seat": _drop,
     "fit": _fit,
-    "save": lambda guide, args, key: works.save(guide, key),
-    "restore": lambda guide, args, key: works.restore(guide, key),
+    "save": lambda guide, args, key: tasks.save(guide, key),
+    "restore": lambda guide, args, key: tasks.restore(guide, key),
     "reopen": lambda guide, args, key: guide.append("reopened", {}, key),
     "again": lambda guide, args, key: _again(guide, key),
     "let_hand": _start_simulation,

@@ -18,6 +18,7 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.arm.history import CHECKED, TIP_CHECKED
 from app.guide.arm.state import Artefact
 from app.guide.arm.tip import tip_check_finding, to_payload
+from app.messages.message import message, quantity, text_to_json
 from app.metrology.arm.identification.articulation import Articulation, check_articulation
 from app.metrology.arm.kinematics import Arm
 from app.metrology.gauges.tip_check import check_tip
@@ -53,8 +54,8 @@ def check_the_arm(guide: ArmGuide) -> None:
             "verdict": quality,
         },
     )
-    worst = f"{float(found.half_range_um.max()):.0f} µm"
-    guide.station.bus.event("step_done", f"The arm is checked: {worst}.")
+    worst = quantity(float(found.half_range_um.max()), "µm")
+    guide.station.bus.event("step_done", message("arm-checked", worst=worst))
 
 
 def check_the_tip(guide: ArmGuide) -> None:
@@ -71,25 +72,25 @@ def check_the_tip(guide: ArmGuide) -> None:
             sphere.standard_uncertainty_mm,
             limit_um,
         )
-    except OperationError as refusal:
+    except OperationError as error:
         guide.append("seat_dropped", {"name": seat.name})
-        guide.decline(refusal)
+        guide.decline(error)
         return
     payload = to_payload(found, arm.tip.diameter_mm, limit_um)
-    told = tip_check_finding(payload)
-    _keep_tip_check(guide, arm, sphere, {**payload, "words": told.text})
+    finding = tip_check_finding(payload)
+    _keep_tip_check(guide, arm, sphere, {**payload, "words": finding.text})
     guide.append(
         TIP_CHECKED,
         {
             "arm_name": arm.name,
             "arm_serial": arm.serial_number,
             "sphere": asdict(sphere),
-            "text": told.text,
-            "verdict": told.quality,
+            "text": text_to_json(finding.text),
+            "verdict": finding.quality,
             **payload,
         },
     )
-    guide.station.bus.event("step_done", told.text, told.quality)
+    guide.station.bus.event("step_done", finding.text, finding.quality)
 
 
 def _provenance(guide: ArmGuide, tables: Sequence[str]) -> dict[str, object]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from app.errors import sentence
 from app.findings import Finding, Quality
 from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import build_picture
@@ -17,6 +18,7 @@ from app.guide.arm.state import ArmState, Kind, SeatSamples
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
 from app.guide.arm.tip import tip_check_finding as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView
+from app.guide.common.recorded_error import error_from_payload
 from app.guide.common.view import (
     Action,
     ChoiceOption,
@@ -24,20 +26,31 @@ from app.guide.common.view import (
     Step,
     StepProgress,
     Vec3,
-    sentence,
 )
+from app.messages.message import Text, message, quantity, rounded, text_from_json
 from app.metrology.transforms import Floats
 
-WHERE = ("near the base", "far out", "to the left", "to the right", "high up", "low down")
-STEPS = (("seat", "Seat the tip"), ("swing", "Swing the arm"), ("result", "Result"))
+WHERE = (
+    message("near-base"),
+    message("far-out"),
+    message("left"),
+    message("right"),
+    message("high-up"),
+    message("low-down"),
+)
+STEPS = (
+    ("seat", message("seat-tip")),
+    ("swing", message("swing-arm")),
+    ("result", message("result")),
+)
 
 
-BEGIN: dict[Kind, str] = {
-    "seat": "The tip is in the seat",
-    "bar": "The tip is in the bar's end",
-    "sphere": "The sphere is clamped",
+BEGIN: dict[Kind, Text] = {
+    "seat": message("tip-seat"),
+    "bar": message("tip-bars-end"),
+    "sphere": message("sphere-clamped"),
 }
-ON_SPHERE = {"seat": "Clamp the sphere", "swing": "Touch it"}
+ON_SPHERE = {"seat": message("clamp-sphere"), "swing": message("touch")}
 WITH_SPHERE = ("identify", "tip")
 
 
@@ -55,7 +68,9 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
         purpose=state.purpose,
         arms=[
             ChoiceOption(
-                entry.id, entry.datasheet.name, f"serial number {entry.datasheet.serial_number}"
+                entry.id,
+                entry.datasheet.name,
+                message("serial-number", serial_number=entry.datasheet.serial_number),
             )
             for entry in live.library.arms.values()
         ],
@@ -76,69 +91,64 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
 
 TIP_WORDS = {
     "seat": (
-        "Clean the tip, and clamp the sphere",
-        "A sphere of known diameter, clamped firmly within easy reach.",
+        message("clean-tip-clamp-sphere"),
+        message("sphere-known-diameter-clamped-firmly-within"),
     ),
     "swing": (
-        "Touch the sphere",
-        "Its top and all around its side, the wrist turned another way each time. Hold still and "
-        "press the arm's button at each place.",
+        message("touch-sphere"),
+        message("top-all-around-side-wrist-turned"),
     ),
-    "result": ("Checked", "The tip's diameter, and how well its touches agree."),
+    "result": (message("checked"), message("tips-diameter-how-well-touches-agree")),
 }
 
 
-def _words(state: ArmState, seat: SeatSamples | None) -> tuple[str, str]:
+def _words(state: ArmState, seat: SeatSamples | None) -> tuple[Text, Text]:
     if state.purpose == "tip":
         return TIP_WORDS[state.step]
     if state.step == "swing":
         assert seat is not None
-        # the ends of a bar keep their capitals
-        lower = f"{seat.name[0].lower()}{seat.name[1:]}"
         if state.touching:
             return (
-                f"Touch {lower}",
-                "Touch it all over its upper half, from every side, with the arm in many "
-                "postures. Hold still and press the arm's button at each point.",
+                message("touch-2", place=seat.place),
+                message("touch-all-over-upper-half-every"),
             )
         return (
-            f"Swing the arm about {lower}",
-            "Keep the tip in the seat. Swing the elbow from one side to the other and back, and "
-            "lean the wrist every way.",
+            message("swing-arm-about", place=seat.place),
+            message("keep-tip-seat-swing-elbow-one"),
         )
     if state.step == "result":
         if state.purpose == "check":
-            return "Checked", "What the tip moved by while it was held in one place."
+            return message("checked"), message("what-tip-moved-while-held-one")
         if state.saved:
             return (
-                "In use",
-                "Calibrate the sensors again: their place belongs to the arm as it was.",
+                message("use"),
+                message("calibrate-sensors-again-their-place-belongs"),
             )
         return (
-            "Before and after",
-            "On places that were held out of the fit, and over the arm's whole reach.",
+            message("before-after"),
+            message("places-were-held-out-fit-over"),
         )
     if state.purpose == "check":
         return (
-            "Put the tip into the seat",
-            "Clamp the cone or ball seat at about two thirds of the reach and put the tip into it.",
+            message("put-tip-into-seat"),
+            message("clamp-cone-ball-seat-about-two"),
         )
     done = len(state.seats)
     where = WHERE[done % len(WHERE)]
     if state.half_bar:
-        return "Put the tip into the bar's other end", "Leave the bar where it is."
+        return message("put-tip-into-bars-other-end"), message("leave-bar-where")
     if state.artefact.kind == "bar":
         return (
-            "Put the tip into an end of the ball bar",
-            f"Clamp the bar firmly in the reach, {where}, and put the tip into one end.",
+            message("put-tip-into-end-ball-bar"),
+            message("clamp-bar-firmly-reach-put-tip", where=where),
         )
     if state.artefact.kind == "sphere":
-        return "Clamp the sphere", f"Clamp it firmly in the reach, {where}."
+        return message("clamp-sphere"), message("clamp-firmly-reach", where=where)
     if places_taken(state) >= SEATS_WANTED:
-        return "Enough places", "Identify the arm, or take more to know it better."
+        return message("enough-places"), message("identify-arm-take-more-know-better")
     return (
-        f"Put the tip into seat {done + 1}",
-        f"Clamp the seat firmly in the reach, {where}, and put the tip into it.",
+        message("put-tip-into-seat-2", done=done + 1),
+        message("clamp-seat-firmly-reach-put-tip", where=where),
     )
 
 
@@ -165,24 +175,35 @@ def limit_quality(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quali
 def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     result = picture.result
     if result is not None:
-        size = "" if result.size_known else "; apart from the arm's size"
-        note = f"was {result.volume_before_um:.0f} µm; k = 1, rms over the reach{size}"
-        return LiveNumber("Tip known to", result.volume_after_um, "µm", 1, "neutral", note)
+        note = message(
+            "tip-uncertainty-before",
+            before=quantity(result.volume_before_um, "µm"),
+            size_known="yes" if result.size_known else "no",
+        )
+        return LiveNumber(message("tip-known"), result.volume_after_um, "µm", 1, "neutral", note)
     if state.step == "seat":
         return None
     tip = picture.tip
     if tip is not None:
-        note = f"{tip.expected_mm:.3f} mm by its papers; U = {tip.expanded_uncertainty_um:.0f} µm"
+        note = message(
+            "papers-u",
+            expected=quantity(tip.expected_mm, "mm", 3),
+            expanded_uncertainty=quantity(tip.expanded_uncertainty_um, "µm"),
+        )
         quality = TIP_QUALITY[tip.decision]
-        return LiveNumber("The tip's diameter", tip.diameter_mm, "mm", 3, quality, f"{note}, k = 2")
-    found = picture.half_range_um
-    note = "no limit is set" if state.limit_um is None else f"limit {state.limit_um:g} µm"
-    quality = limit_quality(found, state.limit_um) if found else "neutral"
-    value = None if found is None else max(found)
+        return LiveNumber(message("tips-diameter"), tip.diameter_mm, "mm", 3, quality, note)
+    half_range_um = picture.half_range_um
+    note = (
+        message("no-limit-set")
+        if state.limit_um is None
+        else message("limit-2", limit=rounded(state.limit_um, "µm"))
+    )
+    quality = limit_quality(half_range_um, state.limit_um) if half_range_um else "neutral"
+    value = None if half_range_um is None else max(half_range_um)
     if state.touching:
-        note = "of the tip from a sphere of that diameter, by the arm as it is"
-        return LiveNumber("Largest distance", value, "µm", 0, "neutral", note)
-    return LiveNumber("Largest (max − min)/2", value, "µm", 0, quality, note)
+        note = message("tip-sphere-diameter-arm")
+        return LiveNumber(message("largest-distance"), value, "µm", 0, "neutral", note)
+    return LiveNumber(message("largest-max-min-2"), value, "µm", 0, quality, note)
 
 
 def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
@@ -190,54 +211,63 @@ def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
         taken = len(seat.q_rad)
         if state.touching:
             of = touches_wanted(state)
-            return StepProgress(min(taken, of), of, f"{taken} of {of} points")
+            return StepProgress(min(taken, of), of, message("points", taken=taken, of=of))
         swing = swing_deg(seat.q_rad)
-        points = f"{taken} of {WANTED} points" if taken < WANTED else f"{taken} points"
-        text = f"{points}, largest swing {swing:.0f}°"
+        points = (
+            message("points-2", taken=taken, wanted=WANTED)
+            if taken < WANTED
+            else message("points-3", taken=taken)
+        )
+        text = message("largest-swing", points=points, swing=quantity(swing, "°"))
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
         done = places_taken(state)
-        text = f"{done} of {SEATS_WANTED} places" if done <= SEATS_WANTED else f"{done} places"
+        text = (
+            message("places", done=done, seats_wanted=SEATS_WANTED)
+            if done <= SEATS_WANTED
+            else message("places-2", done=done)
+        )
         return StepProgress(min(done, SEATS_WANTED), SEATS_WANTED, text)
     return None
 
 
 def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     if live.trouble:
-        found.append(live.trouble)
+        findings.append(live.trouble)
     if live.link.state != "connected":
-        found.append(
-            Finding("bad", f"Arm: {live.link.text}", "Wait, or check it. What was taken is kept.")
+        findings.append(
+            Finding(
+                "bad", message("arm", text=live.link.text), message("wait-check-what-taken-kept")
+            )
         )
     if state.step == "swing" and live.left_mm is not None:
-        found.append(
+        findings.append(
             Finding(
                 "attention",
-                f"The tip is {live.left_mm:.0f} mm from the seat; no points are taken there.",
-                "Put it back, or end the swing.",
+                message("tip-seat-no-points-taken-there", left=quantity(live.left_mm, "mm")),
+                message("put-back-end-swing"),
             )
         )
     if state.refused is not None:
-        why = f": {state.refused['why']}" if state.refused["why"] else ""
-        text = sentence(f"{state.refused['what']}{why}")
-        found.append(Finding("bad", text, sentence(str(state.refused["remedy"]))))
+        findings.append(error_from_payload(state.refused).finding("bad"))
     bar = state.bar_ends > 0 or state.artefact.kind == "bar"
     if state.purpose == "identify" and state.step == "seat" and state.seats and not bar:
-        found.append(
+        findings.append(
             Finding(
                 "neutral",
-                "Without a ball bar the arm keeps the size of its papers.",
-                "Take one in a place or two, if there is one.",
+                message("without-ball-bar-arm-keeps-size"),
+                message("take-one-place-two-if-there"),
             )
         )
     if state.purpose == "tip" and state.checked is not None:
-        found.append(tip_finding(state.checked))
+        findings.append(tip_finding(state.checked))
     if state.step == "result" and state.purpose == "check":
-        found += _check_findings(state, picture)
+        findings += _check_findings(state, picture)
     if state.solved is not None:
-        found += [Finding("attention", sentence(text)) for text in state.solved["warnings"]]
-    return found
+        warnings = [text_from_json(text) for text in state.solved["warnings"]]
+        findings += [Finding("attention", sentence(text)) for text in warnings]
+    return findings
 
 
 def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
@@ -245,79 +275,90 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
     encoders = picture.encoders_two_sigma_um
     if half_range is None or two_sigma is None or encoders is None:
         return []
-    by_noise = f"the encoders' noise alone gives {max(encoders):.0f} µm"
-    text = f"2σ is {max(two_sigma):.0f} µm on the worst axis; {by_noise}."
-    found = [Finding("neutral", text)]
+    text = message(
+        "n-2-worst-axis",
+        two_sigma=quantity(max(two_sigma), "µm"),
+        encoders=quantity(max(encoders), "µm"),
+    )
+    findings = [Finding("neutral", text)]
     if state.limit_um is None:
-        text = "No limit is set, so this check neither passes nor fails."
-        found.insert(
+        text = message("no-limit-set-so-check-neither")
+        findings.insert(
             0,
             Finding(
                 "attention",
                 text,
-                "Set the arm's specification as the limit where the next check begins.",
+                message("set-arms-specification-limit-where-next"),
             ),
         )
     elif limit_quality(half_range, state.limit_um) == "bad":
-        text = f"{max(half_range):.0f} µm exceed the limit of {state.limit_um:g} µm."
-        remedy = "Clean tip and seat, check the clamps, and repeat. If it stays, identify the arm."
-        found.insert(0, Finding("bad", text, remedy))
+        text = message(
+            "exceed-limit-m",
+            half_range=quantity(max(half_range), "µm"),
+            limit=rounded(state.limit_um, "µm"),
+        )
+        remedy = message("clean-tip-seat-check-clamps-repeat")
+        findings.insert(0, Finding("bad", text, remedy))
     else:
-        text = f"{max(half_range):.0f} µm, within the limit of {state.limit_um:g} µm."
-        found.insert(0, Finding("good", text))
-    return found
+        text = message(
+            "within-limit-m",
+            half_range=quantity(max(half_range), "µm"),
+            limit=rounded(state.limit_um, "µm"),
+        )
+        findings.insert(0, Finding("good", text))
+    return findings
 
 
 def _actions(state: ArmState, live: ArmLive) -> list[Action]:
     def offer(
         name: str,
-        label: str,
+        label: Text,
         primary: bool = False,
-        confirm: str = "",
+        confirm: Text = "",
         args: Mapping[str, object] | None = None,
     ) -> Action:
         reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
-    hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []
+    hand = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
     if live.hand_running:
-        hand = [offer("stop_hand", "Stop the hand", primary=True)]
-    leave = offer("end", "Leave", confirm="Leave this session? Points not yet used are kept aside.")
+        hand = [offer("stop_hand", message("stop-hand"), primary=True)]
+    leave = offer("end", message("leave"), confirm=message("leave-session-points-yet-used-kept"))
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)
         return [
-            offer("touch", "Take the point", primary=not enough),
-            offer("finish", "Finish the sphere", primary=enough),
-            offer("drop_swing", "Take it again"),
+            offer("touch", message("take-point"), primary=not enough),
+            offer("finish", message("finish-sphere"), primary=enough),
+            offer("drop_swing", message("take-again")),
             *hand,
         ]
     if state.step == "swing":
-        drop = offer("drop_swing", "Take it again")
-        return [offer("finish", "Finish the swing", primary=True), drop, *hand]
+        drop = offer("drop_swing", message("take-again"))
+        return [offer("finish", message("finish-swing"), primary=True), drop, *hand]
     if state.step == "seat":
         main = offer("begin", BEGIN[state.artefact.kind], primary=True)
         if state.purpose != "identify":
             return [main, *hand, leave]
         enough = places_taken(state) >= SEATS_WANTED and not state.half_bar
         main = offer("begin", main.label, primary=not enough)
-        fit = offer("fit", "Identify the arm", primary=enough)
-        undo = [offer("drop_seat", "Drop the last place")] if state.seats else []
+        fit = offer("fit", message("identify-arm"), primary=enough)
+        undo = [offer("drop_seat", message("drop-last-place"))] if state.seats else []
         return [main, fit, *undo, *hand, leave]
     if state.purpose != "identify":
         return [
-            offer("end", "Done", primary=True),
-            offer("again", "Check again"),
+            offer("end", message("done"), primary=True),
+            offer("again", message("check-again")),
         ]
     if state.saved:
         restore = offer(
             "restore",
-            "Put the arm back as it was",
-            confirm="Use the arm as it was before? What was identified is kept in this session.",
+            message("put-arm-back"),
+            confirm=message("use-arm-before-what-identified-kept"),
         )
-        return [offer("end", "Done", primary=True), restore]
+        return [offer("end", message("done"), primary=True), restore]
     save = offer(
         "save",
-        "Use this arm from now on",
+        message("use-arm-now"),
         primary=True,
     )
-    return [save, offer("reopen", "Back to the places"), leave]
+    return [save, offer("reopen", message("back-places")), leave]

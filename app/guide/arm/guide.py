@@ -18,13 +18,14 @@ from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.live import ArmLive
 from app.guide.arm.observations import collect_observations
 from app.guide.arm.rules import rejection_reason
-from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, apply_row
+from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, apply_row, place_name
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify.gauges import read_gauges
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
@@ -206,10 +207,10 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     def _next_name(self) -> str:
         state = self.state
         if state.purpose == "identify" and state.artefact.kind == "bar":
-            return f"Bar {state.bar_ends // 2 + 1}, end {'AB'[state.bar_ends % 2]}"
-        title = "Sphere" if state.artefact.kind == "sphere" else "Seat"
+            return place_name("bar", state.bar_ends // 2 + 1, "AB"[state.bar_ends % 2])
         known = {seat.name for seat in state.seats}
-        return next(f"{title} {n}" for n in range(1, 1000) if f"{title} {n}" not in known)
+        names = (place_name(state.artefact.kind, n) for n in range(1, 1000))
+        return next(name for name in names if name not in known)
 
     def choose_artefact(self, args: Mapping[str, object], key: str | None) -> None:
         """What the tip is put to next; the simulated ones have their papers' sizes."""
@@ -224,14 +225,16 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """Takes the point of the sphere that the tip touches, or touched at ``until_ns``.
 
         Raises:
-            Refusal: the arm is lost or moves.
+            OperationError: the arm is lost or moves.
         """
         side = self.station.rig.arm
         side.set_model(self.arm())  # by which it is judged whether the arm is still
         mean = side.average(until_ns=until_ns)
         self.append(POINTS, {"q_rad": [mean.q_rad.tolist()]}, key)
-        name = self.state.seats[-1].name
-        self.station.bus.event("point_taken", f"Point {len(self.state.seats[-1].q_rad)}, {name}.")
+        seat = self.state.seats[-1]
+        self.station.bus.event(
+            "point_taken", message("point", number=len(seat.q_rad), place=seat.place)
+        )
 
     def end_seat(self, key: str | None) -> None:
         """Ends the swing, with the points up to now."""

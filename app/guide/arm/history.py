@@ -90,14 +90,14 @@ def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[JournalEntry]) -> li
     for row in rows:
         with suppress(ValueError):  # of which pydantic's is one
             parse_moment(row.at)
-            told = {
+            fields = {
                 "arm_name": "",
                 "arm_serial": "",
                 **row.payload,
                 "id": row.session_id,
                 "at": row.at,
             }
-            found.append(kind_of.validate_python(told))
+            found.append(kind_of.validate_python(fields))
     return found
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from pydantic import TypeAdapter
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.state import Angles, ArmState, SeatSamples
@@ -11,15 +12,12 @@ from app.guide.arm.tip import tip_result
 from app.guide.arm.view import (
     ArmPicture,
     ArmResult,
-    BeforeAfter,
-    CorrelatedLine,
-    FixedParameterLine,
     JointSwing,
-    ParameterLine,
     SeatLine,
 )
-from app.guide.common.view import Vec3, format_signed_um
+from app.guide.common.view import Vec3
 from app.guide.verify.view import TouchLine
+from app.messages.message import Text, message, signed
 from app.metrology.arm.identification.articulation import tip_spread_um
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
@@ -29,6 +27,7 @@ from app.metrology.transforms import Floats
 DRAWN_POINTS = 240
 """Points of a seat that are drawn."""
 FEWEST_ON_BALL, STEPS = 5, 8
+_RESULT = TypeAdapter(ArmResult)
 
 
 def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> ArmPicture:
@@ -99,14 +98,14 @@ def _seat_lines(arm: Arm, seats: Sequence[SeatSamples]) -> list[SeatLine]:
             continue
         tips = tip_centres(arm, np.array(seat.q_rad))
         half_range, _ = tip_spread_um(_off_mm(arm, seat, tips))
-        note = ""
+        note: Text = ""
         if seat.artefact.kind == "bar":
             here = (tips.max(axis=0) + tips.min(axis=0)) / 2
             if other is not None:
                 longer_mm = np.linalg.norm(here - other) - (seat.artefact.size_mm or 0.0)
-                note = f"length {format_signed_um(1e3 * float(longer_mm))}"
+                note = message("length", longer=signed(1e3 * float(longer_mm), "µm"))
             other = here if other is None else None
-        lines.append(SeatLine(seat.name, len(seat.q_rad), float(half_range.max()), note))
+        lines.append(SeatLine(seat.title, len(seat.q_rad), float(half_range.max()), note))
     return lines
 
 
@@ -151,19 +150,7 @@ def _joints(arm: Arm, seat: SeatSamples | None, now: Angles | None) -> list[Join
 
 
 def _result(state: ArmState) -> ArmResult | None:
-    solved = state.solved
-    if solved is None:
-        return None
-    return ArmResult(
-        solved["volume_before_um"],
-        solved["volume_after_um"],
-        solved["size_known"],
-        solved["places"],
-        [BeforeAfter(**line) for line in solved["lines"]],
-        [ParameterLine(**line) for line in solved["parameters"]],
-        [FixedParameterLine(**line) for line in solved.get("kept", ())],
-        [CorrelatedLine(**line) for line in solved.get("correlated", ())],
-    )
+    return None if state.solved is None else _RESULT.validate_python(state.solved)
 
 
 def _vec(values: Floats) -> Vec3:

@@ -6,6 +6,7 @@ import numpy as np
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.state import Angles, ArmState, Kind
+from app.messages.message import Text, message, quantity, rounded
 
 WANTED = 60
 """Points in a seat, so that the range no longer grows much with more of them."""
@@ -39,18 +40,18 @@ ONLY_IN = {
 }
 
 
-def rejection_reason(state: ArmState, live: ArmLive, name: str, args: Mapping[str, object]) -> str:
+def rejection_reason(state: ArmState, live: ArmLive, name: str, args: Mapping[str, object]) -> Text:
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN:
-        return f"There is no command '{name}'."
+        return message("there-no-command", name=name)
     if name == "stop_hand":
-        return "" if live.hand_running else "The hand is not moving."
+        return "" if live.hand_running else message("hand-moving")
     if state.ended or not state.session_id:
-        return "This session is closed. Start a new one."
+        return message("session-closed-start-new-one")
     if live.busy is not None:
-        return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
+        return message("wait-2", text=live.busy.text)
     if state.step not in ONLY_IN[name]:
-        return f"This belongs to another step; the session stands at '{state.step}'."
+        return message("belongs-another-step-session-stands", step=state.step)
     rule = RULES.get(name)
     return rule(state, live, args) if rule else ""
 
@@ -70,33 +71,37 @@ def touches_wanted(state: ArmState) -> int:
     return TIP_WANTED if state.purpose == "tip" else TOUCHES_WANTED
 
 
-def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     if live.arm is None:
-        return "Choose the arm first."
+        return message("choose-arm-first")
     if live.link.state != "connected":
-        return f"The arm: {live.link.text}"
+        return message("arm-2", text=live.link.text)
     if live.connected_joints is not None and live.connected_joints != live.arm.joint_count:
-        return (
-            f"The connected arm has {live.connected_joints} joints, {live.arm.name} has "
-            f"{live.arm.joint_count}. Choose the arm that is connected."
+        return message(
+            "connected-arm-has-joints-has-choose",
+            connected_joints=live.connected_joints,
+            name=live.arm.name,
+            joint_count=live.arm.joint_count,
         )
     return ""
 
 
-def _choose_artefact(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _choose_artefact(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     kind, size = args.get("kind"), args.get("size_mm")
     known = {"identify": ("seat", "bar", "sphere"), "tip": ("sphere",), "check": ()}
     if kind not in known[state.purpose]:
-        return "There is no such artefact here."
+        return message("there-no-such-artefact-here")
     if state.half_bar:
-        return "Take the bar's other end first, or drop the last."
+        return message("take-bars-other-end-first-drop")
     if kind != "seat" and size is not None:
         low, high = SIZES_MM["bar" if kind == "bar" else "sphere"]
         if not _number(size) or not low <= float(str(size)) <= high:
-            return f"A {kind} has {low:g} to {high:g} mm."
+            limits = {"low": rounded(low, "mm"), "high": rounded(high, "mm")}
+            return message("has-mm", kind=str(kind), **limits)
     unsure = args.get("standard_uncertainty_mm", 0.0)
     if not _number(unsure) or not 0 <= float(str(unsure)) <= LARGEST_UNCERTAINTY_MM:
-        return f"A standard uncertainty is 0 to {LARGEST_UNCERTAINTY_MM:g} mm."
+        largest = rounded(LARGEST_UNCERTAINTY_MM, "mm")
+        return message("standard-uncertainty-0-mm", largest=largest)
     return ""
 
 
@@ -104,81 +109,86 @@ def _number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _begin(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _begin(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     missing = state.artefact.kind != "seat" and state.artefact.size_mm is None
     if missing and state.purpose != "check":
-        what = "bar's length" if state.artefact.kind == "bar" else "sphere's diameter"
-        return f"Give the {what} by its certificate first."
+        return message("give-certificate-first", kind=state.artefact.kind)
     return _arm_ready(state, live, args)
 
 
-def _touch(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _touch(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     if not state.touching:
-        return "Points are taken by themselves while the arm swings."
+        return message("points-taken-themselves-while-arm-swings")
     return _arm_ready(state, live, args)
 
 
-def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     taken = state.seats[-1].q_rad
     if state.touching:
         least = TIP_LEAST if state.purpose == "tip" else TOUCHES_LEAST
         few = len(taken) < least
-        return f"Touch it more: {len(taken)} of at least {least} points." if few else ""
+        return message("touch-more-least-points", taken=len(taken), least=least) if few else ""
     if len(taken) < LEAST:
-        return f"Go on swinging: {len(taken)} of at least {LEAST} points."
+        return message("go-swinging-least-points", taken=len(taken), least=LEAST)
     swing = swing_deg(taken)
     if swing < LEAST_SWING_DEG:
-        return f"Swing further: {swing:.0f}° of at least {LEAST_SWING_DEG:.0f}°."
+        return message(
+            "swing-further-least",
+            swing=quantity(swing, "°"),
+            least_swing_deg=quantity(LEAST_SWING_DEG, "°"),
+        )
     return ""
 
 
-def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     if state.purpose != "identify":
-        return "This is a check of one seat."
+        return message("check-one-seat")
     if places_taken(state) < SEATS_LEAST:
-        return f"{places_taken(state)} of at least {SEATS_LEAST} places are taken."
+        return message(
+            "least-places-taken", places_taken=places_taken(state), seats_least=SEATS_LEAST
+        )
     if state.half_bar:
-        return "Take the bar's other end first, or drop the last."
+        return message("take-bars-other-end-first-drop")
     return ""
 
 
-def _choose_arm(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _choose_arm(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     if state.seats:
-        return "The seats were taken with another arm."
+        return message("seats-were-taken-another-arm")
     chosen = args.get("id")
     known = isinstance(chosen, str) and chosen in live.library.arms
-    return "" if known else "There is no such arm."
+    return "" if known else message("there-no-such-arm")
 
 
-def _set_limit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _set_limit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     limit = args.get("limit_um")
     fine = limit is None or (
         isinstance(limit, int | float) and not isinstance(limit, bool) and 1 <= limit <= 1e5
     )
     if state.checked:
-        return "This check is recorded with its limit. Set it before the next one."
-    return "" if fine else "A limit is a number of micrometres from 1 to 100 000."
+        return message("check-recorded-limit-set-before-next")
+    return "" if fine else message("limit-number-micrometres-1-100-000")
 
 
-def _drop_seat(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
-    return "" if state.seats else "No seat was taken yet."
+def _drop_seat(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+    return "" if state.seats else message("no-seat-taken-yet")
 
 
-def _save(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
+def _save(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     if state.saved:
-        return "This arm is in use already."
-    return "" if state.solved else "Identify the arm first."
+        return message("arm-use-already")
+    return "" if state.solved else message("identify-arm-first")
 
 
-def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
-    return "" if state.saved else "The arm is as it was."
+def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+    return "" if state.saved else message("arm-3")
 
 
-def _simulation(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> str:
-    return "" if live.has_hand else "There is no simulated hand on real devices."
+def _simulation(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+    return "" if live.has_hand else message("there-no-simulated-hand-real-devices")
 
 
-Rule = Callable[[ArmState, ArmLive, Mapping[str, object]], str]
+Rule = Callable[[ArmState, ArmLive, Mapping[str, object]], Text]
 RULES: dict[str, Rule] = {
     "choose_artefact": _choose_artefact,
     "begin": _begin,

@@ -8,6 +8,7 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.messages.message import message
 from app.station.jobs import Progress
 
 SETTLE_S = 0.5
@@ -58,14 +59,14 @@ def _take_seat(guide: ArmGuide, hand: SimulatedOperator, share: float, progress:
             return hand.go_to_bar(position, end, posture)
         return hand.go_to_seat(seat, posture)
 
-    name = f"the bar's end {'AB'[end]}" if on_bar else f"seat {seat + 1}"
-    progress(f"The hand goes to {name}", share)
+    name = message("bars-end", value="AB"[end]) if on_bar else message("seat-2", seat=seat + 1)
+    progress(message("hand-goes", name=name), share)
     if not go(0):
         return False
     time.sleep(SETTLE_S)
     if not _begin(guide):
         return False
-    progress(f"The hand swings the arm about {name}", share)
+    progress(message("hand-swings-arm-about", name=name), share)
     for posture in range(POSTURES[guide.state.purpose]):
         if posture and not go(posture):
             return False
@@ -84,7 +85,7 @@ def _take_sphere(guide: ArmGuide, hand: SimulatedOperator, progress: Progress) -
         return
     of = touches_wanted(guide.state)
     for index in range(of):
-        progress("The hand touches the sphere", index / of)
+        progress(message("hand-touches-sphere"), index / of)
         if not guide.hand_running or not hand.touch_ball(ball, index):
             return
     time.sleep(SETTLE_S)

@@ -1,10 +1,12 @@
 """The state of an arm session: a fold over its journal. Pure."""
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from app.guide.common.journal import JournalEntry
+from app.messages.message import Text, Value, message
 
 Purpose = Literal["check", "tip", "identify"]
 Kind = Literal["seat", "bar", "sphere"]
@@ -27,13 +29,43 @@ class Artefact:
     standard_uncertainty_mm: float = 0.0
 
 
+_NAME = re.compile(r"\w+ (\d+)(?:, end ([AB]))?")
+
+
+def place_name(kind: Kind, number: int, end: str = "") -> str:
+    """What a place is called in the journal and in the session's tables."""
+    if kind == "bar":
+        return f"Bar {number}, end {end}"
+    return f"Sphere {number}" if kind == "sphere" else f"Seat {number}"
+
+
 @dataclass(frozen=True)
 class SeatSamples:
     """One seat, end of a bar, or sphere, and the points taken there."""
 
     name: str
+    """Its ``place_name``."""
     q_rad: tuple[Angles, ...] = ()
     artefact: Artefact = Artefact()
+
+    @property
+    def title(self) -> Text:
+        """The place for people, by itself."""
+        values = self._values()
+        return message("arm-place-title", **values) if values else self.name
+
+    @property
+    def place(self) -> Text:
+        """The same within a sentence."""
+        values = self._values()
+        return message("arm-place-name", **values) if values else self.name
+
+    def _values(self) -> dict[str, Value]:
+        """What the name consists of; nothing of a name that is none of ``place_name``."""
+        named = _NAME.fullmatch(self.name)
+        if named is None:
+            return {}
+        return {"kind": self.artefact.kind, "number": int(named[1]), "end": named[2] or ""}
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,8 @@
 from datetime import UTC, datetime
 from pathlib import Path
 
+from pydantic_core import to_jsonable_python
+
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
 from app.formats.io_errors import convert_io_errors
@@ -10,6 +12,8 @@ from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import IDENTIFIED
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.history import SOLVED
+from app.guide.common.recorded_error import error_payload
+from app.messages.message import message
 from app.metrology.arm.identification.identify import Identification
 from app.station.jobs import Progress
 from app.workflows.identify_arm import (
@@ -39,14 +43,13 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
             progress=lambda share, text: progress(text, share),
             signature=signature,
         )
-    except OperationError as refusal:
-        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
-        guide.append("fit_refused", {"code": refusal.code, **told})
-        guide.station.bus.event("refused", refusal.line, "bad")
+    except OperationError as error:
+        guide.append("fit_refused", error_payload(error))
+        guide.station.bus.event("refused", error.text, "bad")
         return
     named = {"arm_name": sheet.name, "arm_serial": sheet.serial_number}
-    guide.append(SOLVED, {**named, **_payload(result)})
-    guide.station.bus.event("step_done", "The arm is identified.", "good")
+    guide.append(SOLVED, {**named, **to_jsonable_python(_payload(result))})
+    guide.station.bus.event("step_done", message("arm-identified"), "good")
 
 
 def save(guide: ArmGuide, key: str | None) -> None:
@@ -59,14 +62,14 @@ def save(guide: ArmGuide, key: str | None) -> None:
         write_atomically(kept, read_bounded(target))
         write_atomically(target, read_bounded(guide.folder / IDENTIFIED))
     guide.append("saved", {"name": target.name, "replaced": kept.name}, key)
-    guide.station.bus.event("accepted", "The identified arm is in use.", "good")
+    guide.station.bus.event("accepted", message("identified-arm-use"), "good")
 
 
 def restore(guide: ArmGuide, key: str | None) -> None:
     """Makes the arm before the identified one the station's again.
 
     Raises:
-        Refusal: the arm's file is no longer what this session wrote, or cannot be replaced.
+        OperationError: the arm's file is no longer what this session wrote, or cannot be replaced.
     """
     target, aside = _places(guide)
     kept = aside / guide.state.replaced
@@ -75,13 +78,13 @@ def restore(guide: ArmGuide, key: str | None) -> None:
     if now != identified:
         raise OperationError(
             "arm-changed",
-            f"{target.name} was changed after this session had written it",
-            remedy=f"the arm of before is in arms/{REPLACED}/{kept.name}; put it back by hand",
+            message("changed-after-session-had-written", name=target.name),
+            remedy=message("arm-before-arms-put-back-hand", replaced=REPLACED, name=kept.name),
         )
     with convert_io_errors(kept):
         write_atomically(target, read_bounded(kept))
     guide.append("restored", {"name": target.name}, key)
-    guide.station.bus.event("accepted", "The arm is as it was before.", "good")
+    guide.station.bus.event("accepted", message("arm-before"), "good")
 
 
 def _places(guide: ArmGuide) -> tuple[Path, Path]:
@@ -95,9 +98,9 @@ def _payload(result: Identification) -> dict[str, object]:
     lines = [
         {"title": title, "before_um": was, "after_um": now}
         for title, was, now in (
-            ("Seats", before.seats_um, after.seats_um),
-            ("Spheres", before.spheres_um, after.spheres_um),
-            ("Ball bars' lengths", before.lengths_um, after.lengths_um),
+            (message("seats"), before.seats_um, after.seats_um),
+            (message("spheres"), before.spheres_um, after.spheres_um),
+            (message("ball-bars-lengths"), before.lengths_um, after.lengths_um),
         )
         if was is not None and now is not None
     ]

@@ -5,6 +5,7 @@ from typing import Any
 
 from app.findings import Finding, Quality
 from app.guide.arm.view import TipResult
+from app.messages.message import Text, join, message, quantity
 from app.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
@@ -52,42 +53,52 @@ def tip_result(payload: Mapping[str, Any]) -> TipResult:
 
 
 def tip_check_finding(payload: Mapping[str, Any]) -> Finding:
-    """What was found in one sentence, and what to do."""
-    diameter, expected = payload["diameter_mm"], payload["expected_mm"]
-    scatter, limit = payload["scatter_um"], payload["limit_um"]
-    seems = f"The tip seems to be {diameter:.3f} mm, {expected:.3f} mm by the arm's papers"
-    bound = "" if limit is None else f" (limit {limit:.0f} µm)"
-    off = f"{abs(payload['error_um']):.0f} µm"
-    texts = {
+    """What was found in one sentence, the limit, and what to do."""
+    text, remedy = _cause(payload)
+    limit_um = payload["limit_um"]
+    if limit_um is not None:
+        text = join([text, message("limit-is", limit=quantity(limit_um, "µm"))], " ")
+    return Finding(QUALITY[payload["decision"]], text, remedy)
+
+
+def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
+    """What is the matter with the tip, and what to do about it."""
+    diameter = quantity(payload["diameter_mm"], "mm", 3)
+    expected = quantity(payload["expected_mm"], "mm", 3)
+    scatter = quantity(payload["scatter_um"], "µm")
+    off = quantity(abs(payload["error_um"]), "µm")
+    known = quantity(payload["expanded_uncertainty_um"], "µm")
+    bend = quantity(payload["bend_um"] or 0.0, "µm")
+    causes: dict[str, tuple[Text, Text]] = {
         "sound": (
-            f"The tip is sound: its diameter is off by {off}, its touches agree to "
-            f"{scatter:.0f} µm{bound}.",
+            message("tip-sound-diameter-off-touches-agree", off=off, scatter=scatter),
             "",
         ),
         "unsure": (
-            f"The tip's diameter is off by {off}, known to {payload['expanded_uncertainty_um']:.0f}"
-            f" µm only (k = 2){bound}.",
-            "Touch the sphere more, spread over all its upper half.",
+            message("tips-diameter-off-known-only-k", off=off, known=known),
+            message("touch-sphere-more-spread-over-all"),
         ),
         "other-tip": (
-            f"{seems}: another tip is mounted, or another sphere was touched.",
-            "Mount the tip of the papers, or give the sphere's own diameter.",
+            message(
+                "another-tip-mounted-another-sphere-touched", diameter=diameter, expected=expected
+            ),
+            message("mount-tip-papers-give-spheres-own"),
         ),
-        "small": (f"{seems}: it is worn, or has a flat{bound}.", "Look at it, and change it."),
+        "small": (
+            message("worn-has-flat", diameter=diameter, expected=expected),
+            message("look-change"),
+        ),
         "large": (
-            f"{seems}: there is dirt on the tip or on the sphere{bound}.",
-            "Clean both, and check again.",
+            message("there-dirt-tip-sphere", diameter=diameter, expected=expected),
+            message("clean-both-check-again"),
         ),
         "bent": (
-            f"The tip sits {payload['bend_um'] or 0.0:.0f} µm from where the papers have it: the "
-            f"stylus is bent or not screwed home{bound}.",
-            "Screw it home and check again; change it if it stays.",
+            message("tip-sits-where-papers-have-stylus", off=bend),
+            message("screw-home-check-again-change-if"),
         ),
         "scatter": (
-            f"The touches disagree by up to {scatter:.0f} µm{bound}: the tip or the sphere is "
-            "loose, or the arm slipped.",
-            "Screw the tip home, clamp the sphere, and check again.",
+            message("touches-disagree-up-tip-sphere-loose", scatter=scatter),
+            message("screw-tip-home-clamp-sphere-check"),
         ),
     }
-    text, remedy = texts[payload["cause"]]
-    return Finding(QUALITY[payload["decision"]], text, remedy)
+    return causes[payload["cause"]]

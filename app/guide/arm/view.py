@@ -8,6 +8,7 @@ from app.formats.results.verification import Decision
 from app.guide.arm.state import Artefact, Purpose
 from app.guide.common.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
 from app.guide.verify.view import TouchLine
+from app.messages.message import Text
 
 
 @dataclass(frozen=True)
@@ -26,11 +27,11 @@ class JointSwing:
 class SeatLine:
     """One seat of the session."""
 
-    name: str
+    name: Text
     points: int
     half_range_um: float
     """The largest of the three axes; of a sphere the largest distance from it."""
-    note: str = ""
+    note: Text = ""
     """Of a bar what its length seems to be."""
 
 
@@ -38,7 +39,7 @@ class SeatLine:
 class BeforeAfter:
     """One line of before and after."""
 
-    title: str
+    title: Text
     before_um: float
     after_um: float
 
@@ -47,7 +48,7 @@ class BeforeAfter:
 class ParameterLine:
     """One of the arm's parameters that was moved."""
 
-    name: str
+    name: Text
     unit: str
     before: float
     after: float
@@ -58,16 +59,16 @@ class ParameterLine:
 class FixedParameterLine:
     """Parameters that kept their values, and why."""
 
-    names: str
-    why: str
+    names: Text
+    why: Text
 
 
 @dataclass(frozen=True)
 class CorrelatedLine:
     """Two parameters that the places hardly tell apart."""
 
-    first: str
-    second: str
+    first: Text
+    second: Text
     coefficient: float
 
 
@@ -82,8 +83,8 @@ class ArmResult:
     places: int
     lines: Sequence[BeforeAfter]
     parameters: Sequence[ParameterLine]
-    kept: Sequence[FixedParameterLine]
-    correlated: Sequence[CorrelatedLine]
+    kept: Sequence[FixedParameterLine] = ()
+    correlated: Sequence[CorrelatedLine] = ()
 
 
 @dataclass(frozen=True)
@@ -133,8 +134,8 @@ class ArmView:
     """What the tip is put to next, in an identification."""
     steps: Sequence[Step]
     step: str
-    title: str
-    instruction: str
+    title: Text
+    instruction: Text
     picture: ArmPicture
     number: LiveNumber | None
     progress: StepProgress | None
@@ -175,7 +176,7 @@ class TipCheckSummary:
     bend_um: float | None
     limit_um: float | None
     decision: Decision
-    text: str
+    text: Text
     """What was found, in one sentence."""
     verdict: Quality
 

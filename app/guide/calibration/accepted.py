@@ -10,6 +10,7 @@ from app.guide.calibration.steps.poses import past_pose_pictures
 from app.guide.calibration.touch.report import touch_report
 from app.guide.common.journal import Journal, fold
 from app.guide.common.view import ResultPicture
+from app.messages.message import message
 from app.metrology.limits import LIMITS
 
 
@@ -22,16 +23,16 @@ def restore_result(
         image_url: the address of the session's pictures, to which their names are added.
 
     Raises:
-        Refusal: the session was never solved, or its files cannot be read any more.
+        OperationError: the session was never solved, or its files cannot be read any more.
     """
     state, solved = _load_outcome(journal, session_id)
     chosen = folder.datasheets()
     if solved is None or solved.result is None or chosen.arm is None or chosen.object is None:
         raise OperationError(
             "record-incomplete",
-            f"the calibration {session_id} cannot be shown",
-            "its files are not in the data folder any more",
-            "Restore the session's folder from a backup",
+            message("calibration-cannot-shown", session_id=session_id),
+            message("files-data-folder-any-more"),
+            message("restore-sessions-folder-backup"),
         )
     touch = touch_report(state.counted, chosen.arm, chosen.object, LIMITS.good_um)
     picture = ResultPicture(

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from app.errors import OperationError
-from app.guide.calibration import tasks as works
+from app.guide.calibration import tasks
 from app.guide.calibration.confirm import CONFIRMATIONS, confirm
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.simulated_operator import simulation_job
@@ -13,6 +13,7 @@ from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName, Press
 from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
 from app.guide.common.view import FlowView
+from app.messages.message import message
 
 
 def command(guide: CalibrationGuide, name: str, args: Args, rev: int, key: str) -> FlowView:
@@ -20,7 +21,7 @@ def command(guide: CalibrationGuide, name: str, args: Args, rev: int, key: str) 
 
     Raises:
         StaleCommand: ``rev`` is not that of the present view, which it carries.
-        Refusal: the command is not possible now.
+        OperationError: the command is not possible now.
     """
     with guide.lock:
         if guide.knows_key(key):
@@ -133,18 +134,18 @@ def _poses_changed(guide: CalibrationGuide) -> None:
     """The folder follows; while poses are still taken, the next one is advised anew."""
     guide.folder.keep_images(guide.state.pictures)
     if guide.state.step == "solve" and guide.state.advice is None:
-        title = "Working out which pose would help most"
-        start_job(guide, title, lambda _progress: works.keep_advice(guide))
+        title = message("working-out-which-pose-would-help")
+        start_job(guide, title, lambda _progress: tasks.keep_advice(guide))
 
 
 def _capture(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("capture_started", {}, key)
-    start_job(guide, "Taking the picture", lambda progress: works.capture(guide, progress))
+    start_job(guide, message("taking-picture"), lambda progress: tasks.capture(guide, progress))
 
 
 def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
-    start_job(guide, "Calibrating", lambda progress: works.calibrate(guide, progress))
+    start_job(guide, message("calibrating"), lambda progress: tasks.calibrate(guide, progress))
 
 
 def _start_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:

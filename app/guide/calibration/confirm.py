@@ -2,6 +2,7 @@
 
 from app.guide.calibration.flow import HEADINGS
 from app.guide.calibration.guide import CalibrationGuide
+from app.messages.message import message
 
 CONFIRMATIONS = {
     "confirm_devices": "devices_confirmed",
@@ -18,4 +19,4 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
         if name == "confirm_setup":
             guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state)
         guide.append(CONFIRMATIONS[name], {}, key)
-        guide.station.bus.event("step_done", f"Next: {HEADINGS[guide.state.step].lower()}.")
+        guide.station.bus.event("step_done", message("next", title=HEADINGS[guide.state.step]))

@@ -10,24 +10,25 @@ from app.guide.calibration.steps.review import review_step
 from app.guide.calibration.steps.setup import devices_step, setup_step
 from app.guide.calibration.steps.touch import touch_step
 from app.guide.common.view import Action, FlowView, Step, StepState
+from app.messages.message import message
 
 TITLES = {
-    "devices": "Devices",
-    "setup": "Set-up",
-    "touch": "Touch",
-    "place": "Hold",
-    "capture": "Capture",
-    "solve": "Calibrate",
-    "review": "Review",
+    "devices": message("devices"),
+    "setup": message("set-up"),
+    "touch": message("touch-3"),
+    "place": message("hold"),
+    "capture": message("capture"),
+    "solve": message("calibrate"),
+    "review": message("review"),
 }
 HEADINGS = {
-    "devices": "Check the devices",
-    "setup": "Choose what is in use",
-    "touch": "Touch the object",
-    "place": "Hold the sensor over the object",
-    "capture": "Take the picture",
-    "solve": "Calibrate",
-    "review": "Review the calibration",
+    "devices": message("check-devices"),
+    "setup": message("choose-what-use"),
+    "touch": message("touch-object"),
+    "place": message("hold-sensor-over-object"),
+    "capture": message("take-picture"),
+    "solve": message("calibrate"),
+    "review": message("review-calibration"),
 }
 BODIES: dict[str, Callable[[CalibrationState, CalibrationLive], StepView]] = {
     "devices": devices_step,
@@ -52,7 +53,7 @@ def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
         running=running,
         steps=[Step(step, TITLES[step], _step_state(state, step)) for step in STEPS],
         step=state.step,
-        title="The calibration is in use" if state.ended == "accepted" else HEADINGS[state.step],
+        title=message("calibration-use") if state.ended == "accepted" else HEADINGS[state.step],
         instruction=body.instruction,
         picture=body.picture,
         number=body.number,
@@ -78,22 +79,22 @@ def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the hand, the way back, the way out."""
     actions = []
     if live.hand_running:
-        actions.append(offer(state, live, "stop_hand", "Stop the hand", primary=True))
+        actions.append(offer(state, live, "stop_hand", message("stop-hand"), primary=True))
     elif live.has_hand and state.step != "review":
-        actions.append(offer(state, live, "let_hand", "Let the hand do it"))
+        actions.append(offer(state, live, "let_hand", message("let-hand-do")))
         if state.step == "devices":
             actions.append(
-                offer(state, live, "let_hand", "Let the hand do everything", {"all": True})
+                offer(state, live, "let_hand", message("let-hand-do-everything"), {"all": True})
             )
     if state.step not in ("devices", "review"):
-        actions.append(offer(state, live, "back", "Back"))
+        actions.append(offer(state, live, "back", message("back")))
     actions.append(
         offer(
             state,
             live,
             "abandon",
-            "Abandon",
-            confirm="Abandon this calibration? The calibration in use stays as it is.",
+            message("abandon"),
+            confirm=message("abandon-calibration-calibration-use-stays"),
         )
     )
     return actions

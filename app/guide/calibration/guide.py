@@ -26,6 +26,7 @@ from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import FlowView
+from app.messages.message import message
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.limits import LIMITS, Limits
@@ -252,14 +253,14 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
                 "object_serial": chosen.object.serial_number if chosen.object else "",
                 "sensor_serial": chosen.sensor.serial_number if chosen.sensor else "",
             }
-            name = f"Calibration {datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+            name = str(message("calibration-utc", now=f"{datetime.now(UTC):%Y-%m-%d %H:%M}"))
             file = self.folder.calibration
             self.folder.keep_acceptance(name, result, self.provenance)
             session_id = self.state.session_id
             self.keep(
                 lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
             )
-            self.station.bus.event("accepted", f"{name} is in use.", "good")
+            self.station.bus.event("accepted", message("use-2", name=name), "good")
             self._after_change()
 
     def _after_change(self) -> None:

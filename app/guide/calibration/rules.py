@@ -7,10 +7,11 @@ from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.board_views import still_missing
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
-from app.guide.calibration.touch.report import face_names
+from app.guide.calibration.touch.report import face_names, where_on_object
+from app.messages.message import Text, join, message, quantity, word
 
 Args = Mapping[str, object]
-Rule = Callable[[CalibrationState, CalibrationLive, Args], str]
+Rule = Callable[[CalibrationState, CalibrationLive, Args], Text]
 
 ONLY_IN = {
     "confirm_devices": ("devices",),
@@ -37,64 +38,78 @@ ONLY_IN = {
 ALWAYS = ("stop_hand", "repeat", "abandon")
 
 
-def rejection_reason(state: CalibrationState, live: CalibrationLive, name: str, args: Args) -> str:
+def rejection_reason(state: CalibrationState, live: CalibrationLive, name: str, args: Args) -> Text:
     """Why the command ``name`` cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
-        return f"There is no command '{name}'."
+        return message("there-no-command", name=name)
     if name == "stop_hand":
-        return "" if live.hand_running else "The hand is not moving."
+        return "" if live.hand_running else message("hand-moving")
     if live.busy is not None:
-        return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
+        return message("wait-2", text=live.busy.text)
     if (state.ended or not state.session_id) and name != "repeat":
-        return "This calibration is closed. Start a new one."
+        return message("calibration-closed-start-new-one")
     if name in ONLY_IN and state.step not in ONLY_IN[name]:
-        return f"This belongs to another step; the calibration stands at '{state.step}'."
+        return message("belongs-another-step-calibration-stands", step=state.step)
     rule = RULES.get(name)
     return rule(state, live, args) if rule else ""
 
 
-def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return _arm_there(live) or _sensor_there(live)
 
 
-def _arm_there(live: CalibrationLive) -> str:
-    return "" if live.arm_link.state == "connected" else f"The arm: {live.arm_link.text}"
+def _arm_there(live: CalibrationLive) -> Text:
+    return "" if live.arm_link.state == "connected" else message("arm-2", text=live.arm_link.text)
 
 
-def _sensor_there(live: CalibrationLive) -> str:
-    return "" if live.sensor_link.state == "connected" else f"The sensor: {live.sensor_link.text}"
+def _sensor_there(live: CalibrationLive) -> Text:
+    return (
+        ""
+        if live.sensor_link.state == "connected"
+        else message("sensor", text=live.sensor_link.text)
+    )
 
 
-def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     field, chosen = args.get("field"), args.get("id")
     if not isinstance(field, str) or not isinstance(chosen, str):
-        return "A choice needs a field and an id."
-    return "" if live.library.has(field, chosen) else f"There is no {field} '{chosen}' here."
+        return message("choice-needs-field-id")
+    return (
+        ""
+        if live.library.has(field, chosen)
+        else message("there-no-here", field=field, chosen=chosen)
+    )
 
 
-def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     chosen = live.chosen
     if chosen.arm is None or chosen.object is None or chosen.sensor is None:
         names = (("arm", chosen.arm), ("object", chosen.object), ("sensor", chosen.sensor))
         missing = [name for name, sheet in names if sheet is None]
-        return f"Choose the {' and the '.join(missing)} first."
+        return message("choose-first", things=join([word(name) for name in missing]))
     if live.arm and live.arm.joint_count != chosen.arm.joint_count:
-        return (
-            f"The connected arm has {live.arm.joint_count} joints, "
-            f"{chosen.arm.name} has {chosen.arm.joint_count}. Choose the arm that is connected."
+        return message(
+            "connected-arm-has-joints-has-choose-2",
+            joint_count=live.arm.joint_count,
+            name=chosen.arm.name,
+            joint_count2=chosen.arm.joint_count,
         )
     size = (chosen.sensor.width_px, chosen.sensor.height_px)
     if live.sensor and size != (live.sensor.width_px, live.sensor.height_px):
-        return (
-            f"The connected sensor's picture is {live.sensor.width_px} × {live.sensor.height_px}, "
-            f"{chosen.sensor.name} has {size[0]} × {size[1]} pixels. "
-            "Choose the sensor that is connected."
+        return message(
+            "connected-sensors-picture-has-pixels-choose",
+            width_px=live.sensor.width_px,
+            height_px=live.sensor.height_px,
+            name=chosen.sensor.name,
+            size=size[0],
+            size2=size[1],
         )
     return _others(live)
 
 
-def _others(live: CalibrationLive) -> str:
-    return " ".join(f"{found.text} {found.remedy}" for found in other_devices(live)[:1])
+def _others(live: CalibrationLive) -> Text:
+    others = other_devices(live)
+    return join([others[0].text, others[0].remedy], " ") if others else ""
 
 
 def other_devices(live: CalibrationLive) -> list[Finding]:
@@ -105,9 +120,13 @@ def other_devices(live: CalibrationLive) -> list[Finding]:
     return [
         Finding(
             "bad",
-            f"The connected {name} has the serial number {there.serial_number}, "
-            f"the chosen datasheet is for {sheet.serial_number}.",
-            f"Choose the datasheet of this {name}, or connect the other {name}.",
+            message(
+                "connected-has-serial-number-chosen-datasheet",
+                name=word(name),
+                serial_number=there.serial_number,
+                serial_number2=sheet.serial_number,
+            ),
+            message("choose-datasheet-connect-other", name=word(name)),
         )
         for name, there, sheet in pairs
         if there is not None
@@ -118,79 +137,81 @@ def other_devices(live: CalibrationLive) -> list[Finding]:
     ]
 
 
-def _face(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _face(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     item = live.chosen.object
     known = item is not None and args.get("face") in face_names(item)
-    return "" if known else f"There is no face '{args.get('face')}'."
+    return "" if known else message("there-no-face", face=str(args.get("face")))
 
 
-def _take(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _take(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if missing := _arm_there(live):
         return missing
-    return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
+    return "" if live.stillness.still else message("hold-arm-still", text=live.stillness.text)
 
 
-def _undo(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
-    return "" if state.counted else "No point was taken yet."
+def _undo(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return "" if state.counted else message("no-point-taken-yet")
 
 
-def _redo(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
-    return "" if state.undone else "No point was taken back since the last one was taken."
+def _redo(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return "" if state.undone else message("no-point-taken-back-since-last")
 
 
-def _void(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _void(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     known = any(contact.index == args.get("index") for contact in state.counted)
-    return "" if known else "That point is not there any more."
+    return "" if known else message("point-there-any-more")
 
 
-def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     touch = live.touch
     if touch is None:
-        return "The arm or the object that was chosen cannot be read any more."
+        return message("arm-object-chosen-cannot-read-any")
     if live.chosen.board is None and touch.alignment is None:
         return touch.missing
     for point in touch.points:
         if point.outlier and abs(point.residual_um or 0.0) >= 1e3 * WRONG_FACE_MM:
-            return f"Remove point {point.index + 1} first: it is not on the {point.face} face."
+            return message(
+                "remove-point-first-face", index=point.index + 1, where=where_on_object(point.face)
+            )
     return ""
 
 
-def _place(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _place(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return _arm_there(live) or _sensor_there(live)
 
 
-def _capture(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _capture(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if live.scanning:
-        return "A scan is running and has the laser. Stop it first."
+        return message("scan-running-has-laser-stop-first")
     if missing := _place(state, live, args):
         return missing
-    return "" if live.stillness.still else f"Hold the arm still. {live.stillness.text}."
+    return "" if live.stillness.still else message("hold-arm-still", text=live.stillness.text)
 
 
-def _keep(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
-    return "" if state.picture else "There is no picture yet. Take one."
+def _keep(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return "" if state.picture else message("there-no-picture-yet-take-one")
 
 
-def _void_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _void_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     known = any(picture.number == args.get("number") for picture in state.pictures)
     if not known:
-        return "That pose is not there any more."
-    return "" if len(state.pictures) > 1 else "It is the only pose. Take another first."
+        return message("pose-there-any-more")
+    return "" if len(state.pictures) > 1 else message("only-pose-take-another-first")
 
 
-def _restore_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _restore_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     aside = [picture.number for picture in state.listed if picture.gone]
-    return "" if args.get("number") in aside else "That pose is not set aside."
+    return "" if args.get("number") in aside else message("pose-set-aside")
 
 
-def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if state.step == "review" and state.outcome is not None:
-        return "Nothing changed since this was solved."
+        return message("nothing-changed-since-solved")
     if not state.picture:
-        return "There is no picture of this object and sensor. Take one."
+        return message("there-no-picture-object-sensor-take")
     looked_at = [live.capture_outcomes[picture.number] for picture in state.pictures]
     if all(seen.fault for seen in looked_at):
-        return "No picture shows the object yet. Take one anew."
+        return message("no-picture-shows-object-yet-take")
     if live.chosen.board is not None:
         usable = sum(len(seen.corners) > 0 for seen in looked_at)
         if missing := still_missing(usable):
@@ -198,28 +219,32 @@ def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
     return _touch(state, live, args)
 
 
-def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     seen = live.latest_outcome
     if seen is None or seen.result is None or state.outcome is None:
-        return "Something changed since this was solved. Solve again."
+        return message("something-changed-since-solved-solve-again")
     if others := _others(live):
         return others
     result = seen.result
     if result.verdict != "bad":
         return ""
     if result.usable_um is not None and result.total_um > result.usable_um:
-        return f"{result.total_um:.0f} µm; usable is at most {result.usable_um:.0f} µm."
-    return "It should not be used: the findings say why."
+        return message(
+            "usable-most",
+            total=quantity(result.total_um, "µm"),
+            usable=quantity(result.usable_um, "µm"),
+        )
+    return message("should-used-findings-say-why")
 
 
-def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
+def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     to = args.get("to", STEPS[max(STEPS.index(state.step) - 1, 0)])
     earlier = STEPS[: STEPS.index(state.step)]
-    return "" if to in earlier else f"There is no earlier step '{to}'."
+    return "" if to in earlier else message("there-no-earlier-step", to=str(to))
 
 
-def _simulation(state: CalibrationState, live: CalibrationLive, args: Args) -> str:
-    return "" if live.has_hand else "There is no simulated hand on real devices."
+def _simulation(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    return "" if live.has_hand else message("there-no-simulated-hand-real-devices")
 
 
 RULES: dict[str, Rule] = {

@@ -4,12 +4,13 @@ import time
 from collections.abc import Callable
 
 from app.errors import OperationError
-from app.guide.calibration import tasks as works
+from app.guide.calibration import tasks
 from app.guide.calibration.confirm import confirm
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.poses.board_views import next_view
-from app.guide.calibration.touch.report import face_in_use, face_progress
+from app.guide.calibration.touch.report import face_in_use, face_progress, where_on_object
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.messages.message import message
 from app.station.jobs import Progress
 
 TIMEOUT_S = 4.0
@@ -75,7 +76,7 @@ def _touch(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress)
     faces = face_progress(report, guide.state.face, item)
     todo = [(face, i) for face in faces for i in range(face.taken, face.wanted)]
     for done, (face, index) in enumerate(todo):
-        progress(f"The hand touches: {face.title.lower()}", done / len(todo))
+        progress(message("hand-touches", face=face.title), done / len(todo))
         if not guide.hand_running or not _touch_one(guide, hand, face.face, index):
             return
     _confirm(guide, "confirm_touch")
@@ -96,8 +97,13 @@ def _touch_one(guide: CalibrationGuide, hand: SimulatedOperator, face: str, inde
             return True
     raise OperationError(
         "hand-declined",
-        f"The hand's point {index + 1} on the {face} face was declined {ATTEMPTS} times",
-        remedy="Look at the last message, and let the hand try again",
+        message(
+            "hands-point-face-declined-times",
+            index=index + 1,
+            where=where_on_object(face),
+            attempts=ATTEMPTS,
+        ),
+        remedy=message("look-last-message-let-hand-try"),
     )
 
 
@@ -114,18 +120,18 @@ def _hold(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) 
     """Brings the sensor to where the next picture is wanted; False when the hand was stopped."""
     advice = guide.live().advice
     if advice is None:
-        progress("The hand holds the sensor over the object", 0.2)
+        progress(message("hand-holds-sensor-over-object"), 0.2)
         if guide.datasheets.selection(guide.state).board is None:
             return hand.hold_over("block")
         view = next_view(guide.state.listed)
         return hand.hold_over("board", len(guide.state.pictures) if view is None else view)
-    progress(f"The hand goes to the next pose: {advice.words}", 0.2)
+    progress(message("hand-goes-next-pose", words=advice.words), 0.2)
     return hand.hold_at(advice.q_rad)
 
 
 def _place(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
     if _hold(guide, hand, progress):
-        progress("The hand holds still", 0.8)
+        progress(message("hand-holds-still"), 0.8)
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
@@ -135,7 +141,7 @@ def _capture(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progres
     for attempt in range(ATTEMPTS):
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         try:
-            works.capture(guide, progress)
+            tasks.capture(guide, progress)
         except OperationError:
             if attempt == ATTEMPTS - 1 or not guide.hand_running:
                 raise
@@ -153,7 +159,7 @@ def _solve(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress)
     if _another_helps(guide):
         guide.append("another_pose", {})
     else:
-        works.calibrate(guide, progress)
+        tasks.calibrate(guide, progress)
 
 
 def _another_helps(guide: CalibrationGuide) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.results.calibration import CalibrationFile
 from app.formats.results.calibration_builder import board_document, joint_document
@@ -26,12 +26,14 @@ from app.guide.common.result_view import (
     PoseRow,
     WorstPointLine,
 )
-from app.guide.common.view import ImageCorner, TouchedPoint, sentence
+from app.guide.common.view import ImageCorner, TouchedPoint
+from app.messages.message import Text, join, message, word
 from app.metrology.adjustment.block.calibrate import BlockCalibration, Progress, calibrate_block
 from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
 from app.metrology.adjustment.core.uncertainty import UncertaintyMap
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration import findings as metrology
+from app.metrology.calibration.uncertainty_budget import source_text
 from app.metrology.limits import Limits
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import apply, inverse
@@ -55,7 +57,7 @@ def solve(
         points: the index of the touched point that each row of the contacts is.
 
     Raises:
-        Refusal: by its reason; a calibration file of an earlier solve is then gone.
+        OperationError: by its reason; a calibration file of an earlier solve is then gone.
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_any_session(folder.path)
@@ -87,7 +89,7 @@ def _calibrate(
 ) -> tuple[AnyCalibration, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
     """The calibration, its file, what its poses are drawn with, and a board's touched points."""
 
-    def looked(share: float, text: str) -> None:
+    def looked(share: float, text: Text) -> None:
         progress(text, share)
 
     origin = calibration_origin(session, session.poses, operator="")
@@ -147,14 +149,17 @@ def _worst(
     """One of the worst points with the place where it is shown."""
     if point.contact is not None:
         index = points[point.contact]
-        face = point.name.split()[0]
         return WorstPointLine(
-            point.kind, f"{face}, point {index + 1}", point.value, point.unit, index
+            point.kind,
+            message("point-2", face=word(point.face), index=index + 1),
+            point.value,
+            point.unit,
+            index,
         )
     at_px = point.at_px
     if at_px is None and point.pose is not None:
         corners = drawings[point.pose].corners
-        at_px = next((c.u, c.v) for c in corners if point.name.endswith(f" {c.name}"))
+        at_px = next((c.u, c.v) for c in corners if c.name == point.corner)
     return WorstPointLine(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
 
 
@@ -164,12 +169,13 @@ def _worst_fitting(result: AnyCalibration) -> PoseResult:
     return max(used, key=lambda pose: pose.edges_rms_px)
 
 
-def _verdict(found: Sequence[metrology.CalibrationFinding]) -> str:
+def _verdict(found: Sequence[metrology.CalibrationFinding]) -> Text:
     """How well a point is known, and what helps; or that something else is graver."""
     known = next(one for one in found if one.code == "uncertainty")
+    text = sentence(known.text)
     if found[0].quality != known.quality:
-        return f"{sentence(known.text)} But what is marked below needs attention."
-    return f"{sentence(known.text)} {sentence(known.remedy)}".strip()
+        return join([text, message("but-what-marked-below-needs-attention")], " ")
+    return join([text, sentence(known.remedy)], " ") if known.remedy else text
 
 
 def _result(
@@ -188,7 +194,7 @@ def _result(
         depth_range_mm=result.depth_range_mm,
         probe_matrix=result.T_flange_sensor.tolist(),
         faces=_faces(result),
-        budget=[BudgetLine(row.source, row.value_um) for row in known.rows],
+        budget=[BudgetLine(source_text(row.source), row.value_um) for row in known.rows],
         total_um=known.total_um,
         plane=PlaneKnown(known.plane.angle_arcsec, known.plane.offset_um),
         map=_map(known.map),

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from app.guide.common.journal import JournalEntry
+from app.guide.common.recorded_error import RecordedError, error_from_payload
 from app.guide.common.undo import put_back, take_back
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
@@ -69,10 +70,7 @@ class SolveFailure:
     """A solve that was declined."""
 
     inputs: str
-    code: str
-    what: str
-    why: str
-    remedy: str
+    error: RecordedError
 
 
 @dataclass(frozen=True)
@@ -237,7 +235,8 @@ def _with_pose(state: CalibrationState, number: int | None, gone: str) -> Calibr
 def _solve_refused(state: CalibrationState, payload: Payload) -> CalibrationState:
     """The calibration of before is gone with its file."""
     step = "solve" if state.step == "review" else state.step
-    return replace(state, refused=SolveFailure(**payload), solved=None, step=step)
+    failure = SolveFailure(payload["inputs"], error_from_payload(payload))
+    return replace(state, refused=failure, solved=None, step=step)
 
 
 def _finish_solve(state: CalibrationState, payload: Payload) -> CalibrationState:

@@ -8,6 +8,8 @@ from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.poses.next_pose import advise
 from app.guide.calibration.solve import solve
+from app.guide.common.recorded_error import error_payload
+from app.messages.message import message
 from app.station.jobs import Progress
 
 
@@ -15,12 +17,12 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
     """Takes the pictures while the arm is still, and looks at once whether they will do.
 
     Raises:
-        Refusal: the arm moved, or a device is lost; nothing is kept then.
+        OperationError: the arm moved, or a device is lost; nothing is kept then.
     """
-    progress("Taking the picture", 0.1)
+    progress(message("taking-picture"), 0.1)
     chosen = guide.datasheets.selection(guide.state)
     taken = guide.station.rig.capture_pair()
-    progress("Looking for the object in the picture", 0.4)
+    progress(message("looking-object-picture"), 0.4)
     number = len(guide.state.captures) + 1
     with guide.station.preview.resting():  # this picture is what counts now
         outcome, seen = detect_in_capture(taken, chosen, number)
@@ -43,8 +45,8 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
         guide.detections.keep(guide.state.session_id, number, seen)
         guide.folder.keep_contacts(guide.state.counted)
         guide.folder.keep_images(guide.state.pictures)
-        guide.station.bus.event("step_done", f"Pose {number} is taken.", "good")
-    progress("Working out which pose would help most", 0.7)
+        guide.station.bus.event("step_done", message("pose-taken", number=number), "good")
+    progress(message("working-out-which-pose-would-help"), 0.7)
     keep_advice(guide)
 
 
@@ -55,14 +57,14 @@ def keep_advice(guide: CalibrationGuide) -> None:
         return  # the next view is planned, whatever was found
     try:
         advice = advise(guide.folder, guide.pose_detections(), guide.limits)
-    except OperationError as refusal:
+    except OperationError as error:
         pictures = guide.state.pictures
         known = guide.pose_detections()
         unusable = any(isinstance(known.get(one.number), OperationError) for one in pictures)
         newest = from_payload(pictures[-1].outcome).findings if pictures else ()
-        told = any(found.quality == "bad" for found in newest)
-        if not (unusable or told):  # of a picture that is, it was told already
-            _record_failure(guide, inputs, refusal)
+        shown = any(finding.quality == "bad" for finding in newest)
+        if not (unusable or shown):
+            _record_failure(guide, inputs, error)
         return
     if advice is not None:
         guide.append("advised", {"inputs": inputs, "advice": to_advice(advice)})
@@ -78,22 +80,13 @@ def calibrate(guide: CalibrationGuide, progress: Progress) -> None:
     known, points = guide.pose_detections(), [contact.index for contact in state.counted]
     try:
         outcome = solve(guide.folder, in_use, progress, known, guide.limits, points)
-    except OperationError as refusal:
-        _record_failure(guide, state.inputs, refusal)
+    except OperationError as error:
+        _record_failure(guide, state.inputs, error)
         return
     guide.append("solved", {"inputs": state.inputs, "outcome": to_payload(outcome)})
-    guide.station.bus.event("step_done", "The calibration is computed.", "good")
+    guide.station.bus.event("step_done", message("calibration-computed"), "good")
 
 
-def _record_failure(guide: CalibrationGuide, inputs: str, refusal: OperationError) -> None:
-    guide.append(
-        "solve_refused",
-        {
-            "inputs": inputs,
-            "code": refusal.code,
-            "what": refusal.what,
-            "why": refusal.why,
-            "remedy": refusal.remedy,
-        },
-    )
-    guide.station.bus.event("refused", refusal.line, "bad")
+def _record_failure(guide: CalibrationGuide, inputs: str, error: OperationError) -> None:
+    guide.append("solve_refused", {"inputs": inputs, **error_payload(error)})
+    guide.station.bus.event("refused", error.text, "bad")

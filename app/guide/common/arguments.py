@@ -6,6 +6,8 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import OperationError
+from app.messages.message import join, message
+from app.messages.validation import validation_text
 
 Args = Mapping[str, object]
 ShortText = Annotated[str, Field(max_length=200)]
@@ -49,7 +51,7 @@ def check_arguments(table: ArgumentTable, name: str, args: Args) -> Args:
     """A command's arguments, each of its type; null is as if it were not given.
 
     Raises:
-        Refusal: ``bad-request``: one is missing, of another type, or not known.
+        OperationError: ``bad-request``: one is missing, of another type, or not known.
     """
     given = {field: value for field, value in args.items() if value is not None}
     try:
@@ -58,5 +60,7 @@ def check_arguments(table: ArgumentTable, name: str, args: Args) -> Args:
         first = error.errors(include_url=False, include_input=False)[0]
         place = ".".join(str(part) for part in ("args", *first["loc"]))
         raise OperationError(
-            "bad-request", "The request is not understood", f"{place}: {first['msg']}"
+            "bad-request",
+            message("request-understood-2"),
+            join([place, validation_text(first)], ": "),
         ) from error

@@ -5,6 +5,7 @@ from typing import Any
 
 from app.errors import OperationError
 from app.guide.common.guided_session import GuidedSession
+from app.messages.message import Text, message
 from app.station.jobs import Job, Progress
 
 AT_ANY_REV = ("stop_hand",)
@@ -12,7 +13,7 @@ AT_ANY_REV = ("stop_hand",)
 
 
 def start_job(
-    guide: GuidedSession[Any, Any, Any], title: str, work: Callable[[Progress], None]
+    guide: GuidedSession[Any, Any, Any], title: Text, work: Callable[[Progress], None]
 ) -> None:
     """Starts a session's work in the background; why it failed is shown in the session."""
 
@@ -28,7 +29,7 @@ def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progre
     """Sets the hand to work; raises ``OperationError`` while another job runs."""
     guide.hand_running = True
     try:
-        start_job(guide, "The hand at work", work)
+        start_job(guide, message("hand-work"), work)
     except OperationError:
         guide.hand_running = False
         raise

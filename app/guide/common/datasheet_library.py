@@ -11,6 +11,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.file_names import check_name
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.target import CalibrationTarget
 
@@ -28,7 +29,7 @@ class DatasheetEntry(Generic[Sheet]):
 
 @dataclass(frozen=True)
 class DatasheetLibrary:
-    """What can be chosen; files that cannot be read are told, not hidden."""
+    """What can be chosen; files that cannot be read are findings."""
 
     arms: Mapping[str, DatasheetEntry[Arm]]
     objects: Mapping[str, DatasheetEntry[CalibrationTarget]]
@@ -64,6 +65,6 @@ def _entries(
         try:
             check_name(path)
             entries[path.stem] = DatasheetEntry(path.stem, path, read(path))
-        except OperationError as refusal:
-            findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
+        except OperationError as error:
+            findings.append(Finding("attention", error.text, message("correct-remove-file")))
     return entries

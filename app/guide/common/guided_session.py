@@ -10,12 +10,13 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.guide.common.arguments import Args, ArgumentTable, check_arguments
 from app.guide.common.journal import Check, Journal, JournalEntry, fold
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.common.view import Busy, sentence
+from app.guide.common.view import Busy
+from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.jobs import Jobs
 
@@ -70,7 +71,7 @@ class Flow(Generic[State, Live, View]):
     after: Callable[[State, JournalEntry], State]
     """What a row makes of a state."""
     view_of: Callable[[State, Live], View]
-    why_not: Callable[[State, Live, str, Mapping[str, object]], str]
+    why_not: Callable[[State, Live, str, Mapping[str, object]], Text]
     """Why a command cannot be done; empty when it can."""
     arguments: ArgumentTable
     """What the commands take."""
@@ -98,7 +99,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         self._journal, self._flow = journal, flow
         self._trouble: Finding | None = None
         self._published: View | None = None
-        self.unreadable_reason = ""
+        self.unreadable_reason: Text = ""
         """Why the last session is not gone on with: it cannot be read. Empty where it can."""
         self.state = self._last_state()
 
@@ -106,7 +107,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """Where the latest session stands; as before the first where it cannot be read.
 
         Raises:
-            Refusal: the database itself is damaged.
+            OperationError: the database itself is damaged.
         """
         session = self._journal.latest_session(self._flow.kind)
         if session is None:
@@ -134,15 +135,15 @@ class GuidedSession(ABC, Generic[State, Live, View]):
 
     def _skip_session(self, session_id: str, error: Exception) -> None:
         log.warning("session %s cannot be gone on with", session_id, exc_info=error)
-        self.unreadable_reason = (
-            f"The session {session_id} cannot be read, and is set aside: {error}."
+        self.unreadable_reason = message(
+            "session-cannot-read-set-aside", session_id=session_id, error=error
         )
 
     def keep(self, write: Callable[[Check], object]) -> None:
         """Has a row written, which is folded before it is committed; the state follows.
 
         Raises:
-            Refusal: it cannot be folded, and is not kept.
+            OperationError: it cannot be folded, and is not kept.
         """
         states: list[State] = []
 
@@ -153,9 +154,9 @@ class GuidedSession(ABC, Generic[State, Live, View]):
                 log.exception("a row %s cannot be folded", row.kind)
                 raise OperationError(
                     "not-readable",
-                    "This was not kept",
-                    "the session could not be read with it",
-                    "Send the support bundle",
+                    message("not-saved"),
+                    message("session-could-read"),
+                    message("send-support-bundle"),
                 ) from error
 
         write(check)
@@ -186,7 +187,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     def rev(self) -> int:
         """What the view's revision is now."""
 
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> str:
+    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> Text:
         """Why a command cannot be done now; ``by_hand``: the hand's own work is no hindrance."""
         live = self.live()
         return self._flow.why_not(
@@ -200,7 +201,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             The arguments, each of its type.
 
         Raises:
-            Refusal: it cannot be done now, was given on an old view, or has wrong arguments.
+            OperationError: it cannot be done now, was given on an old view, or has wrong arguments.
         """
         if rev is not None and rev != self.rev:
             raise self.stale()
@@ -213,8 +214,8 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """What is raised where a command was given on an old view."""
         return OperationError(
             STALE,
-            "The session went on meanwhile; nothing was done",
-            remedy="Look at the present step, and act on that",
+            message("session-went-meanwhile-nothing-done"),
+            remedy=message("look-present-step-act-2"),
         )
 
     @contextmanager
@@ -243,10 +244,8 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     def decline(self, refusal: OperationError) -> None:
         """Shows why something was not done, until something is."""
         with self.lock:
-            why = f": {refusal.why}" if refusal.why else ""
-            text = sentence(f"{refusal.what}{why}")
-            self._trouble = Finding("attention", text, sentence(refusal.remedy))
+            self._trouble = Finding("attention", refusal.reason, sentence(refusal.remedy))
             self.declined += 1
-            self.station.bus.event("refused", refusal.line, "attention")
+            self.station.bus.event("refused", refusal.text, "attention")
             self.changed.notify_all()
             self.refresh()

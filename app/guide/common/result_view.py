@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.findings import Quality
+from app.messages.message import Text
 
 
 @dataclass(frozen=True)
 class BudgetLine:
-    source: str
+    source: Text
     value_um: float
 
 
@@ -27,7 +28,7 @@ class WorstPointLine:
     in the picture of ``pose``."""
 
     kind: Literal["contact", "corner", "stripe"]
-    name: str
+    name: Text
     value: float
     unit: str
     point: int | None = None
@@ -79,7 +80,7 @@ class PoseRow:
 
     number: int
     used: bool
-    reason: str
+    reason: Text
     edges_rms_px: float
     stripe_rms_px: float | None
     """None without a laser line."""
@@ -89,7 +90,7 @@ class PoseRow:
 @dataclass(frozen=True)
 class CalibrationResult:
     verdict: Quality
-    verdict_text: str
+    verdict_text: Text
     reprojection_rms_px: float
     laser_plane_rms_um: float
     alignment_rms_um: float | None

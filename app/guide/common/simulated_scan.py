@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from app.errors import OperationError
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.messages.message import message, word
 from app.station.bus import Bus
 from app.station.jobs import Job, Jobs, Progress
 
@@ -25,7 +26,7 @@ class SimulatedScan:
         """Begins; nothing happens when it is at work already.
 
         Raises:
-            Refusal: ``no-hand`` on real devices, ``busy`` while another job runs.
+            OperationError: ``no-hand`` on real devices, ``busy`` while another job runs.
         """
         if self._running:
             return
@@ -35,13 +36,13 @@ class SimulatedScan:
 
         def work(progress: Progress) -> None:
             for done, part in enumerate(hand.parts):
-                progress(f"The hand scans the {part}", done / len(hand.parts))
+                progress(message("hand-scans", part=word(part)), done / len(hand.parts))
                 if not self._running or not hand.scan_part(part):
                     return
 
         self._running = True
         try:
-            self._jobs.start("The hand at work", work, self._finish)
+            self._jobs.start(message("hand-work"), work, self._finish)
         except OperationError:
             self._running = False
             raise
@@ -57,7 +58,7 @@ class SimulatedScan:
         if hand is None:
             raise _no_simulation_error()
         if self._running:
-            raise OperationError("busy", "The hand is scanning", remedy="Stop it first")
+            raise OperationError("busy", message("hand-scanning"), remedy=message("stop-first"))
         self._running = True
         self._changed()
         try:
@@ -75,13 +76,13 @@ class SimulatedScan:
     def _finish(self, job: Job[None]) -> None:
         self._running = False
         if job.refusal is not None:
-            self._bus.event("refused", job.refusal.line, "bad")
+            self._bus.event("refused", job.refusal.text, "bad")
         self._changed()
 
 
 def _no_simulation_error() -> OperationError:
     return OperationError(
         "no-hand",
-        "There is no simulated hand on real devices",
-        remedy="Move the sensor over the part yourself",
+        message("there-no-simulated-hand-real-devices-2"),
+        remedy=message("move-sensor-over-part-yourself"),
     )

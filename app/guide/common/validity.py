@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from app.findings import Finding, Quality, format_signed
+from app.findings import Finding, Quality
+from app.messages.message import Text, message, quantity, rounded, signed
 from app.timestamps import parse_moment
 
 CheckName = Literal["calibration", "verification", "tip", "arm"]
@@ -36,7 +37,7 @@ class CheckResult:
 
     at: str
     result: State
-    text: str
+    text: Text
     """What it found, in a few words."""
 
 
@@ -60,14 +61,14 @@ class Validity:
     """One thing that must be in order to measure, in one line."""
 
     id: CheckName
-    title: str
+    title: Text
     state: State
     quality: Quality
-    text: str
+    text: Text
     """What it is worth, or why it is due, in one sentence."""
     at: str | None
     page: Page
-    action: str
+    action: Text
     """What the button that leads there says."""
 
 
@@ -75,9 +76,9 @@ class Validity:
 class NextAction:
     """What to do next."""
 
-    label: str
+    label: Text
     page: Page
-    text: str
+    text: Text
 
 
 QUALITY: dict[State, Quality] = {
@@ -96,104 +97,123 @@ def check_validity(
     return (
         _calibration(known, now, limits),
         _verification(known, now, limits),
-        _check_age("tip", "Tip", known.tip, now, limits.tip_hours / 24, "Check the tip"),
-        _check_age("arm", "Arm", known.arm, now, limits.arm_days, "Check the arm"),
+        _check_age(
+            "tip", message("tip"), known.tip, now, limits.tip_hours / 24, message("check-tip")
+        ),
+        _check_age("arm", message("arm-4"), known.arm, now, limits.arm_days, message("check-arm")),
     )
 
 
 def _calibration(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
-    def line(state: State, text: str, at: str | None, action: str) -> Validity:
+    def line(state: State, text: Text, at: str | None, action: Text) -> Validity:
         quality = "attention" if state == "missing" else QUALITY[state]
-        return Validity("calibration", "Calibration", state, quality, text, at, "calibrate", action)
+        return Validity(
+            "calibration", message("calibration"), state, quality, text, at, "calibrate", action
+        )
 
-    found = known.calibration
-    if found is None:
-        return line("missing", "There is no calibration in use yet.", None, "Calibrate")
-    if found.result == "failed":
-        text = f"It cannot be read: {found.text}"
-        return line("failed", text, found.at or None, "Calibrate again")
-    old = age_days(found.at, now)
-    if old > limits.calibration_days:
-        text = f"It is {ago(old)} old; after {limits.calibration_days:g} days it is due."
-        return line("due", text, found.at, "Calibrate again")
+    result = known.calibration
+    again = message("calibrate-again")
+    if result is None:
+        return line("missing", message("there-no-calibration-use-yet"), None, message("calibrate"))
+    if result.result == "failed":
+        return line("failed", message("cannot-read", text=result.text), result.at or None, again)
+    age = age_days(result.at, now)
+    limit = duration(limits.calibration_days)
+    if age > limits.calibration_days:
+        text = message("old-after-days-due", ago=duration(age), limit=limit)
+        return line("due", text, result.at, again)
     warmer = known.warmer_c
+    largest_change = rounded(limits.temperature_c, "°C")
     if warmer is not None and abs(warmer) > limits.temperature_c:
-        how = "warmer" if warmer > 0 else "colder"
-        text = (
-            f"It is {abs(warmer):.1f} °C {how} than when it was made; "
-            f"beyond {limits.temperature_c:g} °C it is due."
+        text = message(
+            "than-when-made-beyond-c-due",
+            difference=quantity(abs(warmer), "°C", 1),
+            how="warmer" if warmer > 0 else "colder",
+            limit=largest_change,
         )
-        return line("due", text, found.at, "Calibrate again")
-    text = f"{found.text}, {ago(old)} old; due after {limits.calibration_days:g} days."
-    if warmer is not None:
-        text = (
-            f"{text[:-1]}, or beyond {limits.temperature_c:g} °C "
-            f"(now {format_signed(warmer, 1)} °C)."
+        return line("due", text, result.at, again)
+    if warmer is None:
+        text = message("old-due-after-days", text=result.text, ago=duration(age), limit=limit)
+    else:
+        text = message(
+            "calibration-age-and-temperature",
+            text=result.text,
+            ago=duration(age),
+            limit=limit,
+            change=largest_change,
+            now=signed(warmer, "°C", 1),
         )
-    return line("valid", text, found.at, "Calibrate again")
+    return line("valid", text, result.at, again)
 
 
 def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
-    def line(state: State, text: str, at: str | None, action: str) -> Validity:
+    def line(state: State, text: Text, at: str | None, action: Text) -> Validity:
         quality: Quality = QUALITY[state]
         if state == "missing" and known.calibration is not None:
             quality = "attention"
-        return Validity("verification", "Verification", state, quality, text, at, "verify", action)
+        return Validity(
+            "verification", message("verification"), state, quality, text, at, "verify", action
+        )
 
-    found = known.verification
-    if found is None:
+    result = known.verification
+    again = message("verify-again")
+    if result is None:
         if known.calibration is None:
-            return line("missing", "It comes after the calibration.", None, "Verify")
-        text = "This calibration was not verified yet."
+            return line("missing", message("comes-after-calibration"), None, message("verify"))
+        text = message("calibration-verified-yet")
         if known.verified_before:
-            text = "The last verification is older than this calibration."
-        return line("missing", text, None, "Verify")
-    old = age_days(found.at, now)
-    if found.result in ("failed", "unsure"):
-        words = "It failed" if found.result == "failed" else "It was not decided"
-        text = f"{words} {ago(old)} ago: {found.text[:1].lower()}{found.text[1:]}"
-        return line(found.result, text, found.at, "Verify again")
-    if old > limits.verification_days:
-        text = f"It is {ago(old)} old; after {limits.verification_days:g} days it is due."
-        return line("due", text, found.at, "Verify again")
-    text = f"Passed {ago(old)} ago; due after {limits.verification_days:g} days."
-    return line("valid", text, found.at, "Verify again")
+            text = message("last-verification-older-than-calibration")
+        return line("missing", text, None, message("verify"))
+    age = age_days(result.at, now)
+    if result.result == "failed":
+        text = message("verification-failed-ago", ago=duration(age), text=result.text)
+        return line("failed", text, result.at, again)
+    if result.result == "unsure":
+        text = message("verification-undecided-ago", ago=duration(age), text=result.text)
+        return line("unsure", text, result.at, again)
+    limit = duration(limits.verification_days)
+    if age > limits.verification_days:
+        text = message("old-after-days-due", ago=duration(age), limit=limit)
+        return line("due", text, result.at, again)
+    text = message("passed-ago-due-after-days", ago=duration(age), limit=limit)
+    return line("valid", text, result.at, again)
 
 
 def _check_age(
     name: Literal["tip", "arm"],
-    title: str,
-    found: CheckResult | None,
+    title: Text,
+    result: CheckResult | None,
     now: datetime,
     limit_days: float,
-    action: str,
+    action: Text,
 ) -> Validity:
-    def line(state: State, text: str, at: str | None) -> Validity:
+    def line(state: State, text: Text, at: str | None) -> Validity:
         return Validity(name, title, state, QUALITY[state], text, at, "arm", action)
 
-    if found is None:
-        return line("missing", "It was never checked.", None)
-    old = age_days(found.at, now)
-    if found.result == "failed":
-        return line("failed", f"The check {ago(old)} ago failed: {found.text}", found.at)
-    if old > limit_days:
-        text = f"Checked {ago(old)} ago; after {ago(limit_days)} a check is due."
-        return line("due", text, found.at)
-    return line("valid", f"Checked {ago(old)} ago: {found.text}", found.at)
+    if result is None:
+        return line("missing", message("never-checked"), None)
+    age = age_days(result.at, now)
+    if result.result == "failed":
+        text = message("check-ago-failed", ago=duration(age), text=result.text)
+        return line("failed", text, result.at)
+    if age > limit_days:
+        text = message("checked-ago-after-check-due", ago=duration(age), limit=duration(limit_days))
+        return line("due", text, result.at)
+    text = message("checked-ago", ago=duration(age), text=result.text)
+    return line("valid", text, result.at)
 
 
 def tip_finding(line: Validity) -> Finding:
-    """What whoever begins to touch should know of the tip."""
+    """What an operator who begins to touch should know of the tip."""
     if line.state == "valid":
-        return Finding("good", f"The tip: {line.text[:1].lower()}{line.text[1:]}")
-    remedy = "Check it first, on the page of arm and tip; it takes a minute."
-    words = {"missing": "The tip was never checked.", "failed": f"The tip: {line.text}"}
-    text = words.get(line.state, f"The tip: {line.text[:1].lower()}{line.text[1:]}")
-    return Finding(line.quality, text, remedy)
+        return Finding("good", message("tip-3", text=line.text))
+    never = line.state == "missing"
+    text = message("tip-never-checked") if never else message("tip-3", text=line.text)
+    return Finding(line.quality, text, message("check-first-page-arm-tip-takes"))
 
 
 def choose_next_action(
-    lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: str
+    lines: Sequence[Validity], calibrating: bool, verifying: bool, blocked: Text
 ) -> NextAction:
     """One sentence and one button.
 
@@ -203,31 +223,34 @@ def choose_next_action(
     line = {one.id: one for one in lines}
     calibration, verification = line["calibration"], line["verification"]
     if calibrating:
-        text = "A calibration is under way. Go on where it stands."
-        return NextAction("Go on calibrating", "calibrate", text)
+        text = message("calibration-under-way-go-where-stands")
+        return NextAction(message("go-calibrating"), "calibrate", text)
     if verifying:
-        text = "A verification is under way. Go on where it stands."
-        return NextAction("Go on verifying", "verify", text)
-    for name in ("tip", "arm"):
-        if line[name].state == "failed":
-            return NextAction(f"{line[name].action} again", "arm", line[name].text)
+        text = message("verification-under-way-go-where-stands")
+        return NextAction(message("go-verifying"), "verify", text)
+    if line["tip"].state == "failed":
+        return NextAction(message("check-tip-again"), "arm", line["tip"].text)
+    if line["arm"].state == "failed":
+        return NextAction(message("check-arm-again"), "arm", line["arm"].text)
     if calibration.state == "missing":
-        text = "Calibrate the sensor on the arm: touch the object, then take a few pictures."
-        return NextAction("Calibrate", "calibrate", text)
+        text = message("calibrate-sensor-arm-touch-object-then")
+        return NextAction(message("calibrate"), "calibrate", text)
     if calibration.state == "failed":
-        return NextAction("Calibrate again", "calibrate", calibration.text)
+        return NextAction(message("calibrate-again"), "calibrate", calibration.text)
     if calibration.state == "due":
         return NextAction(
-            "Calibrate again", "calibrate", f"The calibration is due. {calibration.text}"
+            message("calibrate-again"),
+            "calibrate",
+            message("calibration-due", text=calibration.text),
         )
     if blocked:
-        return NextAction("Calibrate", "calibrate", blocked)
-    if verification.state != "valid":
-        text = verification.text
-        if verification.state == "missing":
-            text = f"{text} Touch and scan a gauge: it takes two minutes."
+        return NextAction(message("calibrate"), "calibrate", blocked)
+    if verification.state == "missing":
+        text = message("touch-scan-gauge-takes-two-minutes", text=verification.text)
         return NextAction(verification.action, "verify", text)
-    return NextAction("Scan", "scan", "The calibration is valid and verified. Scan the part.")
+    if verification.state != "valid":
+        return NextAction(verification.action, "verify", verification.text)
+    return NextAction(message("scan"), "scan", message("calibration-valid-verified-scan-part"))
 
 
 def age_days(at: str, now: datetime) -> float:
@@ -235,11 +258,13 @@ def age_days(at: str, now: datetime) -> float:
     return max((now - parse_moment(at)).total_seconds() / SECONDS_A_DAY, 0.0)
 
 
-def ago(days: float) -> str:
-    """A length of time as it is said."""
-    minutes = days * 24 * 60
-    for count, word in ((days, "day"), (days * 24, "hour"), (minutes, "minute")):
-        if count >= 1.5 or (word == "minute" and count >= 0.99):
-            whole = round(count)
-            return f"{whole} {word}{'' if whole == 1 else 's'}"
-    return "less than a minute"
+def duration(days: float) -> Text:
+    """A length of time in its largest unit: days, hours or minutes."""
+    hours, minutes = days * 24, days * 24 * 60
+    if days >= 1.5:
+        return message("duration-days", count=round(days))
+    if hours >= 1.5:
+        return message("duration-hours", count=round(hours))
+    if minutes >= 0.99:
+        return message("duration-minutes", count=round(minutes))
+    return message("less-than-minute")

@@ -4,8 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from app.findings import Finding, Quality, format_signed
+from app.findings import Finding, Quality
 from app.guide.common.result_view import CalibrationResult
+from app.messages.message import Text
 from app.metrology.detection.failure_evidence import ImageAnnotation
 
 Vec3 = tuple[float, float, float]
@@ -17,12 +18,12 @@ StepState = Literal["done", "current", "todo", "stale"]
 class LiveNumber:
     """A number that the operator watches."""
 
-    label: str
+    label: Text
     value: float | None
     unit: str
     decimals: int
     quality: Quality = "neutral"
-    note: str = ""
+    note: Text = ""
 
 
 @dataclass(frozen=True)
@@ -30,18 +31,18 @@ class Action:
     """One thing that the operator may do now, or why not."""
 
     name: str
-    label: str
+    label: Text
     args: Mapping[str, object] = field(default_factory=dict)
     primary: bool = False
     enabled: bool = True
-    why_not: str = ""
-    confirm: str = ""
+    why_not: Text = ""
+    confirm: Text = ""
 
 
 @dataclass(frozen=True)
 class Step:
     id: str
-    title: str
+    title: Text
     state: StepState
 
 
@@ -82,7 +83,7 @@ class TouchedPoint:
 @dataclass(frozen=True)
 class FaceProgress:
     face: str
-    title: str
+    title: Text
     taken: int
     wanted: int
     selected: bool
@@ -94,22 +95,22 @@ class FaceProgress:
 class ChoiceOption:
     id: str
     label: str
-    detail: str
+    detail: Text
 
 
 @dataclass(frozen=True)
 class Choice:
     field: str
-    title: str
+    title: Text
     options: Sequence[ChoiceOption]
     selected: str
 
 
 @dataclass(frozen=True)
 class DeviceLine:
-    title: str
+    title: Text
     quality: Quality
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True)
@@ -163,7 +164,7 @@ class PosePicture:
 
     number: int
     state: Literal["taken", "used", "left_out", "aside"]
-    note: str
+    note: Text
     image_url: str
     width_px: int
     height_px: int
@@ -209,14 +210,14 @@ Picture = (
 class StepProgress:
     done: int
     of: int
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True)
 class Busy:
     """A job or the hand at work."""
 
-    text: str
+    text: Text
     fraction: float | None
 
 
@@ -229,22 +230,11 @@ class FlowView:
     running: bool
     steps: Sequence[Step]
     step: str
-    title: str
-    instruction: str
+    title: Text
+    instruction: Text
     picture: Picture
     number: LiveNumber | None
     progress: StepProgress | None
     findings: Sequence[Finding]
     actions: Sequence[Action]
     busy: Busy | None
-
-
-def format_signed_um(value: float) -> str:
-    """With its sign."""
-    return f"{format_signed(value)} µm"
-
-
-def sentence(text: str) -> str:
-    """With a capital letter and a full stop; empty stays empty."""
-    text = text.strip().rstrip(".")
-    return f"{text[0].upper()}{text[1:]}." if text else ""

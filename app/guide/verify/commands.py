@@ -7,12 +7,13 @@ from app.errors import OperationError
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import Press
 from app.guide.common.commands import AT_ANY_REV, start_job, start_simulation, stop_simulation
-from app.guide.verify import tasks as works
+from app.guide.verify import tasks
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.simulated_operator import simulation_job
 from app.guide.verify.state import STEPS, VerificationCloud
 from app.guide.verify.tasks import Temperatures
 from app.guide.verify.view import VerifyView
+from app.messages.message import message
 from app.station.jobs import Progress
 
 
@@ -38,7 +39,7 @@ def command(
     """Does a command of the browser, once for each ``key``.
 
     Raises:
-        Refusal: the command is not possible now, or was given on an old view.
+        OperationError: the command is not possible now, or was given on an old view.
     """
     with guide.lock:
         if not guide.knows_key(key):
@@ -91,103 +92,103 @@ def measure_waiting(guide: VerifyGuide) -> None:
         _measure(guide, cloud)
 
 
-def _undo(guide: VerifyGuide, told: CommandContext) -> None:
+def _undo(guide: VerifyGuide, context: CommandContext) -> None:
     if guide.state.step == "touch":
         index = guide.state.counted[-1].index
-        guide.append("touch_voided", {"index": index}, told.key)
+        guide.append("touch_voided", {"index": index}, context.key)
         guide.keep_touches()
     else:
         last = [cloud for cloud in guide.state.listed if not cloud.voided][-1]
-        guide.append("cloud_voided", {"number": last.number, "voided": True}, told.key)
+        guide.append("cloud_voided", {"number": last.number, "voided": True}, context.key)
 
 
-def _redo(guide: VerifyGuide, told: CommandContext) -> None:
-    guide.append("touch_restored", {"index": guide.state.undone[-1]}, told.key)
+def _redo(guide: VerifyGuide, context: CommandContext) -> None:
+    guide.append("touch_restored", {"index": guide.state.undone[-1]}, context.key)
     guide.keep_touches()
 
 
-def _void_touch(guide: VerifyGuide, told: CommandContext) -> None:
-    guide.append("touch_voided", {"index": told.args["index"]}, told.key)
+def _void_touch(guide: VerifyGuide, context: CommandContext) -> None:
+    guide.append("touch_voided", {"index": context.args["index"]}, context.key)
     guide.keep_touches()
 
 
-def _finish_cloud(guide: VerifyGuide, told: CommandContext) -> None:
-    cloud = works.end_cloud(guide, "cloud_ended", told.key)
+def _finish_cloud(guide: VerifyGuide, context: CommandContext) -> None:
+    cloud = tasks.end_cloud(guide, "cloud_ended", context.key)
     _measure(guide, cloud)
 
 
 def _measure(guide: VerifyGuide, cloud: VerificationCloud) -> None:
     def work(progress: Progress) -> None:
-        progress("Writing the cloud", 0.1)
-        works.measure(guide, cloud, works.end_scan(guide), progress)
+        progress(message("writing-cloud"), 0.1)
+        tasks.measure(guide, cloud, tasks.end_scan(guide), progress)
 
-    start_job(guide, "Measuring the cloud", work)
+    start_job(guide, message("measuring-cloud"), work)
 
 
-def _drop_cloud(guide: VerifyGuide, told: CommandContext) -> None:
-    works.end_cloud(guide, "cloud_voided", told.key)
-    start_job(guide, "Dropping the cloud", lambda _progress: works.drop_scan(guide))
+def _drop_cloud(guide: VerifyGuide, context: CommandContext) -> None:
+    tasks.end_cloud(guide, "cloud_voided", context.key)
+    start_job(guide, message("dropping-cloud"), lambda _progress: tasks.drop_scan(guide))
 
 
 def _with_number(kind: str, voided: bool) -> "Act":
-    def act(guide: VerifyGuide, told: CommandContext) -> None:
-        payload = {"number": told.args["number"], "voided": voided}
-        guide.append(kind, payload, told.key)
+    def act(guide: VerifyGuide, context: CommandContext) -> None:
+        payload = {"number": context.args["number"], "voided": voided}
+        guide.append(kind, payload, context.key)
 
     return act
 
 
 def _just(kind: str) -> "Act":
-    return lambda guide, told: guide.append(kind, {}, told.key)
+    return lambda guide, context: guide.append(kind, {}, context.key)
 
 
-def _back(guide: VerifyGuide, told: CommandContext) -> None:
+def _back(guide: VerifyGuide, context: CommandContext) -> None:
     before = STEPS[STEPS.index(guide.state.step) - 1]
-    guide.append("went_back", {"to": told.args.get("to", before)}, told.key)
+    guide.append("went_back", {"to": context.args.get("to", before)}, context.key)
 
 
-def _accept(guide: VerifyGuide, told: CommandContext) -> None:
-    assert told.temperatures is not None
-    works.accept(guide, told.operator, told.temperatures, told.key)
+def _accept(guide: VerifyGuide, context: CommandContext) -> None:
+    assert context.temperatures is not None
+    tasks.accept(guide, context.operator, context.temperatures, context.key)
 
 
-def _again(guide: VerifyGuide, told: CommandContext) -> None:
+def _again(guide: VerifyGuide, context: CommandContext) -> None:
     guide.append("abandoned", {})
-    guide.begin(told.key)
+    guide.begin(context.key)
 
 
-def _start_simulation(guide: VerifyGuide, told: CommandContext) -> None:
+def _start_simulation(guide: VerifyGuide, context: CommandContext) -> None:
     hand = guide.station.simulated_operator
     assert hand is not None
-    whole = told.args.get("all") is True
-    guide.append("hand_started", {"all": whole}, told.key)
+    whole = context.args.get("all") is True
+    guide.append("hand_started", {"all": whole}, context.key)
     start_simulation(guide, simulation_job(guide, hand, whole))
 
 
-def _stop_simulation(guide: VerifyGuide, told: CommandContext) -> None:
+def _stop_simulation(guide: VerifyGuide, context: CommandContext) -> None:
     stop_simulation(guide)
-    guide.append("hand_stopped", {}, told.key)
+    guide.append("hand_stopped", {}, context.key)
 
 
 Act = Callable[[VerifyGuide, CommandContext], None]
 ACTS: dict[str, Act] = {
-    "choose_gauge": lambda guide, told: guide.append(
-        "gauge_chosen", {"id": told.args["id"]}, told.key
+    "choose_gauge": lambda guide, context: guide.append(
+        "gauge_chosen", {"id": context.args["id"]}, context.key
     ),
-    "confirm_gauge": lambda guide, told: works.confirm_gauge(guide, told.key),
-    "touch": lambda guide, told: guide.touch(None, told.key),
+    "confirm_gauge": lambda guide, context: tasks.confirm_gauge(guide, context.key),
+    "touch": lambda guide, context: guide.touch(None, context.key),
     "undo": _undo,
     "redo": _redo,
     "void_touch": _void_touch,
     "confirm_touch": _just("touch_confirmed"),
     "skip_touch": _just("touch_skipped"),
-    "begin_cloud": lambda guide, told: works.begin_cloud(guide, told.key),
+    "begin_cloud": lambda guide, context: tasks.begin_cloud(guide, context.key),
     "finish_cloud": _finish_cloud,
     "drop_cloud": _drop_cloud,
     "void_cloud": _with_number("cloud_voided", True),
     "restore_cloud": _with_number("cloud_restored", False),
     "confirm_clouds": _just("clouds_confirmed"),
-    "more_clouds": lambda guide, told: guide.append("went_back", {"to": "scan"}, told.key),
+    "more_clouds": lambda guide, context: guide.append("went_back", {"to": "scan"}, context.key),
     "accept": _accept,
     "back": _back,
     "let_hand": _start_simulation,

@@ -4,10 +4,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding, Quality
 from app.formats.datasheets.gauge import GaugeFile
-from app.guide.common.view import Action, LiveNumber, Step, StepProgress, sentence
+from app.guide.common.mentions import mentions
+from app.guide.common.recorded_error import error_from_payload
+from app.guide.common.view import Action, LiveNumber, Step, StepProgress
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import build_picture, touch_rms_um
 from app.guide.verify.rules import (
@@ -23,13 +25,14 @@ from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
 )
+from app.messages.message import Text, join, message, quantity, rounded, word
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
 TITLES = {
-    "gauge": "Choose the gauge",
-    "touch": "Touch the gauge",
-    "scan": "Scan the gauge",
-    "review": "Result",
+    "gauge": message("choose-gauge"),
+    "touch": message("touch-gauge"),
+    "scan": message("scan-gauge"),
+    "review": message("result"),
 }
 LEFT_OUT_SHARE = 0.2
 QUALITY: dict[str, Quality] = {
@@ -68,33 +71,29 @@ def build_view(state: VerifyState, live: VerifyLive) -> VerifyView:
     )
 
 
-def _detail(gauge: GaugeFile) -> str:
-    size = "plane" if gauge.radius_mm is None else f"sphere, {2 * gauge.radius_mm:.3f} mm"
-    serial = f", serial number {gauge.serial_number}" if gauge.serial_number else ""
-    return f"{size}{serial}"
+def _detail(gauge: GaugeFile) -> Text:
+    size = (
+        word("plane")
+        if gauge.radius_mm is None
+        else message("sphere-2", diameter=quantity(2 * gauge.radius_mm, "mm", 3))
+    )
+    if not gauge.serial_number:
+        return size
+    return join([size, message("serial-number", serial_number=gauge.serial_number)])
 
 
-def _words(state: VerifyState, live: VerifyLive) -> tuple[str, str]:
-    plane = live.gauge is not None and live.gauge.shape == "plane"
+def _words(state: VerifyState, live: VerifyLive) -> tuple[Text, Text]:
+    shape = live.gauge.shape if live.gauge is not None else "sphere"
     if state.step == "gauge":
-        return TITLES["gauge"], (
-            "Clamp it firmly within the arm's reach. A sphere shows the most; a plane is quicker."
-        )
+        return TITLES["gauge"], message("clamp-firmly-within-arms-reach-sphere")
     if state.step == "touch":
-        where = (
-            "near its corners and in its middle" if plane else "on its top and all around its side"
-        )
-        return TITLES["touch"], (
-            f"Touch it with the probe {where}, and press the arm's button at each place."
-        )
+        return TITLES["touch"], message("touch-probe-press-arms-button-each", shape=shape)
     if state.step == "scan":
         if state.open_cloud is not None:
-            return f"Scanning cloud {state.open_cloud.number}", (
-                "Pass the stripe slowly over the whole gauge, then end the cloud."
-            )
-        how = "over the whole gauge" if plane else "over the sphere from three sides"
-        return TITLES["scan"], f"Pass the stripe slowly {how}. Each pass is a cloud of its own."
-    return TITLES["review"], "What the clouds show against the gauge's paper and the probe."
+            title = message("scanning-cloud", number=state.open_cloud.number)
+            return title, message("pass-stripe-slowly-over-whole-gauge")
+        return TITLES["scan"], message("pass-stripe-slowly-each-pass-cloud", shape=shape)
+    return TITLES["review"], message("what-clouds-show-against-gauges-paper")
 
 
 def _steps(state: VerifyState) -> list[Step]:
@@ -116,9 +115,9 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     touched = live.touched
     if state.step == "touch":
         note = _uncertainty_note(touched)
-        return LiveNumber("Touches agree to", touch_rms_um(live), "µm", 0, "neutral", note)
+        return LiveNumber(message("touches-agree"), touch_rms_um(live), "µm", 0, "neutral", note)
     if state.step == "scan" and state.open_cloud is not None:
-        return LiveNumber("Points", float(live.scan_points), "", 0)
+        return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
     figures = {figure.name: figure for figure in live.judged.figures}
     if state.step == "gauge" or not figures:
         return None
@@ -127,78 +126,84 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
         for name in ("centre_error", "offset", "radius_error", "form")
         if name in figures
     )
-    note = f"U = {main.expanded_uncertainty:.0f} µm, k = 2"
+    expanded = quantity(main.expanded_uncertainty, "µm")
+    note = message("expanded-uncertainty-note", expanded_uncertainty=expanded)
     if main.limit is not None:
-        note = f"limit {main.limit:g} µm; {note}"
+        limit = rounded(main.limit, "µm")
+        note = message("limit-m-2", limit=limit, expanded_uncertainty=expanded)
     return LiveNumber(main.title, abs(main.value), "µm", 0, QUALITY[main.decision], note)
 
 
-def _uncertainty_note(touched: object) -> str:
+def _uncertainty_note(touched: object) -> Text:
     if isinstance(touched, ProbedPlane):
         arcsec = touched.angle_sd_rad * 180 / np.pi * 3600
         at = touched.height_sd_mm(touched.nominal.point_mm)
-        return f"so the plane is known to {1e3 * at:.0f} µm and {arcsec:.0f}″, k = 1"
+        return message(
+            "so-plane-known-k-1", at=quantity(1000.0 * at, "µm"), arcsec=quantity(arcsec, "″")
+        )
     if isinstance(touched, ProbedSphere):
-        return f"so its centre is known to {1e3 * touched.centre_sd_mm:.0f} µm, k = 1"
-    return "after a few more touches"
+        return message(
+            "so-centre-known-k-1", centre_sd=quantity(1000.0 * touched.centre_sd_mm, "µm")
+        )
+    return message("after-few-more-touches")
 
 
 def _progress(state: VerifyState, live: VerifyLive) -> StepProgress | None:
     if state.step == "touch":
         done, of = len(state.counted), touches_wanted(live)
-        return StepProgress(min(done, of), of, f"{done} of {of} touches")
+        return StepProgress(min(done, of), of, message("touches", done=done, of=of))
     if state.step == "scan":
         done = len(state.good)
         return StepProgress(
-            min(done, CLOUDS_WANTED), CLOUDS_WANTED, f"{done} of {CLOUDS_WANTED} clouds"
+            min(done, CLOUDS_WANTED),
+            CLOUDS_WANTED,
+            message("clouds", done=done, clouds_wanted=CLOUDS_WANTED),
         )
     return None
 
 
 def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     if live.trouble:
-        found.append(live.trouble)
+        findings.append(live.trouble)
     if reason := change_reason(state, live):
-        found.append(Finding("bad", reason, "What was taken is kept in its folder."))
+        findings.append(Finding("bad", reason, message("what-taken-kept-folder")))
     for link in (live.arm_link, live.sensor_link):
         if link.state != "connected":
-            text = f"{link.title}: {link.text}"
-            found.append(Finding("bad", text, "Wait, or check it. What was taken is kept."))
+            lost = join([link.title, link.text], ": ")
+            findings.append(Finding("bad", lost, message("wait-check-what-taken-kept")))
     if state.step == "gauge":
-        found += live.gauges.findings
+        findings += live.gauges.findings
         if not live.gauges.known:
-            text = "There is no gauge in the data folder yet."
-            found.append(Finding("attention", text, "Put its paper into the folder gauges."))
+            text = message("there-no-gauge-data-folder-yet")
+            findings.append(Finding("attention", text, message("put-paper-into-folder-gauges")))
     if state.step == "touch":
-        told = found[0].text if live.trouble else ""
-        found += [finding for finding in _about_touches(live) if finding.text not in told]
+        shown = live.trouble.text if live.trouble else ""
+        findings += [one for one in _about_touches(live) if not mentions(shown, one.text)]
     if state.step == "scan":
-        found += _about_clouds(state, live)
+        findings += _about_clouds(state, live)
     if state.step == "review":
         verdict = live.judged.verdict
         if verdict is not None:
-            found.append(Finding(QUALITY[verdict.result], verdict.text, _remedy(verdict.result)))
-        found += [
+            findings.append(Finding(QUALITY[verdict.result], verdict.text, _remedy(verdict.result)))
+        findings += [
             Finding(QUALITY[figure.decision], figure.reason)
             for figure in live.judged.figures
             if figure.decision in ("fail", "uncertain")
         ]
-    return found
+    return findings
 
 
-def _remedy(result: str) -> str:
+def _remedy(result: str) -> Text:
     if result == "fail":
-        return "Clean gauge and tip, check the clamps, and verify again; then calibrate again."
-    return "Touch the gauge in more places, and scan it more slowly." if result != "pass" else ""
+        return message("clean-gauge-tip-check-clamps-verify")
+    return message("touch-gauge-more-places-scan-more") if result != "pass" else ""
 
 
 def _about_touches(live: VerifyLive) -> list[Finding]:
     touched = live.touched
     if isinstance(touched, OperationError) and touched.code != "too-few-touches":
-        why = f": {touched.why}" if touched.why else ""
-        text = sentence(f"{touched.what}{why}")
-        return [Finding("attention", text, sentence(touched.remedy))]
+        return [Finding("attention", touched.reason, sentence(touched.remedy))]
     if not isinstance(touched, ProbedSphere):
         return []
     off_mm = touched.radius_mm - touched.nominal.radius_mm
@@ -207,88 +212,95 @@ def _about_touches(live: VerifyLive) -> list[Finding]:
     return [
         Finding(
             "bad",
-            f"The touched sphere seems to have a diameter of {2 * touched.radius_mm:.2f} mm; by "
-            f"its paper it has {2 * touched.nominal.radius_mm:.2f} mm.",
-            "Check that this is the chosen gauge, and that the tip is the arm's own.",
+            message(
+                "touched-sphere-seems-have-diameter-paper",
+                radius=quantity(2 * touched.radius_mm, "mm", 2),
+                radius2=quantity(2 * touched.nominal.radius_mm, "mm", 2),
+            ),
+            message("check-chosen-gauge-tip-arms-own"),
         )
     ]
 
 
 def _about_clouds(state: VerifyState, live: VerifyLive) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     last = next((cloud for cloud in reversed(state.listed) if not cloud.voided), None)
     if last is None:
-        return found
+        return findings
     if last.refused is not None:
-        why = f": {last.refused['why']}" if last.refused["why"] else ""
-        text = sentence(f"Cloud {last.number} is of no use. {last.refused['what']}{why}")
-        found.append(Finding("attention", text, sentence(str(last.refused["remedy"]))))
+        error = error_from_payload(last.refused)
+        reason = join([message("cloud-no-use", number=last.number), error.reason], " ")
+        findings.append(Finding("attention", reason, sentence(error.remedy)))
     fit = live.judged.fits.get(last.number)
     if fit is None:
-        return found
-    found += [Finding("attention", sentence(text)) for text in fit.warnings]
+        return findings
+    findings += [Finding("attention", sentence(text)) for text in fit.warnings]
     plane = live.gauge is not None and live.gauge.shape == "plane"
     left_out = 1 - fit.used / max(fit.points, 1)
     if plane and left_out > LEFT_OUT_SHARE:
-        text = f"{100 * left_out:.0f} % of cloud {last.number} are not of the plane."
-        found.append(Finding("attention", text, "Scan the gauge, and nothing beside it."))
-    return found
+        text = message("cloud-plane", left_out=quantity(100 * left_out, "%"), number=last.number)
+        findings.append(Finding("attention", text, message("scan-gauge-nothing-beside")))
+    return findings
 
 
 def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     def offer(
         name: str,
-        label: str,
+        label: Text,
         primary: bool = False,
-        confirm: str = "",
+        confirm: Text = "",
         args: Mapping[str, object] | None = None,
     ) -> Action:
         reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
     leave = offer(
-        "abandon", "Leave", confirm="Leave this verification? Its clouds are kept in its folder."
+        "abandon", message("leave"), confirm=message("leave-verification-clouds-kept-folder")
     )
     if change_reason(state, live) and state.open_cloud is None:
-        return [offer("again", "Begin again", primary=True), leave]
-    hand = [offer("let_hand", "Let the hand do it")] if live.has_hand else []
+        return [offer("again", message("begin-again"), primary=True), leave]
+    hand = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
     if live.hand_running:
-        hand = [offer("stop_hand", "Stop the hand", primary=True)]
-    back = offer("back", "Back")
+        hand = [offer("stop_hand", message("stop-hand"), primary=True)]
+    back = offer("back", message("back"))
     if state.step == "gauge":
         if live.has_hand and not live.hand_running:
             whole = {"all": True}
-            hand.append(offer("let_hand", "Let the hand do everything", args=whole))
-        return [offer("confirm_gauge", "This gauge is clamped", primary=True), *hand, leave]
+            hand.append(offer("let_hand", message("let-hand-do-everything"), args=whole))
+        return [offer("confirm_gauge", message("gauge-clamped"), primary=True), *hand, leave]
     if state.step == "touch":
         enough = len(state.counted) >= touches_wanted(live)
         return [
-            offer("touch", "Take the touch", primary=not enough),
-            offer("confirm_touch", "Go on to scanning", primary=enough),
-            offer("undo", "Undo"),
-            *(offer("redo", f"Put touch {i + 1} back") for i in state.undone[-1:]),
+            offer("touch", message("take-touch"), primary=not enough),
+            offer("confirm_touch", message("go-scanning"), primary=enough),
+            offer("undo", message("undo")),
+            *(offer("redo", message("put-touch-back", i=i + 1)) for i in state.undone[-1:]),
             *hand,
-            offer("skip_touch", "Go on without the probe"),
+            offer("skip_touch", message("go-without-probe")),
             back,
         ]
     if state.step == "scan":
         if state.open_cloud is not None:
             return [
-                offer("finish_cloud", "End the cloud", primary=True),
-                offer("drop_cloud", "Drop this cloud"),
+                offer("finish_cloud", message("end-cloud"), primary=True),
+                offer("drop_cloud", message("drop-cloud")),
                 *hand,
             ]
         enough = len(state.good) >= CLOUDS_WANTED
         return [
-            offer("begin_cloud", f"Scan cloud {len(state.clouds) + 1}", primary=not enough),
-            offer("confirm_clouds", "See the result", primary=enough),
-            offer("undo", "Undo"),
+            offer(
+                "begin_cloud",
+                message("scan-cloud", clouds=len(state.clouds) + 1),
+                primary=not enough,
+            ),
+            offer("confirm_clouds", message("see-result"), primary=enough),
+            offer("undo", message("undo")),
             *hand,
             back,
         ]
     return [
-        offer("accept", "Accept this verification", primary=True),
-        offer("more_clouds", "Scan more clouds"),
+        offer("accept", message("accept-verification"), primary=True),
+        offer("more_clouds", message("scan-more-clouds")),
         back,
         leave,
     ]

@@ -7,6 +7,7 @@ from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.file_names import check_name
 from app.guide.verify.live import Gauges
+from app.messages.message import message
 
 SUFFIXES = (".nominal.json", ".json")
 
@@ -19,8 +20,8 @@ def read_gauges(folder: Path) -> Gauges:
         try:
             check_name(path)
             known.setdefault(_gauge_id(path), read_gauge(path))
-        except OperationError as refusal:
-            findings.append(Finding("attention", refusal.line, "Correct or remove the file."))
+        except OperationError as error:
+            findings.append(Finding("attention", error.text, message("correct-remove-file")))
     return Gauges(known, tuple(findings))
 
 

@@ -22,7 +22,6 @@ from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.journal import Check, Journal, JournalEntry
 from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.common.view import sentence
 from app.guide.verify.arguments import ARGUMENTS
 from app.guide.verify.flow import build_view
 from app.guide.verify.gauges import gauge_path, read_gauges
@@ -30,6 +29,7 @@ from app.guide.verify.live import CloudResults, Gauges, VerifyLive
 from app.guide.verify.rules import rejection_reason
 from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
+from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.station.bus import Bus
@@ -153,7 +153,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             arm_link=side.link(),
             sensor_link=station.rig.sensor.link(),
             still=side.stillness().still,
-            scan_why_not=sentence(blocked.line) if blocked else "",
+            scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_cloud else 0,
             has_hand=station.simulated_operator is not None,
             hand_running=self.hand_running,
@@ -234,7 +234,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """Begins a session; an open one is resumed instead.
 
         Raises:
-            Refusal: there is no calibration in use.
+            OperationError: there is no calibration in use.
         """
         with self.lock:
             if not self.running:
@@ -247,9 +247,9 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         if active is None:
             raise OperationError(
                 "no-calibration",
-                "There is nothing to verify",
-                "no calibration is in use yet",
-                "Calibrate first",
+                message("there-nothing-verify"),
+                message("no-calibration-use-yet"),
+                message("calibrate-first"),
             )
         session_id = new_session_id()
         known = self.gauges().known
@@ -298,12 +298,12 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """Takes the place that the tip touches, or touched at ``until_ns``.
 
         Raises:
-            Refusal: the arm is lost or moves, or that place was touched before.
+            OperationError: the arm is lost or moves, or that place was touched before.
         """
         side, (_, arm) = self.station.rig.arm, self.datasheets()
         if arm is None:
             raise OperationError(
-                "no-arm-model", "The session's arm cannot be read", remedy="Begin a new one"
+                "no-arm-model", message("sessions-arm-cannot-read"), remedy=message("begin-new-one")
             )
         side.set_model(arm)  # by which it is judged whether the arm is still
         mean = side.average(until_ns=until_ns)
@@ -315,12 +315,14 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
                 number = int(np.argmin(apart)) + 1
                 raise OperationError(
                     "same-place",
-                    f"That is the place of touch {number}",
-                    f"{1e3 * apart.min():.0f} µm away",
-                    "Touch it elsewhere",
+                    message("place-touch", number=number),
+                    message("away", min=quantity(1000.0 * apart.min(), "µm")),
+                    message("touch-elsewhere"),
                 )
         self.append("touched", {"q_rad": mean.q_rad.tolist()}, key)
-        self.station.bus.event("point_taken", f"Touch {len(self.state.counted)} of the gauge.")
+        self.station.bus.event(
+            "point_taken", message("touch-gauge-2", counted=len(self.state.counted))
+        )
         self.keep_touches()
 
     def keep_touches(self) -> None:

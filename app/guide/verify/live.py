@@ -8,6 +8,7 @@ from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import FigurePart, VerificationVerdict
 from app.guide.common.view import Busy
+from app.messages.message import Text
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
@@ -16,7 +17,7 @@ from app.workflows.verification_metrics import CloudErrors, ProbedGauge
 
 @dataclass(frozen=True)
 class Gauges:
-    """The data folder's gauges by id; files that cannot be read are told, not hidden."""
+    """The data folder's gauges by id; files that cannot be read are findings."""
 
     known: Mapping[str, GaugeFile]
     findings: tuple[Finding, ...]
@@ -51,7 +52,7 @@ class VerifyLive:
     arm_link: DeviceState
     sensor_link: DeviceState
     still: bool
-    scan_why_not: str
+    scan_why_not: Text
     scan_points: int
     has_hand: bool
     hand_running: bool

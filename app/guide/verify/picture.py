@@ -4,8 +4,8 @@ from dataclasses import asdict
 
 import numpy as np
 
-from app.errors import OperationError
-from app.guide.common.view import sentence
+from app.errors import OperationError, sentence
+from app.guide.common.recorded_error import error_from_payload
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState
 from app.guide.verify.view import (
@@ -16,6 +16,7 @@ from app.guide.verify.view import (
     VerdictLine,
     VerifyPicture,
 )
+from app.messages.message import Text
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.fitting.deviation_map import flat_places
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
@@ -80,14 +81,13 @@ def _flat(touched: ProbedPlane | ProbedSphere, tips: Floats) -> Floats:
 def _cloud(state: VerifyState, live: VerifyLive, cloud: VerificationCloud) -> CloudLine:
     fit = live.judged.fits.get(cloud.number)
     shown: CloudState = "good"
-    text = ""
+    text: Text = ""
     if cloud.voided:
         shown = "aside"
     elif not cloud.ended:
         return CloudLine(cloud.number, "scanning", "", live.scan_points, 0)
     elif cloud.refused is not None:
-        why = f": {cloud.refused['why']}" if cloud.refused["why"] else ""
-        return CloudLine(cloud.number, "refused", sentence(f"{cloud.refused['what']}{why}"), 0, 0)
+        return CloudLine(cloud.number, "refused", error_from_payload(cloud.refused).reason, 0, 0)
     elif fit is None:
         return CloudLine(cloud.number, "measuring", "", 0, 0)
     if fit is None:

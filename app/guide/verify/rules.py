@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from app.errors import OperationError
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
+from app.messages.message import Text, message
 from app.metrology.gauges.probed_gauge import PLANE_LEAST, SPHERE_LEAST
 
 CLOUDS_WANTED = 3
@@ -41,30 +42,30 @@ WHATEVER_IS_IN_USE = ("stop_hand", "abandon", "again", "finish_cloud", "drop_clo
 """What can be done although another calibration is in use by now."""
 
 
-def rejection_reason(state: VerifyState, live: VerifyLive, name: str, args: Args) -> str:
+def rejection_reason(state: VerifyState, live: VerifyLive, name: str, args: Args) -> Text:
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
-        return f"There is no command '{name}'."
+        return message("there-no-command", name=name)
     if name == "stop_hand":
-        return "" if live.hand_running else "The hand is not moving."
+        return "" if live.hand_running else message("hand-moving")
     if state.ended or not state.session_id:
-        return "This verification is closed. Start a new one."
+        return message("verification-closed-start-new-one")
     if live.busy is not None:
-        return f"Wait: {live.busy.text[0].lower()}{live.busy.text[1:]}."
+        return message("wait-2", text=live.busy.text)
     if name in ONLY_IN and state.step not in ONLY_IN[name]:
-        return f"This belongs to another step; the verification stands at '{state.step}'."
+        return message("belongs-another-step-verification-stands", step=state.step)
     if name not in WHATEVER_IS_IN_USE and (reason := change_reason(state, live)):
         return reason
     rule = RULES.get(name)
     return rule(state, live, args) if rule else ""
 
 
-def change_reason(state: VerifyState, live: VerifyLive) -> str:
+def change_reason(state: VerifyState, live: VerifyLive) -> Text:
     """Said where another calibration came into use since the session began."""
     if not live.active_id:
-        return "There is no calibration in use. Calibrate first."
+        return message("there-no-calibration-use-calibrate-first")
     if live.active_id != state.calibration_id:
-        return "Another calibration came into use meanwhile. Begin again with that one."
+        return message("another-calibration-came-into-use-meanwhile")
     return ""
 
 
@@ -80,106 +81,106 @@ def touches_wanted(live: VerifyLive) -> int:
     return PLANE_WANTED if plane else SPHERE_WANTED
 
 
-def _choose(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _choose(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     chosen = args.get("id")
     known = isinstance(chosen, str) and chosen in live.gauges.known
-    return "" if known else "There is no such gauge."
+    return "" if known else message("there-no-such-gauge")
 
 
-def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if live.gauge is None:
         if not live.gauges.known:
-            return "There is no gauge in the data folder yet."
-        return "Choose the gauge first."
+            return message("there-no-gauge-data-folder-yet")
+        return message("choose-gauge-first")
     return ""
 
 
-def _touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if live.arm_link.state != "connected":
-        return f"The arm: {live.arm_link.text}"
-    return "" if live.still else "Hold the arm still."
+        return message("arm-2", text=live.arm_link.text)
+    return "" if live.still else message("hold-arm-still-2")
 
 
-def _undo(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _undo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.step == "touch":
-        return "" if state.counted else "No touch was taken yet."
+        return "" if state.counted else message("no-touch-taken-yet")
     if state.open_cloud is not None:
-        return "Finish this cloud, or drop it."
+        return message("finish-cloud-drop")
     left = any(not cloud.voided for cloud in state.listed)
-    return "" if left else "No cloud was taken yet."
+    return "" if left else message("no-cloud-taken-yet")
 
 
-def _redo(state: VerifyState, live: VerifyLive, args: Args) -> str:
-    return "" if state.undone else "No touch was taken back since the last one was taken."
+def _redo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
+    return "" if state.undone else message("no-touch-taken-back-since-last")
 
 
-def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     index = args.get("index")
     known = type(index) is int and any(touch.index == index for touch in state.counted)
-    return "" if known else "There is no such touch."
+    return "" if known else message("there-no-such-touch")
 
 
-def _confirm_touch(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _confirm_touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     taken = len(state.counted)
     if taken < touches_needed(live):
-        return f"Touch it more: {taken} of at least {touches_needed(live)} places."
+        return message("touch-more-least-places", taken=taken, touches_needed=touches_needed(live))
     if isinstance(live.touched, OperationError):
-        return live.touched.line
+        return live.touched.text
     return ""
 
 
-def _begin(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _begin(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
-        return "A cloud is being scanned already."
+        return message("cloud-being-scanned-already")
     if any(cloud.waiting for cloud in state.clouds):
-        return "The last cloud is still to be measured."
+        return message("last-cloud-still-measured")
     if len(state.clouds) >= CLOUDS_MOST:
-        return f"{CLOUDS_MOST} clouds are enough."
+        return message("clouds-enough", clouds_most=CLOUDS_MOST)
     return live.scan_why_not
 
 
-def _scanning(state: VerifyState, live: VerifyLive, args: Args) -> str:
-    return "" if state.open_cloud is not None else "No cloud is being scanned."
+def _scanning(state: VerifyState, live: VerifyLive, args: Args) -> Text:
+    return "" if state.open_cloud is not None else message("no-cloud-being-scanned")
 
 
-def _cloud(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _cloud(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
-        return "Finish this cloud, or drop it."
+        return message("finish-cloud-drop")
     number = args.get("number")
     known = type(number) is int and any(cloud.number == number for cloud in state.listed)
-    return "" if known else "There is no such cloud."
+    return "" if known else message("there-no-such-cloud")
 
 
-def _enough(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _enough(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
-        return "Finish this cloud first."
+        return message("finish-cloud-first")
     if any(cloud.waiting for cloud in state.clouds):
-        return "The last cloud is still to be measured."
-    return "" if state.good else "No cloud shows the gauge yet. Scan one."
+        return message("last-cloud-still-measured")
+    return "" if state.good else message("no-cloud-shows-gauge-yet-scan")
 
 
-def _back(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _back(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
-        return "Finish this cloud, or drop it."
+        return message("finish-cloud-drop")
     to = args.get("to")
     if to is None:
         return ""
     if to not in STEPS or STEPS.index(str(to)) >= STEPS.index(state.step):
-        return "That is not a step before this one."
+        return message("step-before-one")
     return ""
 
 
-def _simulation(state: VerifyState, live: VerifyLive, args: Args) -> str:
+def _simulation(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if not live.has_hand:
-        return "There is no simulated hand on real devices."
-    return "Finish this cloud, or drop it." if state.open_cloud is not None else ""
+        return message("there-no-simulated-hand-real-devices")
+    return message("finish-cloud-drop") if state.open_cloud is not None else ""
 
 
-def _leave(state: VerifyState, live: VerifyLive, args: Args) -> str:
-    return "Finish this cloud, or drop it." if state.open_cloud is not None else ""
+def _leave(state: VerifyState, live: VerifyLive, args: Args) -> Text:
+    return message("finish-cloud-drop") if state.open_cloud is not None else ""
 
 
-Rule = Callable[[VerifyState, VerifyLive, Args], str]
+Rule = Callable[[VerifyState, VerifyLive, Args], Text]
 RULES: dict[str, Rule] = {
     "choose_gauge": _choose,
     "confirm_gauge": _confirm_gauge,

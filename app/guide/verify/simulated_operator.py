@@ -5,9 +5,10 @@ from collections.abc import Callable
 
 from app.errors import OperationError
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.verify import tasks as works
+from app.guide.verify import tasks
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.rules import CLOUDS_WANTED, touches_wanted
+from app.messages.message import message, word
 from app.station.jobs import Progress
 
 GAUGES = {"plane": "plate", "sphere": "sphere"}
@@ -46,7 +47,7 @@ def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
 def _gauge(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
     with guide.lock:
         guide.check_allowed("confirm_gauge", {}, None, by_hand=True)
-        works.confirm_gauge(guide, None)
+        tasks.confirm_gauge(guide, None)
 
 
 def _name(guide: VerifyGuide) -> str:
@@ -58,7 +59,7 @@ def _name(guide: VerifyGuide) -> str:
 def _touch(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
     name, of = _name(guide), touches_wanted(guide.live())
     for index in range(len(guide.state.counted), of):
-        progress(f"The hand touches the {name}", index / of)
+        progress(message("hand-touches-2", name=word(name)), index / of)
         if not guide.hand_running or not _touch_one(guide, hand, name, index):
             return
     _confirm(guide, "confirm_touch", "touch_confirmed")
@@ -80,8 +81,8 @@ def _touch_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, index: in
                 return True
     raise OperationError(
         "hand-declined",
-        f"The hand's touch {index + 1} was declined {ATTEMPTS} times",
-        remedy="Look at the last message, and let the hand try again",
+        message("hands-touch-declined-times", index=index + 1, attempts=ATTEMPTS),
+        remedy=message("look-last-message-let-hand-try"),
     )
 
 
@@ -89,7 +90,8 @@ def _scan(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> No
     name = _name(guide)
     at_least_one = max(CLOUDS_WANTED, len(guide.state.good) + 1)
     for done in range(len(guide.state.good), at_least_one):
-        progress(f"The hand scans the {name}, cloud {done + 1}", done / at_least_one)
+        text = message("hand-scans-cloud", name=word(name), done=done + 1)
+        progress(text, done / at_least_one)
         if not guide.hand_running or not _scan_one(guide, hand, name, progress):
             return
     _confirm(guide, "confirm_clouds", "clouds_confirmed")
@@ -103,16 +105,16 @@ def _scan_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, progress: 
         if not guide.hand_running:
             return False
         guide.check_allowed("begin_cloud", {}, None, by_hand=True)
-        works.begin_cloud(guide, None)
+        tasks.begin_cloud(guide, None)
     whole = hand.scan_part(name)
     with guide.lock:
         if guide.state.open_cloud is None:
             return False
-        cloud = works.end_cloud(guide, "cloud_ended" if whole else "cloud_voided", None)
-    seconds = works.end_scan(guide)
+        cloud = tasks.end_cloud(guide, "cloud_ended" if whole else "cloud_voided", None)
+    seconds = tasks.end_scan(guide)
     if not whole:
         return False
-    works.measure(guide, cloud, seconds, progress)
+    tasks.measure(guide, cloud, seconds, progress)
     return any(good.number == cloud.number for good in guide.state.good)
 
 

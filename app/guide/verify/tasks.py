@@ -24,9 +24,12 @@ from app.formats.results.verification import (
 from app.formats.session.calibration_session import ARM
 from app.formats.software import SOFTWARE
 from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.common.recorded_error import error_payload
+from app.guide.verify.flow import QUALITY
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState
+from app.messages.message import Text, message, quantity
 from app.metrology.gauges.errors import ARCSEC_PER_RAD
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.station.jobs import Progress
@@ -54,7 +57,7 @@ def begin_cloud(guide: VerifyGuide, key: str | None) -> None:
     folder = guide.folder / VerificationCloud(number, "", "").name
     # of a process that was killed before the row below was kept
     shutil.rmtree(folder, ignore_errors=True)
-    guide.station.scanner.start(f"Verification, cloud {number}", folder)
+    guide.station.scanner.start(str(message("verification-cloud", number=number)), folder)
     guide.append("cloud_begun", {"number": number}, key)
 
 
@@ -81,29 +84,28 @@ def measure(
     guide: VerifyGuide, cloud: VerificationCloud, seconds: float, progress: Progress
 ) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
-    progress(f"Measuring cloud {cloud.number}", 0.5)
+    progress(message("measuring-cloud-2", number=cloud.number), 0.5)
     folder = guide.folder / cloud.name
     with guide.lock:
         gauge, arm = guide.datasheets()
     try:
         if gauge is None or arm is None:
-            raise OperationError(
-                "sheets-gone", "The session's gauge or arm cannot be read any more"
-            )
+            raise OperationError("sheets-gone", message("sessions-gauge-arm-cannot-read-any"))
         with convert_io_errors(folder / RECORDING):  # a killed process left it in memory alone
             sync_file(folder / RECORDING)
             sync_folder(folder)
         measured = measure_recording(folder / RECORDING, guide.calibration(), arm, gauge)
         measured.map.write(folder / MAP)
-    except OperationError as refusal:
-        told = {"what": refusal.what, "why": refusal.why, "remedy": refusal.remedy}
-        refused = {"code": refusal.code, **told}
-        guide.append("cloud_refused", {"number": cloud.number, "refused": refused})
-        guide.station.bus.event("refused", refusal.line, "attention")
+    except OperationError as error:
+        payload = {"number": cloud.number, "refused": error_payload(error)}
+        guide.append("cloud_refused", payload)
+        guide.station.bus.event("refused", error.text, "attention")
     else:
-        payload = {"number": cloud.number, "fit": measured.fit.model_dump(mode="json")}
-        guide.append("cloud_measured", {**payload, "seconds": seconds})
-        text = f"Cloud {cloud.number}: {measured.fit.rms_um:.0f} µm rms about the gauge."
+        fit = measured.fit.model_dump(mode="json")
+        guide.append("cloud_measured", {"number": cloud.number, "fit": fit, "seconds": seconds})
+        text = message(
+            "cloud-rms-about-gauge", number=cloud.number, rms=quantity(measured.fit.rms_um, "µm")
+        )
         guide.station.bus.event("step_done", text, "good")
     scan_id = f"{guide.folder.name}-{cloud.name}"
     guide.station.scanner.forget(scan_id)
@@ -114,7 +116,7 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
     """Writes the record and keeps the verification.
 
     Raises:
-        Refusal: a file cannot be read or written; nothing is kept then.
+        OperationError: a file cannot be read or written; nothing is kept then.
     """
     live, state = guide.live(), guide.state
     sheet = build_record(guide, live, operator, temperatures)
@@ -133,8 +135,8 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
             state.session_id, state.calibration_id, guide.folder, figures, key, check
         )
     )
-    quality = {"pass": "good", "fail": "bad"}.get(sheet.verdict.result, "attention")
-    guide.station.bus.event("accepted", f"Verified: {sheet.verdict.text}", quality)  # type: ignore[arg-type]
+    quality = QUALITY[sheet.verdict.result]
+    guide.station.bus.event("accepted", message("verified", text=sheet.verdict.text), quality)
 
 
 def build_record(
@@ -240,15 +242,15 @@ def cloud_part(cloud: VerificationCloud, fit: GaugeFit, errors: CloudErrors) -> 
     )
 
 
-def _notes(state: VerifyState) -> tuple[str, ...]:
-    notes = []
+def _notes(state: VerifyState) -> tuple[Text, ...]:
+    notes: list[Text] = []
     if state.by_probe:
-        notes.append("Scan and probe share the arm: what both have wrong alike does not show here.")
+        notes.append(message("scan-probe-share-arm-what-both"))
     else:
-        notes.append("The gauge was not touched: only its shape and size are judged.")
+        notes.append(message("gauge-touched-only-shape-size-judged"))
     aside = sum(cloud.voided or cloud.refused is not None for cloud in state.listed)
     if aside:
-        notes.append(f"{aside} further cloud{'s were' if aside > 1 else ' was'} not used.")
+        notes.append(message("further-cloud-aside-one-other-s", aside=aside))
     return tuple(notes)
 
 

@@ -8,6 +8,7 @@ from app.findings import Finding
 from app.formats.datasheets.gauge import Shape
 from app.formats.results.verification import Decision, Result
 from app.guide.common.view import Action, Busy, LiveNumber, Step, StepProgress
+from app.messages.message import Text
 
 CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
 
@@ -19,7 +20,7 @@ class GaugeOption:
     id: str
     shape: Shape
     label: str
-    detail: str
+    detail: Text
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class CloudLine:
 
     number: int
     state: CloudState
-    text: str
+    text: Text
     """Why it is of no use, or what should be known of it."""
     points: int
     used: int
@@ -57,20 +58,20 @@ class FigureLine:
     """One figure against its limit."""
 
     name: str
-    title: str
+    title: Text
     unit: str
     value: float
     expanded_uncertainty: float
     limit: float | None
     decision: Decision
-    reason: str
+    reason: Text
     clouds: Sequence[float]
 
 
 @dataclass(frozen=True)
 class VerdictLine:
     result: Result
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True)
@@ -102,8 +103,8 @@ class VerifyView:
     gauge: str
     steps: Sequence[Step]
     step: str
-    title: str
-    instruction: str
+    title: Text
+    instruction: Text
     picture: VerifyPicture
     number: LiveNumber | None
     progress: StepProgress | None

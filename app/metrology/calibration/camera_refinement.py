@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.calibration.laser_plane_fit import LaserPlaneFit
 from app.metrology.calibration.observation_model import (
     BLOCK,
@@ -161,9 +162,9 @@ def _adjust(
             return _result(scene, fits, [part for part, _ in parts], free)
     raise OperationError(
         "camera-fit-failed",
-        "the camera's parameters did not settle on the picture's edges",
-        "the picture and the object's certificate contradict each other",
-        "check that this is the object in the picture, and take the picture again",
+        message("cameras-parameters-did-settle-pictures-edges"),
+        message("picture-objects-certificate-contradict-each-other"),
+        message("check-object-picture-take-picture-again"),
     )
 
 
@@ -178,9 +179,9 @@ def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
     if found < parameters + 4:
         raise OperationError(
             "too-few-edges",
-            f"{found} usable edge and stripe points",
-            "they do not determine the camera",
-            "bring more of the object into the picture, sharp and well lit",
+            message("usable-edge-stripe-points", found=found),
+            message("they-do-determine-camera"),
+            message("bring-more-object-into-picture-sharp"),
         )
 
 

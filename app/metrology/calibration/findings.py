@@ -7,8 +7,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.calibration.uncertainty_budget import BudgetContribution
+from app.messages.message import Text, join, message, quantity, signed, word
+from app.metrology.calibration.uncertainty_budget import BudgetContribution, source_text
 from app.metrology.detection.detect_block import ObjectDetection
+from app.metrology.detection.edges.dimension_test import describe_plane
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import Camera
@@ -48,8 +50,8 @@ class CalibrationFinding:
 
     quality: Quality
     code: str
-    text: str
-    remedy: str = ""
+    text: Text
+    remedy: Text = ""
     pose: int | None = None
 
 
@@ -57,59 +59,85 @@ class CalibrationFinding:
 class WorstResidual:
     """One of the points that fit worst: ``value`` in ``unit`` (µm or px).
 
-    Its place: the row of a ``contact``, or the ``pose`` whose picture shows it and, on the
-    stripe, the pixel.
+    Its place: the row of a ``contact`` and its ``face``, or the ``pose`` whose picture shows it
+    and the name of the ``corner`` or, on the stripe, the pixel.
     """
 
     kind: Literal["contact", "corner", "stripe"]
-    name: str
+    name: Text
     value: float
     unit: str
     contact: int | None = None
     pose: int | None = None
     at_px: tuple[float, float] | None = None
+    face: str = ""
+    corner: str = ""
+
+
+def contact_residual(contact: int, face: str, off_um: float) -> WorstResidual:
+    """Of a contact by its row and its face."""
+    name = message("face-and-number", face=word(face), number=contact + 1)
+    return WorstResidual("contact", name, off_um, "µm", contact, face=face)
+
+
+def corner_text(corner: str) -> Text:
+    """The name of a corner for people: "corner 3,4" of a chessboard; of ``crest:2:L:front`` of a
+    block "crest 3, front left"."""
+    if corner.startswith("corner "):
+        column, _, row = corner.removeprefix("corner ").partition(",")
+        return message("corner", column=column, row=row)
+    level, *place = corner.split(":")
+    number = int(place.pop(0)) + 1 if place and place[0].isdecimal() else 0
+    return message("block-corner", level=level, number=number, place="-".join(place))
 
 
 REMEDIES = {
-    "contact points": "Touch more points, spread wide over all six faces.",
-    "arm encoders": "Have the arm's calibration checked; hold it in a compact posture.",
-    "arm geometry": "Take more poses, tilted and turned; have the arm's model identified anew.",
-    "object certificate": "Use a block with a better certificate.",
-    "edges and corners": "Light the block evenly, sharp and large in the picture.",
-    "stripe": "Set the exposure so that the stripe is bright but not clipped.",
-    "distortion": "Bring the block closer, so that it fills the picture.",
+    "contact points": message("touch-more-points-spread-wide-over-2"),
+    "arm encoders": message("have-arms-calibration-checked-hold-compact"),
+    "arm geometry": message("take-more-poses-tilted-turned-have"),
+    "object certificate": message("use-block-better-certificate"),
+    "edges and corners": message("light-block-evenly-sharp-large-picture"),
+    "stripe": message("set-exposure-so-stripe-bright-but"),
+    "distortion": message("bring-block-closer-so-fills-picture"),
 }
 
 
-def sort_by_severity(found: Sequence[CalibrationFinding]) -> tuple[CalibrationFinding, ...]:
+def sort_by_severity(findings: Sequence[CalibrationFinding]) -> tuple[CalibrationFinding, ...]:
     """Bad, then those that want attention, then the rest, each as they came: the first is why
     a calibration is judged as it is."""
-    return tuple(sorted(found, key=lambda one: _SEVERITY.get(one.quality, len(_SEVERITY))))
+    return tuple(sorted(findings, key=lambda one: _SEVERITY.get(one.quality, len(_SEVERITY))))
 
 
 def uncertainty_verdict(
     total_um: float,
     rows: Sequence[BudgetContribution],
     limits: Limits = LIMITS,
-    remedies: Mapping[str, str] = REMEDIES,
+    remedies: Mapping[str, Text] = REMEDIES,
 ) -> CalibrationFinding:
     """Good, usable or not, by the uncertainty of a point against the user's limits.
 
     ``remedies`` are by the names of the rows.
     """
-    known = f"A scanned point is known to {total_um:.0f} µm (k = 1) in the flange frame"
+    total = quantity(total_um, "µm")
     if total_um <= limits.good_um:
         return CalibrationFinding(
-            "good", "uncertainty", f"{known}; up to {limits.good_um:.0f} µm is good."
+            "good",
+            "uncertainty",
+            message("point-known-good", total=total, good=quantity(limits.good_um, "µm")),
         )
     largest = max(rows, key=lambda row: row.value_um)
-    because = f"mostly by the {largest.source} ({largest.value_um:.0f} µm)"
     usable = total_um <= limits.usable_um
     limit = limits.good_um if usable else limits.usable_um
     return CalibrationFinding(
         "attention" if usable else "bad",
         "uncertainty",
-        f"{known}, {because}; the limit is {limit:.0f} µm.",
+        message(
+            "point-known-mostly-by",
+            total=total,
+            source=source_text(largest.source),
+            value=quantity(largest.value_um, "µm"),
+            limit=quantity(limit, "µm"),
+        ),
         remedies[largest.source],
     )
 
@@ -124,24 +152,29 @@ def contact_findings(
     """
     count = int((~alignment.outliers).sum())
     rms_um = 1e3 * alignment.rms_mm
-    found = [
+    findings = [
         CalibrationFinding(
-            "good", "contacts", f"{count} contacts fit the block to {rms_um:.0f} µm rms."
+            "good",
+            "contacts",
+            message("contacts-fit-block-rms", count=count, rms=quantity(rms_um, "µm")),
         )
     ]
     if rms_um > limits.good_um:
-        found = [
+        findings = [
             CalibrationFinding(
                 "attention",
                 "contacts",
-                f"{count} contacts fit the block to {rms_um:.0f} µm rms; up to "
-                f"{limits.good_um:.0f} µm is good.",
-                "Check that the tip is the one of the arm's file, that block and arm stood firm, "
-                "and the arm's model.",
+                message(
+                    "contacts-fit-block-rms-up-good",
+                    count=count,
+                    rms=quantity(rms_um, "µm"),
+                    good=quantity(limits.good_um, "µm"),
+                ),
+                message("check-tip-one-arms-file-block"),
             )
         ]
     return [
-        *found,
+        *findings,
         *contact_outlier_findings(features, 1e3 * alignment.residuals_mm, alignment.outliers),
     ]
 
@@ -153,14 +186,26 @@ def contact_outlier_findings(
     left_out = np.flatnonzero(out)
     if not len(left_out):
         return []
-    named = ", ".join(f"{i + 1} ({features[i]}, {residuals_um[i]:+.0f} µm)" for i in left_out[:4])
+    named = [
+        message(
+            "contact-off-by",
+            number=int(i) + 1,
+            face=word(features[i]),
+            off=signed(residuals_um[i], "µm"),
+        )
+        for i in left_out[:4]
+    ]
     return [
         CalibrationFinding(
             "attention",
             "contact-outliers",
-            f"{len(left_out)} of {len(out)} contacts disagree with the "
-            f"others and were left out: {named}.",
-            "Take these points again.",
+            message(
+                "contacts-disagree-others-were-left-out",
+                left_out=len(left_out),
+                count=len(out),
+                named=join(named),
+            ),
+            message("take-these-points-again"),
         )
     ]
 
@@ -189,28 +234,36 @@ def size_finding(
 def size_error_finding(
     pair: tuple[str, str], opening_mm: float, limit_mm: float, limits: Limits = LIMITS
 ) -> CalibrationFinding:
-    """Contacts on two opposite faces lie so much further apart than the papers say."""
-    between = f"{pair[0]} and {pair[1]}"
+    """Contacts on two opposite faces lie so much further apart than the certificates say."""
     return CalibrationFinding(
         offset_quality(opening_mm / 2, limits),
         "size",
-        f"The contacts on {between} lie {1e3 * abs(opening_mm):.0f} µm "
-        f"{'further apart' if opening_mm > 0 else 'closer together'} than the block's "
-        f"size and the tip's diameter say (limit {1e3 * limit_mm:.0f} µm).",
-        "Check the tip's diameter and that this is the block; then the arm's model.",
+        message(
+            "contacts-lie-than-blocks-size-tips",
+            pair=pair[0],
+            opening=quantity(1e3 * abs(opening_mm), "µm"),
+            sign="apart" if opening_mm > 0 else "together",
+            limit=quantity(1e3 * limit_mm, "µm"),
+        ),
+        message("check-tips-diameter-block-then-arms"),
     )
 
 
 def size_agreement_finding(openings_mm: Mapping[tuple[str, str], float]) -> CalibrationFinding:
-    """How much further apart than the papers say contacts on opposite faces lie, all well."""
-    checked = []
-    for pair, opening_mm in openings_mm.items():
-        between = f"{pair[0]} and {pair[1]}"
-        checked.append(f"{between} to {1e3 * opening_mm:+.0f} µm")
+    """How much further apart than by the certificates contacts on opposite faces lie, all well."""
+    checked = [
+        message(
+            "faces-agree-to",
+            first=word(first),
+            second=word(second),
+            opening=signed(1e3 * opening_mm, "µm"),
+        )
+        for (first, second), opening_mm in openings_mm.items()
+    ]
     return CalibrationFinding(
         "good",
         "size",
-        f"The contacts agree with the block's size and the tip's diameter: {', '.join(checked)}.",
+        message("contacts-agree-blocks-size-tips-diameter", checked=join(checked)),
     )
 
 
@@ -219,30 +272,30 @@ def size_unchecked_finding() -> CalibrationFinding:
     return CalibrationFinding(
         "neutral",
         "size-unchecked",
-        "No two opposite sides were touched: the tip's diameter and the block's size are as their "
-        "papers say, unchecked.",
-        "Touch the front and the back, or the left and the right face.",
+        message("no-two-opposite-sides-were-touched"),
+        message("touch-front-back-left-right-face"),
     )
 
 
-def sensor_distance_findings(pivot_mm: Floats, remedy: str) -> list[CalibrationFinding]:
-    """What is said where the sensor measures too far from the arm's last joint (3,)."""
+def sensor_distance_findings(pivot_mm: Floats, remedy: Text) -> list[CalibrationFinding]:
+    """Where the sensor measures too far from the arm's last joint (3,)."""
     away_mm = float(np.linalg.norm(pivot_mm))
     if away_mm <= FARTHEST_MM:
         return []
-    text = (
-        f"The sensor measures {away_mm:.0f} mm away from the arm's last joint "
-        f"(limit {FARTHEST_MM:.0f} mm)."
+    text = message(
+        "sensor-measures-away-arms-last-joint",
+        away=quantity(away_mm, "mm"),
+        farthest_mm=quantity(FARTHEST_MM, "mm"),
     )
     return [CalibrationFinding("attention", "sensor-far", text, remedy)]
 
 
 def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[CalibrationFinding]:
-    """Sizes of the block that no picture shows: were they wrong, nothing would tell."""
+    """Sizes of the block that no picture shows: an error of theirs would go unnoticed."""
     hidden = [
-        name
-        for name in detections[0].unobserved_planes
-        if all(name in one.unobserved_planes for one in detections[1:])
+        describe_plane(*plane)
+        for plane in detections[0].unobserved_planes
+        if all(plane in one.unobserved_planes for one in detections[1:])
     ]
     if not hidden:
         return []
@@ -250,9 +303,12 @@ def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[Calibr
         CalibrationFinding(
             "neutral",
             "size-unseen",
-            f"{'The picture does' if len(detections) == 1 else 'The pictures do'} not show "
-            f"{', '.join(hidden)}: whether the certificate is right there is not checked.",
-            "Turn the lamp until all edges of the block show, and take another picture.",
+            message(
+                "show-whether-certificate-right-there-checked",
+                detections=len(detections),
+                hidden=join(hidden),
+            ),
+            message("turn-lamp-until-all-edges-block"),
         )
     ]
 
@@ -272,8 +328,11 @@ def pixel_aspect_findings(camera: Camera, covariance_px2: Floats) -> list[Calibr
         CalibrationFinding(
             "attention",
             "pixels-oblong",
-            f"The camera's pixels come out {100 * abs(fy / fx - 1):.2f} % out of square; those of "
-            f"today's sensors are square (limit {100 * limit:.2f} %).",
-            "Compare the block's depth and heights with its certificate.",
+            message(
+                "cameras-pixels-come-out-out-square",
+                difference=quantity(100 * abs(fy / fx - 1), "%", 2),
+                limit=quantity(100 * limit, "%", 2),
+            ),
+            message("compare-blocks-depth-heights-certificate"),
         )
     ]

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.image import Image
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on, tangents
@@ -203,18 +204,21 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
     if max(count.values()) < FEWEST_ON_A_LEVEL:
         raise OperationError(
             "stripe-too-short",
-            f"{sum(count.values())} points of the laser stripe lie on the object "
-            f"(of {found} on its levels; {FEWEST_ON_A_LEVEL} are needed on crests and on floors)",
-            "the laser is off, too weak, or does not cross the object",
-            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
-            "the object's middle",
+            message(
+                "points-laser-stripe-lie-object-levels",
+                points=sum(count.values()),
+                found=found,
+                least=FEWEST_ON_A_LEVEL,
+            ),
+            message("laser-off-too-weak-does-cross"),
+            message("check-laser-exposure-sensors-stripe-axis"),
         )
     missing = min(count, key=lambda name: count[name])
     raise OperationError(
         "laser-one-level",
-        f"the laser stripe shows {count[missing]} points on the {missing}s",
-        "a stripe on one level alone does not fix the laser plane",
-        "place the sensor so that the stripe crosses crests and floors",
+        message("laser-stripe-shows-points-s", count=count[missing], missing=missing),
+        message("stripe-one-level-alone-does-fix"),
+        message("place-sensor-so-stripe-crosses-crests"),
     )
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.metrology.arm.kinematics import Arm, flange_pose, tip_centres, tip_covariances
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
@@ -41,7 +42,7 @@ from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from app.metrology.transforms import Floats, inverse
 
-Progress = Callable[[str, float], None]
+Progress = Callable[[Text, float], None]
 
 # How well a hand brings a probe's sphere onto a ground face, time after time.
 PROBING_SD_MM = 0.005
@@ -134,31 +135,30 @@ def calibrate_one_pose(
     Source:
         Eq. 6 to 8 and section 3.2 of the article; the refinement is not in the article.
     """
-    say = progress or (lambda _what, _share: None)
+    report = progress or (lambda _what, _share: None)
     _check(inputs)
-    say("Fitting the contact points", 0.0)
+    report(message("fitting-contact-points"), 0.0)
     alignment = align_contacts(inputs)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
-    say("Finding the object's edges", 0.1)
+    report(message("finding-objects-edges"), 0.1)
     in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
     detection = detect_object(inputs.ambient, inputs.block, in_the_way)
-    say("Extracting the laser stripe", 0.5)
+    report(message("extracting-laser-stripe"), 0.5)
     stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
     if len(stripe.u) == 0:
         raise OperationError(
             "stripe-not-found",
-            "no laser stripe was found on the object",
-            "the laser is off, covered, beside the object, or too weak for this exposure",
-            "check the laser, the exposure and the sensor's stripe_axis, and let the stripe cross "
-            "the object's middle",
+            message("no-laser-stripe-found-object"),
+            message("laser-off-covered-beside-object-too"),
+            message("check-laser-exposure-sensors-stripe-axis"),
         )
-    say("Solving for the camera", 0.6)
+    report(message("solving-camera"), 0.6)
     faugeras = _faugeras(detection, inputs.block)
-    say("Refining camera, lens and laser plane", 0.7)
+    report(message("refining-camera-lens-laser-plane"), 0.7)
     fit, laser = refine_camera(detection, inputs.block, stripe)
-    say("Working out the error budget", 0.9)
+    report(message("working-out-error-budget"), 0.9)
     result = _assemble_calibration(inputs, alignment, detection, faugeras, fit, stripe, laser)
-    say("Done", 1.0)
+    report(message("done"), 1.0)
     return result
 
 
@@ -298,30 +298,41 @@ def _depth_range(fit: CameraFit, block: Crenellated) -> tuple[float, float]:
 def _check(inputs: OnePoseInputs) -> None:
     """Refuses inputs that do not belong together."""
     joints = inputs.arm.joint_count
-    angles = {"the calibration pose": np.atleast_2d(inputs.pose_q_rad)}
-    angles["the contacts"] = inputs.contact_q_rad
-    for name, q in angles.items():
+    angles = (
+        (message("calibration-pose"), np.atleast_2d(inputs.pose_q_rad)),
+        (message("contacts"), inputs.contact_q_rad),
+    )
+    for name, q in angles:
         if q.ndim != 2 or q.shape[1] != joints:
             raise OperationError(
                 "joint-count",
-                f"{name}: {q.shape[-1]} joint angles",
-                f"the arm {inputs.arm.name} has {joints} joints",
-                "check that the session was taken with this arm",
+                message("joint-angles", name=name, count=q.shape[-1]),
+                message("arm-has-joints-2", name=inputs.arm.name, joints=joints),
+                message("check-session-taken-arm"),
             )
         if not np.isfinite(q).all():
-            raise OperationError("angles-not-finite", f"{name}: a joint angle is not a number")
+            raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
     if len(inputs.features) != len(inputs.contact_q_rad):
         raise OperationError(
             "contacts-malformed",
-            f"{len(inputs.features)} faces for {len(inputs.contact_q_rad)} contacts",
+            message(
+                "faces-contacts",
+                faces=len(inputs.features),
+                contacts=len(inputs.contact_q_rad),
+            ),
         )
-    pictures = {"the calibration picture": inputs.ambient, "the laser picture": inputs.laser}
+    pictures = {"ambient": inputs.ambient, "laser": inputs.laser}
     size = inputs.size_px or (inputs.ambient.shape[1], inputs.ambient.shape[0])
-    for name, picture in pictures.items():
+    for lighting, picture in pictures.items():
         if picture is not None and picture.shape[:2] != (size[1], size[0]):
             raise OperationError(
                 "image-size",
-                f"{name} is {picture.shape[1]} x {picture.shape[0]} pixels",
-                f"{size[0]} x {size[1]} were expected",
-                "use full pictures of one sensor, neither cropped nor scaled",
+                message(
+                    "picture-has-size",
+                    picture=lighting,
+                    width=picture.shape[1],
+                    height=picture.shape[0],
+                ),
+                message("size-expected", width=size[0], height=size[1]),
+                message("use-full-pictures-one-sensor-neither"),
             )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import message, quantity
 from app.metrology.calibration.camera_refinement import CameraFit
 from app.metrology.calibration.findings import (
     AGREEING,
@@ -13,6 +14,8 @@ from app.metrology.calibration.findings import (
     CalibrationFinding,
     WorstResidual,
     contact_findings,
+    contact_residual,
+    corner_text,
     pixel_aspect_findings,
     sensor_distance_findings,
     size_coverage_findings,
@@ -54,123 +57,151 @@ class Evidence:
     arm_excess: float
 
 
-def collect_one_pose_findings(seen: Evidence) -> tuple[CalibrationFinding, ...]:
+def collect_one_pose_findings(evidence: Evidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
-    found = (
-        uncertainty_verdict(seen.budget.total_um, seen.budget.rows),
-        *contact_findings(seen.alignment, seen.features),
-        *_scatter_findings(seen),
-        size_finding(seen.alignment, seen.features, seen.block),
-        *_arm_findings(seen),
-        *_picture_findings(seen),
-        *_stripe_findings(seen),
+    findings = (
+        uncertainty_verdict(evidence.budget.total_um, evidence.budget.rows),
+        *contact_findings(evidence.alignment, evidence.features),
+        *_scatter_findings(evidence),
+        size_finding(evidence.alignment, evidence.features, evidence.block),
+        *_arm_findings(evidence),
+        *_picture_findings(evidence),
+        *_stripe_findings(evidence),
     )
-    return sort_by_severity(found)
+    return sort_by_severity(findings)
 
 
-def _scatter_findings(seen: Evidence) -> list[CalibrationFinding]:
-    if seen.arm_excess <= EXCESS:
+def _scatter_findings(evidence: Evidence) -> list[CalibrationFinding]:
+    if evidence.arm_excess <= EXCESS:
         return []
     return [
         CalibrationFinding(
             "attention",
             "arm-scatter",
-            f"The contacts scatter by {1e3 * seen.alignment.sigma_mm:.0f} µm, "
-            f"{seen.arm_excess:.0f} times what the arm's encoders explain "
-            f"(limit {EXCESS:.0f}).",
-            "Check the tip for play and the faces for dirt; have the arm's model checked.",
+            message(
+                "contacts-scatter-times-what-arms-encoders",
+                sigma=quantity(1e3 * evidence.alignment.sigma_mm, "µm"),
+                arm_excess=quantity(evidence.arm_excess),
+                excess=quantity(EXCESS),
+            ),
+            message("check-tip-play-faces-dirt-have"),
         )
     ]
 
 
-def _arm_findings(seen: Evidence) -> list[CalibrationFinding]:
-    found = [
+def _arm_findings(evidence: Evidence) -> list[CalibrationFinding]:
+    findings = [
         CalibrationFinding(
             "neutral",
             "arm-unseen",
-            "Errors of the arm's own model, joint angles that are not the picture's, and an object "
-            "moved since it was touched cannot be seen from one picture in one pose, and are not "
-            "in this figure.",
+            message("errors-arms-own-model-joint-angles"),
         )
     ]
-    found += sensor_distance_findings(
-        seen.budget.pivot_mm, "Check that the picture's joint angles are its own."
+    findings += sensor_distance_findings(
+        evidence.budget.pivot_mm, message("check-pictures-joint-angles-own")
     )
-    return found
+    return findings
 
 
-def _picture_findings(seen: Evidence) -> list[CalibrationFinding]:
-    edges = seen.fit.edges
-    text = (
-        f"{int(edges.inliers.sum())} points on {len(seen.detection.edges)} edges fit the camera to "
-        f"{edges.rms_px:.2f} px rms; the limit is {EDGE_RMS_PX:.1f} px."
+def _picture_findings(evidence: Evidence) -> list[CalibrationFinding]:
+    edges = evidence.fit.edges
+    text = message(
+        "points-edges-fit-camera-rms-limit",
+        points=int(edges.inliers.sum()),
+        edges=len(evidence.detection.edges),
+        rms=quantity(edges.rms_px, "px", 2),
+        edge_rms_px=quantity(EDGE_RMS_PX, "px", 1),
     )
     good = edges.rms_px <= EDGE_RMS_PX
-    remedy = "" if good else "Clean the block's edges; check focus, lighting and certificate."
-    found = [CalibrationFinding("good" if good else "attention", "edges", text, remedy)]
-    found += [
-        CalibrationFinding("attention", item.code, item.text, item.remedy) for item in seen.picture
+    remedy = "" if good else message("clean-blocks-edges-check-focus-lighting")
+    findings = [CalibrationFinding("good" if good else "attention", "edges", text, remedy)]
+    findings += [
+        CalibrationFinding("attention", item.code, item.text, item.remedy)
+        for item in evidence.picture
     ]
-    found += size_coverage_findings([seen.detection])
-    found += pixel_aspect_findings(seen.fit.camera, seen.fit.covariance[:2, :2])
-    condition = seen.faugeras.condition_number
+    findings += size_coverage_findings([evidence.detection])
+    findings += pixel_aspect_findings(evidence.fit.camera, evidence.fit.covariance[:2, :2])
+    condition = evidence.faugeras.condition_number
     if condition > CONDITION:
-        found.append(
+        findings.append(
             CalibrationFinding(
                 "attention",
                 "condition",
-                f"The corners fix the camera weakly: condition number {condition:.0f} "
-                f"(good below {CONDITION:.0f}, refused above {LARGEST_CONDITION:.0f}).",
-                "Show more of the block, crests and floors, front and back.",
+                message(
+                    "corners-fix-camera-weakly-condition-number",
+                    condition=quantity(condition),
+                    good=quantity(CONDITION),
+                    limit=quantity(LARGEST_CONDITION),
+                ),
+                message("show-more-block-crests-floors-front"),
             )
         )
-    return found
+    return findings
 
 
-def _stripe_findings(seen: Evidence) -> list[CalibrationFinding]:
-    laser = seen.laser
+def _stripe_findings(evidence: Evidence) -> list[CalibrationFinding]:
+    laser = evidence.laser
     on = laser.level != ""
     share = float(laser.used.sum() / max(on.sum(), 1))
     good = share >= AGREEING
-    text = (
-        f"{int(laser.used.sum())} stripe points on crests and floors fit one plane to "
-        f"{1e3 * laser.rms_mm:.1f} µm rms, {100 * share:.0f} % of those seen there "
-        f"(limit {100 * AGREEING:.0f} %)."
+    text = message(
+        "stripe-points-crests-floors-fit-one",
+        points=int(laser.used.sum()),
+        rms=quantity(1e3 * laser.rms_mm, "µm", 1),
+        share=quantity(100 * share, "%"),
+        agreeing=quantity(100 * AGREEING, "%"),
     )
-    remedy = "" if good else "Keep reflections out of the grooves: matt spray, lower exposure."
-    found = [CalibrationFinding("good" if good else "attention", "laser-plane", text, remedy)]
-    width = seen.block.edges_x_mm[-1] - seen.block.edges_x_mm[0]
+    remedy = "" if good else message("keep-reflections-out-grooves-matt-spray")
+    findings = [CalibrationFinding("good" if good else "attention", "laser-plane", text, remedy)]
+    width = evidence.block.edges_x_mm[-1] - evidence.block.edges_x_mm[0]
     for level in ("crest", "floor"):
         x = laser.points_mm[laser.used & (laser.level == level), 0]
         if np.ptp(x) < SPANNED * width:
-            found.append(
+            findings.append(
                 CalibrationFinding(
                     "attention",
                     "stripe-span",
-                    f"On the {level}s the stripe spans {np.ptp(x):.0f} mm of the block's "
-                    f"{width:.0f} mm.",
-                    "Bring the block to the middle of the stripe.",
+                    message(
+                        "s-stripe-spans-blocks",
+                        level=level,
+                        span=quantity(np.ptp(x), "mm"),
+                        width=quantity(width, "mm"),
+                    ),
+                    message("bring-block-middle-stripe"),
                 )
             )
-    return found
+    return findings
 
 
-def worst_points(seen: Evidence, corner_residuals_px: Floats) -> tuple[WorstResidual, ...]:
+def worst_points(evidence: Evidence, corner_residuals_px: Floats) -> tuple[WorstResidual, ...]:
     """The few worst contacts, corners and stripe points."""
-    contacts = 1e3 * np.abs(seen.alignment.residuals_mm)
+    contacts = 1e3 * np.abs(evidence.alignment.residuals_mm)
     worst = [
-        WorstResidual("contact", f"{seen.features[i]} {i + 1}", float(contacts[i]), "µm")
-        for i in _largest(contacts)
+        contact_residual(i, evidence.features[i], float(contacts[i])) for i in _largest(contacts)
     ]
     off = np.linalg.norm(corner_residuals_px, axis=1)
     worst += [
-        WorstResidual("corner", seen.detection.corners[i].name, float(off[i]), "px")
+        WorstResidual(
+            "corner",
+            corner_text(evidence.detection.corners[i].name),
+            float(off[i]),
+            "px",
+            corner=evidence.detection.corners[i].name,
+        )
         for i in _largest(off)
     ]
-    heights = 1e3 * np.abs(np.nan_to_num(seen.laser.residuals_mm))
-    along, place = (seen.stripe.u, "column") if seen.stripe.axis == "u" else (seen.stripe.v, "row")
+    heights = 1e3 * np.abs(np.nan_to_num(evidence.laser.residuals_mm))
+    along_u = evidence.stripe.axis == "u"
+    along = evidence.stripe.u if along_u else evidence.stripe.v
     worst += [
-        WorstResidual("stripe", f"{place} {along[i]:.0f}", float(heights[i]), "µm")
+        WorstResidual(
+            "stripe",
+            message("error-in-column", place=quantity(along[i]))
+            if along_u
+            else message("error-in-row", place=quantity(along[i])),
+            float(heights[i]),
+            "µm",
+        )
         for i in _largest(heights)
     ]
     return tuple(worst)

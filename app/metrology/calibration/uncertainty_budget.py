@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Text, message, word
 from app.metrology.arm.kinematics import Arm, flange_pose, geometric_jacobian, tip_centres
 from app.metrology.calibration.camera_refinement import CameraFit
 from app.metrology.calibration.observation_model import coordinates, with_coordinates
@@ -33,6 +34,24 @@ class BudgetContribution:
 
     source: str
     value_um: float
+
+
+SOURCES: dict[str, Text] = {
+    "contact points": message("contact-points"),
+    "arm encoders": message("arm-encoders"),
+    "arm geometry": message("arm-geometry"),
+    "robot's poses": message("robots-poses"),
+    "object certificate": message("object-certificate"),
+    "edges and corners": message("edges-corners"),
+    "stripe": word("stripe"),
+    "distortion": word("distortion"),
+}
+"""Names for people of what budgets and files call a source."""
+
+
+def source_text(source: str) -> Text:
+    """The name of a budget's source for people; of an unknown one it is its own."""
+    return SOURCES.get(source, source)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.chessboard.corner_fit import fit_corner
 from app.metrology.chessboard.failure_evidence import with_board_evidence
 from app.metrology.chessboard.grid import Lattice, fit_perspective, largest_lattice, map_places
@@ -88,9 +89,11 @@ def _number_corners(
     if len(taken) < LEAST_VISIBLE * columns * rows:
         raise OperationError(
             "board-blurred",
-            f"{len(taken)} of {columns * rows} corners of {board.name} can be measured",
-            "the picture is blurred or noisy, or the laser's line lies over them",
-            "focus, and light the board evenly",
+            message(
+                "corners-can-measured", found=len(taken), corners=columns * rows, name=board.name
+            ),
+            message("picture-blurred-noisy-lasers-line-lies"),
+            message("focus-light-board-evenly"),
         )
     numbers = [way[taken] for way in ways]
     kept = _agreeing(board, uv, numbers[0])
@@ -140,9 +143,9 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
     if len(lattice) < 4:
         raise OperationError(
             "board-not-found",
-            f"no chessboard of {columns} x {rows} inner corners was found",
-            "it is out of the picture, covered or blurred, or another object lies there",
-            "bring the whole board into the picture, sharp and evenly lit",
+            message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows),
+            message("out-picture-covered-blurred-another-object"),
+            message("bring-whole-board-into-picture-sharp"),
         )
     places = np.array(list(lattice))
     # told in the certificate's order, whichever way the picture lies
@@ -151,22 +154,26 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
         more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
         raise OperationError(
             "another-board" if more else "board-partly-seen",
-            f"a chessboard of {found[0]} x {found[1]} inner corners was found",
-            f"{board.name} has {columns} x {rows}"
-            + ("" if more else "; without its outermost corners the others cannot be numbered"),
-            "give the certificate of the board in the picture"
+            message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1]),
+            message("board-has-corners", name=board.name, columns=columns, rows=rows)
             if more
-            else "bring the whole board into the picture, and its outermost corners off the laser;"
-            " if the board has no more, give its own certificate",
+            else message(
+                "board-has-corners-outermost-missing", name=board.name, columns=columns, rows=rows
+            ),
+            message("give-certificate-board-picture")
+            if more
+            else message("bring-whole-board-into-picture-outermost"),
         )
     low, high = places.min(axis=0), places.max(axis=0)
     on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]
     if len(lattice) < LEAST_VISIBLE * columns * rows or min(on_sides) < LEAST_ON_A_SIDE:
         raise OperationError(
             "board-partly-seen",
-            f"{len(lattice)} of {columns * rows} corners of {board.name} were found",
-            "the others are covered, or lost in the laser's light",
-            "bring the whole board into the picture, sharp and evenly lit",
+            message(
+                "corners-were-found", found=len(lattice), corners=columns * rows, name=board.name
+            ),
+            message("others-covered-lost-lasers-light"),
+            message("bring-whole-board-into-picture-sharp"),
         )
 
 

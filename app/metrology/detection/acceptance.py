@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from app.messages.message import message, quantity
 from app.metrology.detection.edges.dimension_test import estimate_shifts
 from app.metrology.detection.edges.edge_ends import ends_in_place, find_misplaced_ends, measure_ends
 from app.metrology.detection.edges.edge_overrun import find_overrun
@@ -61,7 +62,7 @@ def check_measurements(
     found = drop_single_outlier(drop_outlier_edges(found, certificate_mm), certificate_mm)
     parts = measure_parts(found, certificate_mm)
     if not parts:
-        return found, RejectionReason("too few of its edges could be measured")
+        return found, RejectionReason(message("too-few-edges-could-measured"))
     against = (
         _find_shifted_plane(found, certificate_mm)
         or _find_misplaced_edges(grey, found)
@@ -99,14 +100,14 @@ def _check_visibility(found: EdgeMeasurements) -> RejectionReason | None:
     shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
     missing = tuple(int(edge) for edge in set(at.edge) - set(at.edge[found.used]))
     if shown < LEAST_VISIBLE:
-        text = f"only {100 * shown:.0f} % of its visible edges show in the picture"
+        text = message("only-visible-edges-show-picture", shown=quantity(100 * shown, "%"))
         return RejectionReason(text, edges=missing)
     agreeing = float(found.used.sum()) / max(int(found.shows.sum()), 1)
     if agreeing < _LEAST_AGREEING:
-        text = f"only {100 * agreeing:.0f} % of the edge points lie on its edges"
+        text = message("only-edge-points-lie-edges", agreeing=quantity(100 * agreeing, "%"))
         return RejectionReason(text, edges=missing)
     if _lower_visible_share(found) < _LEAST_LOWER:
-        text = "none of the edges of its floors and its base shows in the picture"
+        text = message("none-edges-floors-base-shows-picture")
         return RejectionReason(text, edges=missing, hidden=True)
     return None
 
@@ -116,14 +117,20 @@ def _check_camera(found: EdgeMeasurements) -> RejectionReason | None:
     off_square = abs(found.camera.matrix[1, 1] / found.camera.matrix[0, 0] - 1)
     if off_square > _SQUARE:
         return RejectionReason(
-            "its edges would fit only if the camera's pixels were"
-            f" {100 * off_square:.1f} % out of square",
+            message(
+                "edges-would-fit-only-if-cameras", off_square=quantity(100 * off_square, "%", 1)
+            ),
             True,
         )
     k1, k2 = found.camera.distortion[:2]
     if abs(k1) > _K1 or abs(k2) > _K2:
         return RejectionReason(
-            f"its edges would fit only a lens distorted by k1 = {k1:.1f}, k2 = {k2:.1f}", True
+            message(
+                "edges-would-fit-only-lens-distorted",
+                k1=quantity(k1, "", 1),
+                k2=quantity(k2, "", 1),
+            ),
+            True,
         )
     return None
 

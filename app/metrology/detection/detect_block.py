@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.metrology.detection import acceptance
 from app.metrology.detection import errors as refusals
 from app.metrology.detection.corner_fit import Corner, fit_corners
@@ -87,7 +88,7 @@ class ObjectDetection:
     edges: tuple[EdgePoints, ...]
     camera: Camera
     rms_px: float
-    unobserved_planes: tuple[str, ...] = ()
+    unobserved_planes: tuple[tuple[int, int], ...] = ()
 
 
 def detect_object(
@@ -133,7 +134,7 @@ def detect_object(
                 break
         if best.good:
             return _detection(_select_measurement(best, findings, block), block)
-        refusals.refuse_bad_image(findings, "the object was not found")
+        refusals.refuse_bad_image(findings, message("object-found"))
         raise _rejection_error(tries, findings, grey, block)
     except OperationError as refusal:
         shown = max(tries, key=lambda one: one.visible_px, default=NO_ATTEMPT)
@@ -172,7 +173,7 @@ def _select_measurement(
     refusals.refuse_blurred(measured)
     share = acceptance.share_in_frame(measured)
     if tried.is_ambiguous or acceptance.is_symmetric(block):
-        refusals.refuse_bad_image(findings, "it can be read in more than one way")
+        refusals.refuse_bad_image(findings, message("can-read-more-than-one-way"))
         raise refusals.ambiguity_error(block, share)
     if located.mirrored:
         raise refusals.mirror_error(block, share)
@@ -200,7 +201,7 @@ def _rejection_error(
         return refusals.contradiction_error(block, best.against, findings, best.nearest.blur_px)
     if not any(block_like):
         return refusals.not_found_error(tries[0].search)
-    why = "no placing of its edges explains those in the picture"
+    why: Text = message("no-placing-edges-explains-those-picture")
     if best.against is not None:
         why = best.against.text
         seen_well = seen_well and not best.against.hidden
@@ -221,11 +222,13 @@ def _detection(measured: EdgeMeasurements, block: Crenellated) -> ObjectDetectio
             )
         )
     off = measured.off_px[measured.used]
-    found = fit_corners(measured, block)
-    if len(found) < _LEAST_CORNERS:
-        raise refusals.unclear_error(block, f"only {len(found)} of its corners can be measured")
+    corners = fit_corners(measured, block)
+    if len(corners) < _LEAST_CORNERS:
+        raise refusals.unclear_error(
+            block, message("only-corners-can-measured", found=len(corners))
+        )
     return ObjectDetection(
-        found,
+        corners,
         tuple(edges),
         measured.camera,
         float(np.sqrt(np.mean(off**2))),

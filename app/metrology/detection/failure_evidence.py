@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import join
 from app.metrology.detection.edges.measure_all import EdgeMeasurements
 from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.detection.rejection import RejectionReason
@@ -115,8 +116,8 @@ def prefer_image_fault(
     if named is None:
         return fault, refusal
     kept = ("", "") if guessed else (refusal.why, refusal.remedy)
-    why = "; ".join(part for part in (named.text, kept[0]) if part)
-    remedy = "; ".join(part for part in (named.remedy, kept[1]) if part)
+    why = join([part for part in (named.text, kept[0]) if part], "; ")
+    remedy = join([part for part in (named.remedy, kept[1]) if part], "; ")
     return _FINDING_FAULTS[named.code], OperationError(refusal.code, refusal.what, why, remedy)
 
 

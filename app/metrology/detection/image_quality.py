@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import Text, message, quantity
 from app.metrology.image import saturation_level
 from app.metrology.transforms import Floats
 
@@ -37,8 +38,8 @@ class ImageFinding:
     """
 
     code: str
-    text: str
-    remedy: str
+    text: Text
+    remedy: Text
     value: float
     limit: float
 
@@ -59,8 +60,8 @@ def grey_levels(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     if array.ndim != 2 or array.dtype not in (np.uint8, np.uint16) or min(array.shape) < 64:
         raise OperationError(
             "image-not-grey",
-            f"an image of shape {array.shape} and type {array.dtype}",
-            "the object is looked for in grey images of 8 to 16 bits, at least 64 pixels each way",
+            message("image-shape-type", shape=str(array.shape), dtype=str(array.dtype)),
+            message("object-looked-grey-images-8-16"),
         )
     clipped = array >= saturation_level(array)
     if array.dtype == np.uint8:
@@ -212,8 +213,8 @@ def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
         return [
             ImageFinding(
                 "image-saturated",
-                f"{100 * picture.saturated:.0f} % of the picture is overexposed",
-                "turn down the exposure until the object's faces keep their grey",
+                message("picture-overexposed", saturated=quantity(100 * picture.saturated, "%")),
+                message("turn-down-exposure-until-objects-faces"),
                 picture.saturated,
                 CLIPPED,
             )
@@ -223,8 +224,11 @@ def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
         return [
             ImageFinding(
                 "image-dark",
-                f"the picture shows no contrast: {100 * contrast:.1f} % of full scale",
-                "turn up the light or the exposure, and look at the object",
+                message(
+                    "picture-shows-no-contrast-full-scale",
+                    contrast=quantity(100 * contrast, "%", 1),
+                ),
+                message("turn-up-light-exposure-look-object"),
                 contrast,
                 DARK,
             )
@@ -233,9 +237,10 @@ def quality_findings(picture: ImageQuality) -> list[ImageFinding]:
         return [
             ImageFinding(
                 "image-dim",
-                f"the picture is dim: its bright parts reach {100 * picture.high:.0f} % of full "
-                "scale",
-                "turn up the light or the exposure",
+                message(
+                    "picture-dim-bright-parts-reach-full", high=quantity(100 * picture.high, "%")
+                ),
+                message("turn-up-light-exposure"),
                 picture.high,
                 DIM,
             )
@@ -258,14 +263,16 @@ def _sharpness(picture: ImageQuality) -> list[ImageFinding]:
     blur, soft = picture.blur_px, picture.soft_px
     if blur is None or blur <= soft:
         return []
-    code, text, limit = "image-soft", "the picture is a little soft", soft
+    width = quantity(EDGE_WIDTH * blur, "px")
+    code, text, limit = "image-soft", message("picture-soft-edges-wide", width=width), soft
     if blur > soft * BLURRED / SOFT:
-        code, text, limit = "image-blurred", "the picture is blurred", soft * BLURRED / SOFT
+        limit = soft * BLURRED / SOFT
+        code, text = "image-blurred", message("picture-blurred-edges-wide", width=width)
     return [
         ImageFinding(
             code,
-            f"{text}: its edges are {EDGE_WIDTH * blur:.0f} px wide",
-            "focus the camera on the object, bring it into the working distance, and hold it still",
+            text,
+            message("focus-camera-object-bring-into-working-2"),
             blur,
             limit,
         )

@@ -4,19 +4,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Text, message, quantity
+
 
 @dataclass(frozen=True)
 class RejectionReason:
-    """Why the picture does not bear a placing out.
+    """Why the picture does not confirm a hypothesis.
 
     ``definite``: it shows other measures, rather than too little; ``edges``: rows in the
-    wireframe of those that disagree. ``alone``: a single edge says so, and nothing bears it
-    out; a shadow or something before the block may look like that. ``off_px``: how far the
+    wireframe of those that disagree. ``alone``: a single edge shows it, and nothing confirms
+    it; a shadow or something before the block may look like that. ``off_px``: how far the
     picture shows them elsewhere, at most. ``hidden``: what shows is in its place, but edges
     without which it cannot be told do not.
     """
 
-    text: str
+    text: Text
     definite: bool = False
     edges: tuple[int, ...] = ()
     alone: bool = False
@@ -24,8 +26,8 @@ class RejectionReason:
     hidden: bool = False
 
 
-def describe_edge(edge: str) -> str:
-    """The name of an edge in an operator's words: merlons and grooves counted from the left.
+def describe_edge(edge: str) -> Text:
+    """The name of an edge for people: merlons and grooves counted from the left.
 
     ``crest:1:L`` is the left edge of merlon 2's crest, ``wall:0:R:front`` the upright
     front edge on merlon 1's right.
@@ -33,13 +35,13 @@ def describe_edge(edge: str) -> str:
     sides = {"L": "left", "R": "right", "front": "front", "back": "back"}
     kind, *rest = edge.split(":")
     if kind == "base":
-        return f"the base's {sides[rest[0]]} edge"
+        return message("edge-of-base", side=sides[rest[0]])
     number, side = int(rest[0]) + 1, sides[rest[1]]
     if kind == "wall":
-        return f"the upright {rest[2]} edge on merlon {number}'s {side}"
-    return f"the {side} edge of " + (
-        f"merlon {number}'s crest" if kind == "crest" else f"groove {number}'s floor"
-    )
+        return message("upright-edge-of-merlon", end=rest[2], number=number, side=side)
+    if kind == "crest":
+        return message("edge-of-crest", side=side, number=number)
+    return message("edge-of-floor", side=side, number=number)
 
 
 def size_mismatch(
@@ -47,7 +49,11 @@ def size_mismatch(
 ) -> RejectionReason:
     """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
     return RejectionReason(
-        f"{describe_edge(edge)} seems to lie {off_mm:.2f} mm from where the certificate puts it",
+        message(
+            "seems-lie-where-certificate-puts",
+            edge=describe_edge(edge),
+            off=quantity(off_mm, "mm", 2),
+        ),
         True,
         edges,
         alone,

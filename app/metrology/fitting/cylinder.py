@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.metrology.fitting.plane_sphere import (
     ShapeParameters,
     draw_samples,
@@ -143,7 +144,7 @@ def _start(points: Floats) -> ShapeParameters:
         if best is None or misfit < best[0]:
             best = (misfit, cylinder)
     if best is None:
-        raise _no_cylinder_error("the surface does not bend")
+        raise _no_cylinder_error(message("surface-does-bend"))
     return best[1]
 
 
@@ -183,7 +184,7 @@ def _least_squares_cylinder(points: Floats, start: ShapeParameters) -> ShapePara
         scale = np.array([1.0, 1.0, 1.0 / largest, 1.0 / largest, 1.0])
         normal_matrix = (J * scale).T @ (J * scale)
         if np.linalg.cond(normal_matrix) > 1e12:
-            raise _no_cylinder_error("the points lie on too small a piece of it")
+            raise _no_cylinder_error(message("points-lie-too-small-piece"))
         off = cylinder_distances(points, (axis, radius))
         change = -scale * np.linalg.solve(normal_matrix, (J * scale).T @ off)
         a, b = perpendicular_axes(axis[3:])
@@ -193,16 +194,16 @@ def _least_squares_cylinder(points: Floats, start: ShapeParameters) -> ShapePara
         )
         radius += float(change[4])
         if not np.isfinite(radius) or radius > 1e3 * largest:
-            raise _no_cylinder_error("the points lie on too small a piece of it")
+            raise _no_cylinder_error(message("points-lie-too-small-piece"))
         if np.max(np.abs(change)) < 1e-10:
             break
     return axis, radius
 
 
-def _no_cylinder_error(why: str) -> OperationError:
+def _no_cylinder_error(why: Text) -> OperationError:
     return OperationError(
         "points-fix-no-cylinder",
-        "the points fix no cylinder",
+        message("points-fix-no-cylinder"),
         why,
-        "Pick more of its way round, or fit a plane",
+        message("pick-more-way-round-fit-plane"),
     )

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.transforms import Floats
 
 FILTER_SIGMAS = 3.0
@@ -142,8 +143,8 @@ def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, ND
     if finite.sum() < least:
         raise OperationError(
             "too-few-points",
-            f"the cloud holds {int(finite.sum())} usable points",
-            f"a {shape} needs at least {least}",
+            message("cloud-holds-usable-points", points=int(finite.sum())),
+            message("needs-least", shape=shape, least=least),
         )
     return points[finite], finite
 
@@ -196,7 +197,9 @@ def _plane_through(points: Floats, _: ShapeParameters | None = None) -> ShapePar
     centre = points.mean(axis=0)
     values, vectors = np.linalg.eigh((points - centre).T @ (points - centre))
     if values[1] <= 1e-12 * values[2]:
-        raise OperationError("points-on-a-line", "the points lie on one line", "they fix no plane")
+        raise OperationError(
+            "points-on-a-line", message("points-lie-one-line"), message("they-fix-no-plane")
+        )
     normal = vectors[:, 0]
     return normal, float(normal @ centre)
 
@@ -231,7 +234,7 @@ def _start_sphere(points: Floats) -> ShapeParameters:
             best = (misfit, centre, radius)
     if best is None:
         raise OperationError(
-            "points-in-a-plane", "the points lie in one plane", "they fix no sphere"
+            "points-in-a-plane", message("points-lie-one-plane"), message("they-fix-no-sphere")
         )
     return best[1], best[2]
 
@@ -254,9 +257,9 @@ def _least_squares_sphere(points: Floats, start: ShapeParameters) -> ShapeParame
         if np.linalg.cond(normal_matrix) > 1e12:
             raise OperationError(
                 "points-fix-no-sphere",
-                "the points lie on too small a piece of the sphere",
-                "centre and radius cannot be told apart",
-                "Scan more of the sphere",
+                message("points-lie-too-small-piece-sphere"),
+                message("centre-radius-cannot-told-apart"),
+                message("scan-more-sphere"),
             )
         change = np.linalg.solve(normal_matrix, -J.T @ (distance - radius_mm))
         centre_mm, radius_mm = centre_mm + change[:3], radius_mm + float(change[3])

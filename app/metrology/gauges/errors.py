@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, fit_plane, fit_sphere
 from app.metrology.transforms import Floats
 
@@ -188,7 +189,7 @@ def compute_repeatability(values: list[float]) -> Repeatability:
         Repeatability(mean=2.0, standard_deviation=1.0, range=2.0)
     """
     if len(values) < 2:
-        raise OperationError("too-few-clouds", "a spread needs at least two clouds")
+        raise OperationError("too-few-clouds", message("spread-needs-least-two-clouds"))
     return Repeatability(
         float(np.mean(values)), float(np.std(values, ddof=1)), max(values) - min(values)
     )

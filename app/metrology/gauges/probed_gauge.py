@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres, tip_covariances
 from app.metrology.fitting.cylinder import perpendicular_axes
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
@@ -94,9 +95,9 @@ def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
     if np.sqrt(values[1]) < LEAST_SPREAD_MM:
         raise OperationError(
             "touches-on-a-line",
-            f"The touches lie within {2 * np.sqrt(values[1]):.1f} mm of one line",
-            "they fix no plane",
-            "Touch it near its corners, too",
+            message("touches-lie-within-one-line", width=quantity(2 * np.sqrt(values[1]), "mm", 1)),
+            message("they-fix-no-plane"),
+            message("touch-near-corners-too"),
         )
     normal = vectors[:, 0]
     if float(np.mean((_flanges(arm, q_rad) - tips) @ normal)) < 0:
@@ -132,9 +133,9 @@ def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere
     if float(np.linalg.eigvalsh(outward.T @ outward)[0]) < LEAST_FACING * len(tips):
         raise OperationError(
             "touches-too-close",
-            "The touches lie too near together, or on one ring about the sphere",
-            "they do not fix its centre",
-            "Touch its top and all around its side",
+            message("touches-lie-too-near-together-one"),
+            message("they-do-fix-centre"),
+            message("touch-top-all-around-side"),
         )
     sd = _contact_sd(arm, q_rad, far - reach_mm, outward, 3)
     return ProbedSphere(
@@ -165,9 +166,9 @@ def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
     if len(q_rad) < least:
         raise OperationError(
             "too-few-touches",
-            f"The {shape} has {len(q_rad)} touches",
-            f"at least {least} are needed",
-            "Touch it in more places",
+            message("has-touches", shape=shape, count=len(q_rad)),
+            message("least-needed-2", least=least),
+            message("touch-more-places"),
         )
     return tip_centres(arm, q_rad)
 

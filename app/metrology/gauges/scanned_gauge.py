@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from app.errors import OperationError
+from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit, draw_samples, finite_points
 from app.metrology.fitting.shape import MeasuredShape, measure_shape
 from app.metrology.transforms import Floats
@@ -67,9 +68,9 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     if width < LEAST_WIDTH_MM:
         raise OperationError(
             "cloud-too-small",
-            f"The cloud is a strip {width:.1f} mm wide",
-            f"a plane needs {LEAST_WIDTH_MM:g} mm in both directions",
-            "Pass over more of the gauge",
+            message("cloud-strip-wide", width=quantity(width, "mm", 1)),
+            message("plane-needs-both-directions", width=rounded(LEAST_WIDTH_MM, "mm")),
+            message("pass-over-more-gauge"),
         )
     return _assemble_cloud(found, points, len(points_mm))
 
@@ -108,9 +109,9 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
     if off_mm > max(OTHER_RADIUS_MM, OTHER_RADIUS_SHARE * radius_mm):
         raise OperationError(
             "another-gauge",
-            f"The scanned sphere has a diameter of {2 * fit.radius_mm:.2f} mm",
-            f"the chosen gauge has {2 * radius_mm:.2f} mm",
-            "Choose the gauge that is scanned",
+            message("scanned-sphere-has-diameter", diameter=quantity(2 * fit.radius_mm, "mm", 2)),
+            message("chosen-gauge-has", diameter=quantity(2 * radius_mm, "mm", 2)),
+            message("choose-gauge-scanned"),
         )
     outward = points[fit.used] - fit.centre_mm
     outward /= np.linalg.norm(outward, axis=1)[:, None]
@@ -120,9 +121,9 @@ def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: flo
     if cap < LEAST_CAP_RAD:
         raise OperationError(
             "cloud-too-small",
-            f"The cloud shows a cap of {np.rad2deg(cap):.0f}° of the sphere",
-            f"at least {np.rad2deg(LEAST_CAP_RAD):.0f}° from its middle are needed",
-            "Pass over it from several sides",
+            message("cloud-shows-cap-sphere", angle=quantity(np.rad2deg(cap), "°")),
+            message("least-middle-needed", angle=quantity(np.rad2deg(LEAST_CAP_RAD), "°")),
+            message("pass-over-several-sides"),
         )
     _refuse_rough(fit.rms_mm, "sphere")
     return _assemble_cloud(found, points, len(points_mm))
@@ -159,9 +160,9 @@ def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArra
     if len(points) < LEAST_POINTS:
         raise OperationError(
             "cloud-too-small",
-            f"The cloud has {len(points)} points",
-            f"at least {LEAST_POINTS} are needed",
-            "Pass the stripe slowly over the gauge",
+            message("cloud-has-points", points=len(points)),
+            message("least-needed", least=LEAST_POINTS),
+            message("pass-stripe-slowly-over-gauge"),
         )
     return points, frames
 
@@ -191,9 +192,9 @@ def _refuse_rough(rms_mm: float, shape: str) -> None:
     if rms_mm > ROUGHEST_MM:
         raise OperationError(
             "another-gauge",
-            f"The cloud is no {shape}: its points lie {rms_mm:.2f} mm rms off one",
-            f"up to {ROUGHEST_MM:g} mm are taken for one",
-            "Scan the gauge that was chosen, and nothing beside it",
+            message("cloud-no-points-lie-rms-off", shape=shape, rms=quantity(rms_mm, "mm", 2)),
+            message("up-to-taken-one", rms=rounded(ROUGHEST_MM, "mm")),
+            message("scan-gauge-chosen-nothing-beside"),
         )
 
 
@@ -236,7 +237,7 @@ def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
 def _no_sphere_error(radius_mm: float) -> OperationError:
     return OperationError(
         "another-gauge",
-        f"There is no sphere of {2 * radius_mm:.2f} mm diameter in this cloud",
-        "its points do not lie on one",
-        "Scan the gauge that was chosen",
+        message("there-no-sphere-diameter-cloud", diameter=quantity(2 * radius_mm, "mm", 2)),
+        message("points-do-lie-one"),
+        message("scan-gauge-chosen"),
     )

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import join, message, quantity, word
 from app.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
 from app.metrology.probing.contacts import (
     FACE_SLACK_MM,
@@ -19,15 +20,12 @@ from app.metrology.probing.contacts import (
     refuse_lines,
     surface_points,
 )
-from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
 from app.metrology.transforms import Floats
 
 # Where contacts fit worse than this, and some not at all, no single one is at fault.
 POOR_FIT_MM = 0.3
-CHECK_THE_ARM = (
-    "Check the arm's file: its lengths and angles, the signs and the order of its joints, and the"
-    " tip; then which face each contact was taken on, and the object's certificate"
-)
+CHECK_THE_ARM = message("check-arms-file-lengths-angles-signs")
 
 
 @dataclass(frozen=True)
@@ -155,20 +153,28 @@ def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Cre
     if count and alignment.rms_mm > POOR_FIT_MM:
         raise OperationError(
             "contacts-do-not-fit",
-            f"the contacts fit the block to {alignment.rms_mm:.2f} mm rms only, and "
-            f"{count} of {len(far)} not at all",
-            "no single contact is at fault",
+            message(
+                "contacts-fit-block-rms-only-all",
+                rms=quantity(alignment.rms_mm, "mm", 2),
+                beside=count,
+                count=len(far),
+            ),
+            message("no-single-contact-fault"),
             CHECK_THE_ARM,
         )
     for i in map(int, np.flatnonzero(far)):
         found = other_face(alignment, i, features[i], block)
-        place = f"it lies on the {found} face" if found else "it lies on no face at all"
+        place = message("lies-face", where=on_face(found)) if found else message("lies-no-face-all")
         raise OperationError(
             "contact-on-wrong-face",
-            f"contact {i + 1} is labelled {features[i]}, but misses that face by "
-            f"{abs(alignment.residuals_mm[i]):.1f} mm",
+            message(
+                "contact-labelled-but-misses-face",
+                number=i + 1,
+                face=word(features[i]),
+                distance=quantity(abs(alignment.residuals_mm[i]), "mm", 1),
+            ),
             place,
-            "Take it out, or label it with the face that was touched",
+            message("take-out-label-face-touched"),
         )
 
 
@@ -203,21 +209,25 @@ def _touches(tip_mm: Floats, radius_mm: float, face: str, block: Crenellated) ->
 def _mirror_error(off_face: int, contacts: int) -> OperationError:
     return OperationError(
         "contacts-mirrored",
-        f"{off_face} of {contacts} contacts lie beside the crests or floors that were touched",
-        "the merlons stand in the mirrored order",
-        "Check the object's certificate, and which of its sides is the front",
+        message("contacts-lie-beside-crests-floors-were", off_face=off_face, contacts=contacts),
+        message("merlons-stand-mirrored-order"),
+        message("check-objects-certificate-which-sides-front"),
     )
 
 
 def _label_error(features: Sequence[str], off_face: NDArray[np.bool_]) -> OperationError:
     faces = sorted({features[int(i)] for i in np.flatnonzero(off_face)})
-    remedy = "Check which face each contact was taken on, the tip, and the object's certificate"
+    remedy = message("check-which-face-each-contact-taken")
     if 2 * off_face.sum() > len(features):
         remedy = CHECK_THE_ARM
     return OperationError(
         "contacts-do-not-fit",
-        f"{int(off_face.sum())} of {len(features)} contacts lie beside the face they are labelled "
-        f"with ({', '.join(faces)})",
-        "no position of this block brings them onto it",
+        message(
+            "contacts-lie-beside-face-they-labelled",
+            beside=int(off_face.sum()),
+            count=len(features),
+            faces=join([word(face) for face in faces]),
+        ),
+        message("no-position-block-brings-them-onto"),
         remedy,
     )

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.messages.message import Text, join, message
+from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
 from app.metrology.transforms import Floats, apply, inverse
 
 DIRECTIONS = (("crest", "floor"), ("front", "back"), ("left", "right"))
@@ -46,7 +47,7 @@ class FaceContacts:
         return np.asarray(np.sqrt(variances + CONTACT_SD_MM**2))
 
 
-def missing_contacts(features: Sequence[str]) -> str:
+def missing_contacts(features: Sequence[str]) -> Text:
     """What must still be probed before an alignment is possible; empty when nothing is.
 
     Args:
@@ -56,9 +57,8 @@ def missing_contacts(features: Sequence[str]) -> str:
     for faces in DIRECTIONS:
         taken = sum(features.count(face) for face in faces)
         if taken < MIN_CONTACTS:
-            names = f"the {faces[0]} or the {faces[1]} face"
-            wanted.append(f"{MIN_CONTACTS - taken} more on {names}")
-    return "Touch " + ", ".join(wanted) if wanted else ""
+            wanted.append(message("more-on-either-face", count=MIN_CONTACTS - taken, pair=faces[0]))
+    return message("touch-more-contacts", contacts=join(wanted)) if wanted else ""
 
 
 def build_contacts(
@@ -73,19 +73,20 @@ def build_contacts(
         if face not in FACES:
             raise OperationError(
                 "unknown-face",
-                f"contact {i + 1} is on an unknown face '{face}'",
-                f"the faces are {', '.join(FACES)}",
+                message("contact-unknown-face", number=i + 1, face=face),
+                message("faces", faces=", ".join(FACES)),
             )
     if tips.shape != (len(features), 3) or not np.all(np.isfinite(tips)):
         raise OperationError(
-            "bad-contacts", f"{len(features)} contacts were given with positions {tips.shape}"
+            "bad-contacts",
+            message("contacts-were-given-positions", count=len(features), shape=str(tips.shape)),
         )
     missing = missing_contacts(features)
     if missing:
         raise OperationError(
             "too-few-contacts",
-            f"{len(features)} contacts do not fix the object's position",
-            f"at least {MIN_CONTACTS} are needed on each of three non-parallel faces",
+            message("contacts-do-fix-objects-position", count=len(features)),
+            message("least-needed-each-three-non-parallel", least=MIN_CONTACTS),
             missing,
         )
     planes = [probing_face(block, face) for face in features]
@@ -109,9 +110,13 @@ def refuse_lines(contacts: FaceContacts) -> None:
             face = max(own, key=lambda name: spreads[name][0])
             raise OperationError(
                 "contacts-on-a-line",
-                f"the {int((labels == face).sum())} contacts on the {face} face lie on one line",
-                "the face can turn about that line",
-                f"Touch the {face} face also beside that line",
+                message(
+                    "contacts-face-lie-one-line",
+                    count=int((labels == face).sum()),
+                    where=on_face(face),
+                ),
+                message("face-can-turn-about-line"),
+                message("touch-face-also-beside-line", face=face),
             )
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import join, message, quantity
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats, nearest_rotation
 
@@ -77,17 +78,21 @@ def _require_points(points: Floats, uv: Floats) -> None:
     if points.ndim != 2 or points.shape[1] != 3 or uv.shape != (len(points), 2):
         raise OperationError(
             "points-malformed",
-            f"object points of shape {points.shape} and pixels of shape {uv.shape}",
-            "each point needs three coordinates and one pixel (u, v)",
+            message(
+                "object-points-shape-pixels-shape",
+                points=str(points.shape),
+                pixels=str(uv.shape),
+            ),
+            message("each-point-needs-three-coordinates-one"),
         )
     if not (np.isfinite(points).all() and np.isfinite(uv).all()):
-        raise OperationError("points-not-finite", "an object point or a pixel is not a number")
+        raise OperationError("points-not-finite", message("object-point-pixel-number"))
     if len(points) < 6:
         raise OperationError(
             "degenerate-too-few-points",
-            f"{len(points)} corners were found in the picture",
-            "the camera's matrix needs at least six, on crests and floors",
-            "bring more of the object into the picture",
+            message("corners-were-found-picture", points=len(points)),
+            message("cameras-matrix-needs-least-six-crests"),
+            message("bring-more-object-into-picture"),
         )
     _refuse_flat(points)
 
@@ -100,16 +105,20 @@ def _refuse_flat(points: Floats) -> None:
     if np.ptp(points[:, 2]) <= FLAT * extent[0]:
         raise OperationError(
             "degenerate-one-level",
-            f"all {len(points)} corners lie on one level, z = {points[0, 2]:.3f} mm",
-            "one plane does not fix focal length, stand-off and the laser plane together",
-            "place the sensor so that both crests and floors are in the picture",
+            message(
+                "all-corners-lie-one-level-z",
+                points=len(points),
+                z=quantity(points[0, 2], "mm", 3),
+            ),
+            message("one-plane-does-fix-focal-length"),
+            message("place-sensor-so-both-crests-floors"),
         )
-    normal = ", ".join(f"{value:.2f}" for value in axes[2])
+    normal = join([quantity(value, "", 2) for value in axes[2]], " ")
     raise OperationError(
         "degenerate-one-row",
-        f"all {len(points)} corners lie in one plane with normal ({normal})",
-        "with only one row of corners on each level, the camera is not fixed",
-        "bring the front and the back edge of a level into the picture",
+        message("all-corners-lie-one-plane-normal", points=len(points), normal=normal),
+        message("only-one-row-corners-each-level"),
+        message("bring-front-back-edge-level-into"),
     )
 
 
@@ -119,7 +128,7 @@ def _normalising(points: Floats) -> Floats:
     centre = points.mean(axis=0)
     rms = float(np.sqrt(np.mean(np.sum((points - centre) ** 2, axis=1))))
     if rms == 0.0:
-        raise OperationError("degenerate-one-pixel", "all corners were given the same pixel")
+        raise OperationError("degenerate-one-pixel", message("all-corners-were-given-same-pixel"))
     T = np.eye(n + 1)
     T[:n, :n] *= np.sqrt(n) / rms
     T[:n, n] = -centre * np.sqrt(n) / rms
@@ -145,10 +154,14 @@ def _condition(system: Floats, points: Floats) -> float:
     if condition > LARGEST_CONDITION:
         raise OperationError(
             "degenerate-flat",
-            f"the {len(points)} corners fix the camera badly "
-            f"(condition number {condition:.3g}, limit {LARGEST_CONDITION:.0f})",
-            "they lie almost on one plane, or almost in one row on each level",
-            "use an object with a higher step, and show it crests and floors, front and back",
+            message(
+                "corners-fix-camera-badly-condition-number",
+                points=len(points),
+                condition=f"{condition:.3g}",
+                limit=quantity(LARGEST_CONDITION),
+            ),
+            message("they-lie-almost-one-plane-almost"),
+            message("use-object-higher-step-show-crests"),
         )
     return condition
 
@@ -176,9 +189,12 @@ def _in_front(matrix: Floats, points: Floats) -> Floats:
         return matrix
     raise OperationError(
         "degenerate-behind-the-camera",
-        f"{int(min((depths > 0).sum(), (depths < 0).sum()))} of {len(points)} corners would lie "
-        "behind the camera",
-        "the corners were taken for others, or do not belong to this object",
+        message(
+            "corners-would-lie-behind-camera",
+            behind=int(min((depths > 0).sum(), (depths < 0).sum())),
+            points=len(points),
+        ),
+        message("corners-were-taken-others-do-belong"),
     )
 
 
@@ -192,9 +208,9 @@ def _decompose(matrix: Floats, width_px: int, height_px: int) -> tuple[Camera, f
     if np.linalg.det(R) < 0:
         raise OperationError(
             "object-mirrored",
-            "the picture shows the object's mirror image",
-            "left and right corners were exchanged, or the image is flipped",
-            "check the object's certificate and the camera's flip setting",
+            message("picture-shows-objects-mirror-image"),
+            message("left-right-corners-were-exchanged-image"),
+            message("check-objects-certificate-cameras-flip-setting"),
         )
     defect = float(np.linalg.norm(R @ R.T - np.eye(3)))
     m14, m24, m34 = matrix[:, 3]

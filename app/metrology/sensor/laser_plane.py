@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.transforms import Floats
 
@@ -101,8 +102,11 @@ def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
     if angle < LEAST_ANGLE_DEG:
         raise OperationError(
             "laser-through-camera",
-            f"the camera looks along the laser plane, {angle:.1f} deg off it "
-            f"(limit {LEAST_ANGLE_DEG:.0f} deg)",
-            "a plane through the camera's centre gives no depth",
-            "the camera must look at the stripe from the side: check how the sensor is built",
+            message(
+                "camera-looks-along-laser-plane-deg",
+                angle=quantity(angle, "°", 1),
+                limit=quantity(LEAST_ANGLE_DEG, "°"),
+            ),
+            message("plane-through-cameras-centre-gives-no"),
+            message("camera-must-look-stripe-side-check"),
         )

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.image import Image
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
@@ -107,11 +108,11 @@ def orient_image(image: Image, axis: str) -> Image:
     if array.ndim != 2 or array.dtype not in EXTRACT:
         raise OperationError(
             "image-not-grey",
-            f"an image of shape {array.shape} and type {array.dtype}",
-            "a stripe is extracted from grey images of 8 to 16 bits, height by width",
+            message("image-shape-type", shape=str(array.shape), dtype=str(array.dtype)),
+            message("stripe-extracted-grey-images-8-16"),
         )
     if axis not in ("u", "v"):
-        raise OperationError("axis-unknown", f'stripe axis "{axis}"', 'it is "u" or "v"')
+        raise OperationError("axis-unknown", message("stripe-axis", axis=axis), message("u-v"))
     if axis == "u":
         return np.ascontiguousarray(array)
     return cast(Image, cv2.transpose(cast(Image, array)))
@@ -131,7 +132,7 @@ def orient_mask(
     if turned.shape != grey.shape:
         raise OperationError(
             "mask-size",
-            f"a mask of {where.shape} pixels for an image of another size",
-            "a mask says of every pixel whether the stripe may lie there",
+            message("mask-pixels-image-another-size", shape=str(where.shape)),
+            message("mask-says-every-pixel-whether-stripe"),
         )
     return turned

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.errors import OperationError
+from app.messages.message import Text, message, rounded
 
 PeakChoice = Literal["continuity", "strength", "first", "last"]
 CHOICES: tuple[PeakChoice, ...] = ("continuity", "strength", "first", "last")
@@ -42,20 +43,20 @@ def check_settings(settings: StripeSettings) -> None:
         OperationError: a value is negative, widths do not ascend, or the choice is unknown.
     """
     least, most = settings.min_width_px, settings.max_width_px
-    wrong = ""
+    wrong: Text = ""
     if settings.threshold is not None and not settings.threshold >= 0:
-        wrong = f"a threshold of {settings.threshold}"
+        wrong = message("stripe-threshold-is", threshold=rounded(settings.threshold))
     elif least is not None and not least >= 0:
-        wrong = f"a minimum width of {least} px"
+        wrong = message("stripe-minimum-width-is", width=rounded(least, "px"))
     elif most is not None and not most > (least or 0):
-        wrong = f"a maximum width of {most} px"
+        wrong = message("stripe-maximum-width-is", width=rounded(most, "px"))
     elif settings.min_run < 1:
-        wrong = f"pieces of {settings.min_run} points"
+        wrong = message("stripe-pieces-of", points=settings.min_run)
     elif settings.choice not in CHOICES:
-        wrong = f'the choice "{settings.choice}"'
+        wrong = message("stripe-choice-is", choice=str(settings.choice))
     if wrong:
         raise OperationError(
             "stripe-settings",
-            f"{wrong} of the stripe",
-            f"widths are positive and ascend; the choice is one of {', '.join(CHOICES)}",
+            wrong,
+            message("widths-positive-ascend-choice-one", choices=", ".join(CHOICES)),
         )

@@ -8,9 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Message, message
 from app.metrology.transforms import Floats
 
 FACES = ("crest", "floor", "front", "back", "left", "right")
+
+
+def on_face(face: str) -> Message:
+    """Where on the block: "on the left face"."""
+    return message("on-face", face=face)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message, quantity, rounded
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.time_delay.delay_fit import (
     DelayEstimate,
@@ -136,9 +137,9 @@ def _search_delay(sample: PlanePass) -> DelayHypothesis:
     if best is None:
         raise OperationError(
             "no-joints-around-frames",
-            "the arm's position is not known around most of the pictures",
-            "the arm sent too little, or arm and camera are not on one clock",
-            "Take the pass again",
+            message("arms-position-known-around-most-pictures"),
+            message("arm-sent-too-little-arm-camera"),
+            message("take-pass-again"),
         )
     return best[1]
 
@@ -147,9 +148,9 @@ def _check_frames(count: int) -> None:
     if count < LEAST_FRAMES:
         raise OperationError(
             "pass-too-short",
-            f"the pass has {count} pictures with the laser's line on the plane",
-            f"{LEAST_FRAMES} are needed",
-            "Take a longer pass, five seconds or more",
+            message("pass-has-pictures-lasers-line-plane", count=count),
+            message("needed", least_frames=LEAST_FRAMES),
+            message("take-longer-pass-five-seconds-more"),
         )
 
 
@@ -158,14 +159,18 @@ def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
     share = len(near) / len(off_mm)
     spread_mm = 1.4826 * float(np.median(near)) if len(near) else np.inf
     if share < LEAST_SHARE or spread_mm > MOST_SPREAD_MM:
-        seen = f"{100 * share:.0f} % of the points lie within {gate_mm:.2g} mm of one plane"
+        why = message(
+            "points-lie-within-one-plane",
+            share=quantity(100 * share, "%"),
+            distance=rounded(gate_mm, "mm", 2),
+        )
         if share >= LEAST_SHARE:
-            seen = f"the points lie {spread_mm:.2f} mm (k = 1) about the nearest plane"
+            why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
         raise OperationError(
             "not-a-plane",
-            "what was passed over is not a plane",
-            f"{seen}, whatever the delay",
-            "Pass over a flat plate that fills the laser's line",
+            message("what-passed-over-plane"),
+            why,
+            message("pass-over-flat-plate-fills-lasers"),
         )
     _check_frames(frames)
 
@@ -174,27 +179,31 @@ def _check_delay(found: DelayEstimate) -> None:
     """Refuses a pass that cannot tell the delay, in words that say what to do otherwise."""
     across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
     speed = float(np.sqrt(np.mean(across**2)))
-    known = f"the delay would be known to {u_ms:.1f} ms (k = 1)"
+    known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
     if not np.isfinite(u_ms):
-        known = "the delay would not be known at all"
-    again = "Move the sensor nearer and away again, several times, as you go over the plate"
+        known = message("delay-would-known-all")
+    again = message("move-sensor-nearer-away-again-several")
     to, fro = float(across.clip(min=0).sum()), float((-across).clip(min=0).sum())
     if found.speed_mm_s < SLOW_MM_S and u_ms > MOST_UNCERTAINTY_MS:
-        code, why = "pass-too-slow", f"the sensor went at {found.speed_mm_s:.0f} mm/s; {known}"
-        again = "Go faster, 50 mm/s or more"
+        code, why = (
+            "pass-too-slow",
+            message("sensor-went", speed=quantity(found.speed_mm_s, "mm/s"), known=known),
+        )
+        again = message("go-faster", speed=quantity(50, "mm/s"))
     elif speed < found.speed_mm_s / 10 and u_ms > MOST_UNCERTAINTY_MS / 10:
         code = "pass-along-the-plane"
-        why = (
-            f"the sensor went at {found.speed_mm_s:.0f} mm/s along the plane and at "
-            f"{speed:.1f} mm/s across it; along it a delay changes nothing"
+        why = message(
+            "sensor-went-along-plane-across-along",
+            along=quantity(found.speed_mm_s, "mm/s"),
+            across=quantity(speed, "mm/s", 1),
         )
     elif min(to, fro) < ONE_WAY * max(to, fro):
         code = "pass-without-reversal"
-        why = "the sensor only went one way; a delay then looks like another place of the plane"
+        why = message("sensor-only-went-one-way-delay")
     elif u_ms > MOST_UNCERTAINTY_MS:
         code = "pass-tells-too-little"
-        why = f"{known}; {MOST_UNCERTAINTY_MS:g} ms is the limit"
-        again = "Go faster and farther over the plate, nearer and away again several times"
+        why = message("known-limit-is", known=known, limit=rounded(MOST_UNCERTAINTY_MS, "ms"))
+        again = message("go-faster-farther-over-plate-nearer")
     else:
         return
-    raise OperationError(code, "this pass does not tell the delay", why, again)
+    raise OperationError(code, message("pass-does-tell-delay"), why, again)

@@ -4,6 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
+from app.errors import sentence
+from app.findings import capital
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.datasheets.target import read_certificate
 from app.formats.results.acceptance import Acceptance, read_acceptance
 from app.formats.results.calibration import CalibrationFile, PosePart
@@ -13,14 +16,17 @@ from app.formats.session.calibration_session import (
     BoardSession,
     read_any_session,
 )
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.messages.message import Message, Text, join, message, quantity, rounded, signed, word
+from app.metrology.arm.kinematics import Arm, RobotArm, tip_centres
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import FACES, Crenellated
 from app.metrology.transforms import Floats
 from app.report.content import (
     Facts,
     Findings,
     Pictures,
+    Quality,
     Report,
     ReportFinding,
     ReportTable,
@@ -33,43 +39,48 @@ from app.report.contents import calibration_figures as figures
 from app.report.figure import Figure
 from app.report.formatting import (
     UNKNOWN,
+    ball_diameter,
     device_name,
     format_moment,
+    in_both_units,
     micrometres,
     millimetres,
     simulation_notes,
+    software_name,
     temperature,
 )
 from app.report.provenance import inputs_section
 
 CALIBRATION = "calibration.json"
 DISPLAYED_POSES = 6
-WORDS = {
-    "good": "Good",
-    "attention": "Usable, with attention",
-    "bad": "Not to be used",
-    "neutral": "Not judged",
+FACE_WORDS = (*FACES, "board")
+Row = tuple[Text, ...]
+WORDS: dict[Quality, Message] = {
+    "good": message("good"),
+    "attention": message("usable-attention"),
+    "bad": message("used"),
+    "neutral": message("judged"),
 }
-METHODS = {
-    "joint": "joint adjustment of all poses",
-    "one-pose": "one pose (Faugeras, contact alignment)",
+METHODS: dict[str, Message] = {
+    "joint": message("joint-adjustment-all-poses"),
+    "one-pose": message("one-pose-faugeras-contact-alignment"),
 }
-# One-sided, 95 %: the guard band that ISO 14253-1 takes by default, in standard uncertainties.
 GUARD = 1.65
+"""One-sided, 95 %: the guard band of ISO 14253-1 by default, in standard uncertainties."""
 
 
-def calibration_report(folder: Path) -> Report:
+def calibration_report(folder: Path) -> Report[Text]:
     """The report on the ``calibration.json`` of a session's folder.
 
     Raises:
-        Refusal: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a file that it needs is missing or damaged.
     """
     sheet = CalibrationFile.read(folder / CALIBRATION)
     session = read_any_session(folder)
     accepted = read_acceptance(folder)
     verdict = sheet.verdict
     quality = verdict.quality if verdict else "neutral"
-    text = verdict.text if verdict else "The file carries no verdict."
+    text = verdict.text if verdict else message("file-carries-no-verdict")
     sections = [
         _subject_section(sheet, session, accepted),
         _results(sheet, session, accepted),
@@ -83,19 +94,20 @@ def calibration_report(folder: Path) -> Report:
         ),
     ]
     return Report(
-        title="Calibration report",
+        title=message("calibration-report"),
         number=folder.resolve().name,
-        station=(accepted.station if accepted else "") or "Laser stripe sensor on a measuring arm",
+        station=(accepted.station if accepted else "")
+        or message("laser-stripe-sensor-measuring-arm"),
         date=format_moment(accepted.accepted_at if accepted else sheet.created_at),
-        verdict=Verdict(quality, WORDS[quality], f"{text[:1].upper()}{text[1:]}."),
+        verdict=Verdict(quality, WORDS[quality], sentence(text)),
         sections=[section for section in sections if section.blocks],
         notes=_notes(accepted),
     )
 
 
-def _notes(accepted: Acceptance | None) -> list[str]:
+def _notes(accepted: Acceptance | None) -> list[Text]:
     if accepted is None:
-        return ["This calibration was not accepted at a station."]
+        return [message("calibration-accepted-station")]
     return simulation_notes(accepted.simulated)
 
 
@@ -105,158 +117,190 @@ def _operator(sheet: CalibrationFile, accepted: Acceptance | None) -> str:
 
 def _subject_section(
     sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
-) -> Section:
-    sensor, arm = session.sensor, session.arm
+) -> Section[Text]:
     target = session.board if isinstance(session, BoardSession) else session.block
-    laser = f", laser {sensor.laser_wavelength_nm:g} nm" if sensor.laser_wavelength_nm else ""
-    size = f"{sensor.width_px} × {sensor.height_px} px"
-    tip = f", tip Ø {2 * arm.tip.radius_mm:.4g} mm" if arm.tip else ""
-    rows = [
-        ("Operator", _operator(sheet, accepted) or UNKNOWN),
-        ("Calibrated", format_moment(sheet.created_at)),
-        ("Accepted", format_moment(accepted.accepted_at) if accepted else "no"),
-        ("Temperature", temperature(accepted.temperature_c if accepted else None)),
-        ("Method", METHODS.get(sheet.method or "", sheet.method or UNKNOWN)),
-        ("Software", f"Crenel {sheet.software.version}" if sheet.software else UNKNOWN),
-        ("Arm", device_name(arm.name, arm.serial_number) + tip),
-        ("Sensor", f"{device_name(sensor.name, sensor.serial_number)}, {size}{laser}"),
-        ("Object", device_name(target.name, target.serial_number)),
-        ("Its certificate", read_certificate(session.folder / OBJECT) or UNKNOWN),
-        ("Its coordinates", _coordinates(target)),
+    rows: list[tuple[Text, Text]] = [
+        (message("operator-2"), _operator(sheet, accepted) or UNKNOWN),
+        (message("calibrated"), format_moment(sheet.created_at)),
+        (message("accepted"), format_moment(accepted.accepted_at) if accepted else word("no")),
+        (message("temperature"), temperature(accepted.temperature_c if accepted else None)),
+        (message("method"), METHODS.get(sheet.method or "", sheet.method or UNKNOWN)),
+        (
+            message("software"),
+            software_name(sheet.software.version) if sheet.software else UNKNOWN,
+        ),
+        (message("arm-4"), _arm_name(session.arm)),
+        (message("sensor-2"), _sensor_name(session.sensor)),
+        (message("object"), device_name(target.name, target.serial_number)),
+        (message("certificate"), read_certificate(session.folder / OBJECT) or UNKNOWN),
+        (message("coordinates"), _coordinates(target)),
     ]
-    return Section("What was calibrated", [Facts(rows)])
+    return Section(message("what-calibrated"), [Facts(rows)])
 
 
-def _coordinates(target: object) -> str:
-    unsure = 1e3 * float(getattr(target, "standard_uncertainty_mm", 0.0))
-    text = f"known to {unsure:.1f} µm (k = 1)"
+def _arm_name(arm: Arm | RobotArm) -> Text:
+    name = device_name(arm.name, arm.serial_number)
+    if not arm.tip:
+        return name
+    return join([name, message("with-tip", diameter=ball_diameter(2 * arm.tip.radius_mm))])
+
+
+def _sensor_name(sensor: SensorDatasheet) -> Text:
+    items: list[Text] = [
+        device_name(sensor.name, sensor.serial_number),
+        f"{sensor.width_px} × {sensor.height_px} px",
+    ]
+    if sensor.laser_wavelength_nm:
+        wavelength = rounded(sensor.laser_wavelength_nm, "nm")
+        items.append(message("laser-wavelength", wavelength=wavelength))
+    return join(items)
+
+
+def _coordinates(target: Crenellated | Chessboard) -> Text:
+    known = message("known-k-1", known=micrometres(1e3 * target.standard_uncertainty_mm))
     if isinstance(target, Chessboard):
         columns, rows = target.inner_corners
-        return f"{columns} × {rows} inner corners, {target.square_mm:g} mm apart, {text}"
-    return text
+        return message(
+            "inner-corners-mm-apart",
+            columns=columns,
+            rows=rows,
+            square=rounded(target.square_mm, "mm"),
+            known=known,
+        )
+    return known
 
 
 def _results(
     sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
-) -> Section:
-    known, left = sheet.uncertainty, sheet.residuals
-    rows: list[tuple[str, str, str, str, str]] = []
-    if known is not None:
-        total = known.total_um
-        limits = _limits(accepted)
-        point = "Scanned point, rms over the measuring volume"
-        rows += [
-            (f"{point}: standard uncertainty", *_um(total), "1", limits),
-            (f"{point}: expanded uncertainty", *_um(2 * total), "2", ""),
-        ]
-        if known.plane is not None:
-            rows += [
-                (
-                    "Plane swept straight across: angle",
-                    f"{known.plane.angle_arcsec:.0f}″",
-                    "",
-                    "1",
-                    "",
-                ),
-                ("The same: offset", *_um(known.plane.offset_um), "1", ""),
-            ]
-        near, far = known.depth_range_mm
-        rows.append(
-            ("Calibrated distance from the camera", "", f"{near:.1f} to {far:.1f} mm", "", "")
-        )
-    if left is not None:
-        board = isinstance(session, BoardSession)
-        fitted = "Corners, rms" if board else "Edges and corners, rms"
-        stripe = f"Stripe about the laser plane, rms of {left.stripe_points} points"
-        rows += [
-            (fitted, f"{left.reprojection_rms_px:.3f} px", "", "", ""),
-            (stripe, *_um(left.laser_plane_rms_um), "", ""),
-        ]
-        if left.contacts_um:
-            out = len(left.contacts_left_out)
-            count = f"{len(left.contacts_um)} touches" + (f", {out} left out" if out else "")
-            rows.append((f"Contacts, rms of {count}", *_um(left.contacts_rms_um), "", ""))
-    columns = ("Result", "Value", "In mm", "k", "Limit, k = 1")
-    table = ReportTable(columns, rows, (46, 14, 18, 5, 25))
-    return Section("Results", [table, *_rule(sheet, accepted)])
+) -> Section[Text]:
+    rows = [*_uncertainty_rows(sheet, accepted), *_residual_rows(sheet, session)]
+    columns = (message("result"), message("value"), message("mm"), "k", message("limit-k-1"))
+    table = ReportTable[Text](columns, rows, (46, 14, 18, 5, 25))
+    return Section(message("results"), [table, *_rule(sheet, accepted)])
 
 
-def _um(value_um: float) -> tuple[str, str]:
-    return micrometres(value_um), millimetres(value_um)
-
-
-def _limits(accepted: Acceptance | None) -> str:
-    if accepted is None or accepted.good_um is None or accepted.usable_um is None:
-        return "not stated"
-    return f"good ≤ {accepted.good_um:g} µm, usable ≤ {accepted.usable_um:g} µm"
-
-
-def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock]:
-    texts = [
-        "Decision rule: the limits are set on the standard uncertainty itself and compared with it "
-        "directly, without a guard band."
+def _uncertainty_rows(sheet: CalibrationFile, accepted: Acceptance | None) -> list[Row]:
+    known = sheet.uncertainty
+    if known is None:
+        return []
+    total, limits = known.total_um, _limits(accepted)
+    rows: list[Row] = [
+        (message("point-standard-uncertainty"), *in_both_units(total), "1", limits),
+        (message("point-expanded-uncertainty"), *in_both_units(2 * total), "2", ""),
     ]
+    if known.plane is not None:
+        angle, offset = quantity(known.plane.angle_arcsec, "″"), known.plane.offset_um
+        rows += [
+            (message("plane-swept-straight-across-angle"), angle, "", "1", ""),
+            (message("same-offset"), *in_both_units(offset), "1", ""),
+        ]
+    near, far = known.depth_range_mm
+    depths = message("to-3", near=quantity(near, "", 1), far=quantity(far, "mm", 1))
+    rows.append((message("calibrated-distance-camera"), "", depths, "", ""))
+    return rows
+
+
+def _residual_rows(sheet: CalibrationFile, session: BlockSession | BoardSession) -> list[Row]:
+    residuals = sheet.residuals
+    if residuals is None:
+        return []
+    board = isinstance(session, BoardSession)
+    fitted = message("corners-rms") if board else message("edges-corners-rms")
+    stripe = message("stripe-about-laser-plane-rms-points", points=residuals.stripe_points)
+    rows: list[Row] = [
+        (fitted, quantity(residuals.reprojection_rms_px, "px", 3), "", "", ""),
+        (stripe, *in_both_units(residuals.laser_plane_rms_um), "", ""),
+    ]
+    if residuals.contacts_um:
+        count, outliers = len(residuals.contacts_um), len(residuals.contacts_left_out)
+        title = (
+            message("contacts-rms-outliers", count=count, outliers=outliers)
+            if outliers
+            else message("contacts-rms", count=count)
+        )
+        rows.append((title, *in_both_units(residuals.contacts_rms_um), "", ""))
+    return rows
+
+
+def _limits(accepted: Acceptance | None) -> Text:
+    if accepted is None or accepted.good_um is None or accepted.usable_um is None:
+        return UNKNOWN
+    good, usable = rounded(accepted.good_um, "µm"), rounded(accepted.usable_um, "µm")
+    return message("good-m-usable-m", good=good, usable=usable)
+
+
+def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock[Text]]:
+    texts: list[Text] = [message("decision-rule-limits-set-standard-uncertainty")]
     if sheet.uncertainty is not None:
         guard = GUARD * sheet.uncertainty.total_um
         texts.append(
-            "For a feature given by a single scanned point, ISO 14253-1 with its default of 95 % "
-            f"proves conformance where the point stays {micrometres(guard)} ({millimetres(guard)}, "
-            "1.65 standard uncertainties) inside its tolerance; nonconformance, that far outside."
+            message(
+                "feature-given-single-scanned-point-iso",
+                guard=micrometres(guard),
+                guard_mm=millimetres(guard),
+                factor=quantity(GUARD, "", 2),
+            )
         )
-    texts.append(
-        "This is a calibration, not an acceptance test: no characteristic of ISO 10360-8 or "
-        "ISO 10360-12 is claimed. A verification on gauges tests the scanner."
-    )
+    texts.append(message("calibration-acceptance-test-no-characteristic-iso"))
     if accepted is not None and accepted.compared is not None:
         moved = accepted.compared
         texts.append(
-            f"Against {moved.name}, in use before: points of the measuring volume moved by "
-            f"{micrometres(moved.rms_um)} ({millimetres(moved.rms_um)}) rms, "
-            f"{micrometres(moved.max_um)} ({millimetres(moved.max_um)}) at most."
+            message(
+                "against-use-before-points-measuring-volume",
+                name=moved.name,
+                rms=micrometres(moved.rms_um),
+                rms_mm=millimetres(moved.rms_um),
+                largest=micrometres(moved.max_um),
+                largest_mm=millimetres(moved.max_um),
+            )
         )
     return [TextBlock(text) for text in texts]
 
 
-def _findings(sheet: CalibrationFile) -> Section:
-    found = sheet.verdict.findings if sheet.verdict else ()
-    rows = [ReportFinding(f.quality, f.text, f.remedy) for f in found]
-    return Section("Findings", [Findings(rows)] if rows else [], together=False)
+def _findings(sheet: CalibrationFile) -> Section[Text]:
+    findings = sheet.verdict.findings if sheet.verdict else ()
+    rows = [ReportFinding(one.quality, one.text, one.remedy) for one in findings]
+    return Section(message("findings"), [Findings(rows)] if rows else [], together=False)
 
 
 def _pictures(
     sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
-) -> list[Section]:
+) -> list[Section[Text]]:
     camera, plane = sheet.camera.model(), laser_plane(sheet)
-    sections: list[Section] = []
+    sections: list[Section[Text]] = []
     if isinstance(session, BlockSession):
         sections.append(
-            Section("Residuals on the object", [Pictures([_contact_figure(sheet, session)])])
+            Section(message("residuals-object"), [Pictures([_contact_figure(sheet, session)])])
         )
-    of_poses = _worst_poses(sheet)
     by_number = {pose.number: pose for pose in session.poses}
-    images: list[tuple[Figure, str]] = [
+    images = [
         figures.image_figure(by_number[part.number], part, camera, _fit_basis(session))
-        for part in of_poses
+        for part in _worst_poses(sheet)
         if part.number in by_number
     ]
     if images:
         used = sum(part.used for part in sheet.poses)
-        few = f" (the {len(images)} of {used} poses that fit worst)" if len(images) < used else ""
-        title = f"Residuals on the image{few}"
+        title = (
+            message("residuals-image-worst-poses", count=len(images), used=used)
+            if len(images) < used
+            else message("residuals-image")
+        )
         sections.append(Section(title, [Pictures(images, 3)], together=False))
     if sheet.uncertainty is not None:
         over = figures.volume_figure(sheet.uncertainty, camera, plane)
         if over is not None:
-            sections.append(Section("Uncertainty over the measuring volume", [Pictures([over])]))
+            sections.append(
+                Section(message("uncertainty-over-measuring-volume"), [Pictures([over])])
+            )
         limits = (accepted.good_um, accepted.usable_um) if accepted else (None, None)
         bars = figures.budget_figure(sheet.uncertainty, *limits)
-        sections.append(Section("Error budget", [Pictures([bars])]))
+        sections.append(Section(message("error-budget"), [Pictures([bars])]))
     return sections
 
 
-def _fit_basis(session: BlockSession | BoardSession) -> str:
-    """What of the object the poses were fitted to; a board has no edges that were measured."""
-    return "Corners" if isinstance(session, BoardSession) else "Edges"
+def _fit_basis(session: BlockSession | BoardSession) -> figures.FitBasis:
+    """What of the object the poses were fitted to; a board has no measured edges."""
+    return "corners" if isinstance(session, BoardSession) else "edges"
 
 
 def laser_plane(sheet: CalibrationFile) -> LaserPlane:
@@ -265,23 +309,22 @@ def laser_plane(sheet: CalibrationFile) -> LaserPlane:
 
 
 def _worst_poses(sheet: CalibrationFile) -> list[PosePart]:
-    """Those whose edges fit worst, in the order in which they were taken."""
+    """Those whose edges fit worst, in the order in which they were captured."""
     drawn = [pose for pose in sheet.poses if pose.used and pose.corners_at_px]
     worst = sorted(drawn, key=lambda pose: -pose.edges_rms_px)[:DISPLAYED_POSES]
     return sorted(worst, key=lambda pose: pose.number)
 
 
-def _contact_figure(sheet: CalibrationFile, session: BlockSession) -> tuple[Figure, str]:
-    left = sheet.residuals
-    residuals = left.contacts_um if left is not None else ()
-    out = left.contacts_left_out if left is not None else ()
-    count = min(len(residuals), len(session.contacts.features))
+def _contact_figure(sheet: CalibrationFile, session: BlockSession) -> tuple[Figure[Text], Text]:
+    residuals_um = sheet.residuals.contacts_um if sheet.residuals is not None else ()
+    outliers = sheet.residuals.contacts_left_out if sheet.residuals is not None else ()
+    count = min(len(residuals_um), len(session.contacts.features))
     return figures.object_figure(
         session.block,
         session.contacts.features[:count],
         _contact_points(sheet, session.arm, session)[:count],
-        residuals[:count],
-        out,
+        residuals_um[:count],
+        outliers,
     )
 
 
@@ -292,10 +335,10 @@ def _contact_points(sheet: CalibrationFile, arm: Arm, session: BlockSession) -> 
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])
 
 
-def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Section:
-    tables: list[ReportTable] = []
+def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Section[Text]:
+    tables: list[ReportTable[Text]] = []
     if sheet.poses:
-        rows = [
+        rows: list[Row] = [
             (
                 str(pose.number),
                 _pose_outcome(pose),
@@ -303,52 +346,74 @@ def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Sec
             )
             for pose in sheet.poses
         ]
-        fitted = "Corners, px" if isinstance(session, BoardSession) else "Edges, px"
-        columns = ("Pose", "", fitted, "Points", "Stripe, px", "Points", "Object off, µm")
+        fitted = message("corners-px") if isinstance(session, BoardSession) else message("edges-px")
+        columns = (
+            message("pose-6"),
+            "",
+            fitted,
+            message("points-5"),
+            message("stripe-px"),
+            message("points-5"),
+            message("object-off-m"),
+        )
         tables.append(ReportTable(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
     if sheet.residuals is not None and sheet.residuals.faces:
-        faces = [
-            (face.face, str(face.points), f"{face.rms_um:.1f}", f"{face.form_um:.1f}")
+        faces: list[Row] = [
+            (
+                capital(word(face.face) if face.face in FACE_WORDS else face.face),
+                str(face.points),
+                quantity(face.rms_um, "", 1),
+                quantity(face.form_um, "", 1),
+            )
             for face in sheet.residuals.faces
         ]
-        heads = ("Face", "Touches", "rms, µm", "Form (max − min), µm")
+        heads = (message("face-3"), message("touches-2"), "rms, µm", message("form-max-min-m"))
         tables.append(ReportTable(heads, faces, (30, 20, 20, 30)))
     touched = sheet.residuals is not None and len(sheet.residuals.contacts_um) > 0
-    return Section("Poses and touches" if touched else "Poses", tables)
+    return Section(message("poses-touches") if touched else message("poses-2"), tables)
 
 
-def _pose_outcome(pose: PosePart) -> str:
+def _pose_outcome(pose: PosePart) -> Text:
     if not pose.used:
-        return f"left out: {pose.reason}"
-    return f"used, but {pose.reason}" if pose.reason else "used"
+        return message("left-out-2", reason=pose.reason)
+    return message("used-but-2", reason=pose.reason) if pose.reason else word("used")
 
 
-def _pose_figures(pose: PosePart) -> tuple[str, ...]:
+def _pose_figures(pose: PosePart) -> Row:
     return (
-        f"{pose.edges_rms_px:.3f}",
+        quantity(pose.edges_rms_px, "", 3),
         str(pose.edge_points),
-        f"{pose.stripe_rms_px:.3f}" if pose.stripe_points else "–",
+        quantity(pose.stripe_rms_px, "", 3) if pose.stripe_points else "–",
         str(pose.stripe_points),
-        f"{pose.off_um:.1f}",
+        quantity(pose.off_um, "", 1),
     )
 
 
-def _parameters(sheet: CalibrationFile) -> Section:
-    camera = sheet.camera
-    matrix = np.array(camera.matrix)
-    lens = "  ".join(
-        f"{name} {value:+.6f}"
+def _parameters(sheet: CalibrationFile) -> Section[Text]:
+    camera, plane = sheet.camera, sheet.laser_plane
+    (fx, _, u0), (_, fy, v0), _ = camera.matrix
+    x, y, z = (signed(value, "", 6) for value in plane.normal)
+    lens = [
+        message("named-value", name=name, value=signed(value, "", 6))
         for name, value in zip(("k1", "k2", "p1", "p2", "k3"), camera.distortion, strict=True)
         if value
-    )
-    normal = ", ".join(f"{value:+.6f}" for value in sheet.laser_plane.normal)
-    facts = [
-        ("Focal length", f"{matrix[0, 0]:.2f} × {matrix[1, 1]:.2f} px"),
-        ("Principal point", f"{matrix[0, 2]:.2f}, {matrix[1, 2]:.2f} px"),
-        ("Distortion", lens or "none was significant"),
-        ("Laser plane", f"({normal}) · x = {sheet.laser_plane.offset_mm:.4f} mm"),
     ]
-    rows = [tuple(f"{value:.7f}" for value in row) for row in sheet.probe_matrix]
-    probe = ReportTable(("x", "y", "z", "Origin, mm"), rows, (1, 1, 1, 1), 0)
-    words = TextBlock("Probe matrix: the sensor's frame in that of the arm's last joint.")
-    return Section("Parameters", [Facts(facts), TextBlock(""), words, probe])
+    facts: list[tuple[Text, Text]] = [
+        (
+            message("focal-length"),
+            message("focal-lengths", u=quantity(fx, "", 2), v=quantity(fy, "px", 2)),
+        ),
+        (
+            message("principal-point"),
+            message("principal-point-at", u=quantity(u0, "", 2), v=quantity(v0, "px", 2)),
+        ),
+        (message("distortion"), join(lens, "  ") if lens else message("none-significant")),
+        (
+            message("laser-plane"),
+            message("plane-equation", x=x, y=y, z=z, offset=quantity(plane.offset_mm, "mm", 4)),
+        ),
+    ]
+    rows = [tuple(quantity(value, "", 7) for value in row) for row in sheet.probe_matrix]
+    probe = ReportTable[Text](("x", "y", "z", message("origin-mm")), rows, (1, 1, 1, 1), 0)
+    explanation = TextBlock(message("probe-matrix-sensors-frame-arms-last"))
+    return Section(message("parameters"), [Facts(facts), TextBlock(""), explanation, probe])

@@ -1,14 +1,18 @@
-"""The pictures of a calibration: residuals on the object and on the image, the uncertainty over
-the measuring volume, and where it comes from."""
+"""The figures of a calibration: residuals on the object and in the images, the uncertainty over
+the measuring volume, and its sources."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 import cv2
 import numpy as np
 
+from app.findings import capital
 from app.formats.images import read_grey
 from app.formats.results.calibration import PosePart, Uncertainty
 from app.formats.session.calibration_session import Pose
+from app.messages.message import Text, message, quantity, rounded
+from app.metrology.calibration.uncertainty_budget import source_text
 from app.metrology.image import saturation_level
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -31,11 +35,13 @@ from app.report.figure import (
     Polyline,
     magnification,
 )
-from app.report.formatting import join_units
+from app.report.formatting import micrometres, millimetres
 
 JPEG_WIDTH, JPEG_QUALITY = 900, 72
 SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
-# Seen from so far to the side and above.
+FitBasis = Literal["edges", "corners"]
+"""What of the object its poses were fitted to."""
+# The direction of view, to the side and from above.
 SIDE, ABOVE = np.radians(32.0), np.radians(38.0)
 
 
@@ -50,24 +56,24 @@ def _project_view(points_mm: Floats, turned: bool) -> Floats:
 
 
 def _faces(block: Crenellated, turned: bool) -> list[tuple[str, Floats]]:
-    """Colour and corners of what is seen of the block, what lies behind first."""
+    """Colour and corners of the visible faces of the block, the rearmost first."""
     x = [-e for e in reversed(block.edges_x_mm)] if turned else list(block.edges_x_mm)
     front, back = block.front_y_mm, block.back_y_mm
     if turned:
         front, back = -back, -front
     top, low, base = block.crest_z_mm, block.floor_z_mm, block.base_z_mm
-    found: list[tuple[str, list[tuple[float, float, float]]]] = []
-    # seen from the left of its front: walls that look to the left show
+    faces: list[tuple[str, list[tuple[float, float, float]]]] = []
+    # in a view from the left of its front, the side faces on the left are visible
     for i in reversed(range(len(x) // 2)):
         left, right = x[2 * i], x[2 * i + 1]
         foot = base if i == 0 else low
         if i < len(x) // 2 - 1:
             after = x[2 * i + 2]
             floor = [(right, front, low), (after, front, low), (after, back, low)]
-            found.append(("#eef0f4", [*floor, (right, back, low)]))
+            faces.append(("#eef0f4", [*floor, (right, back, low)]))
         crest = [(left, front, top), (right, front, top), (right, back, top), (left, back, top)]
-        wall = [(left, front, foot), (left, front, top), (left, back, top), (left, back, foot)]
-        found += [("#f6f7f9", crest), ("#c3cad4", wall)]
+        side = [(left, front, foot), (left, front, top), (left, back, top), (left, back, foot)]
+        faces += [("#f6f7f9", crest), ("#c3cad4", side)]
     profile = [(x[0], front, base)]
     for i in range(len(x) // 2):
         left, right = x[2 * i], x[2 * i + 1]
@@ -76,9 +82,9 @@ def _faces(block: Crenellated, turned: bool) -> list[tuple[str, Floats]]:
         profile += [(left, front, top), (right, front, top)]
         if i < len(x) // 2 - 1:
             profile.append((right, front, low))
-    found.append(("#dde2e9", [*profile, (x[-1], front, base)]))
+    faces.append(("#dde2e9", [*profile, (x[-1], front, base)]))
     sign = -1.0 if turned else 1.0
-    return [(colour, np.array(corners) * [sign, sign, 1.0]) for colour, corners in found]
+    return [(colour, np.array(corners) * [sign, sign, 1.0]) for colour, corners in faces]
 
 
 def object_figure(
@@ -87,26 +93,26 @@ def object_figure(
     points_mm: Floats,
     residuals_um: Sequence[float],
     left_out: Sequence[int],
-) -> tuple[Figure, str]:
+) -> tuple[Figure[Text], Text]:
     """How far each contact (N, 3) lies off its face, as a stick along the face's normal."""
-    figure = Figure(520, 205, "Residuals of the contacts on the object")
-    kept = [abs(r) for i, r in enumerate(residuals_um) if i not in left_out]
-    largest_mm = float(max(kept, default=0.0)) / 1e3
+    figure = Figure[Text](520, 205, message("residuals-contacts-object"))
+    used_um = [abs(r) for i, r in enumerate(residuals_um) if i not in left_out]
+    largest_mm = float(max(used_um, default=0.0)) / 1e3
     factor = magnification(largest_mm, 5.0)
     for turned, x in ((False, 0.0), (True, 265.0)):
         _view(figure, (x, 4.0), block, features, points_mm, residuals_um, left_out, factor, turned)
-    figure.label((2, 200), "from the front", 7.5, FAINT)
-    figure.label((267, 200), "from behind", 7.5, FAINT)
-    words = (
-        f"Distance of each touch from its face, {factor:g} times larger: blue outside, orange "
-        f"inside, crosses left out. The longest stick is {1e3 * largest_mm:.0f} µm "
-        f"({largest_mm:.3f} mm)."
+    figure.label((2, 200), message("front"), 7.5, FAINT)
+    figure.label((267, 200), message("behind"), 7.5, FAINT)
+    return figure, message(
+        "distance-each-touch-face-times-larger",
+        factor=rounded(factor),
+        largest=quantity(1e3 * largest_mm, "µm"),
+        largest_mm=quantity(largest_mm, "mm", 3),
     )
-    return figure, words
 
 
 def _view(
-    figure: Figure,
+    figure: Figure[Text],
     at: Point,
     block: Crenellated,
     features: Sequence[str],
@@ -127,12 +133,12 @@ def _view(
 
     for colour, corners in faces:
         figure.face(*place(corners), fill=colour, stroke=SOFT, width=0.5)
-    shown = {"crest", "floor", *(("back", "right") if turned else ("front", "left"))}
+    visible = {"crest", "floor", *(("back", "right") if turned else ("front", "left"))}
     for i, (feature, point) in enumerate(zip(features, points_mm, strict=True)):
-        if feature not in shown:
+        if feature not in visible:
             continue
         normal, offset_mm = probing_face(block, feature)
-        # on the face, so that the stick alone tells the distance
+        # on the face, so that the stick alone is the distance
         foot = point - (float(normal @ point) - offset_mm) * normal
         tip = foot + normal * residuals_um[i] / 1e3 * factor
         (a,), (b,) = place(foot), place(tip)
@@ -145,14 +151,14 @@ def _view(
         figure.items.append(Dot(a, 1.7, colour, "#ffffff", 0.4))
 
 
-def image_figure(pose: Pose, part: PosePart, camera: Camera, measured: str) -> tuple[Figure, str]:
-    """A pose's picture with the residuals of corners and stripe as arrows, magnified.
-
-    Args:
-        measured: what of the object the pose was fitted to, "Edges" or "Corners".
-    """
+def image_figure(
+    pose: Pose, part: PosePart, camera: Camera, fitted: FitBasis
+) -> tuple[Figure[Text], Text]:
+    """A pose's image with the residuals of corners and stripe as arrows, magnified."""
     size = (camera.width_px, camera.height_px)
-    figure = Figure(250, 250 * size[1] / size[0], f"Residuals of pose {part.number} on its picture")
+    figure = Figure[Text](
+        250, 250 * size[1] / size[0], message("residuals-pose-picture", number=part.number)
+    )
     scale = figure.width / size[0]
     figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose)))
 
@@ -174,15 +180,27 @@ def image_figure(pose: Pose, part: PosePart, camera: Camera, measured: str) -> t
         figure.items.append(Dot(at(u, v), 1.8, "", "#57b8ff", 0.7))
         figure.arrow(at(u, v), at(u + du * factor, v + dv * factor), "#ffe066", 0.9)
     worst = max((float(np.hypot(*off)) for off in part.corners_px.values()), default=0.0)
-    words = (
-        f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, at "
-        f"most {worst:.2f} px; stripe red. {measured} {part.edges_rms_px:.3f} px, stripe "
-        f"{part.stripe_rms_px:.3f} px rms."
-        if part.stripe_points
-        else f"Pose {part.number}: found minus computed, {factor:g} times larger; corners yellow, "
-        f"at most {worst:.2f} px; no stripe. {measured} {part.edges_rms_px:.3f} px rms."
+    magnified = rounded(factor)
+    largest = quantity(worst, "px", 2)
+    rms = quantity(part.edges_rms_px, "px", 3)
+    if not part.stripe_points:
+        return figure, message(
+            "pose-found-minus-computed-times-larger-2",
+            number=part.number,
+            factor=magnified,
+            largest=largest,
+            fitted=fitted,
+            rms=rms,
+        )
+    return figure, message(
+        "pose-found-minus-computed-times-larger",
+        number=part.number,
+        factor=magnified,
+        largest=largest,
+        fitted=fitted,
+        rms=rms,
+        stripe_rms=quantity(part.stripe_rms_px, "px", 3),
     )
-    return figure, words
 
 
 def _encode_jpeg(pose: Pose) -> bytes:
@@ -208,7 +226,7 @@ def _stripe_normals(uv_px: Floats) -> Floats:
 
 def volume_figure(
     uncertainty: Uncertainty, camera: Camera, plane: LaserPlane
-) -> tuple[Figure, str] | None:
+) -> tuple[Figure[Text], Text] | None:
     """The map over the laser's plane, in millimetres; None where the calibration has none."""
     over = uncertainty.map
     if over is None or not over.u_um:
@@ -221,12 +239,12 @@ def volume_figure(
     usable = np.isfinite(flat).all(axis=(1, 2))
     u_um, inside = np.array(over.u_um), np.array(over.calibrated)
     low_mm, high_mm = flat[usable].min(axis=(0, 1)), flat[usable].max(axis=(0, 1))
-    figure = Figure(520, 250, "Uncertainty over the measuring volume")
-    room = (46.0, 18.0, 360.0, 195.0)
-    scale = min(room[2] / (high_mm[0] - low_mm[0]), room[3] / (high_mm[1] - low_mm[1]))
+    figure = Figure[Text](520, 250, message("uncertainty-over-measuring-volume"))
+    frame = (46.0, 18.0, 360.0, 195.0)
+    scale = min(frame[2] / (high_mm[0] - low_mm[0]), frame[3] / (high_mm[1] - low_mm[1]))
 
     def place(points: Floats) -> list[Point]:
-        on = (points - low_mm) * scale + room[:2]
+        on = (points - low_mm) * scale + frame[:2]
         return [(float(x), float(y)) for x, y in on]
 
     known = u_um[inside & usable] if (inside & usable).any() else u_um[usable]
@@ -238,16 +256,18 @@ def volume_figure(
         if not inside[cell]:
             a, _, c, _ = place(flat[cell])
             figure.line(a, c, stroke="#ffffff", width=0.5)
-    _axes(figure, room, low_mm, high_mm, scale)
+    _axes(figure, frame, low_mm, high_mm, scale)
     _legend(figure, (430.0, 30.0), low, high)
     near, far = uncertainty.depth_range_mm
-    words = (
-        "Standard uncertainty (k = 1) of a scanned point over the laser's plane, from "
-        f"{low:.1f} µm ({low / 1e3:.4f} mm) to {high:.1f} µm ({high / 1e3:.4f} mm). Struck "
-        f"through: extrapolated, nearer or further than the calibrated {near:.1f} to {far:.1f} mm "
-        "from the camera."
+    return figure, message(
+        "standard-uncertainty-k-1-scanned-point",
+        low=micrometres(low),
+        low_mm=millimetres(low),
+        high=micrometres(high),
+        high_mm=millimetres(high),
+        near=quantity(near, "", 1),
+        far=quantity(far, "mm", 1),
     )
-    return figure, words
 
 
 def _plane_coordinates(points_mm: Floats, camera: Camera, plane: LaserPlane) -> Floats:
@@ -261,24 +281,24 @@ def _plane_coordinates(points_mm: Floats, camera: Camera, plane: LaserPlane) -> 
 
 
 def _axes(
-    figure: Figure,
-    room: tuple[float, float, float, float],
+    figure: Figure[Text],
+    frame: tuple[float, float, float, float],
     low_mm: Floats,
     high_mm: Floats,
     scale: float,
 ) -> None:
-    bottom = room[1] + (high_mm[1] - low_mm[1]) * scale
+    bottom = frame[1] + (high_mm[1] - low_mm[1]) * scale
     for value in _ticks(low_mm[0], high_mm[0]):
-        x = room[0] + (value - low_mm[0]) * scale
+        x = frame[0] + (value - low_mm[0]) * scale
         figure.line((x, bottom + 2), (x, bottom + 5), stroke=FAINT)
-        figure.label((x, bottom + 14), join_units(f"{value:g}"), 7, FAINT, "middle")
+        figure.label((x, bottom + 14), rounded(value), 7, FAINT, "middle")
     for value in _ticks(low_mm[1], high_mm[1]):
-        y = room[1] + (value - low_mm[1]) * scale
-        figure.line((room[0] - 5, y), (room[0] - 2, y), stroke=FAINT)
-        figure.label((room[0] - 8, y + 2.5), join_units(f"{value:g}"), 7, FAINT, "end")
-    middle = room[0] + (high_mm[0] - low_mm[0]) * scale / 2
-    figure.label((middle, bottom + 25), "across, mm", 7.5, SOFT, "middle")
-    figure.label((2, room[1] - 10), "depth, mm", 7.5, SOFT)
+        y = frame[1] + (value - low_mm[1]) * scale
+        figure.line((frame[0] - 5, y), (frame[0] - 2, y), stroke=FAINT)
+        figure.label((frame[0] - 8, y + 2.5), rounded(value), 7, FAINT, "end")
+    middle = frame[0] + (high_mm[0] - low_mm[0]) * scale / 2
+    figure.label((middle, bottom + 25), message("across-mm"), 7.5, SOFT, "middle")
+    figure.label((2, frame[1] - 10), message("depth-mm"), 7.5, SOFT)
 
 
 def _ticks(low: float, high: float) -> list[float]:
@@ -286,14 +306,14 @@ def _ticks(low: float, high: float) -> list[float]:
     return [float(v) for v in np.arange(np.ceil(low / step) * step, high + 1e-9, step)]
 
 
-def _legend(figure: Figure, at: Point, low: float, high: float) -> None:
+def _legend(figure: Figure[Text], at: Point, low: float, high: float) -> None:
     x, y = at
     figure.label((x, y - 10), "k = 1, µm", 7.5, SOFT)
     for i, colour in enumerate(SCALE):
         figure.box((x, y + 16 * i), 16, 16, colour)
     for i in range(len(SCALE) + 1):
         value = low + (high - low) * i / len(SCALE)
-        figure.label((x + 22, y + 16 * i + 2.5), f"{value:.1f}", 7, SOFT)
+        figure.label((x + 22, y + 16 * i + 2.5), quantity(value, "", 1), 7, SOFT)
 
 
 def _step(values: Floats) -> float:
@@ -304,11 +324,14 @@ def _step(values: Floats) -> float:
 
 def budget_figure(
     uncertainty: Uncertainty, good_um: float | None, usable_um: float | None
-) -> tuple[Figure, str]:
+) -> tuple[Figure[Text], Text]:
     """The sources as bars, the largest first, and all together against the limit."""
-    rows = sorted(((r.source, r.value_um) for r in uncertainty.budget), key=lambda r: -r[1])
-    rows = [*((f"{s[:1].upper()}{s[1:]}", v) for s, v in rows), ("Together", uncertainty.total_um)]
-    figure = Figure(520, 17.0 * len(rows) + 20, "Error budget")
+    sources = sorted(((r.source, r.value_um) for r in uncertainty.budget), key=lambda r: -r[1])
+    rows: list[tuple[Text, float]] = [
+        *((capital(source_text(source)), value) for source, value in sources),
+        (message("together"), uncertainty.total_um),
+    ]
+    figure = Figure[Text](520, 17.0 * len(rows) + 20, message("error-budget"))
     largest = max(value for _, value in rows)
     limit = good_um if good_um is not None and good_um < 2.5 * largest else None
     left, width = 120.0, 320.0
@@ -319,15 +342,16 @@ def budget_figure(
         figure.label((left - 8, y + 9), source, 8, INK if together else SOFT, "end", together)
         figure.box((left, y + 1), width, 11, GROUND)
         figure.box((left, y + 1), max(value * scale, 0.5), 11, INK if together else BLUE)
-        figure.label((left + width + 8, y + 9), f"{value:.1f} µm", 8, INK, bold=together)
+        figure.label((left + width + 8, y + 9), micrometres(value), 8, INK, bold=together)
     bottom = 17.0 * len(rows) + 4
     if limit is not None:
         x = left + limit * scale
         figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.label((x, bottom + 10), f"good up to {limit:g} µm", 7.5, RED, "end")
+        mark = message("good-up-m", limit=rounded(limit, "µm"))
+        figure.label((x, bottom + 10), mark, 7.5, RED, "end")
     else:
         figure.line((left, bottom), (left + width, bottom), stroke=LINE, width=0.5)
-    words = "What the standard uncertainty (k = 1) of a scanned point comes from."
-    if usable_um is not None and good_um is not None:
-        words += f" Limits: good up to {good_um:g} µm, usable up to {usable_um:g} µm."
-    return figure, words
+    if usable_um is None or good_um is None:
+        return figure, message("what-standard-uncertainty-k-1-scanned")
+    good, usable = rounded(good_um, "µm"), rounded(usable_um, "µm")
+    return figure, message("error-budget-with-limits", good=good, usable=usable)

@@ -2,12 +2,13 @@
 
 from pathlib import Path
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.formats.datasheets.arm import ArmFile
 from app.formats.datasheets.arm_identification import IdentificationPart, ParameterPart
 from app.formats.file_names import display_path
 from app.formats.results.calibration import Input
 from app.formats.session.arm_session import ARM, IDENTIFIED, read_identification_session
+from app.messages.message import Text, message, quantity, signed
 from app.metrology.arm.identification.observations import ArmObservations
 from app.report.content import (
     Block,
@@ -24,179 +25,203 @@ from app.report.content import (
 )
 from app.report.figure import BLUE, FAINT, GROUND, INK, SOFT, Figure
 from app.report.formatting import (
+    NONE,
     UNKNOWN,
+    ball_diameter,
     device_name,
     format_moment,
+    in_both_units,
     micrometres,
-    millimetres,
     simulation_notes,
+    software_name,
     temperature,
 )
 from app.report.provenance import inputs_section
 
-Pair = tuple[str, float, float]
+Pair = tuple[Text, float, float]
+"""A figure's title, and its value before and after."""
+BARS = 205.0
+"""Wide enough for the longest title and "before" or "after", in every language."""
 
 
-def identification_report(folder: Path) -> Report:
+def identification_report(folder: Path) -> Report[Text]:
     """The report on the ``identified.json`` of a session's folder.
 
     Raises:
-        Refusal: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a file that it needs is missing or damaged.
     """
     sheet = ArmFile.read(folder / IDENTIFIED)
     found = sheet.identification
     if found is None:
         raise OperationError(
             "not-identified",
-            f"{display_path(folder / IDENTIFIED)} says nothing of an identification",
-            "it is an arm as its papers have it",
-            f"Identify the arm of the folder's {ARM} again",
+            message("says-nothing-identification", folder=display_path(folder / IDENTIFIED)),
+            message("arm-papers-have"),
+            message("identify-arm-folders-again", arm=ARM),
         )
     inputs = [Input(file=one.file, sha256=one.sha256) for one in found.inputs]
     return Report(
-        title="Identification of the arm",
+        title=message("identification-arm"),
         number=folder.resolve().name,
-        station=found.station or "Measuring arm",
+        station=found.station or message("measuring-arm"),
         date=format_moment(found.created_at),
         verdict=_verdict(found),
         sections=[
-            Section("What was identified", [Facts(_facts(folder, sheet, found))]),
-            Section("Results", [_results(found), *_explanation(found)]),
+            Section(message("what-identified"), [Facts(_facts(folder, sheet, found))]),
+            Section(message("results"), [_results(found), *_explanation(found)]),
             signatures(found.operator),
-            Section("Before and after", [Pictures([_before_and_after(_pairs(found))])]),
-            Section("The arm's parameters", _parameters(found), together=False),
+            Section(message("before-after"), [Pictures([_before_and_after(_pairs(found))])]),
+            Section(message("arms-parameters"), _parameters(found), together=False),
             inputs_section(folder, inputs, IDENTIFIED),
         ],
         notes=simulation_notes(found.simulated),
     )
 
 
-def _verdict(found: IdentificationPart) -> Verdict:
-    size = "" if found.size_known else ", apart from the arm's size"
+def _verdict(found: IdentificationPart) -> Verdict[Text]:
+    before, after = quantity(found.volume_before_um, "µm"), micrometres(found.volume_after_um)
     text = (
-        f"Over its reach the tip was off by {found.volume_before_um:.0f} µm rms and is now known "
-        f"to {found.volume_after_um:.1f} µm (k = 1){size}."
+        message("over-reach-tip-off-rms-now", before=before, after=after)
+        if found.size_known
+        else message("tip-known-apart-from-size", before=before, after=after)
     )
-    return Verdict("attention" if found.warnings else "good", "Identified", text)
+    return Verdict("attention" if found.warnings else "good", message("identified"), text)
 
 
-def _facts(folder: Path, sheet: ArmFile, found: IdentificationPart) -> list[tuple[str, str]]:
-    tip = "" if sheet.tip is None else f"Ø {sheet.tip.diameter_mm:.4g} mm"
+def _facts(folder: Path, sheet: ArmFile, found: IdentificationPart) -> list[tuple[Text, Text]]:
     return [
-        ("Operator", found.operator or UNKNOWN),
-        ("Identified", format_moment(found.created_at)),
-        ("Temperature", temperature(found.temperature_c)),
-        ("Arm", device_name(sheet.name, sheet.serial_number)),
-        ("Axes", str(len(sheet.joints))),
-        ("Tip", tip),
+        (message("operator-2"), found.operator or UNKNOWN),
+        (message("identified"), format_moment(found.created_at)),
+        (message("temperature"), temperature(found.temperature_c)),
+        (message("arm-4"), device_name(sheet.name, sheet.serial_number)),
+        (message("axes"), str(len(sheet.joints))),
+        (message("tip"), "" if sheet.tip is None else ball_diameter(sheet.tip.diameter_mm)),
         *_observation_facts(read_identification_session(folder).observations),
-        ("Software", f"Crenel {found.software.version}"),
+        (message("software"), software_name(found.software.version)),
     ]
 
 
-def _observation_facts(seen: ArmObservations) -> list[tuple[str, str]]:
-    """What the tip was held in and touched."""
-    bars = len({bar.name for bar in seen.bars})
+def _observation_facts(observed: ArmObservations) -> list[tuple[Text, Text]]:
+    """How many seats and artefacts the tip was in contact with."""
+    bars = len({bar.name for bar in observed.bars})
     return [
-        ("Seats", str(len(seen.seats)) if seen.seats else "none"),
-        ("Spheres", str(len(seen.spheres)) if seen.spheres else "none"),
-        ("Ball bars", f"{bars} in {len(seen.bars)} positions" if bars else "none"),
+        (message("seats"), str(len(observed.seats)) if observed.seats else NONE),
+        (message("spheres"), str(len(observed.spheres)) if observed.spheres else NONE),
+        (
+            message("ball-bars"),
+            message("positions", bars=bars, positions=len(observed.bars)) if bars else NONE,
+        ),
     ]
 
 
 def _pairs(found: IdentificationPart) -> list[Pair]:
-    """Before and after, in µm: over the reach, and on places that the fit did not see."""
+    """Before and after, in µm: over the reach, and on places that the fit did not use."""
     before, after = found.validation.before, found.validation.after
-    held = (
-        ("Seats, held out", before.seats_um, after.seats_um),
-        ("Spheres, held out", before.spheres_um, after.spheres_um),
-        ("Lengths of ball bars, held out", before.lengths_um, after.lengths_um),
+    validated: tuple[tuple[Text, float | None, float | None], ...] = (
+        (message("seats-held-out"), before.seats_um, after.seats_um),
+        (message("spheres-held-out"), before.spheres_um, after.spheres_um),
+        (message("lengths-ball-bars-held-out"), before.lengths_um, after.lengths_um),
     )
     return [
-        ("Tip over the whole reach", found.volume_before_um, found.volume_after_um),
-        *((name, was, now) for name, was, now in held if was is not None and now is not None),
+        (message("tip-over-whole-reach"), found.volume_before_um, found.volume_after_um),
+        *((name, was, now) for name, was, now in validated if was is not None and now is not None),
     ]
 
 
-def _results(found: IdentificationPart) -> ReportTable:
-    rows = [
-        (name, micrometres(was), millimetres(was), micrometres(now), millimetres(now), "none")
-        for name, was, now in _pairs(found)
+def _results(found: IdentificationPart) -> ReportTable[Text]:
+    rows: list[tuple[Text, ...]] = [
+        (name, *in_both_units(was), *in_both_units(now), NONE) for name, was, now in _pairs(found)
     ]
-    scatter = found.scatter_um
-    single = "Scatter of single points beyond the encoders"
-    rows.append((single, "", "", micrometres(scatter), millimetres(scatter), "none"))
-    head = ("Result, rms", "Before", "In mm", "After", "In mm", "Limit")
+    single = message("scatter-single-points-beyond-encoders")
+    rows.append((single, "", "", *in_both_units(found.scatter_um), NONE))
+    head = (
+        message("result-rms"),
+        message("before"),
+        message("mm"),
+        message("after"),
+        message("mm"),
+        message("limit-3"),
+    )
     return ReportTable(head, rows, (40, 15, 16, 15, 16, 10))
 
 
-def _explanation(found: IdentificationPart) -> list[Block]:
-    seen = found.validation
-    how = "in a folder of their own" if seen.method == "separate" else "held out in turn"
-    blocks: list[Block] = [
-        TextBlock(
-            "Over the reach: before, the difference from the arm as identified; after, the "
-            "standard uncertainty, k = 1."
+def _explanation(found: IdentificationPart) -> list[Block[Text]]:
+    validation = found.validation
+    how = (
+        message("folder-their-own") if validation.method == "separate" else message("held-out-turn")
+    )
+    texts = (
+        message("over-reach-before-difference-arm-identified"),
+        message(
+            "held-out-places-fit-did-see",
+            places=validation.places,
+            how=how,
+            before=quantity(validation.before.normalised, "", 1),
+            after=quantity(validation.after.normalised, "", 2),
         ),
-        TextBlock(
-            f"Held out: on {seen.places} places that the fit did not see, {how}; the encoders' "
-            f"noise is included. In standard deviations of the points {seen.before.normalised:.1f} "
-            f"before and {seen.after.normalised:.2f} after, where 1 is noise alone."
-        ),
-        TextBlock("No limit is set for an identification: a check of the arm judges it."),
-        TextBlock(
-            "The flange's frame is now this arm's: calibrations made with the arm before do not "
-            "belong to it."
-        ),
-    ]
-    findings = [
-        ReportFinding("attention", f"{text[:1].upper()}{text[1:]}.") for text in found.warnings
-    ]
-    findings += [ReportFinding("attention", f"Left out: {text}.") for text in found.outliers]
+        message("no-limit-set-identification-check-arm"),
+        message("flanges-frame-now-arms-calibrations-made"),
+    )
+    blocks: list[Block[Text]] = [TextBlock(text) for text in texts]
+    findings = [ReportFinding[Text]("attention", sentence(text), "") for text in found.warnings]
+    for outlier in found.outliers:
+        findings.append(ReportFinding("attention", message("left-out-3", text=outlier), ""))
     return [Findings(findings), *blocks] if findings else blocks
 
 
-def _parameters(found: IdentificationPart) -> list[Block]:
+def _parameters(found: IdentificationPart) -> list[Block[Text]]:
     rows = [_row(one) for one in found.parameters]
-    head = ("Parameter", "Unit", "Before", "After", "Change", "u, k = 1")
-    blocks: list[Block] = [ReportTable(head, rows, (26, 8, 18, 18, 16, 14), 2, small=True)]
-    kept: dict[str, list[str]] = {}
-    for held in found.held:
-        kept.setdefault(held.reason, []).append(held.name)
-    if kept:
-        rest = [(", ".join(names), why) for why, names in kept.items()]
-        blocks.append(ReportTable(("Kept", "Why"), rest, (60, 40), 2, small=True))
+    head = (
+        message("parameter"),
+        message("unit"),
+        message("before"),
+        message("after"),
+        message("change"),
+        "u, k = 1",
+    )
+    blocks: list[Block[Text]] = [ReportTable(head, rows, (26, 8, 18, 18, 16, 14), 2, small=True)]
+    fixed: dict[Text, list[str]] = {}
+    for one in found.held:
+        fixed.setdefault(one.reason, []).append(one.name)
+    if fixed:
+        rest: list[tuple[Text, ...]] = [(", ".join(names), why) for why, names in fixed.items()]
+        blocks.append(
+            ReportTable((message("kept-2"), message("why")), rest, (60, 40), 2, small=True)
+        )
     if found.correlated:
-        pairs = [(f"{p.first}, {p.second}", f"{p.coefficient:+.3f}") for p in found.correlated]
-        title = "Correlated: told together, each alone less well"
-        blocks.append(ReportTable((title, "Coefficient"), pairs, (70, 30), 1, small=True))
+        pairs: list[tuple[Text, ...]] = [
+            (f"{pair.first}, {pair.second}", signed(pair.coefficient, "", 3))
+            for pair in found.correlated
+        ]
+        title = message("correlated-told-together-each-alone-less")
+        blocks.append(ReportTable((title, message("coefficient")), pairs, (70, 30), 1, small=True))
     return blocks
 
 
-def _row(one: ParameterPart) -> tuple[str, ...]:
+def _row(one: ParameterPart) -> tuple[Text, ...]:
     decimals, unit = (6, "°") if one.name.endswith("_deg") else (4, "mm")
-    values = (one.before, one.after)
-    change, known = one.after - one.before, one.standard_uncertainty
     return (
         one.name.removesuffix("_deg").removesuffix("_mm"),
         unit,
-        *(f"{value:.{decimals}f}" for value in values),
-        f"{change:+.{decimals}f}",
-        f"{known:.{decimals}f}",
+        quantity(one.before, "", decimals),
+        quantity(one.after, "", decimals),
+        signed(one.after - one.before, "", decimals),
+        quantity(one.standard_uncertainty, "", decimals),
     )
 
 
-def _before_and_after(pairs: list[Pair]) -> tuple[Figure, str]:
+def _before_and_after(pairs: list[Pair]) -> tuple[Figure[Text], Text]:
     """Two bars each, on a scale of their own."""
-    pitch, left, width = 44.0, 170.0, 270.0
-    figure = Figure(520, pitch * len(pairs), "Before and after the identification")
+    pitch, left, width = 44.0, BARS, 235.0
+    figure = Figure[Text](520, pitch * len(pairs), message("before-after-identification"))
     for i, (name, was, now) in enumerate(pairs):
         top, largest = i * pitch + 4, max(was, now, 1e-9)
         figure.label((2, top + 18), name, 8, INK)
-        for j, (word, value, colour) in enumerate((("before", was, FAINT), ("after", now, BLUE))):
+        bars = ((message("before-mark"), was, FAINT), (message("after-mark"), now, BLUE))
+        for j, (label, value, colour) in enumerate(bars):
             y = top + 16 * j
-            figure.label((left - 6, y + 9), word, 7, SOFT, "end")
+            figure.label((left - 6, y + 9), label, 7, SOFT, "end")
             figure.box((left, y), width, 12, GROUND)
             figure.box((left, y), width * value / largest, 12, colour)
             figure.label((left + width + 8, y + 9), micrometres(value), 8, INK)
-    return figure, "Rms before and after, each pair on a scale of its own."
+    return figure, message("rms-before-after-each-pair-scale")

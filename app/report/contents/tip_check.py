@@ -7,6 +7,7 @@ import numpy as np
 from app.formats.datasheets.arm import read_arm
 from app.formats.results.arm_checks import TIP_CHECK, TipCheckFile
 from app.formats.session.arm_session import ARM, SPHERES, read_spheres
+from app.messages.message import Text, message, quantity, rounded, signed
 from app.metrology.arm.kinematics import tip_centres
 from app.metrology.gauges.probed_gauge import sphere_through
 from app.metrology.transforms import Floats
@@ -24,104 +25,103 @@ from app.report.contents.verification import QUALITIES, WORDS
 from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
     UNKNOWN,
+    at_most,
     device_name,
     format_moment,
+    in_both_units,
     micrometres,
-    millimetres,
+    plus_minus,
     simulation_notes,
+    software_name,
     temperature,
 )
 from app.report.provenance import inputs_section
 
 
-def tip_check_report(folder: Path) -> Report:
+def tip_check_report(folder: Path) -> Report[Text]:
     """The report on the ``tip-check.json`` of a session's folder.
 
     Raises:
-        Refusal: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a file that it needs is missing or damaged.
     """
     check = TipCheckFile.read(folder / TIP_CHECK)
     arm = read_arm(folder / ARM)
     tips = tip_centres(arm, read_spheres(folder / SPHERES, arm)[-1].q_rad)
-    word = WORDS.get(check.decision, "No limit was set")
     return Report(
-        title="Tip check",
+        title=message("tip-check"),
         number=folder.resolve().name,
-        station=check.station or "Measuring arm",
+        station=check.station or message("measuring-arm"),
         date=format_moment(check.checked_at),
-        verdict=Verdict(QUALITIES[check.decision], word, check.words),
+        verdict=Verdict(QUALITIES[check.decision], WORDS[check.decision], check.words),
         sections=[
-            Section("What was checked", [Facts(_facts(check))]),
-            Section("Results", [_table(check), *_rule()]),
+            Section(message("what-checked"), [Facts(_facts(check))]),
+            Section(message("results"), [_table(check), *_rule()]),
             signatures(check.operator),
-            Section("The touches", [Pictures([_contact_figure(tips, check.limit_um)])]),
+            Section(message("touches-3"), [Pictures([_contact_figure(tips, check.limit_um)])]),
             inputs_section(folder, check.inputs, TIP_CHECK),
         ],
         notes=simulation_notes(check.simulated),
     )
 
 
-def _facts(check: TipCheckFile) -> list[tuple[str, str]]:
-    unsure = 1e3 * check.sphere_standard_uncertainty_mm
-    known = f"known to {unsure:.1f} µm (k = 1)" if unsure else "its uncertainty is not stated"
+def _facts(check: TipCheckFile) -> list[tuple[Text, Text]]:
     return [
-        ("Operator", check.operator or UNKNOWN),
-        ("Checked", format_moment(check.checked_at)),
-        ("Temperature", temperature(check.temperature_c)),
-        ("Arm", device_name(check.arm_name, check.arm_serial)),
-        ("Sphere", f"Ø {check.sphere_mm:.4f} mm, {known}"),
-        ("Touches", str(check.touches)),
-        ("Software", f"Crenel {check.software.version}"),
+        (message("operator-2"), check.operator or UNKNOWN),
+        (message("checked"), format_moment(check.checked_at)),
+        (message("temperature"), temperature(check.temperature_c)),
+        (message("arm-4"), device_name(check.arm_name, check.arm_serial)),
+        (message("sphere"), _sphere(check)),
+        (message("touches-2"), str(check.touches)),
+        (message("software"), software_name(check.software.version)),
     ]
 
 
-def _table(check: TipCheckFile) -> ReportTable:
-    limit = "none" if check.limit_um is None else f"≤ {check.limit_um:g} µm"
-    u = f"± {micrometres(check.expanded_uncertainty_um)}"
-    rows = [
-        ("Diameter of the tip by its papers", "", f"{check.expected_mm:.4f} mm", "", ""),
-        ("Diameter of the tip found", "", f"{check.diameter_mm:.4f} mm", u, ""),
-        ("Its error", *_um(check.error_um), u, limit),
-        ("Largest distance of a touch from the sphere", *_um(check.scatter_um), "", limit),
+def _sphere(check: TipCheckFile) -> Text:
+    diameter = quantity(check.sphere_mm, "mm", 4)
+    if not check.sphere_standard_uncertainty_mm:
+        return message("sphere-of-unknown-uncertainty", diameter=diameter)
+    known = micrometres(1e3 * check.sphere_standard_uncertainty_mm)
+    return message("sphere-known-to", diameter=diameter, known=known)
+
+
+def _table(check: TipCheckFile) -> ReportTable[Text]:
+    limit = at_most(check.limit_um)
+    known = plus_minus(micrometres(check.expanded_uncertainty_um))
+    rows: list[tuple[Text, ...]] = [
+        (message("diameter-tip-papers"), "", quantity(check.expected_mm, "mm", 4), "", ""),
+        (message("diameter-tip-found"), "", quantity(check.diameter_mm, "mm", 4), known, ""),
+        (message("error"), *in_both_units(check.error_um), known, limit),
+        (message("largest-distance-touch-sphere"), *in_both_units(check.scatter_um), "", limit),
     ]
     if check.bend_um is not None:
-        rows.append(("Tip off its place on the arm", *_um(check.bend_um), "", ""))
+        rows.append((message("tip-off-place-arm"), *in_both_units(check.bend_um), "", ""))
     return ReportTable(
-        ("Result", "Value", "In mm", "U, k = 2", "Limit"), rows, (40, 15, 18, 15, 15)
+        (message("result"), message("value"), message("mm"), "U, k = 2", message("limit-3")),
+        rows,
+        (40, 15, 18, 15, 15),
     )
 
 
-def _um(value_um: float) -> tuple[str, str]:
-    return micrometres(value_um), millimetres(value_um)
-
-
-def _rule() -> list[TextBlock]:
+def _rule() -> list[TextBlock[Text]]:
     return [
-        TextBlock(
-            "Decision rule by ISO 14253-1: the error of the diameter passes where it is proven "
-            "within its limit, by more than its expanded uncertainty (k = 2); it fails where it is "
-            "proven beyond. The scatter is compared with its limit directly."
-        ),
-        TextBlock(
-            "Not to standard: the touches are not those of the sphere tests of ISO 10360-12, so "
-            "that no symbol of theirs is printed."
-        ),
+        TextBlock(message("decision-rule-iso-14253-1-error")),
+        TextBlock(message("standard-touches-those-sphere-tests-iso")),
     ]
 
 
-def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, str]:
+def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure[Text], Text]:
     """Each touch's distance from the sphere through all of them, one after another."""
     centre, reach_mm, _ = sphere_through(tips_mm)
     off_um = 1e3 * (np.linalg.norm(tips_mm - centre, axis=1) - reach_mm)
     end = 1.2 * max(float(np.abs(off_um).max()), limit_um or 0.0, 1.0)
-    figure = Figure(520, 150, "Each touch's distance from the sphere")
+    figure = Figure[Text](520, 150, message("each-touchs-distance-sphere"))
     left, width, top, height = 50.0, 455.0, 6.0, 120.0
     figure.box((left, top), width, height, "#f7f8fa", LINE)
     middle, scale = top + height / 2, height / (2 * end)
     figure.line((left, middle), (left + width, middle), stroke=FAINT)
     for sign in (-1, 1):
         at = (left - 5, middle - sign * (height / 2 - 5))
-        figure.label(at, f"{sign * end:+.0f} µm", 7, FAINT, "end")
+        figure.label(at, signed(sign * end, "µm"), 7, FAINT, "end")
         if limit_um is not None:
             y = middle - sign * limit_um * scale
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
@@ -131,5 +131,6 @@ def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure, st
         figure.line((x, middle), (x, y), stroke=BLUE, width=1.2)
         figure.items.append(Dot((x, y), 2.2, BLUE))
         figure.label((x, top + height + 12), str(i + 1), 7, SOFT, "middle")
-    words = "Distance of each touch from the sphere through all of them."
-    return figure, words + ("" if limit_um is None else f" Dashed: the limit of {limit_um:g} µm.")
+    if limit_um is None:
+        return figure, message("distance-each-touch-sphere-through-all")
+    return figure, message("touches-about-sphere-limit", limit=rounded(limit_um, "µm"))

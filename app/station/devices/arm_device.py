@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.errors import OperationError
-from app.findings import capital
+from app.messages.message import message, quantity
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.joint_plausibility import PlausibilityFilter
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
@@ -59,7 +59,7 @@ class StationArm:
 
     @property
     def newest_rejection(self) -> OperationError | None:
-        """What is said of the newest of them; None where there are none."""
+        """The error of the newest of them; None where there are none."""
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else newest.error
 
@@ -70,18 +70,19 @@ class StationArm:
         return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
 
     def doubt(self) -> OperationError | None:
-        """Why the arm's readings are not believed just now; None while they are plausible."""
+        """Why the arm's readings are doubted just now; None while they are plausible."""
         newest = self._judge.newest if self._judge is not None else None
         if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
             return None
         return newest.error
 
     def link(self) -> DeviceState:
-        """An arm whose readings cannot be true is as good as lost, and says why."""
-        state, doubt = device_state("Arm", self.reader.link(), self.info), self.doubt()
+        """Its state; an arm whose readings cannot be true counts as lost, with the reason."""
+        link, doubt = self.reader.link(), self.doubt()
+        state = device_state(message("arm-4"), link, self.info)
         if doubt is None or state.state != "connected":
             return state
-        return replace(state, state="lost", text=capital(doubt.line))
+        return replace(state, state="lost", text=doubt.text)
 
     def set_model(self, arm: Arm | None) -> None:
         """The kinematics by which readings, stillness and the tip's place are judged."""
@@ -124,7 +125,7 @@ class StationArm:
         if ring is None or arm is None or last_ns is None or not self.fresh:
             return UNKNOWN
         if (doubt := self.doubt()) is not None:
-            return replace(UNKNOWN, text=capital(doubt.line))
+            return replace(UNKNOWN, text=doubt.text)
         first_ns = last_ns - int(WINDOW_S * 1e9)
         window = ring.between(first_ns, last_ns)
         return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
@@ -173,14 +174,14 @@ class StationArm:
         if ring is None or not ring.wait_past(last_ns, LATE_S):
             raise OperationError(
                 "arm-lost",
-                "the arm sends no joint angles",
-                remedy="wait until the arm is connected again; nothing was lost",
+                message("arm-sends-no-joint-angles"),
+                remedy=message("wait-until-arm-connected-again-nothing"),
             )
         if arm is None:
             raise OperationError(
                 "no-arm-model",
-                f"no arm model with {ring.joint_count} joints is chosen",
-                remedy="choose the arm first",
+                message("no-arm-model-joints-chosen", joint_count=ring.joint_count),
+                remedy=message("choose-arm-first-2"),
             )
         wrong = self._judge.first_between(first_ns, last_ns) if self._judge is not None else None
         if wrong is not None:
@@ -190,13 +191,17 @@ class StationArm:
         if moved is UNKNOWN:
             raise OperationError(
                 "no-joints",
-                f"only {len(window)} joint samples came in {(last_ns - first_ns) / 1e9:.2f} s",
-                "the arm's data has a gap there",
-                "take it again",
+                message(
+                    "only-joint-samples-came",
+                    count=len(window),
+                    duration=quantity((last_ns - first_ns) / 1e9, "s", 2),
+                ),
+                message("arms-data-has-gap-there"),
+                message("take-again-2"),
             )
         if not moved.still:
             raise OperationError(
-                moved_code, "the arm was not still", moved.text, "hold it still, again"
+                moved_code, message("arm-still"), moved.text, message("hold-still-again")
             )
         return average_joints(window)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.joint_buffer import JointMean
 from hardware.clock import now_ns
@@ -76,16 +77,19 @@ def _wait_for_frame(hub: FrameHub, switched_ns: int, laser_on: bool | None) -> F
         return frame
     latest = hub.latest
     if latest is not None and _exposure_start_ns(latest) >= switched_ns:
-        wish = "on" if laser_on else "off"
         raise OperationError(
             "laser-stuck",
-            f"no picture with the laser {wish} came within {FRAME_TIMEOUT_S:.0f} s",
-            "the sensor reports the laser in its other state",
-            "check the laser's interlock and key switch, and capture again",
+            message(
+                "no-picture-laser-came-within",
+                state="on" if laser_on else "off",
+                limit=quantity(FRAME_TIMEOUT_S, "s"),
+            ),
+            message("sensor-reports-laser-other-state"),
+            message("check-lasers-interlock-key-switch-capture"),
         )
     raise OperationError(
         "sensor-lost",
-        f"no picture came within {FRAME_TIMEOUT_S:.0f} s",
-        "the sensor is lost or its exposure is longer than that",
-        "wait until the sensor is connected, and capture again",
+        message("no-picture-came-within", limit=quantity(FRAME_TIMEOUT_S, "s")),
+        message("sensor-lost-exposure-longer-than"),
+        message("wait-until-sensor-connected-capture-again"),
     )

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Generic, Protocol, TypeVar
 
+from app.errors import reason_sentence, sentence
+from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
 from hardware.errors import DeviceError
 from hardware.interfaces import LinkHealth
@@ -38,7 +40,7 @@ class Link:
     """How a device is doing. Counts are of all connections since the start."""
 
     state: LinkState
-    text: str
+    text: Text
     age_s: float | None
     rate_hz: float | None
     received: int
@@ -63,7 +65,7 @@ class DeviceReader(Generic[D, I_co]):
     """Keeps one device open and read, on its own thread.
 
     Args:
-        title: the device's name in sentences, e.g. ``arm``.
+        title: the device's kind, e.g. ``arm``: a word of the messages.
         make: a new driver, not yet open; asked for at each connection.
         connect: opens the driver, and returns what it says of itself.
         read: reads once, blocking at most ``READ_TIMEOUT_S``; returns how many records came.
@@ -92,7 +94,7 @@ class DeviceReader(Generic[D, I_co]):
         self._thread: threading.Thread | None = None
         self._driver: D | None = None
         self._info: I_co | None = None
-        self._error = ""
+        self._error: Text = ""
         self._ever_connected = False
         self._last_data_s: float | None = None
         self._opened_s = 0.0
@@ -140,20 +142,21 @@ class DeviceReader(Generic[D, I_co]):
             rate = self._rate(time.monotonic()) if state is LinkState.CONNECTED else None
         return Link(state, text, age, rate, health.received, health.lost, health.corrupt)
 
-    def _state(self, age_s: float | None, now: float) -> tuple[LinkState, str]:
+    def _state(self, age_s: float | None, now: float) -> tuple[LinkState, Text]:
+        title = word(self._title)
         if self._thread is None:
-            return LinkState.OFF, f"The {self._title} is off"
+            return LinkState.OFF, message("off", title=title)
         if self._driver is None or self._info is None:
             if self._ever_connected:
-                return LinkState.LOST, self._error or f"The {self._title} was lost; reconnecting"
-            return LinkState.CONNECTING, self._error or f"Connecting to the {self._title}"
+                return LinkState.LOST, self._error or message("lost-reconnecting", title=title)
+            return LinkState.CONNECTING, self._error or message("connecting", title=title)
         fresh_s = self._silence_limit_s(FRESH_S)
         if age_s is not None and age_s <= fresh_s:
-            return LinkState.CONNECTED, f"The {self._title} is connected"
+            return LinkState.CONNECTED, message("connected-3", title=title)
         if now - self._opened_s <= fresh_s:
-            return LinkState.CONNECTING, f"Waiting for the {self._title}'s first data"
+            return LinkState.CONNECTING, message("waiting-s-first-data", title=title)
         silent_s = age_s if age_s is not None else now - self._opened_s
-        return LinkState.LOST, f"No data from the {self._title} for {silent_s:.1f} s"
+        return LinkState.LOST, message("no-data", title=title, silent=quantity(silent_s, "s", 1))
 
     def _total(self) -> LinkHealth:
         total, driver = self._counted, self._driver
@@ -186,10 +189,10 @@ class DeviceReader(Generic[D, I_co]):
             self._note_connection(driver, info)
             self._pump(driver)
         except DeviceError as error:
-            self._error = str(error)
+            self._error = device_error_text(error)
         except Exception as error:  # a driver's own mistake must not end the station
             log.exception("the driver of the %s failed", self._title)
-            self._error = f"The {self._title}'s driver failed: {error}"
+            self._error = message("s-driver-failed", title=word(self._title), error=error)
         finally:
             with self._lock:
                 if self._driver is not None:
@@ -218,7 +221,11 @@ class DeviceReader(Generic[D, I_co]):
                 silence_s := self._silence_limit_s(SILENCE_S)
             ):
                 raise DeviceError(
-                    f"The {self._title} sent nothing for {silence_s:.0f} s; opening it again"
+                    message(
+                        "sent-nothing-opening-again",
+                        title=word(self._title),
+                        silence=quantity(silence_s, "s"),
+                    )
                 )
 
     def _silence_limit_s(self, usual_s: float) -> float:
@@ -232,6 +239,13 @@ class DeviceReader(Generic[D, I_co]):
             self._arrivals.append((now, count))
             while now - self._arrivals[0][0] > RATE_WINDOW_S:
                 self._arrivals.popleft()
+
+
+def device_error_text(error: DeviceError) -> Text:
+    """The error as one text: what happened, and what to do."""
+    if not error.remedy:
+        return reason_sentence(error.what)
+    return join([reason_sentence(error.what), sentence(error.remedy)], " ")
 
 
 def _sum(a: LinkHealth, b: LinkHealth) -> LinkHealth:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from app.messages.message import Text, message
 from app.station.devices.device_thread import Link, LinkState
 from hardware.interfaces import ArmInfo, SensorInfo
 
@@ -14,9 +15,9 @@ from hardware.interfaces import ArmInfo, SensorInfo
 class DeviceState:
     """A device's state in words and numbers; counts are of all its connections."""
 
-    title: str
+    title: Text
     state: Literal["connected", "connecting", "lost", "off"]
-    text: str
+    text: Text
     age_s: float | None
     """Age of the newest data when this was made."""
     rate_hz: float | None
@@ -25,13 +26,13 @@ class DeviceState:
     corrupt: int
 
 
-def device_state(title: str, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
-    """The state of a link; a connected device is told by its name and serial number."""
-    text = link.text
+def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
+    """The state of a link; of a connected device with its name and serial number."""
+    text: Text = link.text
     if info is not None and link.state is LinkState.CONNECTED:
         text = info.name
         if info.serial_number:
-            text = f"{info.name}, serial number {info.serial_number}"
+            text = message("serial-number-4", name=info.name, serial_number=info.serial_number)
     return DeviceState(
         title,
         link.state.value,

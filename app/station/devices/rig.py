@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.station.bus import Bus
 from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
@@ -97,7 +98,7 @@ class Rig:
         """
         _, info = self.sensor.open_driver()
         if not self._capturing.acquire(blocking=False):
-            raise OperationError("busy", "a picture is being taken already")
+            raise OperationError("busy", message("picture-being-taken-already"))
         try:
             self.arm.average()
             return capture(
@@ -130,7 +131,7 @@ class Rig:
         """Says once when the arm's readings cannot be true any more."""
         doubt = self.arm.doubt()
         if doubt is not None and not before:
-            self._bus.event(doubt.code, doubt.line, "bad")
+            self._bus.event(doubt.code, doubt.text, "bad")
         return doubt is not None
 
     def _report_link(self, title: str, before: LinkState | None, link: Link) -> None:

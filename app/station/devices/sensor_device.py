@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import MOST_STEPS, better_exposure_us
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
@@ -49,7 +50,7 @@ class StationSensor:
         return self.reader.fresh
 
     def link(self) -> DeviceState:
-        return device_state("Sensor", self.reader.link(), self.info)
+        return device_state(message("sensor-2"), self.reader.link(), self.info)
 
     @property
     def laser_on(self) -> bool:
@@ -73,8 +74,8 @@ class StationSensor:
         if not info.has_laser_switch:
             raise OperationError(
                 "no-laser-switch",
-                "this sensor's laser cannot be switched from here",
-                remedy="use the switch on the sensor",
+                message("sensors-laser-cannot-switched-here"),
+                remedy=message("use-switch-sensor"),
             )
         try:
             driver.set_laser(on)
@@ -91,7 +92,7 @@ class StationSensor:
                 driver.set_laser(False)
             except DeviceError:
                 # the sensor is going away; its driver switches off as it closes
-                self._bus.event("laser", "The sensor did not answer to Laser off", "bad")
+                self._bus.event("laser", message("sensor-did-answer-laser-off"), "bad")
 
     def set_exposure_us(self, exposure_us: float) -> None:
         """Applies from one of the next frames on; kept over a reconnection."""
@@ -127,9 +128,9 @@ class StationSensor:
         if driver is None or info is None:
             raise OperationError(
                 "sensor-lost",
-                "the sensor is not connected",
+                message("sensor-connected"),
                 self.reader.link().text,
-                "wait until it is connected",
+                message("wait-until-connected"),
             )
         return driver, info
 
@@ -147,7 +148,7 @@ class StationSensor:
         frame = self.frames.wait(as_wanted, 1.0) or self.frames.wait(later, FRAME_TIMEOUT_S)
         if frame is None:
             raise OperationError(
-                "sensor-lost", "no picture came from the sensor", remedy="wait until it is back"
+                "sensor-lost", message("no-picture-came-sensor"), remedy=message("wait-until-back")
             )
         return frame
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Quantity, Text, message, quantity
 from app.metrology.arm.joint_interpolation import shortest_turn
 from app.metrology.arm.kinematics import Arm, flange_poses, geometric_jacobian
 from app.metrology.transforms import Floats
@@ -27,10 +28,10 @@ class Stillness:
     still: bool
     moved_um: float
     turned_arcsec: float
-    text: str
+    text: Text
 
 
-UNKNOWN = Stillness(False, float("nan"), float("nan"), "Too little arm data yet")
+UNKNOWN = Stillness(False, float("nan"), float("nan"), message("too-little-arm-data-yet"))
 
 
 def stillness(arm: Arm, window: JointWindow) -> Stillness:
@@ -60,14 +61,27 @@ def stillness(arm: Arm, window: JointWindow) -> Stillness:
     return Stillness(still, moved_um, turned_arcsec, _words(still, moved_um, turned_arcsec, window))
 
 
-def _words(still: bool, moved_um: float, turned_arcsec: float, window: JointWindow) -> str:
+def _words(still: bool, moved_um: float, turned_arcsec: float, window: JointWindow) -> Text:
     if still:
-        return "Still"
+        return message("still")
     seconds = (window.stamps_ns[-1] - window.stamps_ns[0]) / 1e9
-    # in hand the numbers change too fast to be read closer than this
-    moved = f"{moved_um:.0f} µm" if moved_um < 1000 else f"{moved_um / 1000:.1f} mm"
-    turned = f"{turned_arcsec:.0f}″" if turned_arcsec < 3600 else f"{turned_arcsec / 3600:.1f}°"
-    return f"Moved {moved} and turned {turned} in {seconds:.1f} s"
+    return message(
+        "moved-turned",
+        moved=_motion_um(moved_um),
+        turned=_motion_arcsec(turned_arcsec),
+        duration=quantity(seconds, "s", 1),
+    )
+
+
+def _motion_um(moved_um: float) -> Quantity:
+    """With few digits: while the operator moves the arm they change too fast to be read."""
+    return quantity(moved_um, "µm") if moved_um < 1000 else quantity(moved_um / 1000, "mm", 1)
+
+
+def _motion_arcsec(turned_arcsec: float) -> Quantity:
+    if turned_arcsec < 3600:
+        return quantity(turned_arcsec, "″")
+    return quantity(turned_arcsec / 3600, "°", 1)
 
 
 def _widest(points: Floats) -> float:

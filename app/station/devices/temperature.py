@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from app.messages.message import Text
+from app.station.devices.device_thread import device_error_text
 from hardware.errors import DeviceError
 
 STORE_EVERY_S = 600.0
@@ -23,7 +25,7 @@ class Temperature:
     """As of the last reading; null where there is no thermometer, or it fails."""
 
     celsius: float | None
-    trouble: str = ""
+    trouble: Text = ""
 
 
 class TemperatureWatch:
@@ -56,7 +58,7 @@ class TemperatureWatch:
             try:
                 celsius = self._thermometer.read_c()
             except DeviceError as error:
-                self._now = Temperature(None, str(error))
+                self._now = Temperature(None, device_error_text(error))
                 return
             self._now = Temperature(celsius)
             now_s = time.monotonic()

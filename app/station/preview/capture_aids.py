@@ -1,6 +1,6 @@
 """What helps to expose, to focus, to frame and to keep the distance: figures with their limits.
 
-Each says its value, what is wanted, and in words which way to go.
+Each has its value, what is wanted, and in words which way to go.
 """
 
 from collections.abc import Sequence
@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.findings import Quality
+from app.messages.message import Text, Unit, message, quantity
 from app.metrology.detection.image_quality import CLIPPED, DIM, EDGE_WIDTH, Image, ImageQuality
 from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
@@ -25,33 +26,38 @@ Segment = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class CaptureAid:
-    """One figure; ``words`` is which way to go, empty where all is well."""
+    """One figure, with what is wanted in its unit; ``words`` is which way to go, empty where all
+    is well."""
 
     name: Literal["exposure", "focus", "framing", "distance"]
-    title: str
+    title: Text
     value: float
-    unit: str
+    unit: Unit
     decimals: int
-    wanted: str
+    wanted: Text
     quality: Quality
-    words: str = ""
+    words: Text = ""
 
 
 def exposure_aid(picture: ImageQuality) -> CaptureAid:
     """Of a picture of the object: what is lost in white, or how far the bright parts reach."""
     if picture.overexposed:
         share = 100 * picture.saturated
-        words = f"Too bright: {share:.0f} % saturated"
-        wanted = f"≤ {100 * CLIPPED:.0f}"
-        return CaptureAid("exposure", "Saturated", share, "%", 0, wanted, "attention", words)
+        too_bright = message("too-bright-saturated", share=quantity(share, "%"))
+        wanted = _at_most(100 * CLIPPED, "%")
+        return CaptureAid(
+            "exposure", message("saturated"), share, "%", 0, wanted, "attention", too_bright
+        )
     level = 100 * picture.high
-    words = ""
+    words: Text = ""
     if picture.dim:
-        words = f"Too dark: brightest parts at {level:.0f} %"
+        words = message("too-dark-brightest-parts", level=quantity(level, "%"))
     elif picture.dark:
-        words = "Nothing is seen: no contrast"
+        words = message("nothing-seen-no-contrast")
     quality: Quality = "attention" if words else "good"
-    return CaptureAid("exposure", "Brightness", level, "%", 0, f"≥ {100 * DIM:.0f}", quality, words)
+    return CaptureAid(
+        "exposure", message("brightness"), level, "%", 0, _at_least(100 * DIM), quality, words
+    )
 
 
 def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
@@ -63,15 +69,17 @@ def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
     columns = np.clip(np.rint(stripe.u).astype(int), 0, image.shape[1] - 1)
     clipped = 100 * float(np.mean(image[rows, columns] >= full))
     if clipped > 100 * LINE_CLIPPED:
-        words = f"Line too bright: {clipped:.0f} % saturated"
-        wanted = f"≤ {100 * LINE_CLIPPED:.0f}"
-        return CaptureAid("exposure", "Line saturated", clipped, "%", 0, wanted, "attention", words)
+        too_bright = message("line-too-bright-saturated", clipped=quantity(clipped, "%"))
+        wanted = _at_most(100 * LINE_CLIPPED, "%")
+        return CaptureAid(
+            "exposure", message("line-saturated"), clipped, "%", 0, wanted, "attention", too_bright
+        )
     level = 100 * float(np.quantile(stripe.intensity, LINE_QUANTILE)) / full
     dim = level < 100 * LINE_DIM
-    words = f"Line too dark: {level:.0f} %" if dim else ""
+    words = message("line-too-dark", level=quantity(level, "%")) if dim else ""
     quality: Quality = "attention" if dim else "good"
-    wanted = f"≥ {100 * LINE_DIM:.0f}"
-    return CaptureAid("exposure", "Line brightness", level, "%", 0, wanted, quality, words)
+    wanted = _at_least(100 * LINE_DIM)
+    return CaptureAid("exposure", message("line-brightness"), level, "%", 0, wanted, quality, words)
 
 
 def focus_aid(picture: ImageQuality) -> CaptureAid | None:
@@ -80,9 +88,17 @@ def focus_aid(picture: ImageQuality) -> CaptureAid | None:
         return None
     width, wanted = EDGE_WIDTH * picture.blur_px, EDGE_WIDTH * picture.soft_px
     soft = width > wanted
-    words = f"Out of focus: edges {width:.1f} px wide, {wanted:.1f} wanted" if soft else ""
+    words: Text = ""
+    if soft:
+        words = message(
+            "out-focus-edges-wide-wanted",
+            width=quantity(width, "px", 1),
+            wanted=quantity(wanted, "px", 1),
+        )
     quality: Quality = "attention" if soft else "good"
-    return CaptureAid("focus", "Edge width", width, "px", 1, f"≤ {wanted:.1f}", quality, words)
+    return CaptureAid(
+        "focus", message("edge-width"), width, "px", 1, _at_most(wanted, "px", 1), quality, words
+    )
 
 
 def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> CaptureAid | None:
@@ -95,19 +111,25 @@ def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> Ca
     fills = float((high - low).max())
     across, down = (low + high) / 2 - 0.5
     least, most = FILLS
-    words = ""
+    words: Text = ""
     if fills < least:
-        words = f"Come nearer: the object fills {100 * fills:.0f} %, {100 * least:.0f} wanted"
+        words = message(
+            "come-nearer-object-fills-wanted",
+            fills=quantity(100 * fills, "%"),
+            least=quantity(100 * least, "%"),
+        )
     elif fills > most:
-        words = "Go further away: the object does not fit"
+        words = message("go-further-away-object-does-fit")
     elif max(abs(across), abs(down)) > MIDDLE:
-        words = f"The object is too far {_side(float(across), float(down))}"
+        words = message("object-too-far", side=_side(float(across), float(down)))
     quality: Quality = "attention" if words else "good"
-    wanted = f"{100 * least:.0f} to {100 * most:.0f}"
-    return CaptureAid("framing", "Object fills", 100 * fills, "%", 0, wanted, quality, words)
+    wanted = message("from-to", low=quantity(100 * least, "%"), high=quantity(100 * most, "%"))
+    return CaptureAid(
+        "framing", message("object-fills"), 100 * fills, "%", 0, wanted, quality, words
+    )
 
 
-def _side(across: float, down: float) -> str:
+def _side(across: float, down: float) -> Literal["right", "left", "down", "up"]:
     if abs(across) >= abs(down):
         return "right" if across > 0 else "left"
     return "down" if down > 0 else "up"
@@ -115,8 +137,25 @@ def _side(across: float, down: float) -> str:
 
 def distance_aid(distance: Distance) -> CaptureAid:
     """How far the camera is from what it sees, against what was calibrated."""
-    wanted = f"{distance.near_mm:.0f} to {distance.far_mm:.0f}"
-    told = f"{distance.mm:.0f} mm, {wanted} wanted"
-    words = {"in": "", "near": f"Too near: {told}", "far": f"Too far: {told}"}[distance.state]
+    wanted = message(
+        "from-to", low=quantity(distance.near_mm, "mm"), high=quantity(distance.far_mm, "mm")
+    )
+    words: Text = ""
+    if distance.state != "in":
+        words = message(
+            "distance-out-of-range",
+            side=distance.state,
+            distance=quantity(distance.mm, "mm"),
+            low=quantity(distance.near_mm, "mm"),
+            high=quantity(distance.far_mm, "mm"),
+        )
     quality: Quality = "attention" if words else "good"
-    return CaptureAid("distance", "Distance", distance.mm, "mm", 0, wanted, quality, words)
+    return CaptureAid("distance", message("distance"), distance.mm, "mm", 0, wanted, quality, words)
+
+
+def _at_most(limit: float, unit: Unit, decimals: int = 0) -> Text:
+    return message("at-most-limit", limit=quantity(limit, unit, decimals))
+
+
+def _at_least(limit_percent: float) -> Text:
+    return message("at-least-limit", limit=quantity(limit_percent, "%"))

@@ -4,6 +4,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.findings import Finding, capital
+from app.messages.message import message
 from app.metrology.detection.image_quality import (
     Image,
     ImageQuality,
@@ -41,7 +42,7 @@ def saturation(image: Image) -> tuple[float, tuple[Box, ...]]:
 
 
 def image_findings(image: Image) -> list[Finding]:
-    """Exposure, saturation and sharpness in words; empty when all is well."""
+    """Exposure, saturation and sharpness as findings; empty when all is well."""
     return measure_image(image)[1]
 
 
@@ -49,19 +50,22 @@ def measure_image(image: Image) -> tuple[ImageQuality | None, list[Finding]]:
     """The same with the measures, which a picture that is not grey has none of."""
     try:
         measures = measure_image_quality(image)
-    except OperationError as refusal:
-        return None, [error_finding(refusal)]
+    except OperationError as error:
+        return None, [error_finding(error)]
     return measures, [
-        Finding("attention", capital(f.text), capital(f.remedy)) for f in quality_findings(measures)
+        Finding("attention", capital(finding.text), capital(finding.remedy))
+        for finding in quality_findings(measures)
     ]
 
 
-def error_finding(refusal: OperationError) -> Finding:
-    """A refusal as a finding."""
-    text = refusal.what if not refusal.why else f"{refusal.what}: {refusal.why}"
-    return Finding("attention", capital(text), capital(refusal.remedy))
+def error_finding(error: OperationError) -> Finding:
+    """An error as a finding."""
+    text = capital(error.what)
+    if error.why:
+        text = message("finding-what-and-why", what=error.what, why=error.why)
+    return Finding("attention", text, capital(error.remedy))
 
 
 def stillness_findings(stillness: Stillness) -> list[Finding]:
     """Asks to hold still when the arm moves; empty when it is still."""
-    return [] if stillness.still else [Finding("attention", stillness.text, "Hold still")]
+    return [] if stillness.still else [Finding("attention", stillness.text, message("hold-still"))]

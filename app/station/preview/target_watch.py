@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from app.errors import OperationError
 from app.findings import Finding
+from app.messages.message import message
 from app.metrology.stripe import Stripe
 from app.metrology.targets.target import CalibrationTarget
 from app.station.preview.image_quality import error_finding
@@ -120,6 +121,6 @@ def _search(frame: Frame, stripe: Stripe | None, item: CalibrationTarget) -> Tar
     except Exception:  # a preview must not end because a picture is odd
         log.exception("the search for the object failed")
         return TargetDetection(
-            stamp_ns, finding=Finding("attention", "The search for the object failed")
+            stamp_ns, finding=Finding("attention", message("search-object-failed"))
         )
     return TargetDetection(stamp_ns, found.corners, found.outline)

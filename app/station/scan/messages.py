@@ -1,11 +1,14 @@
 """Why a scan cannot start, and what the operator should know while it runs."""
 
-from app.errors import OperationError
-from app.findings import Finding, capital
+from typing import Literal
+
+from app.errors import OperationError, sentence
+from app.findings import Finding
+from app.messages.message import Text, message, quantity
 from app.station.devices.rig import Rig
 from app.station.scan.pipeline import ScanCalibration, ScanPipeline
 
-# Below these shares nothing is said: a frame now and then does no harm.
+# Below these shares there is no finding: a frame now and then does no harm.
 REPORT_SHARE = 0.01
 BEHIND = 0.5
 SOME_FRAMES = 10
@@ -16,20 +19,20 @@ def start_error(calibration: ScanCalibration | None, rig: Rig) -> OperationError
     if calibration is None:
         return OperationError(
             "no-calibration",
-            "there is no valid calibration",
-            "without one pixels cannot become points",
-            "calibrate first",
+            message("there-no-valid-calibration"),
+            message("without-one-pixels-cannot-become-points"),
+            message("calibrate-first-2"),
         )
     return _arm_error(calibration, rig) or _sensor_error(calibration, rig)
 
 
-def end_reason(trouble: OperationError | None) -> str:
+def end_reason(trouble: OperationError | None) -> Text:
     """Why a scan ended before the operator ended it; empty where it did not."""
     if trouble is None:
         return ""
     if trouble.code == "disk-full":
-        return "The disk was full during this scan."
-    return f"This scan was cut short: {trouble.why or trouble.what}."
+        return message("disk-full-during-scan")
+    return message("scan-cut-short", reason=trouble.why or trouble.what)
 
 
 def _arm_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
@@ -41,9 +44,9 @@ def _arm_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
     if info.joint_count != calibration.arm.joint_count:
         return OperationError(
             "wrong-arm",
-            f"the connected arm has {info.joint_count} joints",
-            f"the calibration is for one with {calibration.arm.joint_count}",
-            "connect that arm, or calibrate with this one",
+            message("connected-arm-has-joints", joints=info.joint_count),
+            message("calibration-is-for-joints", joints=calibration.arm.joint_count),
+            message("connect-arm-calibrate-one"),
         )
     return _serial_error("arm", info.serial_number, calibration.arm_serial)
 
@@ -57,37 +60,40 @@ def _sensor_error(calibration: ScanCalibration, rig: Rig) -> OperationError | No
     if size != wanted:
         return OperationError(
             "wrong-image-size",
-            f"the sensor's image has {size[0]} × {size[1]} pixels",
-            f"the calibration is for {wanted[0]} × {wanted[1]}",
-            "set the sensor back, or calibrate again",
+            message("sensors-image-has-pixels", width=size[0], height=size[1]),
+            message("calibration-is-for-pixels", width=wanted[0], height=wanted[1]),
+            message("set-sensor-back-calibrate-again"),
         )
     return _serial_error("sensor", info.serial_number, calibration.sensor_serial)
 
 
-def _device_lost_error(device: str, why: str) -> OperationError:
+_Device = Literal["arm", "sensor"]
+
+
+def _device_lost_error(device: _Device, why: Text) -> OperationError:
     return OperationError(
-        f"{device}-lost", f"the {device} sends nothing", why, "wait until it does"
+        f"{device}-lost", message("sends-nothing", device=device), why, message("wait-until-does")
     )
 
 
-def _serial_error(device: str, connected: str, calibrated: str) -> OperationError | None:
-    """A device that tells no serial number cannot contradict the calibration."""
+def _serial_error(device: _Device, connected: str, calibrated: str) -> OperationError | None:
+    """A device without a serial number cannot contradict the calibration."""
     if connected == calibrated or not connected or not calibrated:
         return None
     return OperationError(
         f"wrong-{device}",
-        f"the connected {device} has the serial number {connected}",
-        f"the calibration is for {calibrated}",
-        f"connect that {device}, or calibrate with this one",
+        message("connected-has-serial-number", device=device, serial_number=connected),
+        message("calibration-is-for-serial-number", serial_number=calibrated),
+        message("connect-calibrate-one", device=device),
     )
 
 
 def scan_findings(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Finding, ...]:
     """What is amiss, the gravest first."""
-    found = []
+    found: list[Finding] = []
     if pipeline.trouble is not None:
-        text = pipeline.trouble.line
-        found.append(Finding("bad", f"The scan stopped: {text}", "What was recorded is kept."))
+        text = message("scan-stopped", error=pipeline.trouble.text)
+        found.append(Finding("bad", text, message("what-recorded-kept-2")))
     if running:
         found += _live_findings(pipeline, rig)
     else:
@@ -98,25 +104,25 @@ def scan_findings(pipeline: ScanPipeline, rig: Rig, running: bool) -> tuple[Find
 def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     found = []
     if not rig.arm.fresh:
-        found.append(Finding("bad", rig.arm.link().text, "The scan goes on when it is back."))
+        found.append(Finding("bad", rig.arm.link().text, message("scan-goes-when-back")))
     elif (doubt := rig.arm.doubt()) is not None:
-        text = f"Pictures are left out: {doubt.what}"
-        found.append(Finding("bad", text, f"{capital(doubt.remedy)}."))
+        text = message("pictures-left-out", what=doubt.what)
+        found.append(Finding("bad", text, sentence(doubt.remedy)))
     if not rig.sensor.fresh:
-        found.append(Finding("bad", rig.sensor.link().text, "The scan goes on when it is back."))
+        found.append(Finding("bad", rig.sensor.link().text, message("scan-goes-when-back")))
     elif not rig.sensor.laser_on:
-        found.append(Finding("attention", "The laser is off", "Switch it on, or stop the scan."))
+        found.append(Finding("attention", message("laser-off-2"), message("switch-stop-scan")))
     elif pipeline.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
-        remedy = "Bring the part into the sensor's range; if it is there, look at the exposure."
-        found.append(Finding("neutral", "No line is seen", remedy))
+        remedy = message("bring-part-into-sensors-range-if")
+        found.append(Finding("neutral", message("no-line-seen-2"), remedy))
     found += _speed_findings(pipeline)
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog
         found.append(
             Finding(
                 "attention",
-                f"The computer is behind: its queue is {share:.0f} % full",
-                "Frames are lost when it is full; scan more slowly or close other programs.",
+                message("computer-behind-queue-full", share=quantity(share, "%")),
+                message("frames-lost-when-full-scan-more"),
             )
         )
     return found
@@ -128,25 +134,33 @@ def _speed_findings(pipeline: ScanPipeline) -> list[Finding]:
     if now is None:
         return []
     if now.too_fast:
-        text = f"Too fast: {now.blur_mm:.2f} mm of blur; the limit is {now.limit_mm:.2f} mm"
-        return [Finding("attention", text, "Go slower, or shorten the exposure.")]
+        text = message(
+            "too-fast-blur-limit",
+            blur=quantity(now.blur_mm, "mm", 2),
+            limit=quantity(now.limit_mm, "mm", 2),
+        )
+        return [Finding("attention", text, message("go-slower-shorten-exposure"))]
     if now.still:
-        text = "Standing still: the same points are taken again and again"
-        return [Finding("neutral", text, "Move on; the recording keeps them all.")]
+        text = message("standing-still-same-points-taken-again")
+        return [Finding("neutral", text, message("move-recording-keeps-them-all"))]
     return []
 
 
 def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
-    """What is told of a scan once it has ended."""
+    """Findings about a scan once it has ended."""
     counts, found = pipeline.counts, []
     pace = pipeline.speed
     if pace.frames_too_fast > REPORT_SHARE * counts.frames:
         found.append(
             Finding(
                 "attention",
-                f"{pace.frames_too_fast} of {counts.frames} pictures were taken too fast: up to "
-                f"{pace.worst_mm:.2f} mm of blur",
-                "Go over these places again, slower.",
+                message(
+                    "pictures-were-taken-too-fast-up",
+                    count=pace.frames_too_fast,
+                    total=counts.frames,
+                    worst=quantity(pace.worst_mm, "mm", 2),
+                ),
+                message("go-over-these-places-again-slower"),
             )
         )
     if pipeline.pictures[1]:
@@ -154,8 +168,8 @@ def _summary_findings(pipeline: ScanPipeline) -> list[Finding]:
         found.append(
             Finding(
                 "neutral",
-                f"{kept} pictures are in the recording, {left_out} were left out",
-                "Every stripe is in it; pictures wait for them.",
+                message("pictures-recording-were-left-out", kept=kept, left_out=left_out),
+                message("every-stripe-pictures-wait-them"),
             )
         )
     return found
@@ -169,26 +183,29 @@ def _loss_findings(pipeline: ScanPipeline) -> list[Finding]:
         found.append(
             Finding(
                 "attention",
-                f"{pipeline.lost_frames} of {arrived} pictures were lost",
-                "Check the sensor's cable, or close other programs.",
+                message("pictures-were-lost", count=pipeline.lost_frames, total=arrived),
+                message("check-sensors-cable-close-other-programs"),
             )
         )
-    kept_back, newest = pipeline.implausible
-    if kept_back and newest is not None:
+    rejected, newest = pipeline.implausible
+    if rejected and newest is not None:
         found.append(
             Finding(
                 "attention",
-                f"{kept_back} readings of the arm could not be true; the last: {newest.what}",
-                f"Nothing was made of them. {capital(newest.remedy)}.",
+                message("readings-arm-could-true-last", count=rejected, what=newest.what),
+                message("nothing-made-them", remedy=newest.remedy),
             )
         )
     if counts.frames_without_joints > REPORT_SHARE * counts.frames:
         found.append(
             Finding(
                 "attention",
-                f"{counts.frames_without_joints} of {counts.frames} pictures came without "
-                "the arm's position",
-                "They are in the recording, but gave no points; check the arm's cable.",
+                message(
+                    "pictures-came-without-arms-position",
+                    count=counts.frames_without_joints,
+                    total=counts.frames,
+                ),
+                message("they-recording-but-gave-no-points"),
             )
         )
     return found

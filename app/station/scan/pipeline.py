@@ -22,6 +22,7 @@ from app.formats.clouds.points import Points
 from app.formats.io_errors import error_from_os
 from app.formats.recording.reader import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -238,9 +239,11 @@ class ScanPipeline:
         if shape != (camera.height_px, camera.width_px):
             raise OperationError(
                 "image-size",
-                f"the sensor now sends pictures of {' × '.join(map(str, shape[::-1]))} pixels",
-                f"the calibration is for {camera.width_px} × {camera.height_px}",
-                "set the sensor back, and scan again",
+                message("sensor-now-sends-pictures-pixels", size=" × ".join(map(str, shape[::-1]))),
+                message(
+                    "calibration-is-for-pixels", width=camera.width_px, height=camera.height_px
+                ),
+                message("set-sensor-back-scan-again"),
             )
 
     def _record_all(self) -> None:
@@ -357,7 +360,7 @@ class ScanPipeline:
 
 
 def _failure_error(error: Exception) -> OperationError:
-    return OperationError("failed", "the scan stopped", f"{error}", "start it again")
+    return OperationError("failed", message("scan-stopped-2"), str(error), message("start-again-2"))
 
 
 def _queue_length(sensor: StationSensor) -> int:

@@ -12,6 +12,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.recording.reader import ARM_DELAY
 from app.formats.recording.writer import RecordingWriter
+from app.messages.message import message
 from app.metrology.stripe import Stripe
 from app.station.devices.arm_device import LATE_S, StationArm
 from hardware.clock import now_ns
@@ -126,7 +127,7 @@ class Recorder:
         except Exception as error:  # the scan ends with a reason, the station lives
             log.exception("a scan could not be recorded")
             self.failure = OperationError(
-                "failed", "the recording stopped", f"{error}", "start it again"
+                "failed", message("recording-stopped"), str(error), message("start-again-2")
             )
 
     def _write_frames(self) -> int:

@@ -8,9 +8,9 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from app.errors import OperationError
-from app.findings import capital
 from app.formats.recording.reader import SCAN_NAME, SCAN_STARTED
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.scan.messages import end_reason, scan_findings, start_error
@@ -30,7 +30,7 @@ class _Running:
     """The present or last scan."""
 
     id: str
-    name: str
+    name: Text
     folder: Path
     started_at: str
     started_s: float
@@ -47,7 +47,7 @@ class _Running:
 class Scanner:
     """Runs one scan at a time; every method may be called from any thread.
 
-    ``on_finished`` is called, before the word "saved", with every scan that ended, also
+    ``on_finished`` is called, before the event "scan-saved", with every scan that ended, also
     one that a full disk ended.
     """
 
@@ -145,11 +145,11 @@ class Scanner:
         with self._lock:
             if self._is_running():
                 return OperationError(
-                    "busy", "a scan is running already", remedy="stop it before the next"
+                    "busy", message("scan-running-already"), remedy=message("stop-before-next")
                 )
             return self.trouble or start_error(self._calibration, self._rig)
 
-    def start(self, name: str, into: Path | None = None) -> str:
+    def start(self, name: Text, into: Path | None = None) -> str:
         """Starts a scan and switches the laser on; its id.
 
         Args:
@@ -168,7 +168,9 @@ class Scanner:
             started = datetime.now(UTC)
             folder = self._folders.new(started) if into is None else make_scan_folder(into)
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
-            name = name.strip() or f"Scan {started:%Y-%m-%d %H:%M}"
+            if isinstance(name, str):
+                name = name.strip()
+            name = name or message("scan-2", started=f"{started:%Y-%m-%d %H:%M}")
             started_at = started.isoformat(timespec="seconds")
             self._scene.begin(scan_id)
             info = self._rig.sensor.info
@@ -184,7 +186,7 @@ class Scanner:
                     folder,
                     self._scene.add_points,
                     self._settings,
-                    {SCAN_NAME: name, SCAN_STARTED: started_at},
+                    {SCAN_NAME: str(name), SCAN_STARTED: started_at},
                 )
             except OperationError:
                 self._rig.sensor.laser_off()
@@ -220,9 +222,13 @@ class Scanner:
             with self._lock:
                 scan.stopping = False
         if scan.pipeline.trouble is not None:
-            self._bus.event("scan-failed", scan.pipeline.trouble.line, "bad")
+            self._bus.event("scan-failed", scan.pipeline.trouble.text, "bad")
         else:
-            self._bus.event("scan-saved", f"{result.name}: {result.points} points saved", "good")
+            self._bus.event(
+                "scan-saved",
+                message("points-saved", name=result.name, count=result.points),
+                "good",
+            )
         self._publish()
         return result
 
@@ -239,7 +245,7 @@ class Scanner:
         with self._lock:
             scan = self._scan
             running = self._is_running()
-        why_not = "" if refusal is None or running else capital(refusal.line)
+        why_not: Text = "" if refusal is None or running else refusal.text
         state: State = "blocked" if why_not else "idle"
         if scan is None:
             return replace(NO_SCAN, state=state, why_not=why_not)
@@ -309,7 +315,7 @@ class Scanner:
                 self.stop()
 
     def _publish(self) -> None:
-        """Says how the scan is, if that has changed."""
+        """Publishes how the scan is, if that has changed."""
         state = self.state()
         if state != self._published:
             self._published = state

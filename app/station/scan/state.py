@@ -1,10 +1,11 @@
-"""What is told of a scan: while it runs, of its load, and once it is finished."""
+"""The state of a scan: while it runs, its load, and once it is finished."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from app.findings import Finding
+from app.messages.message import Text
 
 State = Literal["idle", "running", "stopping", "blocked"]
 
@@ -14,7 +15,7 @@ class ScanState:
     """A scan as the browser shows it; the numbers of the last one stay until the next."""
 
     state: State
-    why_not: str
+    why_not: Text
     scan_id: str | None
     points: int
     points_shown: int
@@ -42,7 +43,7 @@ class ScanResult:
     """A finished scan; its folder holds ``scan.mcap`` and mostly ``cloud.ply``."""
 
     id: str
-    name: str
+    name: Text
     folder: Path
     started_at: str
     points: int
@@ -50,7 +51,7 @@ class ScanResult:
     seconds: float
     calibration_id: str
     lost_frames: int = 0
-    interrupted: str = ""
+    interrupted: Text = ""
     """Why it ended before the operator ended it; empty where it did not."""
     recording_bytes: int = 0
 

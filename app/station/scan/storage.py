@@ -9,6 +9,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, make_folder
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors, error_from_os
+from app.messages.message import message, quantity
 
 RECORDING, CLOUD = "scan.mcap", "cloud.ply"
 # A scan does not start with less, and stops before the disk is so full that it
@@ -41,7 +42,7 @@ class ScanFolders:
                     make_folder(self._folder / name)
                     return self._folder / name
         raise OperationError(
-            "folder-taken", f"no free name for a scan in {display_path(self._folder)}"
+            "folder-taken", message("no-free-name-scan", folder=display_path(self._folder))
         )
 
     def _space_error(self, needed: int) -> OperationError | None:
@@ -54,9 +55,13 @@ class ScanFolders:
             return None
         return OperationError(
             "disk-full",
-            f"only {free / 1e9:.2f} GB are free on the disk of {display_path(self._folder)}",
-            f"a scan needs {needed / 1e9:.1f} GB",
-            "free some space",
+            message(
+                "only-free-disk",
+                free=quantity(free / 1e9, "GB", 2),
+                folder=display_path(self._folder),
+            ),
+            message("scan-needs", needed=quantity(needed / 1e9, "GB", 1)),
+            message("free-some-space"),
         )
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.formats.clouds.points import Points
+from app.messages.message import Text, message
 from app.metrology.transforms import Floats
 from app.station.view3d.colormaps import APART, BALANCE, SCALE, Bytes, map_colours, scale_stops
 
@@ -34,7 +35,7 @@ def point_attributes(points: Points, taken_s: Floats) -> PointAttributes:
 
 @dataclass(frozen=True)
 class _MeasureScale:
-    unit: str
+    unit: Text
     scale: Bytes
     percentiles: tuple[float, float]
     """What the automatic range leaves out at either end."""
@@ -43,7 +44,7 @@ class _MeasureScale:
 
 MEASURE_SCALES: dict[Measure, _MeasureScale] = {
     "height": _MeasureScale("mm", SCALE, (0.2, 99.8), 1.0),
-    "intensity": _MeasureScale("grey levels", SCALE, (2.0, 98.0), 10.0),
+    "intensity": _MeasureScale(message("grey-levels"), SCALE, (2.0, 98.0), 10.0),
     "uncertainty": _MeasureScale("µm", SCALE, (1.0, 98.0), 2.0),
     "age": _MeasureScale("s", SCALE[::-1], (0.0, 100.0), 5.0),
     "deviation": _MeasureScale("µm", BALANCE, (0.0, 100.0), 4.0),
@@ -62,7 +63,7 @@ class Legend:
     """What stands beside the picture."""
 
     measure: Measure
-    unit: str
+    unit: Text
     low: float
     high: float
     automatic: bool

@@ -13,6 +13,7 @@ import numpy as np
 import rich
 
 from app.formats.clouds.points import Points
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, link_transforms
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -261,7 +262,10 @@ class Scene:
             end = 1.12 * AXIS_M * np.eye(3)[i]
             server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
         server.scene.add_label(
-            "/table/cell", "squares of 100 mm", position=(0.0, -0.2, 0.0), anchor="center-center"
+            "/table/cell",
+            str(message("squares-100-mm")),
+            position=(0.0, -0.2, 0.0),
+            anchor="center-center",
         )
 
     def _look_at_arm(self, arm: Arm, links: Floats) -> None:

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
 from app.formats.clouds.pieces import read_cloud_pieces
+from app.messages.message import message
 from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import PointAttributes
 from app.station.view3d.nodes import M_PER_MM
@@ -184,8 +185,8 @@ def select_points(
     if surface.empty:
         raise OperationError(
             "nothing-picked",
-            "There are no points in the rectangle",
-            remedy="draw it over a part of the cloud",
+            message("there-no-points-rectangle"),
+            remedy=message("draw-over-part-cloud"),
         )
     gathered, every = _PointSample(), True
     for number, cloud in enumerate(clouds):

@@ -1,9 +1,11 @@
 """Shapes fitted to what was picked in the 3D view: their figures, and how they are drawn."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Text, message
 from app.metrology.fitting.cylinder import CylinderFit, perpendicular_axes
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.fitting.shape import MeasuredShape, ShapeName
@@ -20,7 +22,7 @@ MARGIN = 0.04
 class ShapeParameter:
     """A number with its standard uncertainty, k = 1; None where it is not known."""
 
-    label: str
+    label: Text
     value: float
     unit: str
     decimals: int
@@ -57,26 +59,31 @@ def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
         )
         return (
             ShapeParameter(
-                "From the arm's zero", fit.offset_mm, "mm", 3, known.along_um(lever), "µm"
+                message("arms-zero"), fit.offset_mm, "mm", 3, known.along_um(lever), "µm"
             ),
-            _angle("Tilt from level", upright, known.angle_arcsec(1)),
-            *_vector("Normal", fit.normal),
+            _angle(message("tilt-level"), upright, known.angle_arcsec(1)),
+            *_vector(lambda axis: message("normal-component", axis=axis), fit.normal),
         )
     if isinstance(fit, SphereFit):
         return (
-            ShapeParameter("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(3, 2.0), "µm"),
+            ShapeParameter(message("diameter"), 2 * fit.radius_mm, "mm", 3, known.um(3, 2.0), "µm"),
             *(
                 ShapeParameter(
-                    f"Centre {axis}", float(fit.centre_mm[i]), "mm", 3, known.um(i), "µm"
+                    message("centre", axis=axis),
+                    float(fit.centre_mm[i]),
+                    "mm",
+                    3,
+                    known.um(i),
+                    "µm",
                 )
                 for i, axis in enumerate("XYZ")
             ),
         )
     level = float(np.arcsin(np.clip(abs(fit.direction[2]), 0.0, 1.0)))
     return (
-        ShapeParameter("Diameter", 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
-        _angle("Axis from level", level, known.angle_arcsec(2)),
-        *_vector("Axis", fit.direction),
+        ShapeParameter(message("diameter"), 2 * fit.radius_mm, "mm", 3, known.um(4, 2.0), "µm"),
+        _angle(message("axis-level"), level, known.angle_arcsec(2)),
+        *_vector(lambda axis: message("axis-component", axis=axis), fit.direction),
     )
 
 
@@ -106,14 +113,13 @@ class _StandardUncertainties:
         return ARCSEC_PER_RAD * float(np.sqrt(np.linalg.eigvalsh(tilts)[-1]))
 
 
-def _angle(label: str, angle_rad: float, known_arcsec: float | None) -> ShapeParameter:
+def _angle(label: Text, angle_rad: float, known_arcsec: float | None) -> ShapeParameter:
     return ShapeParameter(label, float(np.degrees(angle_rad)), "°", 3, known_arcsec, "″")
 
 
-def _vector(label: str, direction: Floats) -> tuple[ShapeParameter, ...]:
+def _vector(label: Callable[[str], Text], direction: Floats) -> tuple[ShapeParameter, ...]:
     return tuple(
-        ShapeParameter(f"{label} {axis}", float(direction[i]), "", 5)
-        for i, axis in enumerate("XYZ")
+        ShapeParameter(label(axis), float(direction[i]), "", 5) for i, axis in enumerate("XYZ")
     )
 
 

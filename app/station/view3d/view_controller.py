@@ -11,6 +11,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.clouds.pieces import read_cloud_pieces
+from app.messages.message import Text, message
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
 from app.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
@@ -36,7 +37,7 @@ class StoredScan:
     """A finished scan, as far as showing it needs to know it."""
 
     id: str
-    name: str
+    name: Text
     folder: Path
     frames: int
     seconds: float
@@ -59,7 +60,7 @@ class ViewState:
     measure: Measure
     legend: Legend | None
     fits: tuple[FittedShape, ...]
-    busy: str
+    busy: Text
     """What is being fitted now; empty when nothing is."""
     distance: Distance | None
     """Of the stripe, where there is one."""
@@ -88,7 +89,7 @@ class ViewController:
         self._fits: list[tuple[FittedShape, MeasuredShape]] = []
         self._fits_made = 0
         self._begun = scene.begun
-        self._busy = ""
+        self._busy: Text = ""
         self._records = 0
         self._published: ViewState | None = None
         self._closing = threading.Event()
@@ -153,8 +154,8 @@ class ViewController:
         if not file.is_file():
             raise OperationError(
                 "cloud-gone",
-                f"The cloud of {scan.name} is not in the data folder",
-                remedy="rebuild it from its recording with crenel reconstruct",
+                message("cloud-data-folder", name=scan.name),
+                remedy=message("rebuild-recording-crenel-reconstruct"),
             )
         with self._lock:
             if scan.id in self._scene.scans:
@@ -181,16 +182,16 @@ class ViewController:
             all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
         ):
             raise OperationError(
-                "no-range", "The lower limit is not below the upper", remedy="change one of them"
+                "no-range", message("lower-limit-below-upper"), remedy=message("change-one-them")
             )
         with self._lock:
             self._drop_old_fits()
             if measure == "deviation" and not self._fits:
                 raise OperationError(
                     "no-fit",
-                    "There is no fitted shape yet",
-                    "deviations are distances from one",
-                    "fit a plane, a sphere or a cylinder first",
+                    message("there-no-fitted-shape-yet"),
+                    message("deviations-distances-one"),
+                    message("fit-plane-sphere-cylinder-first"),
                 )
             self._scene.colour_by(measure, limits)
             self._publish()
@@ -208,12 +209,12 @@ class ViewController:
             if camera is None:
                 raise OperationError(
                     "no-view",
-                    "The 3D view of this page is not connected",
-                    remedy="wait a moment, or load the page again",
+                    message("n-3d-view-page-connected"),
+                    remedy=message("wait-moment-load-page-again"),
                 )
             if self._busy:
-                raise OperationError("busy", self._busy, remedy="wait until it is done")
-            self._busy = f"Fitting a {shape}"
+                raise OperationError("busy", self._busy, remedy=message("wait-until-done"))
+            self._busy = message("fitting", shape=shape)
             self._publish()
         self._fitter.submit(self._fit, camera, rectangle, shape)
 
@@ -238,11 +239,13 @@ class ViewController:
                         self._loading[scan.id] = done
         except OperationError as refusal:
             self.hide(scan.id)
-            self._bus.event("refused", f"{scan.name} cannot be shown: {refusal.line}", "bad")
+            self._bus.event(
+                "refused", message("cannot-shown", name=scan.name, error=refusal.text), "bad"
+            )
         except Exception:
             log.exception("a cloud could not be shown")
             self.hide(scan.id)
-            self._bus.event("refused", f"{scan.name} cannot be shown.", "bad")
+            self._bus.event("refused", message("cannot-shown-2", name=scan.name), "bad")
         finally:
             with self._lock:
                 self._loading.pop(scan.id, None)
@@ -258,10 +261,12 @@ class ViewController:
                 if begun == self._scene.begun:
                     self._keep(shape, picked, measured)
         except OperationError as refusal:
-            self._bus.event("refused", f"No {shape} was fitted: {refusal.line}", "attention")
+            self._bus.event(
+                "refused", message("no-fitted", shape=shape, error=refusal.text), "attention"
+            )
         except Exception:
             log.exception("a shape could not be fitted")
-            self._bus.event("refused", f"No {shape} was fitted: the program failed at it.", "bad")
+            self._bus.event("refused", message("no-fitted-program-failed", shape=shape), "bad")
         finally:
             with self._lock:
                 self._busy = ""

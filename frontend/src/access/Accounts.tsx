@@ -1,10 +1,10 @@
 import { useState } from "react";
 
-import { type Account, type Role, ROLES } from "../api/accessTypes";
+import { type Account, ROLES, type Role } from "../api/accessTypes";
 import { addAccount, changeAccount, removeAccount } from "../api/session";
 import look from "../parts/Control.module.css";
-import rows from "../parts/List.module.css";
 import { moment } from "../parts/format";
+import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
 import { TextField } from "../parts/TextField";
@@ -18,8 +18,8 @@ import { useReread } from "./useReread";
 export function Accounts() {
   const { list, reread } = useReread<Account>("/api/accounts");
   return (
-    <section className={styles.section} aria-label={t("Accounts")}>
-      <h1 className={styles.title}>{t("Accounts")}</h1>
+    <section className={styles.section} aria-label={t("ui-accounts")}>
+      <h1 className={styles.title}>{t("ui-accounts")}</h1>
       <ul className={rows.list}>
         {list?.map((account) => (
           <AccountRow key={account.name} account={account} onChange={reread} />
@@ -45,10 +45,10 @@ function AccountRow({ account, onChange }: { account: Account; onChange: () => P
   const act = {
     name: "remove",
     args: {},
-    label: t("Remove {name}", { name: account.name }),
+    label: t("ui-remove-name", { name: account.name }),
     enabled: true,
     why_not: "",
-    confirm: t("{name} is signed out everywhere and cannot sign in any more. What they did stays in the log.", { name: account.name }),
+    confirm: t("ui-signed-out-everywhere-no-longer-sign", { name: account.name }),
     primary: false,
   };
   return (
@@ -56,35 +56,35 @@ function AccountRow({ account, onChange }: { account: Account; onChange: () => P
       <div className={styles.words}>
         <strong>
           {isolated(account.name)}
-          {own && ` (${t("you")})`}
+          {own && ` (${t("ui-you")})`}
         </strong>
-        <span>{t("since {when}", { when: moment(account.made_at) })}</span>
+        <span>{t("ui-since", { when: moment(account.made_at) })}</span>
       </div>
       <RoleChoice role={account.role} disabled={own} onRole={(role) => change({ role })} name={account.name} />
       {!own && password === null && (
         <PressButton free onPress={() => setPassword("")}>
-          {t("New password")}
+          {t("ui-new-password")}
         </PressButton>
       )}
       {!own && (
         <PressButton free kind="quiet" onPress={() => setAsking(true)}>
-          {t("Remove")}
+          {t("ui-remove")}
         </PressButton>
       )}
       {password !== null && (
         <div className={styles.line}>
           <TextField
-            label={t("New password of {name}", { name: account.name })}
+            label={t("ui-new-password-of", { name: account.name })}
             type="password"
             autoComplete="new-password"
             value={password}
             onText={setPassword}
           />
           <PressButton free onPress={() => change({ password })}>
-            {t("Set")}
+            {t("ui-set")}
           </PressButton>
           <PressButton free kind="quiet" onPress={() => setPassword(null)}>
-            {t("Leave it")}
+            {t("ui-cancel")}
           </PressButton>
         </div>
       )}
@@ -104,7 +104,7 @@ function RoleChoice({ name, role, disabled = false, onRole }: RoleChoiceProps) {
   return (
     <select
       className={look.input}
-      aria-label={t("What {name} may do", { name: name || t("the new account") })}
+      aria-label={t("ui-role-of", { name: name || t("ui-role-of-the-new-account") })}
       value={role}
       disabled={disabled}
       onChange={(event) => onRole(event.target.value as Role)}
@@ -130,10 +130,16 @@ function NewAccount({ onDone }: { onDone: () => Promise<void> }) {
   };
   return (
     <div className={styles.line}>
-      <TextField label={t("New account")} placeholder={t("Name")} autoComplete="off" value={name} onText={setName} />
       <TextField
-        label={t("Its first password")}
-        placeholder={t("10 characters or more")}
+        label={t("ui-new-account")}
+        placeholder={t("ui-name")}
+        autoComplete="off"
+        value={name}
+        onText={setName}
+      />
+      <TextField
+        label={t("ui-initial-password")}
+        placeholder={t("ui-at-least-10-characters")}
         type="password"
         autoComplete="new-password"
         value={password}
@@ -141,7 +147,7 @@ function NewAccount({ onDone }: { onDone: () => Promise<void> }) {
       />
       <RoleChoice name={name} role={role} onRole={setRole} />
       <PressButton free disabled={!name.trim() || !password} onPress={add}>
-        {t("Add")}
+        {t("ui-add")}
       </PressButton>
     </div>
   );

@@ -6,7 +6,7 @@ import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
 import { isolated, withIsolated } from "../state/isolated";
-import { said, t, useLanguage } from "../state/language";
+import { t, useLanguage } from "../state/language";
 import styles from "./Access.module.css";
 import { useReread } from "./useReread";
 
@@ -17,37 +17,39 @@ export function AuditList() {
   const language = useLanguage();
   const { list, reread } = useReread<AuditEntry>(`/api/audit?words=${encodeURIComponent(settled)}&lang=${language}`);
   return (
-    <section className={styles.section} aria-label={t("Audit log")}>
-      <h2 className={styles.title}>{t("Who did what")}</h2>
+    <section className={styles.section} aria-label={t("ui-audit-log")}>
+      <h2 className={styles.title}>{t("ui-actions-by-user")}</h2>
       <div className={styles.line}>
-        <TextField label={t("Words in it")} value={words} maxLength={100} onText={setWords} />
+        <TextField label={t("ui-search-text")} value={words} maxLength={100} onText={setWords} />
         <PressButton free kind="quiet" onPress={reread}>
-          {t("Read again")}
+          {t("ui-reload")}
         </PressButton>
       </div>
       <div className={styles.log} tabIndex={0}>
         <table className={styles.table}>
           <thead>
             <tr>
-              <th scope="col">{t("When")}</th>
-              <th scope="col">{t("Who")}</th>
-              <th scope="col">{t("What")}</th>
-              <th scope="col">{t("From")}</th>
+              <th scope="col">{t("ui-when")}</th>
+              <th scope="col">{t("ui-who")}</th>
+              <th scope="col">{t("ui-what")}</th>
+              <th scope="col">{t("ui-from")}</th>
             </tr>
           </thead>
           <tbody>
             {list?.length === 0 && (
               <tr>
-                <td colSpan={4}>{t("Nothing that was done is like that.")}</td>
+                <td colSpan={4}>{t("ui-no-entry-matches")}</td>
               </tr>
             )}
             {list?.map((entry) => (
               <tr key={entry.number} data-refused={entry.outcome !== "done" || undefined}>
                 <td>{moment(entry.at)}</td>
-                <td>{isolated(entry.who) || t("nobody signed in")}</td>
+                <td>{isolated(entry.who) || t("ui-not-signed-in")}</td>
                 <td>
                   {withIsolated(entry.act)}
-                  {entry.outcome !== "done" && <span className={styles.outcome}>{t("not done: {reason}", { reason: said(entry.outcome) })}</span>}
+                  {entry.outcome !== "done" && (
+                    <span className={styles.outcome}>{t("ui-not-done", { reason: entry.outcome })}</span>
+                  )}
                 </td>
                 <td>{entry.address}</td>
               </tr>

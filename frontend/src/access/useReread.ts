@@ -1,17 +1,17 @@
 import { useCallback, useEffect, useState } from "react";
 
-import { tell } from "../api/commands";
+import { notifyOfError } from "../api/commands";
 import { get } from "../api/http";
 import { t } from "../state/language";
 
-/** A list of the station's, and how to read it anew after a change. */
+/** A list of the station's, and how to load it again after a change. */
 export function useReread<T>(path: string): { list: T[] | null; reread: () => Promise<void> } {
   const [list, setList] = useState<T[] | null>(null);
   const reread = useCallback(async () => {
     try {
       setList(await get<T[]>(path));
     } catch (error) {
-      tell(error, t("the list could not be read"));
+      notifyOfError(error, t("ui-the-list-could-not-be-loaded"));
     }
   }, [path]);
   useEffect(() => void reread(), [reread]);

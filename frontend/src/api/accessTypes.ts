@@ -1,4 +1,4 @@
-import { words } from "../state/language";
+import type { PlainId } from "../messages/text";
 
 export type Role = "viewer" | "operator" | "admin";
 
@@ -63,8 +63,8 @@ export interface AuditEntry {
   outcome: string;
 }
 
-export const ROLES: Record<Role, string> = {
-  viewer: words("looks on"),
-  operator: words("operator"),
-  admin: words("administrator"),
+export const ROLES: Record<Role, PlainId> = {
+  viewer: "ui-viewer",
+  operator: "ui-operator-lowercase",
+  admin: "ui-administrator",
 };

@@ -12,13 +12,10 @@ export async function sendArm(name: string, args: Record<string, unknown> = {}):
   const command = { name, args, rev: getState().arm?.rev ?? 0, key: newKey() };
   await done(
     async () => put(await postOnce<ArmView>("/api/arm/command", command)),
-    t("the action was not confirmed"),
+    t("ui-the-action-was-not-confirmed"),
   );
 }
 
 export async function startArm(purpose: ArmView["purpose"]): Promise<void> {
-  await done(
-    async () => put(await post<ArmView>("/api/arm/start", { purpose })),
-    t("the session was not started"),
-  );
+  await done(async () => put(await post<ArmView>("/api/arm/start", { purpose })), t("ui-the-session-was-not-started"));
 }

@@ -1,7 +1,7 @@
 /** The arm's own flows. The Python side of each shape is in app/guide/arm/view.py. */
 
-import type { TouchLine } from "./verifyTypes";
 import type { Action, ChoiceOption, Finding, LiveNumber, Quality, Step, Vec3 } from "./types";
+import type { TouchLine } from "./verifyTypes";
 
 /** How far one joint has turned in this seat, and may turn. */
 export interface JointSwing {
@@ -47,13 +47,13 @@ export interface ParameterLine {
   standard_uncertainty: number;
 }
 
-/** Parameters that kept their values, and why. */
+/** Unchanged parameters, and why. */
 export interface KeptLine {
   names: string;
   why: string;
 }
 
-/** Two parameters that the places hardly tell apart. */
+/** Two parameters that the places hardly separate. */
 export interface CorrelatedLine {
   first: string;
   second: string;
@@ -64,7 +64,7 @@ export interface CorrelatedLine {
 export interface ArmResult {
   volume_before_um: number;
   volume_after_um: number;
-  /** Whether a calibrated length told the arm's size. */
+  /** Whether a calibrated length determined the arm's scale. */
   size_known: boolean;
   places: number;
   lines: Before[];
@@ -83,7 +83,7 @@ export interface ArmPicture {
   joints: JointSwing[];
   seats: SeatLine[];
   result: ArmResult | null;
-  /** Of the sphere that is touched, as seen from above. */
+  /** Of the touched sphere, from above. */
   touches: TouchLine[];
   /** Its radius. */
   sphere_mm: number | null;

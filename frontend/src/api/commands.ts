@@ -1,19 +1,19 @@
 import { t } from "../state/language";
 import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
-import { NoAnswer, post, postOnce, Refused } from "./http";
 import type { Session } from "./accessTypes";
 import type { FlowCommand, FlowView } from "./flowTypes";
+import { NoAnswer, post, postOnce, Refused } from "./http";
 import type { ScanState } from "./scanTypes";
 import type { Problem } from "./types";
 
-/** 128 random bits; works on plain http too, where randomUUID does not exist. */
+/** 128 random bits; also on plain http, where randomUUID does not exist. */
 export function newKey(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(16));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-function tellProblem(problem: Problem): void {
+function notifyOfProblem(problem: Problem): void {
   notify({
     quality: problem.status >= 500 ? "bad" : "attention",
     title: problem.detail || problem.title,
@@ -25,31 +25,29 @@ function signedOut(session: Session | null): Session | null {
   return session && { ...session, you: null };
 }
 
-export function tell(error: unknown, whatWas: string): void {
+export function notifyOfError(error: unknown, whatWas: string): void {
   if (error instanceof Refused) {
     if (error.problem.code === "signed-out") setState({ session: signedOut(getState().session) });
-    return tellProblem(error.problem);
-  }
-  if (error instanceof NoAnswer) {
-    return notify({
+    notifyOfProblem(error.problem);
+  } else if (error instanceof NoAnswer) {
+    notify({
       quality: "bad",
-      title: t("No answer from the station: {what}", { what: whatWas }),
-      detail: t("What the station has already taken is kept there."),
-      remedy: t("Check the network; this page reconnects by itself. Then press again."),
+      title: t("ui-no-answer-from-the-station", { what: whatWas }),
+      detail: t("ui-station-stores-everything-already-recorded"),
+      remedy: t("ui-check-network-page-reconnects-automatically-then"),
       untilHeard: true,
     });
-  }
-  throw error;
+  } else throw error;
 }
 
-/** Does it, and tells what went wrong; whether it was done. */
+/** Acts, and displays an error; returns whether it was done. */
 export async function done(act: () => Promise<unknown>, whatWas: string): Promise<boolean> {
   try {
     await act();
     clearNotice();
     return true;
   } catch (error) {
-    tell(error, whatWas);
+    notifyOfError(error, whatWas);
     return false;
   }
 }
@@ -63,10 +61,10 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
   } catch (error) {
     if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
       setState({ flow: error.problem.view });
-      notify({ quality: "neutral", title: t("The step has moved on; nothing was taken twice.") }, 6000);
+      notify({ quality: "neutral", title: t("ui-step-already-advanced-nothing-recorded-twice") }, 6000);
       return;
     }
-    tell(error, t("the action was not confirmed"));
+    notifyOfError(error, t("ui-the-action-was-not-confirmed"));
   }
 }
 
@@ -76,7 +74,7 @@ export async function startFlow(): Promise<void> {
     clearNotice();
     if (view) putFlow(view);
   } catch (error) {
-    tell(error, t("the calibration was not started"));
+    notifyOfError(error, t("ui-the-calibration-was-not-started"));
   }
 }
 
@@ -87,25 +85,29 @@ async function scanCommand(path: string, body: unknown, whatWas: string): Promis
   }, whatWas);
 }
 
-export const startScan = () => scanCommand("/api/scan/start", {}, t("the scan was not started"));
-export const stopScan = () => scanCommand("/api/scan/stop", {}, t("the scan may still run"));
-export const setScanHand = (on: boolean) =>
-  scanCommand("/api/scan/hand", { on }, on ? t("the hand was not started") : t("the hand may still move"));
+export const startScan = () => scanCommand("/api/scan/start", {}, t("ui-the-scan-was-not-started"));
+export const stopScan = () => scanCommand("/api/scan/stop", {}, t("ui-the-scan-may-still-run"));
+export const setSimulatedOperator = (on: boolean) =>
+  scanCommand(
+    "/api/scan/hand",
+    { on },
+    on ? t("ui-the-simulated-operator-was-not-started") : t("ui-simulated-operator-may-still-moving"),
+  );
 
 export async function setLaser(on: boolean): Promise<void> {
   try {
     await post(on ? "/api/laser/on" : "/api/laser/off");
   } catch (error) {
-    tell(error, on ? t("the laser was not switched on") : t("the laser may still be on"));
+    notifyOfError(error, on ? t("ui-the-laser-was-not-switched-on") : t("ui-the-laser-may-still-be-on"));
   }
 }
 
 export async function stopAll(): Promise<void> {
   try {
     await post("/api/stop");
-    notify({ quality: "neutral", title: t("Stopped: laser off, scan and hand at rest.") }, 5000);
+    notify({ quality: "neutral", title: t("ui-stopped-laser-off-nothing-running") }, 5000);
   } catch (error) {
-    tell(error, t("Stop was not confirmed. Use the switch on the device"));
+    notifyOfError(error, t("ui-stop-not-confirmed-use-switch-device"));
   }
 }
 
@@ -113,6 +115,6 @@ export async function setExposure(exposure_us: number): Promise<void> {
   try {
     await post("/api/exposure", { exposure_us });
   } catch (error) {
-    tell(error, t("the exposure was not changed"));
+    notifyOfError(error, t("ui-the-exposure-was-not-changed"));
   }
 }

@@ -1,4 +1,4 @@
-/** The devices, and the live picture with what is seen in it. The Python side of each shape is in app/station. */
+/** The devices, and the live picture with its detections. The Python side of each shape is in app/station. */
 
 import type { ImageCorner } from "./resultTypes";
 import type { Finding, Quality, Vec3 } from "./types";

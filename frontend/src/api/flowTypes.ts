@@ -82,7 +82,7 @@ export type Picture =
   | {
       kind: "result";
       result: CalibrationResult;
-      /** A pose was set aside or taken back since. */
+      /** A pose was excluded or included since. */
       stale: boolean;
       object: ObjectGeometry;
       points: TouchedPoint[];
@@ -104,7 +104,7 @@ export interface FlowView {
   progress: { done: number; of: number; text: string } | null;
   findings: Finding[];
   actions: Action[];
-  /** A job or the hand at work: its words and its share done (0 to 1), else null. */
+  /** The running job, or the simulated operator: its text and its share done (0 to 1), else null. */
   busy: { text: string; fraction: number | null } | null;
 }
 

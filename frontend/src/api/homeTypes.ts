@@ -18,7 +18,7 @@ export interface CalibrationSummary {
 export interface Station {
   name: string;
   version: string;
-  /** True on the twin: "let the hand do it" is offered. */
+  /** True on a simulated station, which has a simulated operator. */
   has_hand: boolean;
   /** True where the devices are simulated. */
   simulated: boolean;
@@ -29,7 +29,7 @@ export interface Home {
   station: Station;
   calibration: CalibrationSummary | null;
   checks: Validity[];
-  /** Of the room, where somebody or a thermometer told it lately. */
+  /** Ambient, where it was entered or measured recently. */
   temperature_c: number | null;
   findings: Finding[];
   next: Next;

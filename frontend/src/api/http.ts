@@ -1,8 +1,9 @@
-import { t } from "../state/language";
-import { spoken } from "../state/spoken";
+import type { Text } from "../messages/text";
+import { render, t } from "../state/language";
+import { localized } from "../state/localized";
 import type { Problem } from "./types";
 
-/** A refusal of the station, in its own words. */
+/** The station refused, for a reason. */
 export class Refused extends Error {
   readonly problem: Problem;
   constructor(problem: Problem) {
@@ -11,31 +12,38 @@ export class Refused extends Error {
   }
 }
 
-/** The station gave no answer: nobody knows whether it acted. One that only starts gives none either. */
+/** The station gave no answer: it is not known whether it acted. One that is starting gives none either. */
 export class NoAnswer extends Error {}
 
 const ANSWER_WITHIN_MS = 10_000;
 
+/** The English texts of a problem as data. */
+interface ProblemTexts {
+  detail: Text;
+  remedy: Text;
+}
+
 function problemOf(status: number, text: string): Problem {
   try {
-    const problem = JSON.parse(text) as Partial<Problem>;
+    const { messages, ...problem } = JSON.parse(text) as Partial<Problem> & { messages?: Partial<ProblemTexts> };
+    const { detail = "", remedy = "" } = { ...problem, ...messages };
     if (typeof problem.title === "string") {
-      return { type: "", detail: "", code: "", remedy: "", ...problem } as Problem;
+      return { type: "", code: "", ...problem, detail: render(detail), remedy: render(remedy) } as Problem;
     }
   } catch {
-    /* not JSON: told below by its status */
+    /* not JSON: its status is all there is */
   }
   return {
     type: "about:blank",
-    title: t("The station refused with status {status}", { status }),
+    title: t("ui-the-station-refused-the-request-status", { status }),
     status,
-    detail: t("Nothing was changed here."),
+    detail: t("ui-nothing-was-changed"),
     code: "http",
-    remedy: t("Try again; if it stays so, look at the station's log."),
+    remedy: t("ui-try-again-if-error-persists-check"),
   };
 }
 
-/** The text of an answer, whole: one that breaks off on its way is none. */
+/** The complete text of an answer; one that breaks off on its way is none. */
 async function request(path: string, init: RequestInit): Promise<string> {
   let answer: Response;
   let text: string;
@@ -50,9 +58,9 @@ async function request(path: string, init: RequestInit): Promise<string> {
   throw problem.code === "starting" ? new NoAnswer(path) : new Refused(problem);
 }
 
-/** What is there, its sentences in this browser's language. */
+/** What is there, in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
-  return spoken(JSON.parse(await request(path, { method: "GET" })) as T);
+  return localized(JSON.parse(await request(path, { method: "GET" })) as T);
 }
 
 export async function post<T>(path: string, body: unknown = {}): Promise<T | null> {

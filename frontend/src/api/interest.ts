@@ -1,10 +1,10 @@
-/** What the server sends only to tabs that show it: whoever shows it registers, the socket asks. */
+/** What the server sends only to tabs that display it: components register, the socket asks. */
 export class Interest<Watcher> {
   readonly watchers = new Set<Watcher>();
   private onChange: (on: boolean) => void = () => undefined;
 
-  /** The socket's side: told whenever it begins or ceases to be shown. */
-  tell(listener: (on: boolean) => void): void {
+  /** The socket's side: called when the first watcher comes and when the last one goes. */
+  listen(listener: (on: boolean) => void): void {
     this.onChange = listener;
   }
 

@@ -1,11 +1,12 @@
-import { noteReturn, notify } from "../state/notices";
 import { t } from "../state/language";
+import { noteReturn, notify } from "../state/notices";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
+import type { Session, You } from "./accessTypes";
+import type { LiveMessage, LiveRequest } from "./liveTypes";
+import { previewInterest, showPreview } from "./preview";
 import { readSession } from "./session";
 import { stationsInterest } from "./stations";
-import { previewInterest, showPreview } from "./preview";
-import type { LiveMessage, LiveRequest } from "./liveTypes";
 
 const SILENCE_MS = 2500;
 /** Whoever has control keeps it so. */
@@ -15,7 +16,7 @@ const RETRY_MS = [250, 500, 1000, 2000];
 let socket: WebSocket | null = null;
 let openedAt = 0;
 let attempt = 0;
-/** After a new connection its first view counts, whatever was held before. */
+/** After a new connection its first view counts, whatever the state was before. */
 let resync = true;
 /** Nobody is signed in here. */
 let waiting = true;
@@ -55,7 +56,7 @@ function onEvent(message: Extract<LiveMessage, { type: "event" }>): void {
   const { id, kind, quality, text } = message;
   put({ event: { id, kind, quality, text, at: performance.now() } });
   playFor(kind);
-  if (kind.endsWith("-lost")) return; // told from the device's own state, for as long as it is lost
+  if (kind.endsWith("-lost")) return; // a banner displays the device's own state
   if (quality === "bad" || quality === "attention") notify({ quality, title: text }, 8000);
 }
 
@@ -64,14 +65,25 @@ function onText(text: string): void {
   switch (message.type) {
     case "hello":
       resync = true;
-      return put({ station: message.station, session: { ...getState().session!, you: message.you } });
+      put({ station: message.station, session: signedIn(message.you) });
+      break;
     case "topic":
-      return put({ [message.name]: message.value, ...(message.name === "stations" && { stationsAt: performance.now() }) });
+      put({
+        [message.name]: message.value,
+        ...(message.name === "stations" && { stationsAt: performance.now() }),
+      });
+      break;
     case "event":
-      return onEvent(message);
+      onEvent(message);
+      break;
     case "beat":
-      return;
+      break;
   }
+}
+
+function signedIn(you: You): Session | null {
+  const { session } = getState();
+  return session && { ...session, you };
 }
 
 async function onBinary(from: WebSocket, data: ArrayBuffer): Promise<void> {
@@ -110,7 +122,7 @@ function lose(): void {
   setTimeout(() => void again(), RETRY_MS[Math.min(attempt++, RETRY_MS.length - 1)]);
 }
 
-/** Who is no longer signed in is told so, and connects again once signed in. */
+/** Connects again; who is no longer signed in gets a notice, and is connected after the next sign-in. */
 async function again(): Promise<void> {
   const before = getState().session?.you;
   await readSession();
@@ -119,19 +131,19 @@ async function again(): Promise<void> {
   if (before?.wall) {
     notify({
       quality: "attention",
-      title: t("The link of this screen has been ended."),
-      remedy: t("Ask an administrator for a new one"),
+      title: t("ui-kiosk-link-screen-revoked"),
+      remedy: t("ui-ask-administrator-new-link"),
     });
   } else if (before) {
-    notify({ quality: "attention", title: t("You have been signed out."), remedy: t("Sign in, and go on") });
+    notify({ quality: "attention", title: t("ui-you-have-been-signed-out"), remedy: t("ui-sign-in-to-continue") });
   }
 }
 
 /** Opens the one live connection of this tab once somebody is signed in, and keeps it for ever. */
 export function startLive(): void {
   setState({ heardAt: performance.now() });
-  previewInterest.tell((on) => send({ type: "preview", on }));
-  stationsInterest.tell((on) => send({ type: "stations", on }));
+  previewInterest.listen((on) => send({ type: "preview", on }));
+  stationsInterest.listen((on) => send({ type: "stations", on }));
   subscribe(() => {
     if (!waiting || !getState().session?.you) return;
     waiting = false;

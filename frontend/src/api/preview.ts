@@ -1,4 +1,4 @@
-import { spoken } from "../state/spoken";
+import { localized } from "../state/localized";
 import type { PreviewHeader } from "./deviceTypes";
 import { Interest } from "./interest";
 
@@ -24,7 +24,7 @@ export function parsePreview(message: ArrayBuffer): { header: PreviewHeader; jpe
   const length = new DataView(message).getUint32(0);
   const text = new TextDecoder().decode(new Uint8Array(message, 4, length));
   return {
-    header: spoken(JSON.parse(text) as PreviewHeader),
+    header: localized(JSON.parse(text) as PreviewHeader),
     jpeg: new Blob([new Uint8Array(message, 4 + length)], { type: "image/jpeg" }),
   };
 }

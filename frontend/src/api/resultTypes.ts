@@ -80,7 +80,7 @@ export interface CalibrationResult {
   /** Over the picture; empty in calibrations of older versions. */
   map: MapPoint[];
   poses: PoseRow[];
-  /** The pose whose picture is shown first: its edges fit worst. */
+  /** The pose whose picture is displayed first: its edges fit worst. */
   shown_pose: number;
   /** The limits that the verdict went by; null in calibrations of older versions. */
   good_um: number | null;
@@ -132,7 +132,7 @@ export interface PosePicture {
   edges_rms_px: number | null;
   stripe_rms_px: number | null;
   off_um: number | null;
-  /** Sets it aside, or takes it back. */
+  /** Excludes it, or includes it again. */
   action: Action | null;
   /** Of a result: u, v of some of the stripe's points, and how far each lies off, px. */
   stripe_off: Vec3[];

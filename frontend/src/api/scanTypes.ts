@@ -1,4 +1,4 @@
-/** Scans, and recordings that are shown again. The Python side of each shape is in app/wire/schema.py and app/server/live_replay.py. */
+/** Scans, and replayed recordings. The Python side of each shape is in app/wire/schema.py and app/server/live_replay.py. */
 
 import type { Finding } from "./types";
 
@@ -14,7 +14,7 @@ export interface ScanState {
   lost_frames: number;
   frames_without_joints: number;
   seconds: number;
-  /** The way of the surface under the stripe during the newest exposure; null where none is seen. */
+  /** The way of the surface under the stripe during the newest exposure; null where none is visible. */
   blur_mm: number | null;
   /** From one stripe to the next: the points' spacing along the pass. */
   step_mm: number | null;
@@ -23,11 +23,11 @@ export interface ScanState {
   /** Recorded beside their stripes. */
   pictures: number;
   findings: Finding[];
-  /** True while the twin's hand moves the sensor over the part. */
+  /** True while the simulated operator moves the sensor over the part. */
   hand_running: boolean;
 }
 
-/** How far a recording is that is shown again. */
+/** How far a replayed recording is. */
 export interface ReplayState {
   recording: string;
   /** 1 as it was taken; 0 as fast as it can be read. */

@@ -2,7 +2,7 @@ import { t } from "../state/language";
 import { clearNotice } from "../state/notices";
 import { setState } from "../state/store";
 import type { Account, Control, Role, Session, Wall } from "./accessTypes";
-import { done, tell } from "./commands";
+import { done, notifyOfError } from "./commands";
 import { drop, get, NoAnswer, post } from "./http";
 
 const AGAIN_MS = 1000;
@@ -23,7 +23,7 @@ export async function startSession(): Promise<void> {
       put(await post<Session>(`/api/session/${link.way}`, { code: link.value }));
       return clearNotice();
     } catch (error) {
-      tell(error, t("the link could not be opened"));
+      notifyOfError(error, t("ui-the-link-could-not-be-opened"));
     }
   }
   await readSession();
@@ -46,21 +46,24 @@ function put(session: Session | null): void {
 }
 
 export const signIn = (name: string, password: string) =>
-  done(async () => put(await post<Session>("/api/session", { name, password })), t("nobody was signed in"));
+  done(async () => put(await post<Session>("/api/session", { name, password })), t("ui-you-were-not-signed-in"));
 
 export const enterByCode = (code: string) =>
-  done(async () => put(await post<Session>("/api/session/code", { code })), t("nobody was let in"));
+  done(async () => put(await post<Session>("/api/session/code", { code })), t("ui-you-were-not-signed-in"));
 
 export const makeAdmin = (code: string, name: string, password: string) =>
-  done(async () => put(await post<Session>("/api/session/admin", { code, name, password })), t("no account was made"));
+  done(
+    async () => put(await post<Session>("/api/session/admin", { code, name, password })),
+    t("ui-the-account-was-not-created"),
+  );
 
 export const signOut = () =>
-  done(async () => put(await drop<Session>("/api/session")), t("you may still be signed in"));
+  done(async () => put(await drop<Session>("/api/session")), t("ui-you-may-still-be-signed-in"));
 
 export const changePassword = (old: string, fresh: string) =>
   done(
     async () => put(await post<Session>("/api/session/password", { old, new: fresh })),
-    t("the password was not changed"),
+    t("ui-the-password-was-not-changed"),
   );
 
 async function control(path: string, body: unknown, whatWas: string): Promise<boolean> {
@@ -70,32 +73,38 @@ async function control(path: string, body: unknown, whatWas: string): Promise<bo
   }, whatWas);
 }
 
-export const askForControl = () => control("ask", {}, t("control was not asked for"));
-export const answerForControl = (give: boolean) => control("answer", { give }, t("the answer was not given"));
-export const releaseControl = () => control("release", {}, t("control was not let go"));
-export const takeControl = (reason: string) => control("take", { reason }, t("control was not taken"));
+export const askForControl = () => control("ask", {}, t("ui-control-was-not-requested"));
+export const answerForControl = (give: boolean) => control("answer", { give }, t("ui-the-answer-was-not-sent"));
+export const releaseControl = () => control("release", {}, t("ui-control-was-not-released"));
+export const takeControl = (reason: string) => control("take", { reason }, t("ui-control-was-not-taken"));
 
 export const addAccount = (name: string, role: Role, password: string) =>
-  done(async () => void (await post<Account>("/api/accounts", { name, role, password })), t("no account was made"));
+  done(
+    async () => void (await post<Account>("/api/accounts", { name, role, password })),
+    t("ui-the-account-was-not-created"),
+  );
 
 export const changeAccount = (name: string, change: { role?: Role; password?: string }) =>
   done(
     async () => void (await post<Account>(`/api/account?name=${encodeURIComponent(name)}`, change)),
-    t("the account was not changed"),
+    t("ui-the-account-was-not-changed"),
   );
 
 export const removeAccount = (name: string) =>
-  done(async () => void (await drop(`/api/account?name=${encodeURIComponent(name)}`)), t("the account was not removed"));
+  done(
+    async () => void (await drop(`/api/account?name=${encodeURIComponent(name)}`)),
+    t("ui-the-account-was-not-removed"),
+  );
 
-/** The new link's address, which is shown this once; nothing where it was not made. */
-export async function addWall(name: string): Promise<string> {
+/** The new link's address, which is displayed only once; empty where it was not created. */
+export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {
-    const wall = await post<Wall>("/api/walls", { name });
-    if (wall?.token) address = `${window.location.origin}/#wall=${wall.token}`;
-  }, t("no link was made"));
+    const link = await post<Wall>("/api/walls", { name });
+    if (link?.token) address = `${window.location.origin}/#wall=${link.token}`;
+  }, t("ui-the-link-was-not-created"));
   return address;
 }
 
-export const removeWall = (id: string) =>
-  done(async () => void (await drop(`/api/walls/${id}`)), t("the link may still be good"));
+export const removeKioskLink = (id: string) =>
+  done(async () => void (await drop(`/api/walls/${id}`)), t("ui-the-link-may-still-be-valid"));

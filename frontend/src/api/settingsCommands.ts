@@ -15,13 +15,13 @@ function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
 
 /** Sets some of the settings; the others stay as they are. */
 export async function changeSettings(change: Partial<Changeable>): Promise<boolean> {
-  const held = getState().settings;
-  if (!held) return false;
-  const { delay, finding_delay, findings, ...all } = held;
-  return send("", { ...all, ...change }, t("the settings were not changed"));
+  const current = getState().settings;
+  if (!current) return false;
+  const { delay, finding_delay, findings, ...all } = current;
+  return send("", { ...all, ...change }, t("ui-the-settings-were-not-changed"));
 }
 
-/** What is told depends on the devices of now: asked for anew when somebody looks. */
+/** The findings depend on the connected devices: loaded again when the page opens. */
 export async function readSettings(): Promise<void> {
   try {
     setState({ settings: await get<StationSettings>("/api/settings") });
@@ -31,14 +31,14 @@ export async function readSettings(): Promise<void> {
 }
 
 export const exposeByTheLine = async () => {
-  await send("/exposure", {}, t("the exposure was not changed"));
+  await send("/exposure", {}, t("ui-the-exposure-was-not-changed"));
 };
 export const findDelay = async () => {
-  await send("/delay/find", {}, t("the delay was not looked for"));
+  await send("/delay/find", {}, t("ui-the-delay-was-not-determined"));
 };
 export const passForDelay = async () => {
-  await send("/delay/pass", {}, t("the pass was not started"));
+  await send("/delay/pass", {}, t("ui-the-pass-was-not-started"));
 };
 export const applyDelay = async (on: boolean) => {
-  await send("/delay", { on }, t("the delay was not changed"));
+  await send("/delay", { on }, t("ui-the-delay-was-not-changed"));
 };

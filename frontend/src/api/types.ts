@@ -32,7 +32,7 @@ export interface Action {
   args: Record<string, unknown>;
   primary: boolean;
   enabled: boolean;
-  /** Why it is not possible now; shown beside the disabled button. */
+  /** Why it is not possible now; displayed next to the disabled button. */
   why_not: string;
   /** A question to put before a destructive act; empty: no question. */
   confirm: string;

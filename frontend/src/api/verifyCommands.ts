@@ -1,7 +1,7 @@
 import { t } from "../state/language";
-import { spoken } from "../state/spoken";
+import { localized } from "../state/localized";
 import { getState, setState } from "../state/store";
-import { done, newKey, tell } from "./commands";
+import { done, newKey, notifyOfError } from "./commands";
 import { post, postOnce } from "./http";
 import type { StudyState, VerifyView } from "./verifyTypes";
 
@@ -13,22 +13,22 @@ export async function sendVerify(name: string, args: Record<string, unknown> = {
   const command = { name, args, rev: getState().verify?.rev ?? 0, key: newKey() };
   await done(
     async () => put(await postOnce<VerifyView>("/api/verify/command", command)),
-    t("the action was not confirmed"),
+    t("ui-the-action-was-not-confirmed"),
   );
 }
 
 export async function startVerify(): Promise<void> {
   await done(
     async () => put(await post<VerifyView>("/api/verify/start", {})),
-    t("the verification was not started"),
+    t("ui-the-verification-was-not-started"),
   );
 }
 
 export async function makeStudy(id: string): Promise<StudyState | null> {
   try {
-    return spoken(await post<StudyState>(`/api/verifications/${id}/study`, {}));
+    return localized(await post<StudyState>(`/api/verifications/${id}/study`, {}));
   } catch (error) {
-    tell(error, t("the clouds were not rebuilt"));
+    notifyOfError(error, t("ui-the-clouds-were-not-rebuilt"));
     return null;
   }
 }

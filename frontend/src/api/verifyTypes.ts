@@ -11,7 +11,7 @@ export interface GaugeOption {
   detail: string;
 }
 
-/** One contact, as seen from above the gauge; without a place until the gauge is fixed. */
+/** One contact point, from above the gauge; without a place until the gauge is fixed. */
 export interface TouchLine {
   index: number;
   x_mm: number | null;
@@ -19,7 +19,7 @@ export interface TouchLine {
   residual_um: number | null;
 }
 
-/** One cloud; the errors are against the probe, and the radius against the paper. */
+/** One cloud; the errors are against the probe, and the radius against the certificate. */
 export interface CloudLine {
   number: number;
   state: "scanning" | "measuring" | "good" | "refused" | "aside";

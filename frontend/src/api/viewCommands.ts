@@ -11,21 +11,19 @@ const scanAt = (id: string) => `/api/scans/${encodeURIComponent(id)}`;
 export const colourBy = (measure: Measure, limits: [number, number] | null = null) =>
   done(
     () => post("/api/view/colours", { measure, low: limits?.[0] ?? null, high: limits?.[1] ?? null }),
-    t("the colours were not changed"),
+    t("ui-the-colours-were-not-changed"),
   );
 
 /** `view` is this page's own key of its 3D view. */
 export const fitShape = (view: string, shape: ShapeName, region: Region) =>
-  done(() => post("/api/view/fits", { view, shape, ...region }), t("nothing was fitted"));
+  done(() => post("/api/view/fits", { view, shape, ...region }), t("ui-nothing-was-fitted"));
 
-export const removeFit = (id: number) =>
-  done(() => drop(`/api/view/fits/${id}`), t("the shape was not removed"));
+export const removeFit = (id: number) => done(() => drop(`/api/view/fits/${id}`), t("ui-the-shape-was-not-removed"));
 
 export const showScan = (id: string, on: boolean) =>
-  done(() => post(`${scanAt(id)}/shown`, { on }), t("the picture was not changed"));
+  done(() => post(`${scanAt(id)}/shown`, { on }), t("ui-the-picture-was-not-changed"));
 
 export const renameScan = (id: string, name: string) =>
-  done(() => post(`${scanAt(id)}/name`, { name }), t("the name was not changed"));
+  done(() => post(`${scanAt(id)}/name`, { name }), t("ui-the-name-was-not-changed"));
 
-export const deleteScan = (id: string) =>
-  done(() => drop(scanAt(id)), t("the scan may not be deleted"));
+export const deleteScan = (id: string) => done(() => drop(scanAt(id)), t("ui-the-scan-may-still-exist"));

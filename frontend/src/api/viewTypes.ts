@@ -36,7 +36,7 @@ export interface Fitted {
   points: number;
   /** That lie in the region. */
   picked: number;
-  /** From all points of the scans, and not only those that are shown. */
+  /** From all points of the scans, and not only those that are displayed. */
   every: boolean;
   rms_um: number;
   largest_um: number;

@@ -1,7 +1,7 @@
 import { t } from "../state/language";
+import { localized } from "../state/localized";
 import { clearNotice } from "../state/notices";
-import { spoken } from "../state/spoken";
-import { tell } from "./commands";
+import { notifyOfError } from "./commands";
 import { drop, get, post } from "./http";
 import type { BackupState, Notifications, Scraper } from "./watchTypes";
 
@@ -9,14 +9,14 @@ async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T
   try {
     const answer = await act();
     clearNotice();
-    return spoken(answer);
+    return localized(answer);
   } catch (error) {
-    tell(error, whatWas);
+    notifyOfError(error, whatWas);
     return null;
   }
 }
 
-export const startBackup = () => done(() => post<BackupState>("/api/backup"), t("no backup was begun"));
+export const startBackup = () => done(() => post<BackupState>("/api/backup"), t("ui-no-backup-was-started"));
 
 export interface NotificationsChange {
   url: string;
@@ -28,16 +28,16 @@ export interface NotificationsChange {
 }
 
 export const changeNotifications = (change: NotificationsChange) =>
-  done(() => post<Notifications>("/api/notifications", change), t("the notifications were not changed"));
+  done(() => post<Notifications>("/api/notifications", change), t("ui-the-notifications-were-not-changed"));
 
 export const tryNotifications = () =>
-  done(() => post<Notifications>("/api/notifications/test"), t("nothing was sent"));
+  done(() => post<Notifications>("/api/notifications/test"), t("ui-nothing-was-sent"));
 
 export const readNotifications = () =>
-  done(() => get<Notifications>("/api/notifications"), t("what became of the message is not known here"));
+  done(() => get<Notifications>("/api/notifications"), t("ui-result-test-message-unknown"));
 
-export const addScraper = (name: string) =>
-  done(() => post<Scraper>("/api/scrapers", { name }), t("no token was made"));
+export const addMetricsToken = (name: string) =>
+  done(() => post<Scraper>("/api/scrapers", { name }), t("ui-the-token-was-not-created"));
 
-export const removeScraper = (id: string) =>
-  done(() => drop(`/api/scrapers/${id}`), t("the token may still be good"));
+export const removeMetricsToken = (id: string) =>
+  done(() => drop(`/api/scrapers/${id}`), t("ui-the-token-may-still-be-valid"));

@@ -1,4 +1,4 @@
-/** What is told of stations. The Python side is in app/supervision, app/operations and app/monitoring. */
+/** Reports of stations. The Python side is in app/supervision, app/operations and app/monitoring. */
 
 type Quality = "good" | "attention" | "bad" | "neutral";
 
@@ -96,7 +96,7 @@ export interface StationShown {
   events: StationEvent[];
 }
 
-/** What somebody who is away is told. */
+/** A notification. */
 export interface Told {
   format: "crenel/notice";
   number: number;
@@ -152,7 +152,7 @@ export interface LogLine {
   trace: string;
 }
 
-/** The secret itself is never shown again. */
+/** The secret itself is never displayed again. */
 export interface Notifications {
   url: string;
   has_secret: boolean;

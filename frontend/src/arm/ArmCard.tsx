@@ -5,9 +5,9 @@ import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
+import { newFindings } from "../parts/findings";
 import { Busy, Progress } from "../parts/Progress";
 import { useStepHeading } from "../parts/useStepHeading";
-import { withoutEchoes } from "../parts/withoutEchoes";
 import { ArmChoice } from "./ArmChoice";
 import { ArtefactField } from "./ArtefactField";
 import { LimitField } from "./LimitField";
@@ -33,8 +33,10 @@ export function ArmCard({ view }: { view: ArmView }) {
         {view.step === "seat" && view.purpose !== "check" && (
           <ArtefactField artefact={view.artefact} disabled={view.busy !== null} only={view.purpose === "tip"} />
         )}
-        {choosing && view.purpose !== "identify" && <LimitField limit_um={view.picture.limit_um} tip={view.purpose === "tip"} />}
-        <Findings findings={withoutEchoes(view.findings, view.actions)} />
+        {choosing && view.purpose !== "identify" && (
+          <LimitField limit_um={view.picture.limit_um} tip={view.purpose === "tip"} />
+        )}
+        <Findings findings={newFindings(view.findings, view.actions)} />
       </Actions>
     </>
   );

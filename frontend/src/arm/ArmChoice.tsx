@@ -2,20 +2,20 @@ import { sendArm } from "../api/armCommands";
 import type { ChoiceOption } from "../api/types";
 import look from "../parts/Control.module.css";
 import styles from "../parts/Field.module.css";
-import { t } from "../state/language";
 import { isolated } from "../state/isolated";
+import { t } from "../state/language";
 
 /** Which of the station's arms is checked. */
 export function ArmChoice({ arms, arm }: { arms: ChoiceOption[]; arm: string }) {
   return (
     <label className={styles.field}>
-      <span className={styles.label}>{t("Arm")}</span>
+      <span className={styles.label}>{t("ui-arm")}</span>
       <select
         className={`${look.input} ${styles.input}`}
         value={arm}
         onChange={(event) => void sendArm("choose_arm", { id: event.target.value })}
       >
-        {!arm && <option value="">{t("Choose the arm")}</option>}
+        {!arm && <option value="">{t("ui-choose-the-arm")}</option>}
         {arms.map((option) => (
           <option key={option.id} value={option.id}>
             {isolated(option.label)}, {option.detail}

@@ -4,15 +4,20 @@ import { History } from "./History";
 import { JointBars } from "./JointBars";
 import { ResultView } from "./ResultView";
 import { RunCharts } from "./RunCharts";
-import { TipPicture } from "./TipPicture";
 import { SeatList } from "./SeatList";
+import { TipPicture } from "./TipPicture";
 
-/** Where the tip seems to go while it is held in one place; between seats, what there is so far. */
+/** The apparent motion of the tip in one place; between seats, what there is so far. */
 export function ArmPictureView({ view }: { view: ArmView }) {
   const { picture } = view;
   if (view.purpose === "tip" && view.step !== "seat") return <TipPicture picture={picture} />;
   if (picture.result) return <ResultView result={picture.result} id={view.session_id} />;
-  if (view.step === "seat") return view.purpose !== "identify" ? <History of={view.purpose === "tip" ? "tip" : "arm"} /> : <SeatList seats={picture.seats} />;
+  if (view.step === "seat")
+    return view.purpose !== "identify" ? (
+      <History of={view.purpose === "tip" ? "tip" : "arm"} />
+    ) : (
+      <SeatList seats={picture.seats} />
+    );
   return (
     <div className={styles.picture}>
       <RunCharts picture={picture} touching={view.artefact.kind === "sphere"} />

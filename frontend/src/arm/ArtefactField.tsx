@@ -3,34 +3,42 @@ import type { FocusEvent, FormEvent } from "react";
 import { sendArm } from "../api/armCommands";
 import type { Artefact } from "../api/armTypes";
 import styles from "../parts/Field.module.css";
-import { Segments } from "../parts/Segments";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
+import { Segments } from "../parts/Segments";
 import { UnitInput } from "../parts/UnitInput";
-import { useHeldLength } from "../parts/useHeldLength";
-import { t, words } from "../state/language";
+import { useLengthField } from "../parts/useLengthField";
+import { t } from "../state/language";
 
 const KINDS = [
-  { value: "seat", label: words("Seat") },
-  { value: "bar", label: words("Ball bar") },
-  { value: "sphere", label: words("Sphere") },
-];
-const SIZE = { bar: words("Length by its certificate"), sphere: words("Diameter by its certificate") };
+  { value: "seat", label: "ui-seat" },
+  { value: "bar", label: "ui-ball-bar" },
+  { value: "sphere", label: "ui-sphere" },
+] as const;
+const SIZE = { bar: "ui-length-from-the-certificate", sphere: "ui-diameter-from-the-certificate" } as const;
 
 /** What the tip is put to next, with the size that its certificate gives. */
-export function ArtefactField({ artefact, disabled, only = false }: { artefact: Artefact; disabled: boolean; only?: boolean }) {
+export function ArtefactField({
+  artefact,
+  disabled,
+  only = false,
+}: {
+  artefact: Artefact;
+  disabled: boolean;
+  only?: boolean;
+}) {
   const { kind } = artefact;
   if (only && kind !== "seat") return <Size kind={kind} artefact={artefact} disabled={disabled} />;
   return (
     <div className={styles.field}>
-      <span className={styles.label}>{t("What the tip is put to")}</span>
+      <span className={styles.label}>{t("ui-artefact")}</span>
       <Segments
         value={kind}
         onChange={(chosen) => void sendArm("choose_artefact", { kind: chosen })}
         options={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
         disabled={disabled}
         wide
-        label={t("What the tip is put to")}
+        label={t("ui-artefact")}
       />
       {kind !== "seat" && <Size key={kind} kind={kind} artefact={artefact} disabled={disabled} />}
     </div>
@@ -44,22 +52,23 @@ interface SizeProps {
 }
 
 function Size({ kind, artefact, disabled }: SizeProps) {
-  const size = useHeldLength(artefact.size_mm, "mm");
-  const unsure = useHeldLength(artefact.standard_uncertainty_mm * 1000, "µm");
+  const size = useLengthField(artefact.size_mm, "mm");
+  const uncertainty = useLengthField(artefact.standard_uncertainty_mm * 1000, "µm");
   const set = () =>
     sendArm("choose_artefact", {
       kind,
       size_mm: size.value,
-      standard_uncertainty_mm: kind === "bar" ? (unsure.value ?? 0) / 1000 : 0,
+      standard_uncertainty_mm: kind === "bar" ? (uncertainty.value ?? 0) / 1000 : 0,
     });
   const submit = (event: FormEvent) => {
     event.preventDefault();
-    void set();
+    if (valid) void set();
   };
-  const changed = size.changed || unsure.changed;
+  const changed = size.changed || uncertainty.changed;
+  const valid = size.valid && uncertainty.valid;
   // what stands in the field counts, whichever button is pressed next
   const leave = ({ currentTarget, relatedTarget }: FocusEvent) => {
-    if (changed && !currentTarget.contains(relatedTarget)) void set();
+    if (changed && valid && !currentTarget.contains(relatedTarget)) void set();
   };
   return (
     <form className={styles.field} onSubmit={submit} onBlur={leave}>
@@ -72,14 +81,17 @@ function Size({ kind, artefact, disabled }: SizeProps) {
           <UnitInput
             unit={`${unitOf("µm")}, k = 1`}
             long
-            min={0}
-            aria-label={t("Standard uncertainty of the length")}
-            value={unsure.text}
+            aria-label={t("ui-standard-uncertainty-of-the-length")}
+            value={uncertainty.text}
             disabled={disabled}
-            onText={unsure.setText}
+            onText={uncertainty.setText}
           />
         )}
-        {changed && <PressButton onPress={set}>{t("Set")}</PressButton>}
+        {changed && (
+          <PressButton onPress={set} disabled={!valid}>
+            {t("ui-set")}
+          </PressButton>
+        )}
         {/* without one the Enter key does nothing where there are two fields */}
         <input type="submit" hidden />
       </div>

@@ -1,23 +1,26 @@
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
-import { bound, moment } from "../parts/format";
+import { quantity } from "../messages/text";
+import { moment } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
-import { counted, t } from "../state/language";
+import { t } from "../state/language";
 import styles from "./History.module.css";
 
 /** A check of the arm, with its report. */
 export function ArmRow({ check }: { check: ArmCheckSummary }) {
-  const limit = check.limit_um === null ? t("no limit was set") : t("limit {value}", { value: measured(check.limit_um, "µm") });
+  const limit =
+    check.limit_um === null ? t("ui-no-limit-set") : t("ui-limit-value", { value: quantity(check.limit_um, "µm") });
   return (
     <li className={styles.row}>
       <QualityMark quality={check.verdict} />
       <div className={styles.what}>
         <p className={styles.when}>
-          {t("Check of the arm")} · {moment(check.at)}
+          {t("ui-arm-check")} · {moment(check.at)}
         </p>
         <p className={styles.detail}>
-          {t("arm {serial}", { serial: check.arm_serial || check.arm_name })} · {counted(check.points, "{n} point", "{n} points")} · {limit}
+          {t("ui-arm-serial", { serial: check.arm_serial || check.arm_name })} · {t("ui-n-points", { n: check.points })}{" "}
+          · {limit}
         </p>
       </div>
       <div className={styles.figures}>
@@ -36,12 +39,12 @@ export function TipRow({ check }: { check: TipCheckSummary }) {
       <QualityMark quality={check.verdict} />
       <div className={styles.what}>
         <p className={styles.when}>
-          {t("Check of the tip")} · {moment(check.at)}
+          {t("ui-tip-check")} · {moment(check.at)}
         </p>
-        <p className={styles.detail}>{bound(check.text)}</p>
+        <p className={styles.detail}>{check.text}</p>
       </div>
       <dl className={styles.axes}>
-        <dt>{t("Diameter")}</dt>
+        <dt>{t("ui-diameter")}</dt>
         <dd>{measured(check.diameter_mm, "mm", 3)}</dd>
       </dl>
       <Reports of={`/api/arm/tips/${check.id}`} />
@@ -56,15 +59,15 @@ export function IdentifiedRow({ found }: { found: IdentificationSummary }) {
       <QualityMark quality="neutral" />
       <div className={styles.what}>
         <p className={styles.when}>
-          {t("Identification of the arm")} · {moment(found.at)}
+          {t("ui-arm-identification")} · {moment(found.at)}
         </p>
         <p className={styles.detail}>
-          {t("arm {serial}", { serial: found.arm_serial || found.arm_name })}
-          {!found.size_known && ` · ${t("its size is that of its papers")}`}
+          {t("ui-arm-serial", { serial: found.arm_serial || found.arm_name })}
+          {!found.size_known && ` · ${t("ui-scale-from-the-datasheet")}`}
         </p>
       </div>
       <dl className={styles.axes}>
-        <dt>{t("Tip over the reach, rms")}</dt>
+        <dt>{t("ui-tip-error-over-the-reach-rms")}</dt>
         <dd>
           {lengthFigures(found.volume_before_um, "µm", 1)} → {measured(found.volume_after_um, "µm", 1)}
         </dd>
@@ -78,7 +81,9 @@ function Axes({ label, values }: { label: string; values: number[] }) {
   return (
     <dl className={styles.axes}>
       <dt>{label} x, y, z</dt>
-      <dd>{values.map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}</dd>
+      <dd>
+        {values.map((value) => lengthFigures(value, "µm")).join(" · ")} {unitOf("µm")}
+      </dd>
     </dl>
   );
 }

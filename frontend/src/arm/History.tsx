@@ -26,14 +26,14 @@ function IdentifiedHistory() {
     return (
       <EmptyState
         picture={<SeatIllustration />}
-        title={t("Not identified here yet")}
-        text={t("Each identification will stand here: by how much the arm differed from its papers, how well it is known since, and its report.")}
+        title={t("ui-not-yet-identified-here")}
+        text={t("ui-identification-appears-arms-deviation-datasheet-uncertainty")}
       />
     );
   }
   return (
     <div className={styles.history}>
-      <h2 className={styles.title}>{t("Identifications of the arm")}</h2>
+      <h2 className={styles.title}>{t("ui-arm-identifications")}</h2>
       <ul className={rows.list}>
         {list.map((found) => (
           <IdentifiedRow key={found.id} found={found} />
@@ -51,14 +51,14 @@ function TipHistory() {
     return (
       <EmptyState
         picture={<GaugeDrawing shape="sphere" touching />}
-        title={t("No check of the tip yet")}
-        text={t("A sphere of known diameter, touched in nine places with the wrist turned, tells a worn, bent or wrong tip before it spoils a day's work.")}
+        title={t("ui-no-tip-check-yet")}
+        text={t("ui-touch-sphere-known-diameter-nine-places")}
       />
     );
   }
   return (
     <div className={styles.history}>
-      <h2 className={styles.title}>{t("Checks of the tip")}</h2>
+      <h2 className={styles.title}>{t("ui-tip-checks")}</h2>
       <ul className={rows.list}>
         {list.map((check) => (
           <TipRow key={check.id} check={check} />
@@ -71,19 +71,19 @@ function TipHistory() {
 function ArmHistory() {
   const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
   const { list, failed } = useList<ArmCheckSummary>("/api/arm/checks", grown);
-  if (!list) return failed ? <p className={styles.told}>{t("The checks could not be read. They are read again when the station is back.")}</p> : null;
+  if (!list) return failed ? <p className={styles.note}>{t("ui-checks-could-not-loaded-they-reload")}</p> : null;
   if (list.length === 0) {
     return (
       <EmptyState
         picture={<SeatIllustration />}
-        title={t("No check yet")}
-        text={t("Every check of the arm will stand here, as a line over time: (max − min)/2 of the tip on the worst axis, against your limit.")}
+        title={t("ui-no-check-yet")}
+        text={t("ui-every-arm-check-appears-over-time")}
       />
     );
   }
   return (
     <div className={styles.history}>
-      <h2 className={styles.title}>{t("Checks of the arm: (max − min)/2 on the worst axis")}</h2>
+      <h2 className={styles.title}>{t("ui-arm-checks-max-min-2-worst")}</h2>
       <HistoryChart checks={list} />
       <ul className={rows.list}>
         {list.map((check) => (

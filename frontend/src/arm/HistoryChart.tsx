@@ -2,12 +2,12 @@ import type { ArmCheckSummary } from "../api/armTypes";
 import { TimeChart } from "../parts/TimeChart";
 import { t } from "../state/language";
 
-const SHOWN = 40;
+const MOST_POINTS = 40;
 
 /** The last checks from left to right. */
 export function HistoryChart({ checks }: { checks: ArmCheckSummary[] }) {
   const points = checks
-    .slice(0, SHOWN)
+    .slice(0, MOST_POINTS)
     .reverse()
     .map((check) => ({
       id: check.id,
@@ -16,5 +16,5 @@ export function HistoryChart({ checks }: { checks: ArmCheckSummary[] }) {
       limit: check.limit_um,
       quality: check.verdict,
     }));
-  return <TimeChart points={points} unit="µm" label={t("The checks over time")} />;
+  return <TimeChart points={points} unit="µm" label={t("ui-checks-over-time")} />;
 }

@@ -1,6 +1,6 @@
 import type { JointSwing } from "../api/armTypes";
 import { figures } from "../parts/format";
-import { said } from "../state/language";
+import { word } from "../state/language";
 import styles from "./JointBars.module.css";
 
 /** How far each joint has turned in this seat, within what it can turn. */
@@ -9,7 +9,7 @@ export function JointBars({ joints }: { joints: JointSwing[] }) {
     <dl className={styles.joints}>
       {joints.map((joint) => (
         <div key={joint.name} className={styles.joint}>
-          <dt>{said(joint.name)}</dt>
+          <dt>{word(joint.name)}</dt>
           <dd>
             <span className={styles.track}>
               {joint.lowest_deg !== null && joint.highest_deg !== null && (
@@ -21,7 +21,9 @@ export function JointBars({ joints }: { joints: JointSwing[] }) {
                   }}
                 />
               )}
-              {joint.now_deg !== null && <span className={styles.now} style={{ left: `${share(joint, joint.now_deg)}%` }} />}
+              {joint.now_deg !== null && (
+                <span className={styles.now} style={{ left: `${share(joint, joint.now_deg)}%` }} />
+              )}
             </span>
             <span className={styles.value}>{swing(joint)}</span>
           </dd>

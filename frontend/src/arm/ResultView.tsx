@@ -1,20 +1,20 @@
 import { useState } from "react";
 
 import type { ArmResult } from "../api/armTypes";
+import { quantity, signedQuantity } from "../messages/text";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
+import { measured } from "../parts/lengths";
 import { Reports } from "../parts/Reports";
 import { Segments } from "../parts/Segments";
-import { bound } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { amount, type TableData } from "../parts/table";
-import { counted, t, words } from "../state/language";
+import type { TableData } from "../parts/table";
+import { t } from "../state/language";
 import styles from "./ResultView.module.css";
 
 const TABS = [
-  { value: "picture", label: words("Before and after") },
-  { value: "numbers", label: words("Parameters") },
-];
+  { value: "picture", label: "ui-before-and-after" },
+  { value: "numbers", label: "ui-parameters" },
+] as const;
 
 /** What the identification is worth, as bars; the parameters are one tap away. */
 export function ResultView({ result, id }: { result: ArmResult; id: string }) {
@@ -22,7 +22,12 @@ export function ResultView({ result, id }: { result: ArmResult; id: string }) {
   return (
     <div className={styles.result}>
       <div className={styles.tabs}>
-        <Segments value={tab} onChange={setTab} options={TABS.map(({ value, label }) => ({ value, label: t(label) }))} label={t("What to look at")} />
+        <Segments
+          value={tab}
+          onChange={setTab}
+          options={TABS.map(({ value, label }) => ({ value, label: t(label) }))}
+          label={t("ui-view")}
+        />
         <Reports of={`/api/arm/identifications/${id}`} />
       </div>
       {tab === "picture" ? <BeforeAndAfter result={result} /> : <Parameters result={result} />}
@@ -31,18 +36,14 @@ export function ResultView({ result, id }: { result: ArmResult; id: string }) {
 }
 
 function BeforeAndAfter({ result }: { result: ArmResult }) {
-  const title = result.size_known ? t("Tip over the whole reach") : t("Tip over the whole reach, apart from the arm's size");
+  const title = result.size_known ? t("ui-tip-error-over-the-whole-reach") : t("ui-tip-error-over-whole-reach-without");
   const reach = { title, before_um: result.volume_before_um, after_um: result.volume_after_um };
-  const held = counted(
-    result.places,
-    "On {n} place held out of the fit in turn: rms, the encoders' noise included.",
-    "On {n} places held out of the fit in turn: rms, the encoders' noise included.",
-  );
+  const crossValidated = t("ui-cross-validated-places-left-out-fit", { n: result.places });
   return (
     <div className={styles.pairs}>
-      <Pair {...reach} note={t("Before: difference from the arm as identified. After: standard uncertainty, k = 1. Both rms.")} />
+      <Pair {...reach} note={t("ui-before-difference-identified-arm-after-standard")} />
       {result.lines.map((line) => (
-        <Pair key={line.title} {...line} note={held} />
+        <Pair key={line.title} {...line} note={crossValidated} />
       ))}
     </div>
   );
@@ -61,8 +62,8 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
     <section className={styles.pair} aria-label={title}>
       <h3 className={styles.title}>{title}</h3>
       {[
-        { word: t("before"), value: before_um, after: false },
-        { word: t("after"), value: after_um, after: true },
+        { word: t("ui-before-lowercase"), value: before_um, after: false },
+        { word: t("ui-after-lowercase"), value: after_um, after: true },
       ].map(({ word, value, after }) => (
         <div key={word} className={styles.row} data-after={after || undefined}>
           <span className={styles.word}>{word}</span>
@@ -72,13 +73,13 @@ function Pair({ title, before_um, after_um, note }: PairProps) {
           <span className={styles.value}>{measured(value, "µm", 1)}</span>
         </div>
       ))}
-      <p className={styles.note}>{bound(note)}</p>
+      <p className={styles.note}>{note}</p>
     </section>
   );
 }
 
 function Parameters({ result }: { result: ArmResult }) {
-  const tables = [moved(result), correlated(result), kept(result)].filter(({ rows }) => rows.length > 0);
+  const tables = [changed(result), correlated(result), unchanged(result)].filter(({ rows }) => rows.length > 0);
   return (
     <div className={styles.parameters}>
       <div className={styles.copy}>
@@ -91,37 +92,40 @@ function Parameters({ result }: { result: ArmResult }) {
   );
 }
 
-function moved({ parameters }: ArmResult): TableData {
+function changed({ parameters }: ArmResult): TableData {
   return {
-    title: words("The arm's parameters that were moved, uncertainty k = 1"),
-    head: [words("Parameter"), words("Before"), words("After"), words("Change"), words("Uncertainty"), words("Unit")],
+    title: "ui-changed-parameters-arm-uncertainty-k-1",
+    head: ["ui-parameter", "ui-before", "ui-after", "ui-change", "ui-uncertainty", "ui-unit"],
     rows: parameters.map(({ name, unit, before, after, standard_uncertainty }) => {
       const decimals = unit === "mm" ? 4 : 5;
       return [
         short(name),
-        amount(before, decimals, unit),
-        amount(after, decimals, unit),
-        amount(after - before, decimals, unit, true),
-        amount(standard_uncertainty, decimals, unit),
+        quantity(before, unit, decimals),
+        quantity(after, unit, decimals),
+        signedQuantity(after - before, unit, decimals),
+        quantity(standard_uncertainty, unit, decimals),
         { unit },
       ];
     }),
   };
 }
 
-/** Pairs that the places hardly tell apart: why their uncertainties are larger than the tip's. */
+/** Pairs that the places hardly separate: why their uncertainties are larger than the tip's. */
 function correlated({ correlated: pairs }: ArmResult): TableData {
   return {
-    title: words("Correlated: told together, each alone less well"),
-    head: [words("Parameters"), words("Coefficient")],
-    rows: pairs.map(({ first, second, coefficient }) => [`${short(first)}, ${short(second)}`, amount(coefficient, 3, "", true)]),
+    title: "ui-correlated-well-determined-together-less-well",
+    head: ["ui-parameters", "ui-coefficient"],
+    rows: pairs.map(({ first, second, coefficient }) => [
+      `${short(first)}, ${short(second)}`,
+      signedQuantity(coefficient, "", 3),
+    ]),
   };
 }
 
-function kept({ kept: lines }: ArmResult): TableData {
+function unchanged({ kept: lines }: ArmResult): TableData {
   return {
-    title: words("Parameters that kept their values"),
-    head: [words("Parameters"), words("Why")],
+    title: "ui-unchanged-parameters",
+    head: ["ui-parameters", "ui-why"],
     rows: lines.map(({ names, why }) => [names.split(", ").map(short).join(", "), why]),
   };
 }

@@ -1,5 +1,5 @@
 import type { ArmPicture } from "../api/armTypes";
-import { figures } from "../parts/format";
+import { quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
 import { t } from "../state/language";
 import styles from "./RunCharts.module.css";
@@ -13,9 +13,9 @@ const LEAST_UM = 10;
 export function RunCharts({ picture, touching = false }: { picture: ArmPicture; touching?: boolean }) {
   const { tips_um, half_range_um, two_sigma_um, limit_um } = picture;
   const largest = Math.max(LEAST_UM, ...(half_range_um ?? []));
-  /* A far limit does not flatten the points: it is then said in words alone. */
-  const shown = limit_um !== null && limit_um < 4 * largest ? limit_um : null;
-  const reach = 1.15 * Math.max(largest, shown ?? 0);
+  /* A far limit does not flatten the points: it is then in the text alone. */
+  const limit = limit_um !== null && limit_um < 4 * largest ? limit_um : null;
+  const reach = 1.15 * Math.max(largest, limit ?? 0);
   return (
     <div className={styles.charts}>
       {AXES.map((axis, k) => (
@@ -30,18 +30,18 @@ export function RunCharts({ picture, touching = false }: { picture: ArmPicture; 
             viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
             preserveAspectRatio="none"
             role="img"
-            aria-label={t("The tip along {axis}, {n} points", { axis, n: figures(tips_um.length) })}
+            aria-label={t("ui-the-tip-along-points", { axis, n: tips_um.length })}
           >
             <line className={styles.middle} x1={0} x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} />
-            {shown !== null &&
+            {limit !== null &&
               [-1, 1].map((side) => (
                 <line
                   key={side}
                   className={styles.limit}
                   x1={0}
                   x2={WIDTH}
-                  y1={at(side * shown, reach)}
-                  y2={at(side * shown, reach)}
+                  y1={at(side * limit, reach)}
+                  y2={at(side * limit, reach)}
                 />
               ))}
             <polyline
@@ -57,11 +57,11 @@ export function RunCharts({ picture, touching = false }: { picture: ArmPicture; 
       ))}
       <p className={styles.note}>
         {tips_um.length > 1
-          ? t("The last {n} points in the order of taking, about their middle.", { n: figures(tips_um.length) })
+          ? t("ui-last-points-order-capture-about-mean", { n: tips_um.length })
           : touching
-            ? t("Points appear here from the fifth touch on.")
-            : t("Points appear here as the arm swings.")}
-        {shown !== null && ` ${t("Dashed: the limit, ±{value}.", { value: measured(shown, "µm") })}`}
+            ? t("ui-points-appear-fifth-contact-point")
+            : t("ui-points-appear-arm-swings")}
+        {limit !== null && ` ${t("ui-dashed-the-limit", { value: quantity(limit, "µm") })}`}
       </p>
     </div>
   );

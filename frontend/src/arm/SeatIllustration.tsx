@@ -13,7 +13,7 @@ const POSTURES = [
 export function SeatIllustration() {
   return (
     <div className={styles.illustration}>
-      <svg viewBox="0 0 620 400" role="img" aria-label={t("An arm swings from side to side while its tip stays in a seat")}>
+      <svg viewBox="0 0 620 400" role="img" aria-label={t("ui-arm-swings-side-side-while-tip")}>
         <path className={styles.ground} d="M40 362h540" />
         <path className={styles.base} d="M112 362v-26h20v-76h36v76h20v26z" />
         <path className={styles.base} d="M404 362l14-30h44l14 30z" />

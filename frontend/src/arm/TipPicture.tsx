@@ -5,7 +5,7 @@ import { FigureBars } from "../verify/FigureBars";
 import { TouchView } from "../verify/TouchView";
 import styles from "./TipPicture.module.css";
 
-/** The touches of the sphere, and once they are judged what they tell of the tip. */
+/** The contact points on the sphere, and once they are evaluated the figures of the tip. */
 export function TipPicture({ picture }: { picture: ArmPicture }) {
   const { tip, touches, sphere_mm } = picture;
   return (
@@ -24,13 +24,44 @@ function figuresOf(tip: NonNullable<ArmPicture["tip"]>): FigureLine[] {
   const { limit_um: limit } = tip;
   const within = limit === null ? "none" : tip.scatter_um > limit ? "fail" : "pass";
   const sure = Math.abs(tip.error_um) - tip.expanded_uncertainty_um;
-  const size = limit === null ? "none" : Math.abs(tip.error_um) + tip.expanded_uncertainty_um <= limit ? "pass" : sure > limit ? "fail" : "uncertain";
+  const size =
+    limit === null
+      ? "none"
+      : Math.abs(tip.error_um) + tip.expanded_uncertainty_um <= limit
+        ? "pass"
+        : sure > limit
+          ? "fail"
+          : "uncertain";
   const line = { unit: "µm", limit, reason: "", clouds: [] };
   return [
-    { ...line, name: "radius_error", title: t("Error of the diameter"), value: tip.error_um, expanded_uncertainty: tip.expanded_uncertainty_um, decision: size },
-    { ...line, name: "scatter", title: t("Largest distance of a touch"), value: tip.scatter_um, expanded_uncertainty: 0, decision: within },
+    {
+      ...line,
+      name: "radius_error",
+      title: t("ui-diameter-error"),
+      value: tip.error_um,
+      expanded_uncertainty: tip.expanded_uncertainty_um,
+      decision: size,
+    },
+    {
+      ...line,
+      name: "scatter",
+      title: t("ui-largest-distance-of-a-contact-point"),
+      value: tip.scatter_um,
+      expanded_uncertainty: 0,
+      decision: within,
+    },
     ...(tip.bend_um === null
       ? []
-      : [{ ...line, limit: null, name: "bend", title: t("The tip's centre from its place"), value: tip.bend_um, expanded_uncertainty: 0, decision: "none" as const }]),
+      : [
+          {
+            ...line,
+            limit: null,
+            name: "bend",
+            title: t("ui-distance-tips-centre-place"),
+            value: tip.bend_um,
+            expanded_uncertainty: 0,
+            decision: "none" as const,
+          },
+        ]),
   ];
 }

@@ -1,6 +1,6 @@
 import { setExposure } from "../api/commands";
 import { LiveCamera } from "../image/LiveCamera";
-import { figures } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
@@ -14,20 +14,20 @@ interface CameraPictureProps {
   target: [number, number, number, number][];
 }
 
-/** The live camera, and its exposure under the hand. */
+/** The live camera, with its exposure. */
 export function CameraPicture({ target }: CameraPictureProps) {
   const exposure_us = useLive((s) => s.devices?.exposure_us ?? null);
   return (
     <div className={styles.picture}>
       <LiveCamera target={target} />
       {exposure_us !== null && (
-        <div className={styles.exposure} role="group" aria-label={t("Exposure")}>
+        <div className={styles.exposure} role="group" aria-label={t("ui-exposure")}>
           <span className={styles.label}>
-            <span className={styles.word}>{t("Exposure")} </span>
-            {figures(exposure_us)} µs
+            <span className={styles.word}>{t("ui-exposure")} </span>
+            {measured(exposure_us, "µs")}
           </span>
-          <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>{t("Darker")}</PressButton>
-          <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>{t("Brighter")}</PressButton>
+          <PressButton onPress={() => setExposure(exposure_us / FACTOR)}>{t("ui-darker")}</PressButton>
+          <PressButton onPress={() => setExposure(exposure_us * FACTOR)}>{t("ui-brighter")}</PressButton>
         </div>
       )}
     </div>

@@ -4,11 +4,10 @@ import { sendFlow } from "../api/commands";
 import type { BlockGeometry, BoardGeometry, Choice, ObjectGeometry } from "../api/flowTypes";
 import type { ChoiceOption } from "../api/types";
 import { ObjectDrawing } from "../object/ObjectDrawing";
-import { bound } from "../parts/format";
-import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { CheckIcon } from "../parts/icons";
-import { counted, t } from "../state/language";
+import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { isolated } from "../state/isolated";
+import { t } from "../state/language";
 import styles from "./ChoicesPicture.module.css";
 
 /** What is used: one of each kind, and the object as its certificate draws it. */
@@ -22,7 +21,7 @@ export function ChoicesPicture({ choices, object }: { choices: Choice[]; object:
       </div>
       {object && (
         <div className={styles.object}>
-          <ObjectDrawing object={object} face={null} label={t("The chosen object")} />
+          <ObjectDrawing object={object} face={null} label={t("ui-selected-object")} />
           <p className={styles.caption}>{object.kind === "block" ? blockSize(object) : boardSize(object)}</p>
         </div>
       )}
@@ -35,13 +34,13 @@ function blockSize(block: BlockGeometry): string {
   const last = block.edges_x_mm[block.edges_x_mm.length - 1] ?? 0;
   const parts = [last - first, block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm];
   const lengths = parts.map((part) => lengthFigures(part, "mm", 3)).join(" × ");
-  return `${lengths} ${unitOf("mm")}, ${counted(block.edges_x_mm.length / 2, "{n} merlon", "{n} merlons")}`;
+  return `${lengths} ${unitOf("mm")}, ${t("ui-merlons", { n: block.edges_x_mm.length / 2 })}`;
 }
 
 function boardSize({ inner_corners, square_mm }: BoardGeometry): string {
   const [columns, rows] = inner_corners;
   const square = measured(square_mm, "mm", 3);
-  return t("{columns} × {rows} inner corners, squares of {square}", { columns, rows, square });
+  return t("ui-inner-corners-squares-of", { columns, rows, square });
 }
 
 function ChoiceGroup({ choice }: { choice: Choice }) {
@@ -75,7 +74,7 @@ function ChoiceGroup({ choice }: { choice: Choice }) {
             <span className={styles.tick}>{option.id === choice.selected && <CheckIcon size="1.125rem" />}</span>
             <span>
               <span className={styles.label}>{isolated(option.label)}</span>
-              <span className={styles.detail}>{bound(option.detail)}</span>
+              <span className={styles.detail}>{option.detail}</span>
             </span>
           </button>
         ))}

@@ -6,7 +6,7 @@ import styles from "./DevicesPicture.module.css";
 /** Each device and whether it is fit for the work. */
 export function DevicesPicture({ devices }: { devices: DeviceLine[] }) {
   return (
-    <ul className={styles.devices} aria-label={t("Devices")}>
+    <ul className={styles.devices} aria-label={t("ui-devices")}>
       {devices.map((device) => (
         <li key={device.title} className={styles.device}>
           <QualityMark quality={device.quality} size="2rem" />

@@ -1,7 +1,7 @@
 import type { FaceProgress } from "../api/flowTypes";
 import { CheckIcon } from "../parts/icons";
 import { measured } from "../parts/lengths";
-import { counted, t } from "../state/language";
+import { t } from "../state/language";
 import styles from "./FaceChips.module.css";
 
 interface FaceChipsProps {
@@ -9,7 +9,7 @@ interface FaceChipsProps {
   onSelect: (face: string) => void;
 }
 
-/** "Crests (top)": the hint in brackets gives way where there is no room. */
+/** "Crests (top)": narrow screens hide the hint in brackets. */
 function Name({ title }: { title: string }) {
   const [name, hint] = title.split(" (");
   return (
@@ -21,14 +21,14 @@ function Name({ title }: { title: string }) {
 }
 
 function count({ taken, wanted }: FaceProgress): string {
-  if (wanted > 0) return t("{done} of {all}", { done: taken, all: wanted });
-  return taken > 0 ? counted(taken, "{n} point", "{n} points") : t("not needed");
+  if (wanted > 0) return t("ui-done-of-all", { done: taken, all: wanted });
+  return taken > 0 ? t("ui-n-points", { n: taken }) : t("ui-not-needed");
 }
 
 /** The faces to touch, each with its count; the way to choose one by glove or by key. */
 export function FaceChips({ faces, onSelect }: FaceChipsProps) {
   return (
-    <div className={styles.chips} role="group" aria-label={t("Faces")}>
+    <div className={styles.chips} role="group" aria-label={t("ui-faces")}>
       {faces.map((face) => (
         <button
           key={face.face}

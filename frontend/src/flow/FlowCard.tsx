@@ -1,34 +1,35 @@
 import { sendFlow } from "../api/commands";
 import type { Devices } from "../api/deviceTypes";
 import type { FlowView } from "../api/flowTypes";
+import { mentions, type Text } from "../messages/text";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
+import { newFindings } from "../parts/findings";
 import { PressButton } from "../parts/PressButton";
 import { Busy, Progress } from "../parts/Progress";
 import { useStepHeading } from "../parts/useStepHeading";
-import { withoutEchoes } from "../parts/withoutEchoes";
+import { asSent } from "../state/localized";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { StepDots } from "./StepDots";
 
-/** What the number's note says, or the picture of a device that is lost. */
-function isSaid(text: string, { number }: FlowView, lost: string): boolean {
-  return (number?.note ?? "").startsWith(text) || (lost !== "" && text.startsWith(`${lost}: `));
-}
-
-/** The station names one lost device at a time, the arm before the sensor. */
-function lostTitle(devices: Devices | null): string {
-  const lost = devices && [devices.arm, devices.sensor].find(({ state }) => state === "lost");
-  return lost ? lost.title : "";
+/** The reason why a device is lost, which the banners display. */
+function lostReasons(devices: Devices | null): Text[] {
+  const lost = devices ? [devices.arm, devices.sensor].filter(({ state }) => state === "lost") : [];
+  return lost.map((device) => asSent(device).text);
 }
 
 /** What to do in this step: the server's words, number, progress and allowed acts. */
 export function FlowCard({ view }: { view: FlowView }) {
-  const lost = useLive((s) => lostTitle(s.devices));
+  const devices = useLive((s) => s.devices);
   /* A calibration that is over leads on to what comes next. */
   const next = useLive((s) => (!view.running && s.home?.next.page !== "calibrate" ? s.home?.next : undefined));
+  const note = view.number ? [asSent(view.number).note] : [];
+  const findings = newFindings(view.findings, view.actions, note).filter(
+    (finding) => !lostReasons(devices).some((reason) => mentions(asSent(finding).text, reason)),
+  );
   const heading = useStepHeading(view.step);
   return (
     <>
@@ -48,7 +49,7 @@ export function FlowCard({ view }: { view: FlowView }) {
         whole={view.picture.kind === "still"}
         onAct={(action) => sendFlow(action.name, action.args)}
       >
-        <Findings findings={withoutEchoes(view.findings, view.actions, (text) => isSaid(text, view, lost))} />
+        <Findings findings={findings} />
       </Actions>
     </>
   );

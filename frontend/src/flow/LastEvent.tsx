@@ -4,10 +4,10 @@ import { QualityMark } from "../parts/QualityMark";
 import { type StationEvent, useLive } from "../state/store";
 import styles from "./LastEvent.module.css";
 
-const SHOWN_MS = 5000;
+const DISPLAY_MS = 5000;
 
-/** What calls for attention is a notice, and the next step is told by its own title. */
-function isTold({ kind, quality, text }: StationEvent): boolean {
+/** What needs attention is a notice, and the next step has its own title. */
+function isElsewhere({ kind, quality, text }: StationEvent): boolean {
   return text === "" || kind === "step_done" || quality === "attention" || quality === "bad";
 }
 
@@ -17,21 +17,21 @@ export function LastEvent({ children }: { children: ReactNode }) {
   const [hidden, setHidden] = useState<number | null>(event?.id ?? null);
   useEffect(() => {
     if (!event) return;
-    const timer = setTimeout(() => setHidden(event.id), SHOWN_MS);
+    const timer = setTimeout(() => setHidden(event.id), DISPLAY_MS);
     return () => clearTimeout(timer);
   }, [event]);
-  const shown = event && event.id !== hidden && !isTold(event) ? event : null;
+  const displayed = event && event.id !== hidden && !isElsewhere(event) ? event : null;
   return (
     <div className={styles.place}>
       <div aria-live="polite">
-        {shown && (
+        {displayed && (
           <p className={styles.event}>
-            <QualityMark quality={shown.quality} size="1.25rem" />
-            {shown.text}
+            <QualityMark quality={displayed.quality} size="1.25rem" />
+            {displayed.text}
           </p>
         )}
       </div>
-      {!shown && children}
+      {!displayed && children}
     </div>
   );
 }

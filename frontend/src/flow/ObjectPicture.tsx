@@ -1,16 +1,16 @@
 import { useState } from "react";
-
 import { sendFlow } from "../api/commands";
 import type { FaceProgress, ObjectGeometry, Picture, TouchedPoint } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
+import type { PlainId } from "../messages/text";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { scaleEnd } from "../object/residuals";
 import { Suggestions, Touches } from "../object/Touches";
 import { Chips } from "../parts/Chips";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { FaceChips } from "./FaceChips";
-import styles from "./ObjectPicture.module.css";
 import { LastEvent } from "./LastEvent";
+import styles from "./ObjectPicture.module.css";
 import { PointPanel } from "./PointPanel";
 import { ResidualLegend } from "./ResidualLegend";
 
@@ -37,7 +37,7 @@ export function ObjectPicture({ picture }: { picture: ObjectView }) {
   const select = (face: string) => void sendFlow("select_face", { face });
   return (
     <div className={styles.picture}>
-      <ObjectDrawing object={object} face={selected?.face ?? null} onFace={select} label={t("The object")}>
+      <ObjectDrawing object={object} face={selected?.face ?? null} onFace={select} label={t("ui-the-object")}>
         {(view) => (
           <>
             {selected && <Suggestions view={view} face={selected.face} places={stillToTouch(selected, points)} />}
@@ -72,22 +72,26 @@ interface UnplacedProps {
 function Unplaced({ points, chosen, onPoint }: UnplacedProps) {
   const options = points
     .filter(({ at_mm }) => !at_mm)
-    .map(({ index, outlier }) => ({ value: index, label: `${index + 1}`, mark: outlier ? t("outlier") : undefined }));
+    .map(({ index, outlier }) => ({
+      value: index,
+      label: `${index + 1}`,
+      mark: outlier ? t("ui-outlier") : undefined,
+    }));
   return (
     <div className={styles.points}>
-      <Chips label={t("Points on this face")} options={options} value={chosen ?? -1} onChange={onPoint} />
+      <Chips label={t("ui-points-on-this-face")} options={options} value={chosen ?? -1} onChange={onPoint} />
     </div>
   );
 }
 
-const NOTES: Record<ObjectGeometry["kind"], { untouched: string; unplaced: string }> = {
+const NOTES: Record<ObjectGeometry["kind"], { untouched: PlainId; unplaced: PlainId }> = {
   block: {
-    untouched: words("Touch at the rings. Each point appears here with its residual."),
-    unplaced: words("Points appear on the drawing once three faces that meet have been touched."),
+    untouched: "ui-touch-rings-point-appears-residual",
+    unplaced: "ui-points-appear-drawing-once-three-adjacent",
   },
   board: {
-    untouched: words("Touch at the rings, or go on: a chessboard need not be touched."),
-    unplaced: words("Points appear on the drawing once the pictures have been solved."),
+    untouched: "ui-touch-rings-continue-chessboard-need-not",
+    unplaced: "ui-points-appear-drawing-once-pictures-evaluated",
   },
 };
 

@@ -6,13 +6,13 @@ import { BOARD_FACE } from "../object/board";
 import { CloseIcon } from "../parts/icons";
 import { signedLength, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { said, t, words } from "../state/language";
+import { t, word } from "../state/language";
 import styles from "./PointPanel.module.css";
 
 const NOT_YET = {
-  block: words("Its distance is known once three faces that meet have been touched."),
-  board: words("Its distance is known once the board has been touched in more places."),
-};
+  block: "ui-distance-known-once-three-adjacent-faces",
+  board: "ui-distance-known-once-board-touched-more",
+} as const;
 
 interface PointPanelProps {
   point: TouchedPoint;
@@ -33,24 +33,26 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
     onClose();
   };
   return (
-    <div className={styles.panel} role="dialog" aria-label={t("Point {n}", { n: point.index + 1 })}>
+    <div className={styles.panel} role="dialog" aria-label={t("ui-point", { n: point.index + 1 })}>
       <div className={styles.head}>
         <span>
-          {t("Point {n}", { n: point.index + 1 })}, {said(point.face)}
+          {t("ui-point", { n: point.index + 1 })}, {word(point.face)}
         </span>
-        <button type="button" className={styles.close} aria-label={t("Close")} onClick={onClose}>
+        <button type="button" className={styles.close} aria-label={t("ui-close")} onClick={onClose}>
           <CloseIcon size="1.25rem" />
         </button>
       </div>
-      <div className={styles.value}>{point.residual_um === null ? `– ${unitOf("µm")}` : signedLength(point.residual_um, "µm")}</div>
+      <div className={styles.value}>
+        {point.residual_um === null ? `– ${unitOf("µm")}` : signedLength(point.residual_um, "µm")}
+      </div>
       <p className={styles.text}>
         {point.outlier
-          ? t("Outlier: it does not fit its face and is not used.")
+          ? t("ui-outlier-does-not-fit-face-not")
           : point.residual_um === null
             ? t(point.face === BOARD_FACE ? NOT_YET.board : NOT_YET.block)
-            : t("Distance from its face, + outward.")}
+            : t("ui-distance-from-its-face-outward")}
       </p>
-      {removable && <PressButton onPress={remove}>{t("Remove this point")}</PressButton>}
+      {removable && <PressButton onPress={remove}>{t("ui-remove-this-point")}</PressButton>}
     </div>
   );
 }

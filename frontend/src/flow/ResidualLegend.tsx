@@ -9,12 +9,14 @@ export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number;
     <div className={styles.legend}>
       <span>0</span>
       <span className={styles.ramp} style={{ background: RAMP_CSS }} />
-      <span>{measured(scale_um, "µm")} {t("residual")}</span>
+      <span>
+        {measured(scale_um, "µm")} {t("ui-residual-lowercase")}
+      </span>
       <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
         <path d="M0-8 8 0 0 8-8 0Z" className={styles.diamond} />
       </svg>
-      <span>{t("outlier")}</span>
-      {sticks && <span className={styles.sticks}>{t("sticks point outward or inward")}</span>}
+      <span>{t("ui-outlier")}</span>
+      {sticks && <span className={styles.sticks}>{t("ui-lines-point-outward-or-inward")}</span>}
     </div>
   );
 }

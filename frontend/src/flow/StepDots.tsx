@@ -2,16 +2,19 @@ import type { FlowView } from "../api/flowTypes";
 import { t } from "../state/language";
 import styles from "./StepDots.module.css";
 
-/** Where the list of steps has no room: where we are, in one line. */
+/** The current step in one line, for screens too small for the list of steps. */
 export function StepDots({ view }: { view: Pick<FlowView, "steps" | "step"> }) {
   const index = view.steps.findIndex((step) => step.id === view.step);
   return (
     <div className={styles.steps} aria-hidden="true">
-      <span className={styles.words}>
-        {t("Step {n} of {all}", { n: index + 1, all: view.steps.length })}
-      </span>
+      <span className={styles.words}>{t("ui-step-of", { n: index + 1, all: view.steps.length })}</span>
       {view.steps.map((step) => (
-        <span key={step.id} className={styles.dot} data-state={step.state} data-here={step.id === view.step || undefined} />
+        <span
+          key={step.id}
+          className={styles.dot}
+          data-state={step.state}
+          data-here={step.id === view.step || undefined}
+        />
       ))}
     </div>
   );

@@ -6,9 +6,9 @@ import { useLook } from "../state/useLook";
 
 /** The poses taken so far, the newest first until another is asked for. */
 export function StillPoses({ picture }: { picture: Extract<Picture, { kind: "still" }> }) {
-  const [asked, setAsked] = useState({ pose: picture.shown, newest: picture.shown });
-  const show = (pose: number) => setAsked({ pose, newest: picture.shown });
+  const [selection, setSelection] = useState({ pose: picture.shown, newest: picture.shown });
+  const show = (pose: number) => setSelection({ pose, newest: picture.shown });
   useLook(show);
-  const pose = asked.newest === picture.shown ? asked.pose : picture.shown;
-  return <PoseView poses={picture.poses} shown={pose} onShow={show} />;
+  const pose = selection.newest === picture.shown ? selection.pose : picture.shown;
+  return <PoseView poses={picture.poses} selected={pose} onShow={show} />;
 }

@@ -1,10 +1,9 @@
 import { answerForControl } from "../api/session";
-import type { DeviceState } from "../api/deviceTypes";
 import type { Finding } from "../api/types";
+import { age } from "../parts/format";
 import { CloseIcon } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
-import { age } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import { dismiss } from "../state/notices";
@@ -17,21 +16,22 @@ export function Banners() {
   const notice = useLive((s) => s.notice);
   const connection = useLive((s) => s.connection);
   const page = usePage();
-  const told = useLive((s) => page === "calibrate" && s.notice !== null && isTold(s.notice, s.flow?.findings ?? []));
+  const onCard = useLive(
+    (s) => page === "calibrate" && s.notice !== null && isOnCard(s.notice, s.flow?.findings ?? []),
+  );
   return (
     <div className={styles.banners}>
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
-      {connection === "live" && <Asked />}
-      {notice && !told && <NoticeBanner key={notice.id} notice={notice} />}
+      {connection === "live" && <ControlRequest />}
+      {notice && !onCard && <NoticeBanner key={notice.id} notice={notice} />}
     </div>
   );
 }
 
-/** Whether the card says it whole, beside what to do: it is not told over it again. */
-function isTold({ title }: Notice, findings: readonly Finding[]): boolean {
-  const told = title.toLowerCase();
-  return findings.some(({ text }) => text !== "" && told.startsWith(text.replace(/\.$/, "").toLowerCase()));
+/** The card has the same text, with its remedy. */
+function isOnCard({ title }: Notice, findings: readonly Finding[]): boolean {
+  return findings.some(({ text }) => text === title);
 }
 
 function LostBanner({ first }: { first: boolean }) {
@@ -42,31 +42,32 @@ function LostBanner({ first }: { first: boolean }) {
       <QualityMark quality="attention" />
       <div className={styles.words}>
         <strong>
-          {first ? t("Connecting to the station") : t("Connection lost, reconnecting")}, {age(Math.floor(silent_s))}
+          {first ? t("ui-connecting-to-the-station") : t("ui-connection-lost-reconnecting")},{" "}
+          {age(Math.floor(silent_s))}
         </strong>
-        {!first && <span>{t("The numbers here are old. The station keeps everything it has taken.")}</span>}
+        {!first && <span>{t("ui-numbers-out-date-station-stores-everything")}</span>}
       </div>
     </div>
   );
 }
 
-/** Somebody would like to have control: told to whoever has it. */
-function Asked() {
-  const asked_by = useLive((s) => s.control?.asked_by ?? null);
+/** Somebody requests control: displayed to whoever has it. */
+function ControlRequest() {
+  const requester = useLive((s) => s.control?.asked_by ?? null);
   const yours = useLive((s) => s.control?.holder?.id === s.session?.you?.id);
-  if (!asked_by || !yours) return null;
+  if (!requester || !yours) return null;
   return (
     <div className={styles.banner} data-quality="neutral" role="alert">
       <QualityMark quality="neutral" />
       <div className={styles.words}>
-        <strong>{t("{name} asks for control", { name: asked_by.name })}</strong>
-        <span>{t("What runs goes on, whoever has it.")}</span>
+        <strong>{t("ui-requests-control", { name: requester.name })}</strong>
+        <span>{t("ui-running-jobs-continue-whoever-has-control")}</span>
       </div>
       <PressButton free onPress={async () => void (await answerForControl(true))}>
-        {t("Hand over")}
+        {t("ui-give-control")}
       </PressButton>
       <PressButton free kind="quiet" onPress={async () => void (await answerForControl(false))}>
-        {t("Keep it")}
+        {t("ui-keep-control")}
       </PressButton>
     </div>
   );
@@ -74,25 +75,20 @@ function Asked() {
 
 /** A device is called lost for as long as it is, and no longer. */
 function LostDevices() {
-  const arm = useLive((s) => lostWords(s.devices?.arm));
-  const sensor = useLive((s) => lostWords(s.devices?.sensor));
-  return [arm, sensor].map(
-    (words) =>
-      words && (
-        <div key={words} className={styles.banner} data-quality="bad" role="alert">
-          <QualityMark quality="bad" />
-          <div className={styles.words}>
-            <strong>{words}</strong>
-            <span>{t("What was taken is kept. Check its power and cable; it is connected again by itself.")}</span>
-          </div>
-        </div>
-      ),
-  );
-}
-
-/** Without the seconds, which the status line counts and which end it in every language. */
-function lostWords(device: DeviceState | undefined): string {
-  return device?.state === "lost" ? device.text.replace(/,? \S+ \d+(\.\d)? s$/, "") : "";
+  const devices = useLive((s) => s.devices);
+  if (!devices) return null;
+  const lost = [devices.arm, devices.sensor].filter(({ state }) => state === "lost");
+  return lost.map(({ title, text }) => (
+    <div key={title} className={styles.banner} data-quality="bad">
+      <QualityMark quality="bad" />
+      <div className={styles.words}>
+        {/* the reason counts seconds, which nobody wants to have read out */}
+        <strong role="alert">{t("ui-device-connection-lost", { device: title })}</strong>
+        <span>{text}</span>
+        <span>{t("ui-recorded-data-safe-check-power-cable")}</span>
+      </div>
+    </div>
+  ));
 }
 
 function NoticeBanner({ notice }: { notice: Notice }) {
@@ -104,7 +100,7 @@ function NoticeBanner({ notice }: { notice: Notice }) {
         {notice.detail && <span>{notice.detail}</span>}
         {notice.remedy && <span className={styles.remedy}>{notice.remedy}</span>}
       </div>
-      <button type="button" className={styles.close} aria-label={t("Dismiss")} onClick={() => dismiss(notice.id)}>
+      <button type="button" className={styles.close} aria-label={t("ui-dismiss")} onClick={() => dismiss(notice.id)}>
         <CloseIcon />
       </button>
     </div>

@@ -23,7 +23,7 @@ export function ControlMenu() {
   if (!you) return null;
   const holder = control?.holder ?? null;
   const whose = !holder ? "free" : holder.id === you.id ? "yours" : "theirs";
-  const words = { free: t("nobody"), yours: t("you"), theirs: holder?.name ?? "" }[whose];
+  const words = { free: t("ui-nobody"), yours: t("ui-you"), theirs: holder?.name ?? "" }[whose];
   return (
     <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus zIndex={310}>
       <Popover.Target>
@@ -31,27 +31,28 @@ export function ControlMenu() {
           type="button"
           className={`${look.button} ${styles.pill}`}
           data-whose={whose}
-          aria-label={t("Control: {who}", { who: words })}
+          aria-label={t("ui-control-who", { who: words })}
           aria-haspopup="dialog"
           aria-expanded={opened}
           onClick={() => setOpened(!opened)}
         >
           <span className={styles.dot} aria-hidden="true" />
           <span className={styles.words}>
-            <span className={styles.state}>{t("Control")}</span>
+            <span className={styles.state}>{t("ui-control")}</span>
             <span className={styles.who}>{isolated(words)}</span>
           </span>
         </button>
       </Popover.Target>
-      <Popover.Dropdown className={styles.menu} aria-label={t("Control and sign-in")}>
+      <Popover.Dropdown className={styles.menu} aria-label={t("ui-control-and-sign-in")}>
         <Whose you={you} control={control} whose={whose} />
         <hr className={styles.rule} />
         <p>
-          {t("You are signed in as")} <strong>{isolated(you.name)}</strong>, {you.wall ? t("a wall screen") : t(ROLES[you.role])}.
+          {t("ui-you-are-signed-in-as")} <strong>{isolated(you.name)}</strong>,{" "}
+          {you.wall ? t("ui-a-kiosk-display") : t(ROLES[you.role])}.
         </p>
         {!you.wall && !guest && <PasswordForm />}
         <PressButton free onPress={async () => void (await signOut())}>
-          {t("Sign out")}
+          {t("ui-sign-out")}
         </PressButton>
       </Popover.Dropdown>
     </Popover>
@@ -68,42 +69,47 @@ function Whose({ you, control, whose }: WhoseProps) {
   const [reason, setReason] = useState("");
   const holder = control?.holder;
   if (you.wall || you.role === "viewer") {
-    return <p>{holder ? t("{name} has control.", { name: holder.name }) : t("Nobody has control.")} {t("You look on.")}</p>;
+    return (
+      <p>
+        {holder ? t("ui-has-control", { name: holder.name }) : t("ui-nobody-has-control")}{" "}
+        {t("ui-your-account-can-only-view")}
+      </p>
+    );
   }
-  if (whose === "free") return <p>{t("Nobody has control. Whoever acts first takes it.")}</p>;
+  if (whose === "free") return <p>{t("ui-nobody-control-first-act-takes")}</p>;
   if (whose === "yours") {
     return (
       <>
-        <p>{t("You have control: what you press is done. Others look on.")}</p>
+        <p>{t("ui-you-control-others-only-watch")}</p>
         <PressButton free onPress={async () => void (await releaseControl())}>
-          {t("Let go of control")}
+          {t("ui-release-control")}
         </PressButton>
       </>
     );
   }
   const same = holder?.name === you.name;
-  const asked = control?.asked_by?.id === you.id;
+  const requested = control?.asked_by?.id === you.id;
   return (
     <>
       <p>
-        {same ? t("You have control in another browser.") : t("{name} has control.", { name: holder?.name ?? "" })}{" "}
-        {t("Stop and Laser off act all the same.")}
+        {same ? t("ui-you-have-control-in-another-browser") : t("ui-has-control", { name: holder?.name ?? "" })}{" "}
+        {t("ui-stop-and-laser-off-always-respond")}
       </p>
       {!same && (
-        <PressButton free disabled={asked} onPress={async () => void (await askForControl())}>
-          {asked ? t("You have asked for control") : t("Ask for control")}
+        <PressButton free disabled={requested} onPress={async () => void (await askForControl())}>
+          {requested ? t("ui-control-requested") : t("ui-request-control")}
         </PressButton>
       )}
       {!same && (
         <TextField
-          label={t("Or take it over, and tell {name} why", { name: holder?.name ?? "" })}
+          label={t("ui-take-over-control-give-reason", { name: holder?.name ?? "" })}
           value={reason}
           maxLength={120}
           onText={setReason}
         />
       )}
       <PressButton free disabled={!same && !reason.trim()} onPress={async () => void (await takeControl(reason))}>
-        {t("Take over")}
+        {t("ui-take-over")}
       </PressButton>
     </>
   );

@@ -8,13 +8,22 @@ import styles from "./LanguageMenu.module.css";
 import toggles from "./Toggles.module.css";
 
 /** This browser's language and units, read off in the bar and changed under it; where there is
- *  little room with what else is this browser's own. */
+ *  little space next to this browser's other settings. */
 export function LanguageMenu({ children }: { children: ReactNode }) {
   const language = useLanguage();
   const [opened, setOpened] = useState(false);
-  const label = `${t("Language and units")}: ${nameOf(language)}, ${unitOf("mm")}`;
+  const label = `${t("ui-language-and-units")}: ${nameOf(language)}, ${unitOf("mm")}`;
   return (
-    <Popover opened={opened} onChange={setOpened} position="bottom-end" shadow="md" radius="md" trapFocus returnFocus zIndex={310}>
+    <Popover
+      opened={opened}
+      onChange={setOpened}
+      position="bottom-end"
+      shadow="md"
+      radius="md"
+      trapFocus
+      returnFocus
+      zIndex={310}
+    >
       <Popover.Target>
         <button
           type="button"
@@ -29,13 +38,13 @@ export function LanguageMenu({ children }: { children: ReactNode }) {
           <span>{unitOf("mm")}</span>
         </button>
       </Popover.Target>
-      <Popover.Dropdown className={styles.menu} aria-label={t("Language and units")}>
-        <p className={styles.title}>{t("Language")}</p>
+      <Popover.Dropdown className={styles.menu} aria-label={t("ui-language-and-units")}>
+        <p className={styles.title}>{t("ui-language")}</p>
         <ChooseLanguage id="menu-language" />
-        <p className={styles.title}>{t("Lengths")}</p>
+        <p className={styles.title}>{t("ui-lengths")}</p>
         <ChooseUnits id="menu-units" />
         <div className={styles.narrow}>{children}</div>
-        <p className={styles.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
+        <p className={styles.help}>{t("ui-applies-browser-files-reports-csv-stay")}</p>
       </Popover.Dropdown>
     </Popover>
   );

@@ -5,16 +5,16 @@ import { Banners } from "./Banners";
 import styles from "./Layout.module.css";
 
 /**
- * The picture says where, the card says what: two thirds and one third.
+ * The picture displays where, the card what: two thirds and one third.
  * The card comes first for the keyboard, so that its acts are not behind every dot.
  */
 export function Layout({ picture, card }: { picture: ReactNode; card: ReactNode }) {
   return (
     <main className={styles.main}>
-      <section className={styles.card} aria-label={t("What to do")}>
+      <section className={styles.card} aria-label={t("ui-current-step")}>
         {card}
       </section>
-      <section className={styles.picture} aria-label={t("Picture")}>
+      <section className={styles.picture} aria-label={t("ui-picture")}>
         {picture}
       </section>
       <Banners />

@@ -14,28 +14,34 @@ export function PasswordForm() {
   if (!opened) {
     return (
       <PressButton free onPress={() => setOpened(true)}>
-        {t("Change the password")}
+        {t("ui-change-the-password")}
       </PressButton>
     );
   }
   const send = async () => {
     if (!(await changePassword(old, fresh))) return;
     setOpened(false);
-    notify({ quality: "good", title: t("The password is changed; other browsers are signed out.") }, 6000);
+    notify({ quality: "good", title: t("ui-password-changed-other-browsers-signed-out") }, 6000);
   };
   return (
     <>
-      <TextField label={t("Old password")} type="password" autoComplete="current-password" value={old} onText={setOld} />
       <TextField
-        label={t("New password")}
+        label={t("ui-old-password")}
+        type="password"
+        autoComplete="current-password"
+        value={old}
+        onText={setOld}
+      />
+      <TextField
+        label={t("ui-new-password")}
         type="password"
         autoComplete="new-password"
-        help={t("10 characters or more.")}
+        help={t("ui-at-least-10-characters-sentence")}
         value={fresh}
         onText={setFresh}
       />
       <PressButton free onPress={send}>
-        {t("Change it")}
+        {t("ui-change-password")}
       </PressButton>
     </>
   );

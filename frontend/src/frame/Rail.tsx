@@ -1,13 +1,35 @@
 import { type MouseEvent, useEffect, useRef } from "react";
 
-import { ArmIcon, CalibrateIcon, HealthIcon, HomeIcon, PeopleIcon, RecordsIcon, ScanIcon, SettingsIcon, SuperviseIcon, VerifyIcon } from "../parts/icons";
+import {
+  ArmIcon,
+  CalibrateIcon,
+  HealthIcon,
+  HomeIcon,
+  PeopleIcon,
+  RecordsIcon,
+  ScanIcon,
+  SettingsIcon,
+  SuperviseIcon,
+  VerifyIcon,
+} from "../parts/icons";
 import { t } from "../state/language";
-import { go, type Page, PAGES, pathOf, TITLES } from "../state/router";
+import { go, PAGES, type Page, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
-const ICONS = { home: HomeIcon, calibrate: CalibrateIcon, verify: VerifyIcon, scan: ScanIcon, arm: ArmIcon, records: RecordsIcon, supervise: SuperviseIcon, health: HealthIcon, settings: SettingsIcon, people: PeopleIcon };
+const ICONS = {
+  home: HomeIcon,
+  calibrate: CalibrateIcon,
+  verify: VerifyIcon,
+  scan: ScanIcon,
+  arm: ArmIcon,
+  records: RecordsIcon,
+  supervise: SuperviseIcon,
+  health: HealthIcon,
+  settings: SettingsIcon,
+  people: PeopleIcon,
+};
 
 /** Pages, and under them the steps of the flow while it is on. */
 export function Rail({ page }: { page: Page }) {
@@ -17,7 +39,7 @@ export function Rail({ page }: { page: Page }) {
   const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <div className={styles.rail}>
-      <nav className={styles.pages} aria-label={t("Pages")}>
+      <nav className={styles.pages} aria-label={t("ui-pages")}>
         {PAGES.filter((to) => to !== "people" || admin).map((to) => (
           <PageLink key={to} to={to} current={to === page} />
         ))}
@@ -42,7 +64,13 @@ function PageLink({ to, current }: { to: Page; current: boolean }) {
     if (current) link.current?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }, [current]);
   return (
-    <a ref={link} href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
+    <a
+      ref={link}
+      href={pathOf(to)}
+      className={styles.page}
+      aria-current={current ? "page" : undefined}
+      onClick={follow}
+    >
       <Icon />
       <span>{t(TITLES[to])}</span>
     </a>

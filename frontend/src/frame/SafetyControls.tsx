@@ -8,20 +8,20 @@ import styles from "./SafetyControls.module.css";
 /** Laser and Stop: the same place on every page, acting at once, never waiting for an answer. */
 export function SafetyControls() {
   return (
-    <div className={styles.controls} role="group" aria-label={t("Safety")}>
+    <div className={styles.controls} role="group" aria-label={t("ui-safety")}>
       <LaserButton />
       <button type="button" className={styles.stop} onClick={() => void stopAll()}>
         <StopIcon />
-        <span>{t("STOP")}</span>
+        <span>{t("ui-stop")}</span>
       </button>
     </div>
   );
 }
 
 function laserWords(devices: Devices | null, live: boolean): { state: string; act: string; on: boolean } {
-  if (!devices || !live) return { state: t("Laser unknown"), act: t("LASER OFF"), on: false };
-  if (devices.laser_on) return { state: t("Laser is on"), act: t("LASER OFF"), on: true };
-  return { state: t("Laser is off"), act: t("Switch on"), on: false };
+  if (!devices || !live) return { state: t("ui-laser-unknown"), act: t("ui-laser-off"), on: false };
+  if (devices.laser_on) return { state: t("ui-laser-is-on"), act: t("ui-laser-off"), on: true };
+  return { state: t("ui-laser-is-off"), act: t("ui-switch-on"), on: false };
 }
 
 function LaserButton() {
@@ -43,7 +43,7 @@ function LaserButton() {
       <LaserIcon />
       <span className={styles.words}>
         <span className={styles.state}>{state}</span>
-        <span className={styles.act}>{switchable ? act : t("Switch at the sensor")}</span>
+        <span className={styles.act}>{switchable ? act : t("ui-switch-at-the-sensor")}</span>
       </span>
     </button>
   );

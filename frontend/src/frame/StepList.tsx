@@ -1,21 +1,22 @@
 import type { FlowView } from "../api/flowTypes";
 import type { Step } from "../api/types";
+import type { PlainId } from "../messages/text";
 import { CheckIcon, StaleIcon } from "../parts/icons";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./StepList.module.css";
 
-const WORDS: Record<Step["state"], string> = {
-  done: words("done"),
-  current: words("now"),
-  todo: words("to do"),
-  stale: words("to be done again"),
+const WORDS: Record<Step["state"], PlainId> = {
+  done: "ui-done",
+  current: "ui-now",
+  todo: "ui-to-do",
+  stale: "ui-to-do-again",
 };
 
 /** The steps of the flow: what is done, where we are, what comes, what must be done again. */
 export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | "step"> | null }) {
   if (!flow?.running) return null;
   return (
-    <ol className={styles.steps} aria-label={t("Steps")}>
+    <ol className={styles.steps} aria-label={t("ui-steps")}>
       {flow.steps.map((step, i) => (
         <li
           key={step.id}
@@ -36,7 +37,7 @@ export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | 
 }
 
 function StepMark({ step, number }: { step: Step; number: number }) {
-  if (step.state === words("done")) return <CheckIcon size="1rem" />;
+  if (step.state === "done") return <CheckIcon size="1rem" />;
   if (step.state === "stale") return <StaleIcon size="1rem" />;
   return <>{number}</>;
 }

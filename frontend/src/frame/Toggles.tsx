@@ -23,7 +23,7 @@ export function Toggles() {
 
 function SoundToggle() {
   const muted = useMuted();
-  const label = muted ? t("Sounds on") : t("Sounds off");
+  const label = muted ? t("ui-sounds-on") : t("ui-sounds-off");
   return (
     <button type="button" className={styles.toggle} onClick={toggleMuted} aria-label={label} title={label}>
       {muted ? <MutedIcon /> : <SoundIcon />}
@@ -35,7 +35,7 @@ function SchemeToggle() {
   const { setColorScheme } = useMantineColorScheme();
   const scheme = useComputedColorScheme("light");
   const other = scheme === "dark" ? "light" : "dark";
-  const label = other === "dark" ? t("Dark display") : t("Light display");
+  const label = other === "dark" ? t("ui-dark-display") : t("ui-light-display");
   return (
     <button
       type="button"

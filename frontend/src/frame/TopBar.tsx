@@ -18,7 +18,7 @@ export function TopBar({ page }: { page: Page }) {
           <span className={styles.name}>Crenel</span>
           <span className={styles.station}>
             {isolated(station?.name ?? "")}
-            {station?.simulated && <span className={styles.simulated}>{t("simulated")}</span>}
+            {station?.simulated && <span className={styles.simulated}>{t("ui-simulated")}</span>}
           </span>
         </div>
       </div>
@@ -39,9 +39,7 @@ function WhereWeAre({ page }: { page: Page }) {
   const index = flow.steps.findIndex((step) => step.id === flow.step);
   return (
     <div className={styles.where}>
-      <span className={styles.count}>
-        {t("Step {n} of {all}", { n: index + 1, all: flow.steps.length })}
-      </span>
+      <span className={styles.count}>{t("ui-step-of", { n: index + 1, all: flow.steps.length })}</span>
       <span className={styles.title}>{flow.title}</span>
     </div>
   );

@@ -1,5 +1,4 @@
 import type { Health, HealthItem } from "../api/watchTypes";
-import { bound } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./Health.module.css";
@@ -9,7 +8,7 @@ export function Checks({ health }: { health: Health }) {
   const wanting = health.items.filter((item) => item.quality === "bad" || item.quality === "attention");
   const fine = health.items.filter((item) => item.quality === "good" || item.quality === "neutral");
   return (
-    <section className={styles.section} aria-label={t("Health")}>
+    <section className={styles.section} aria-label={t("ui-health")}>
       <h1 className={styles.title}>{titleOf(wanting)}</h1>
       {wanting.length > 0 && (
         <ul className={styles.wanting}>
@@ -18,9 +17,9 @@ export function Checks({ health }: { health: Health }) {
               <QualityMark quality={item.quality} size="1.5rem" />
               <div>
                 <h2>{item.title}</h2>
-                <p className={styles.what}>{bound(item.what)}</p>
-                <p className={styles.why}>{bound(item.why)}</p>
-                <p className={styles.remedy}>{bound(item.remedy)}</p>
+                <p className={styles.what}>{item.what}</p>
+                <p className={styles.why}>{item.why}</p>
+                <p className={styles.remedy}>{item.remedy}</p>
               </div>
             </li>
           ))}
@@ -37,22 +36,22 @@ export function Checks({ health }: { health: Health }) {
 
 function titleOf(wanting: HealthItem[]): string {
   const bad = wanting.filter((item) => item.quality === "bad").length;
-  if (bad > 0) return bad === 1 ? t("One thing is wrong") : t("{n} things are wrong", { n: bad });
-  if (wanting.length > 0) return wanting.length === 1 ? t("One thing wants attention") : t("{n} things want attention", { n: wanting.length });
-  return t("All is well");
+  if (bad > 0) return t("ui-problems", { n: bad });
+  if (wanting.length > 0) return t("ui-items-need-attention", { n: wanting.length });
+  return t("ui-everything-is-in-order");
 }
 
 function Fine({ item }: { item: HealthItem }) {
   return (
     <li>
       <details>
-        <summary data-more={t("Why")} data-less={t("Less")}>
+        <summary data-more={t("ui-why")} data-less={t("ui-less")}>
           <QualityMark quality={item.quality} size="1.25rem" />
           <span className={styles.name}>{item.title}</span>
-          <span className={styles.short}>{bound(item.what)}</span>
+          <span className={styles.short}>{item.what}</span>
         </summary>
-        <p>{bound(item.why)}</p>
-        {item.remedy && <p>{bound(item.remedy)}</p>}
+        <p>{item.why}</p>
+        {item.remedy && <p>{item.remedy}</p>}
       </details>
     </li>
   );

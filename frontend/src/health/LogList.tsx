@@ -6,14 +6,14 @@ import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
-import { t, useLanguage, words } from "../state/language";
 import { withIsolated } from "../state/isolated";
+import { t, useLanguage } from "../state/language";
 import styles from "./Health.module.css";
 
 const LEVELS = [
-  { level: "info", label: words("All") },
-  { level: "warning", label: words("Warnings") },
-  { level: "error", label: words("Errors") },
+  { level: "info", label: "ui-all" },
+  { level: "warning", label: "ui-warnings" },
+  { level: "error", label: "ui-errors" },
 ] as const;
 const QUALITY = { info: "neutral", warning: "attention", error: "bad" } as const;
 
@@ -26,22 +26,27 @@ export function LogList() {
   const query = `level=${level}&words=${encodeURIComponent(settled)}&lang=${language}`;
   const { list: lines, reread } = useReread<LogLine>(`/api/logs?${query}`);
   return (
-    <section className={styles.section} aria-label={t("Log")}>
-      <h2 className={styles.title}>{t("Log")}</h2>
+    <section className={styles.section} aria-label={t("ui-log")}>
+      <h2 className={styles.title}>{t("ui-log")}</h2>
       <div className={styles.filter}>
-        <div className={styles.levels} role="group" aria-label={t("Which lines")}>
+        <div className={styles.levels} role="group" aria-label={t("ui-log-level")}>
           {LEVELS.map((one) => (
-            <button key={one.level} type="button" aria-pressed={one.level === level} onClick={() => setLevel(one.level)}>
+            <button
+              key={one.level}
+              type="button"
+              aria-pressed={one.level === level}
+              onClick={() => setLevel(one.level)}
+            >
               {t(one.label)}
             </button>
           ))}
         </div>
-        <TextField label={t("Words in it")} value={words} maxLength={100} onText={setWords} />
+        <TextField label={t("ui-search-text")} value={words} maxLength={100} onText={setWords} />
         <PressButton free kind="quiet" onPress={reread}>
-          {t("Read again")}
+          {t("ui-reload")}
         </PressButton>
       </div>
-      <ol className={styles.log} tabIndex={0} aria-label={t("Lines of the log")}>
+      <ol className={styles.log} tabIndex={0} aria-label={t("ui-log-lines")}>
         {lines?.map((line, i) => (
           <li key={`${line.at}${i}`} data-level={line.level}>
             <time>{timeOf(line.at)}</time>
@@ -51,14 +56,14 @@ export function LogList() {
               <p className={styles.from}>{line.logger}</p>
               {line.trace && (
                 <details>
-                  <summary>{t("Where in the program")}</summary>
+                  <summary>{t("ui-source-in-the-program")}</summary>
                   <pre>{line.trace}</pre>
                 </details>
               )}
             </div>
           </li>
         ))}
-        {lines?.length === 0 && <li className={styles.empty}>{t("No line of the log is like that.")}</li>}
+        {lines?.length === 0 && <li className={styles.empty}>{t("ui-no-log-line-matches")}</li>}
       </ol>
     </section>
   );

@@ -1,37 +1,50 @@
 import { type FormEvent, useState } from "react";
 
-import { tell } from "../api/commands";
+import { notifyOfError } from "../api/commands";
 import { post } from "../api/http";
 import fields from "../parts/Field.module.css";
-import { figures } from "../parts/format";
+import { measured, typedNumber } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
 import { t } from "../state/language";
 import styles from "./TemperatureField.module.css";
 
-/** The room's temperature: what is known of it, and a place to tell it. */
+/** The ambient temperature, and a field to enter it. */
 export function TemperatureField({ celsius }: { celsius: number | null }) {
   const [text, setText] = useState("");
+  const value = typedNumber(text);
+  const valid = !Number.isNaN(value);
   const set = async () => {
     try {
-      await post("/api/temperature", { celsius: Number(text.replace(",", ".")) });
+      await post("/api/temperature", { celsius: value });
       setText("");
     } catch (error) {
-      tell(error, t("the temperature was not kept"));
+      notifyOfError(error, t("ui-the-temperature-was-not-saved"));
     }
   };
   const submit = (event: FormEvent) => {
     event.preventDefault();
-    if (text) void set();
+    if (valid) void set();
   };
   return (
     <form className={styles.field} onSubmit={submit}>
-      <label className={fields.label} htmlFor="room-temperature">
-        {t("Room temperature")}: {celsius === null ? t("not known") : <strong>{figures(celsius, 1)} °C</strong>}
+      <label className={fields.label} htmlFor="ambient-temperature">
+        {t("ui-ambient-temperature")}:{" "}
+        {celsius === null ? t("ui-unknown") : <strong>{measured(celsius, "°C", 1)}</strong>}
       </label>
       <div className={fields.row}>
-        <UnitInput id="room-temperature" unit="°C" min={-20} max={60} value={text} placeholder={celsius === null ? t("tell it") : t("now")} onText={setText} />
-        {text !== "" && <PressButton onPress={set}>{t("Set")}</PressButton>}
+        <UnitInput
+          id="ambient-temperature"
+          unit="°C"
+          value={text}
+          placeholder={celsius === null ? t("ui-enter-it") : t("ui-now")}
+          onText={setText}
+        />
+        {text !== "" && (
+          <PressButton onPress={set} disabled={!valid}>
+            {t("ui-set")}
+          </PressButton>
+        )}
       </div>
     </form>
   );

@@ -1,25 +1,25 @@
 import type { Validity } from "../api/homeTypes";
+import type { PlainId } from "../messages/text";
 import rows from "../parts/List.module.css";
-import { bound } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import styles from "./ValidityList.module.css";
 
-const WORD: Record<Validity["state"], string> = {
-  valid: words("valid"),
-  due: words("due"),
-  missing: words("to do"),
-  failed: words("failed"),
-  unsure: words("not decided"),
+const STATES: Record<Validity["state"], PlainId> = {
+  valid: "ui-valid",
+  due: "ui-due",
+  missing: "ui-to-do",
+  failed: "ui-failed-lowercase",
+  unsure: "ui-undecided",
 };
 
 /** What must be in order to measure: whether it is, why not, and where it is done; what comes
  *  `next` has its button beside the list. */
 export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
   return (
-    <ul className={rows.list} aria-label={t("What is valid and what is due")}>
+    <ul className={rows.list} aria-label={t("ui-validity")}>
       {checks.map((check) => (
         <li key={check.id} className={styles.row} data-state={check.state}>
           <QualityMark quality={check.quality} size="1.5rem" />
@@ -27,10 +27,10 @@ export function ValidityList({ checks, next }: { checks: Validity[]; next: strin
             <p className={styles.title}>
               {check.title}
               <span className={styles.state} data-quality={check.quality}>
-                {t(WORD[check.state])}
+                {t(STATES[check.state])}
               </span>
             </p>
-            <p className={styles.text}>{bound(check.text)}</p>
+            <p className={styles.text}>{check.text}</p>
           </div>
           {check.action !== next && (
             <PressButton free kind="quiet" onPress={() => go(check.page)}>

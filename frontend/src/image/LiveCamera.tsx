@@ -1,20 +1,21 @@
 import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useEffect, useRef, useState } from "react";
-
-import { type Preview, watchPreview } from "../api/preview";
 import type { Aid, PreviewHeader } from "../api/deviceTypes";
-import { age, bound, figures } from "../parts/format";
-import { inUnits, lengthFigures, unitOf } from "../parts/lengths";
+import { type Preview, watchPreview } from "../api/preview";
+import { newFindings } from "../parts/findings";
+import { age, figures } from "../parts/format";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { Readouts } from "../parts/Readouts";
 import { t } from "../state/language";
+import { asSent } from "../state/localized";
 import { useLive } from "../state/store";
 import styles from "./LiveCamera.module.css";
 import { drawBand, drawOverlay, drawSaturated, drawTarget } from "./overlay";
 import { useRate } from "./useRate";
 
 const OLD_S = 1;
-/** From so many seconds on it is said why there is no newer picture. */
+/** After so many seconds the reason is displayed why there is no newer picture. */
 const AWAY_S = 2;
 
 type Target = [number, number, number, number][];
@@ -39,8 +40,8 @@ interface LiveCameraProps {
 export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const canvas = useRef<HTMLCanvasElement>(null);
-  const room = useRef({ width, height });
-  room.current = { width, height };
+  const space = useRef({ width, height });
+  space.current = { width, height };
   const wanted = useRef(target);
   wanted.current = target;
   const newest = useRef(0);
@@ -50,7 +51,7 @@ export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps)
   useEffect(
     () =>
       watchPreview((preview) => {
-        if (canvas.current) paint(canvas.current, preview, room.current, wanted.current);
+        if (canvas.current) paint(canvas.current, preview, space.current, wanted.current);
         newest.current = preview.at - preview.header.age_s * 1000;
         count();
         setHeader(preview.header);
@@ -61,18 +62,18 @@ export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps)
   const old = header !== null && old_s > OLD_S;
   return (
     <div className={styles.camera} data-bare={bare || undefined}>
-      <div ref={ref} className={styles.room}>
+      <div ref={ref} className={styles.space}>
         <canvas
           ref={canvas}
           className={styles.canvas}
           data-old={old || undefined}
           role="img"
-          aria-label={t("Live picture of the camera")}
+          aria-label={t("ui-live-picture-of-the-camera")}
         />
         {header && over && <Over header={header} width={width} height={height} over={over} />}
         {header && !old && <Aims aids={header.aids} />}
         {header && old_s > AWAY_S && <Away old_s={old_s} />}
-        {!header && <p className={styles.waiting}>{t("No picture yet. It appears when the camera sends one.")}</p>}
+        {!header && <p className={styles.waiting}>{t("ui-no-picture-yet-appears-when-camera")}</p>}
       </div>
       {header && !bare && <Panel header={header} old_s={old ? old_s : null} line={over !== undefined} rate={rate} />}
     </div>
@@ -85,13 +86,13 @@ function Away({ old_s }: { old_s: number }) {
   const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
   const values = { age: age(old_s) };
   const why = !heard
-    ? t("The station is away, and this picture {age} old.", values)
+    ? t("ui-station-offline-picture-old", values)
     : sensor === "lost" || sensor === "off"
-      ? t("The camera is away, and this picture {age} old.", values)
-      : t("No newer picture has come for {age}.", values);
+      ? t("ui-camera-offline-picture-old", values)
+      : t("ui-no-new-picture-for", values);
   return (
     <p className={styles.away} role="status">
-      {bound(`${why} ${t("The picture goes on by itself.")}`)}
+      {`${why} ${t("ui-the-live-picture-resumes-automatically")}`}
     </p>
   );
 }
@@ -116,11 +117,11 @@ function Over({ header: { width_px, height_px }, width, height, over }: OverProp
 function paint(
   canvas: HTMLCanvasElement,
   preview: Preview,
-  room: { width: number; height: number },
+  space: { width: number; height: number },
   target: Target,
 ): void {
   const { width_px, height_px } = preview.header;
-  const fit = Math.min(room.width / width_px, room.height / height_px);
+  const fit = Math.min(space.width / width_px, space.height / height_px);
   const density = window.devicePixelRatio;
   const width = Math.max(1, Math.round(width_px * fit * density));
   const height = Math.max(1, Math.round(height_px * fit * density));
@@ -161,21 +162,18 @@ interface PanelProps {
 
 /** What the newest picture is worth, in figures, and what is wrong with it beyond the card's findings. */
 function Panel({ header, old_s, line, rate }: PanelProps) {
-  const told = useLive((s) => s.flow?.findings);
-  const wrong = header.findings.filter(
-    ({ quality, text }) =>
-      !line &&
-      (quality === "attention" || quality === "bad") && !told?.some((finding) => bare(finding.text) === bare(text)),
-  );
+  const onCard = useLive((s) => s.flow?.findings) ?? [];
+  const texts = onCard.map((finding) => asSent(finding).text);
+  const serious = line ? [] : header.findings.filter(({ quality }) => quality === "attention" || quality === "bad");
+  const wrong = newFindings(serious, [], texts);
   return (
     <>
       {wrong.length > 0 && (
-        <ul className={styles.wrong} aria-label={t("About the picture")}>
+        <ul className={styles.wrong} aria-label={t("ui-picture-details")}>
           {wrong.map(({ quality, text, remedy }) => (
             <li key={text}>
               <QualityMark quality={quality} size="1.25rem" />
-              {text}
-              {remedy && `. ${remedy}`}
+              {text} {remedy}
             </li>
           ))}
         </ul>
@@ -183,19 +181,28 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
       <Readouts
         readouts={[
           old_s === null
-            ? { label: t("Picture"), value: age(header.age_s), unit: t("old"), note: rate ? `${figures(rate)}/s` : "" }
-            : { label: t("Picture"), value: age(old_s), unit: t("old"), quality: "bad" },
-          { label: t("Laser"), value: header.laser_on ? t("on") : t("off") },
-          { label: t("Arm"), value: header.arm_still ? t("still") : t("moving"), quality: header.arm_still ? "good" : "attention" },
+            ? {
+                label: t("ui-picture"),
+                value: age(header.age_s),
+                unit: t("ui-old"),
+                note: rate ? `${figures(rate)}/s` : "",
+              }
+            : { label: t("ui-picture"), value: age(old_s), unit: t("ui-old"), quality: "bad" },
+          { label: t("ui-laser"), value: header.laser_on ? t("ui-on") : t("ui-off") },
+          {
+            label: t("ui-arm"),
+            value: header.arm_still ? t("ui-still") : t("ui-moving"),
+            quality: header.arm_still ? "good" : "attention",
+          },
           line
-            ? { label: t("Line"), value: header.stripe.length > 0 ? t("found") : t("none") }
-            : { label: t("Corners"), value: figures(header.corners.length) },
+            ? { label: t("ui-line"), value: header.stripe.length > 0 ? t("ui-found") : t("ui-none") }
+            : { label: t("ui-corners"), value: figures(header.corners.length) },
           ...header.aids.map(({ title, value, unit, decimals, quality, wanted }) => ({
             label: title,
             value: lengthFigures(value, unit, decimals),
             unit: unitOf(unit),
             quality,
-            note: inUnits(`${wanted} ${unit}`),
+            note: wanted,
           })),
         ]}
       />
@@ -203,21 +210,16 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
   );
 }
 
-/** The card ends its sentences, the picture's words have no end. */
-function bare(text: string): string {
-  return text.replace(/\.$/, "");
-}
-
-/** Which way to go, readable with the part in one hand. */
+/** How to aim, in large letters. */
 function Aims({ aids }: { aids: Aid[] }) {
-  const told = aids.filter(({ words }) => words);
-  if (told.length === 0) return null;
+  const aiming = aids.filter(({ words }) => words);
+  if (aiming.length === 0) return null;
   return (
-    <ul className={styles.aims} aria-label={t("To aim, expose and focus")}>
-      {told.map(({ name, quality, words }) => (
+    <ul className={styles.aims} aria-label={t("ui-to-aim-expose-and-focus")}>
+      {aiming.map(({ name, quality, words }) => (
         <li key={name}>
           <QualityMark quality={quality} size="1.375rem" />
-          {bound(words)}
+          {words}
         </li>
       ))}
     </ul>

@@ -1,43 +1,49 @@
 import { sendFlow } from "../api/commands";
 import type { PosePicture, WorstPoint } from "../api/resultTypes";
-import { bound, figures } from "../parts/format";
-import { measured } from "../parts/lengths";
+import { type PlainId, quantity } from "../messages/text";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./PoseView.module.css";
 import { StillImage } from "./StillImage";
 
 interface PoseViewProps {
   poses: PosePicture[];
-  /** Number of the pose whose picture is shown. */
-  shown: number;
+  /** Number of the pose whose picture is displayed. */
+  selected: number;
   onShow: (number: number) => void;
   /** Draws each corner's residual, enlarged. */
   residuals?: boolean;
   worst?: WorstPoint[];
   /** What was measured in the pictures, once poses are solved: corners or edges. */
-  part?: string;
+  part?: PlainId;
 }
 
-const WORDS = { taken: "", used: "", left_out: words("left out"), aside: words("set aside") };
+const STATES: Record<PosePicture["state"], PlainId | null> = {
+  taken: null,
+  used: null,
+  left_out: "ui-left-out",
+  aside: "ui-excluded",
+};
 
-/** The poses one beside the other, the picture of one of them, and the way to set it aside. */
-export function PoseView({ poses, shown, onShow, residuals = false, worst = [], part = words("Edges") }: PoseViewProps) {
-  const pose = poses.find(({ number }) => number === shown) ?? poses[poses.length - 1];
+/** The poses side by side, the picture of one of them, and the button to exclude it. */
+export function PoseView({ poses, selected, onShow, residuals = false, worst = [], part = "ui-edges" }: PoseViewProps) {
+  const pose = poses.find(({ number }) => number === selected) ?? poses[poses.length - 1];
   if (!pose) return null;
   return (
     <div className={styles.view}>
       {poses.length > 1 && (
         <div className={styles.strip}>
-          <div className={styles.poses} role="group" aria-label={t("Poses")}>
+          <div className={styles.poses} role="group" aria-label={t("ui-poses")}>
             {poses.map(({ number, state, note }) => (
               <button
                 key={number}
                 type="button"
                 className={styles.pose}
                 aria-pressed={number === pose.number}
-                aria-label={[t("Pose {n}", { n: number }), t(WORDS[state])].filter(Boolean).join(", ")}
+                aria-label={[t("ui-pose-n", { n: number }), STATES[state] && t(STATES[state])]
+                  .filter(Boolean)
+                  .join(", ")}
                 data-state={state}
                 onClick={() => onShow(number)}
               >
@@ -46,8 +52,8 @@ export function PoseView({ poses, shown, onShow, residuals = false, worst = [], 
               </button>
             ))}
           </div>
-          <p className={styles.told}>{told(pose, part)}</p>
-          {pose.action && <SetAside pose={pose} />}
+          <p className={styles.summary}>{summary(pose, part)}</p>
+          {pose.action && <ExcludeButton pose={pose} />}
         </div>
       )}
       <StillImage {...pose} residuals={residuals} worst={worst.filter((w) => w.pose === pose.number)} />
@@ -55,8 +61,8 @@ export function PoseView({ poses, shown, onShow, residuals = false, worst = [], 
   );
 }
 
-/** Set aside, or take back; why not, where it cannot be done. */
-export function SetAside({ pose }: { pose: PosePicture }) {
+/** Excludes or includes a pose; why not, where that is not possible. */
+export function ExcludeButton({ pose }: { pose: PosePicture }) {
   const { action } = pose;
   if (!action) return null;
   return (
@@ -71,8 +77,12 @@ export function SetAside({ pose }: { pose: PosePicture }) {
   );
 }
 
-function told({ number, note, edges_rms_px, off_um }: PosePicture, part: string): string {
-  if (note) return bound(`${note.replace(/\.$/, "")}.`);
-  if (edges_rms_px === null || off_um === null) return t("Pose {n}", { n: number });
-  return bound(t("{part} {px} px rms, {off} off the others", { part: t(part), px: figures(edges_rms_px, 3), off: measured(off_um, "µm") }));
+function summary({ number, note, edges_rms_px, off_um }: PosePicture, part: PlainId): string {
+  if (note) return note;
+  if (edges_rms_px === null || off_um === null) return t("ui-pose-n", { n: number });
+  return t("ui-rms-off-the-others", {
+    part: t(part),
+    px: quantity(edges_rms_px, "px", 3),
+    off: quantity(off_um, "µm"),
+  });
 }

@@ -1,13 +1,12 @@
 import { useElementSize } from "@mantine/hooks";
 import { type CSSProperties, useState } from "react";
-
 import type { ImageCorner, ImageMark, WorstPoint } from "../api/resultTypes";
 import type { Vec3 } from "../api/types";
+import { type PlainId, quantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";
-import { figures } from "../parts/format";
 import { measured } from "../parts/lengths";
-import { cornerWords } from "../result/names";
-import { t, words } from "../state/language";
+import { cornerName } from "../result/names";
+import { t } from "../state/language";
 import { COLOURS, type Overlay, spacing_px } from "./overlay";
 import styles from "./StillImage.module.css";
 
@@ -25,20 +24,20 @@ interface StillImageProps extends Overlay {
   worst?: WorstPoint[];
 }
 
-const MARKS: Record<ImageMark["kind"], { colour: string; words: string }> = {
-  disagrees: { colour: "#ff9f43", words: words("edges that do not lie where they should") },
-  outside: { colour: "#d0a2ff", words: words("out of the frame") },
-  clipped: { colour: "#ff5a5f", words: words("overexposed") },
-  outline: { colour: COLOURS.outline, words: words("the object as it was nearest found") },
-  segment: { colour: "#9aa7b4", words: words("straight edges") },
+const MARKS: Record<ImageMark["kind"], { colour: string; title: PlainId }> = {
+  disagrees: { colour: "#ff9f43", title: "ui-misplaced-edges" },
+  outside: { colour: "#d0a2ff", title: "ui-out-of-the-frame" },
+  clipped: { colour: "#ff5a5f", title: "ui-overexposed" },
+  outline: { colour: COLOURS.outline, title: "ui-the-closest-detection-of-the-object" },
+  segment: { colour: "#9aa7b4", title: "ui-straight-edges" },
 };
-/** So much of the picture's size is shown beyond it at most, where the object reaches out. */
+/** At most so much of the picture's size is displayed beyond it, where the object reaches out. */
 const BEYOND = 0.35;
 /** A label's height on the screen, whatever the picture's size. */
 const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
 
-/** How many times residuals (px) are enlarged, so that the largest is well seen and covers little. */
+/** How many times residuals (px) are enlarged, so that the largest is well visible and covers little. */
 function enlargement(residuals_px: number[], longest_px: number): number {
   const largest = Math.max(1e-6, ...residuals_px);
   return [2000, 1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= longest_px) ?? 5;
@@ -53,8 +52,14 @@ interface Enlarged {
 function enlarged(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): Enlarged {
   const longest_px = width_px / 18;
   return {
-    corners: enlargement(corners.map((c) => c.residual_px ?? 0), Math.min(longest_px, 1.2 * spacing_px(corners))),
-    stripe: enlargement(stripe_off.map((p) => Math.abs(p[2])), longest_px),
+    corners: enlargement(
+      corners.map((c) => c.residual_px ?? 0),
+      Math.min(longest_px, 1.2 * spacing_px(corners)),
+    ),
+    stripe: enlargement(
+      stripe_off.map((p) => Math.abs(p[2])),
+      longest_px,
+    ),
   };
 }
 
@@ -65,8 +70,14 @@ function frameOf(marks: ImageMark[], width_px: number, height_px: number): strin
     Math.max(-BEYOND * size, Math.min(-0.5, ...ends)),
     Math.min((1 + BEYOND) * size, Math.max(size - 0.5, ...ends)),
   ];
-  const [left, right] = range(beyond.flatMap(({ u0, u1 }) => [u0, u1]), width_px);
-  const [top, low] = range(beyond.flatMap(({ v0, v1 }) => [v0, v1]), height_px);
+  const [left, right] = range(
+    beyond.flatMap(({ u0, u1 }) => [u0, u1]),
+    width_px,
+  );
+  const [top, low] = range(
+    beyond.flatMap(({ v0, v1 }) => [v0, v1]),
+    height_px,
+  );
   return `${left} ${top} ${right - left} ${low - top}`;
 }
 
@@ -82,7 +93,8 @@ function arrow(du: number, dv: number): string {
 
 /** Whether the stripe runs down the picture, so that it lies off to the left or right. */
 function alongRows(stripe_off: Vec3[]): boolean {
-  const spread = (axis: 0 | 1) => Math.max(...stripe_off.map((p) => p[axis])) - Math.min(...stripe_off.map((p) => p[axis]));
+  const spread = (axis: 0 | 1) =>
+    Math.max(...stripe_off.map((p) => p[axis])) - Math.min(...stripe_off.map((p) => p[axis]));
   return spread(1) > spread(0);
 }
 
@@ -98,17 +110,17 @@ export function StillImage(props: StillImageProps) {
   const times = residuals ? enlarged(corners, stripe_off, width_px) : null;
   const [name, setName] = useState<string | null>(null);
   const { ref, width, height } = useElementSize<HTMLDivElement>();
-  const shown = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
+  const scale = Math.max(width_px / Math.max(width, 1), height_px / Math.max(height, 1));
   const corner = corners.find((c) => c.name === name);
   const apart_px = spacing_px(corners);
   return (
     <figure className={styles.figure}>
-      <div ref={ref} className={styles.room} style={{ "--shape": `${width_px} / ${height_px}` } as CSSProperties}>
+      <div ref={ref} className={styles.space} style={{ "--shape": `${width_px} / ${height_px}` } as CSSProperties}>
         <svg
           className={styles.picture}
           viewBox={frameOf(marks, width_px, height_px)}
           role="img"
-          aria-label={t("The captured picture with corners, outline and stripe")}
+          aria-label={t("ui-captured-picture-corners-outline-stripe")}
         >
           <image href={image_url} x="-0.5" y="-0.5" width={width_px} height={height_px} />
           <path
@@ -116,19 +128,9 @@ export function StillImage(props: StillImageProps) {
             stroke={COLOURS.outline}
             d={outline.map(([u0, v0, u1, v1]) => `M${u0} ${v0}L${u1} ${v1}`).join("")}
           />
-          <path
-            className={styles.stripe}
-            stroke={COLOURS.stripe}
-            d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")}
-          />
-          <path
-            className={styles.arrow}
-            stroke="#ff9ea1"
-            d={times ? stripeArrows(stripe_off, times.stripe) : ""}
-          />
-          {marks.length > 0 && (
-            <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />
-          )}
+          <path className={styles.stripe} stroke={COLOURS.stripe} d={stripe.map(([u, v]) => `M${u} ${v}h0`).join("")} />
+          <path className={styles.arrow} stroke="#ff9ea1" d={times ? stripeArrows(stripe_off, times.stripe) : ""} />
+          {marks.length > 0 && <rect x="-0.5" y="-0.5" width={width_px} height={height_px} className={styles.frame} />}
           {KINDS.toReversed().map((kind) => (
             <path
               key={kind}
@@ -144,16 +146,30 @@ export function StillImage(props: StillImageProps) {
             <g key={c.name} transform={`translate(${c.u} ${c.v})`} onPointerEnter={() => setName(c.name)}>
               <circle r={Math.min(width_px / 50, apart_px / 2)} className={styles.reach} />
               {times && c.off_px && (
-                <path className={styles.arrow} stroke={COLOURS.corner} d={arrow(c.off_px[0] * times.corners, c.off_px[1] * times.corners)} />
+                <path
+                  className={styles.arrow}
+                  stroke={COLOURS.corner}
+                  d={arrow(c.off_px[0] * times.corners, c.off_px[1] * times.corners)}
+                />
               )}
-              <circle r={residuals ? 2 : Math.min(width_px / 160, apart_px / 5)} className={styles.corner} stroke={COLOURS.corner} />
+              <circle
+                r={residuals ? 2 : Math.min(width_px / 160, apart_px / 5)}
+                className={styles.corner}
+                stroke={COLOURS.corner}
+              />
             </g>
           ))}
-          <Worst worst={worst} width_px={width_px} size={LABEL_PX * shown} />
+          <Worst worst={worst} width_px={width_px} size={LABEL_PX * scale} />
         </svg>
       </div>
       <figcaption className={styles.caption}>
-        {corner ? told(corner.name, corner.residual_px) : marks.length ? <Legend marks={marks} /> : summary(props, times)}
+        {corner ? (
+          cornerSummary(corner.name, corner.residual_px)
+        ) : marks.length ? (
+          <Legend marks={marks} />
+        ) : (
+          summary(props, times)
+        )}
       </figcaption>
     </figure>
   );
@@ -161,7 +177,9 @@ export function StillImage(props: StillImageProps) {
 
 /** The points that fit worst, each with its residual beside it, none over another. */
 function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: number; size: number }) {
-  const spots = worst.flatMap(({ at_px }, index) => (at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : []));
+  const spots = worst.flatMap(({ at_px }, index) =>
+    at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : [],
+  );
   const sides = labelSides(spots, { wide: 4.6 * size, tall: 1.1 * size }, width_px / 2);
   return worst.map(
     ({ kind, name, value, unit, at_px }, index) =>
@@ -182,28 +200,30 @@ function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: numbe
 }
 
 function Legend({ marks }: { marks: ImageMark[] }) {
-  const shown = KINDS.filter((kind) => marks.some((mark) => mark.kind === kind));
-  return shown.map((kind) => (
+  const kinds = KINDS.filter((kind) => marks.some((mark) => mark.kind === kind));
+  return kinds.map((kind) => (
     <span key={kind} className={styles.legend}>
-      <i style={{ background: MARKS[kind].colour }} /> {t(MARKS[kind].words)}
+      <i style={{ background: MARKS[kind].colour }} /> {t(MARKS[kind].title)}
     </span>
   ));
 }
 
-function told(name: string, residual_px: number | null): string {
-  const where = cornerWords(name);
-  return residual_px === null ? where : t("{corner}: residual {value} px", { corner: where, value: figures(residual_px, 3) });
+function cornerSummary(name: string, residual_px: number | null): string {
+  const where = cornerName(name);
+  return residual_px === null
+    ? where
+    : t("ui-corner-residual", { corner: where, value: quantity(residual_px, "px", 3) });
 }
 
 function summary({ corners, stripe }: Overlay, times: Enlarged | null): string {
   // the stripe is sent thinned for drawing: the number of its points would be a false one
-  const text = stripe.length > 0 ? words("{corners} corners and the laser stripe") : words("{corners} corners, no laser stripe");
-  const found = t(text, { corners: figures(corners.length) });
-  return times ? `${found}. ${arrowsTold(times)}` : found;
+  const text = stripe.length > 0 ? "ui-corners-and-the-laser-stripe" : "ui-corners-no-laser-stripe";
+  const found = t(text, { corners: corners.length });
+  return times ? `${found}. ${arrowsSummary(times)}` : found;
 }
 
-function arrowsTold({ corners, stripe }: Enlarged): string {
+function arrowsSummary({ corners, stripe }: Enlarged): string {
   return corners === stripe
-    ? t("Arrows: found minus computed, {times} times enlarged.", { times: corners })
-    : t("Arrows: found minus computed, of corners {times} times enlarged, of the stripe {stripe} times.", { times: corners, stripe });
+    ? t("ui-arrows-detected-minus-computed-magnified-times", { times: corners })
+    : t("ui-arrows-detected-minus-computed-corners-magnified", { times: corners, stripe });
 }

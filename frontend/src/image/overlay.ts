@@ -1,6 +1,6 @@
 import type { Band } from "../api/deviceTypes";
 import type { ImageCorner } from "../api/resultTypes";
-import { measured } from "../parts/lengths";
+import { quantity } from "../messages/text";
 import { t } from "../state/language";
 
 export interface Overlay {
@@ -10,7 +10,14 @@ export interface Overlay {
 }
 
 /** Of the picture, whatever the scheme: they lie on a grey photograph. */
-export const COLOURS = { outline: "#57b8ff", corner: "#ffe066", stripe: "#ff5a5f", target: "#7dff9b", saturated: "#ff3db8", band: "#9fe8ff" };
+export const COLOURS = {
+  outline: "#57b8ff",
+  corner: "#ffe066",
+  stripe: "#ff5a5f",
+  target: "#7dff9b",
+  saturated: "#ff3db8",
+  band: "#9fe8ff",
+};
 
 /** About how far the corners lie apart: of their box, a square to each. */
 export function spacing_px(corners: ImageCorner[]): number {
@@ -20,7 +27,7 @@ export function spacing_px(corners: ImageCorner[]): number {
   return Math.max(Math.sqrt((wide * tall) / corners.length), Math.max(wide, tall) / corners.length);
 }
 
-/** A corner's ring, not wider than this share of the space between corners, and still seen. */
+/** A corner's ring, not wider than this share of the space between corners, and still visible. */
 const RING_SHARE = 0.2;
 const RING_PX = { most: 6, least: 2 };
 
@@ -106,8 +113,8 @@ export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: n
   context.shadowColor = "#000";
   context.shadowBlur = 4;
   for (const [line, words] of [
-    [band.near, t("nearest {value}", { value: measured(band.near_mm, "mm") })],
-    [band.far, t("furthest {value}", { value: measured(band.far_mm, "mm") })],
+    [band.near, t("ui-nearest", { value: quantity(band.near_mm, "mm") })],
+    [band.far, t("ui-furthest", { value: quantity(band.far_mm, "mm") })],
   ] as const) {
     const first = line[0];
     if (!first) continue;

@@ -17,7 +17,13 @@ interface BlockDrawingProps {
 export function BlockDrawing({ block, view, face, onFace }: BlockDrawingProps) {
   const patches = useMemo(() => visiblePatches(block, view.to), [block, view.to]);
   return patches.map((patch) => (
-    <PatchPath key={patch.id} patch={patch} view={view} chosen={patch.face !== null && patch.face === face} onFace={onFace} />
+    <PatchPath
+      key={patch.id}
+      patch={patch}
+      view={view}
+      chosen={patch.face !== null && patch.face === face}
+      onFace={onFace}
+    />
   ));
 }
 

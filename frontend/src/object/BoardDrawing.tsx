@@ -25,8 +25,13 @@ export function BoardDrawing({ board, view, face, onFace }: BoardDrawingProps) {
         data-pressable={onFace ? true : undefined}
         onClick={onFace && (() => onFace(BOARD_FACE))}
       >
-        <path d={pathOf(view, printedSide(board))} className={styles.paper} />
-        <path d={blackSquares(board).map((square) => pathOf(view, square)).join("")} className={styles.black} />
+        <path d={pathOf(view, printedSide(board))} className={styles.board} />
+        <path
+          d={blackSquares(board)
+            .map((square) => pathOf(view, square))
+            .join("")}
+          className={styles.black}
+        />
       </g>
     </>
   );

@@ -1,7 +1,7 @@
 import type { BlockGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
 import { t } from "../state/language";
-import { isSeen } from "./block";
+import { isVisible } from "./block";
 import styles from "./Illustration.module.css";
 import { ObjectDrawing } from "./ObjectDrawing";
 import { project, type View } from "./view";
@@ -25,7 +25,7 @@ const STRIPE_Y_MM = -7;
 export function Illustration() {
   return (
     <div className={styles.illustration}>
-      <ObjectDrawing object={ANY_BLOCK} face={null} label={t("A crenellated object with the laser stripe across it")}>
+      <ObjectDrawing object={ANY_BLOCK} face={null} label={t("ui-crenellated-object-laser-stripe-across")}>
         {(view) => <path className={styles.stripe} d={stripePath(view, ANY_BLOCK)} />}
       </ObjectDrawing>
     </div>
@@ -45,7 +45,7 @@ function stripePath(view: View, block: BlockGeometry): string {
   for (let x = first + STEP_MM / 2; x < last; x += STEP_MM) {
     const z = heightAt(block, x);
     const at: Vec3 = [x, STRIPE_Y_MM, z];
-    if (!isSeen(block, at, UP, view.to)) {
+    if (!isVisible(block, at, UP, view.to)) {
       drawnAt = null;
       continue;
     }

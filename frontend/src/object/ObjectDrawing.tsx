@@ -11,7 +11,7 @@ import { headingFor, makeView, pathOf, type View } from "./view";
 
 interface ObjectDrawingProps {
   object: ObjectGeometry;
-  /** Seen best, and highlighted. */
+  /** Best visible, and highlighted. */
   face: string | null;
   onFace?: (face: string) => void;
   label: string;

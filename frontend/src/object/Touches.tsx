@@ -3,10 +3,10 @@ import type { KeyboardEvent } from "react";
 import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
 import { signedLength } from "../parts/lengths";
-import { said, t } from "../state/language";
+import { t, word } from "../state/language";
 import { labelSides, type Side } from "./labelSides";
 import { rampColour } from "./residuals";
-import { isSeen, normalOf } from "./shape";
+import { isVisible, normalOf } from "./shape";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
 import { dotRadius, layOn, project, type View } from "./view";
@@ -48,14 +48,17 @@ const LABEL_PX = { wide: 84, tall: 22 };
 
 /** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
 export function Touches({ view, object, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
-  const seen = placed(points)
+  const visible = placed(points)
     .sort((a, b) => Number(a.outlier) - Number(b.outlier))
-    .filter(({ at_mm, face }) => isSeen(object, at_mm, normalOf(face), view.to));
-  const labelled = seen.filter(({ index, outlier }) => outlier || named.includes(index));
-  const sides = labelSides(labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })), LABEL_PX);
+    .filter(({ at_mm, face }) => isVisible(object, at_mm, normalOf(face), view.to));
+  const labelled = visible.filter(({ index, outlier }) => outlier || named.includes(index));
+  const sides = labelSides(
+    labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })),
+    LABEL_PX,
+  );
   return (
     <g>
-      {seen.map((point) => (
+      {visible.map((point) => (
         <Touch
           key={point.index}
           point={point}
@@ -84,7 +87,7 @@ interface TouchProps {
 
 function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProps) {
   const residual = point.residual_um;
-  const value = residual === null ? t("no residual yet") : signedLength(residual, "µm");
+  const value = residual === null ? t("ui-no-residual-yet") : signedLength(residual, "µm");
   const fill = residual === null ? "var(--ink-3)" : rampColour(Math.abs(residual) / scale_um);
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== "Enter" && event.key !== " ") return;
@@ -97,7 +100,13 @@ function Touch({ point, at, radius, scale_um, chosen, side, onPoint }: TouchProp
       transform={`translate(${at[0]} ${at[1]})`}
       role="button"
       tabIndex={0}
-      aria-label={[t("Point {n} on {face}", { n: point.index + 1, face: said(point.face) }), value, point.outlier ? t("outlier") : ""].filter(Boolean).join(", ")}
+      aria-label={[
+        t("ui-point-on", { n: point.index + 1, face: word(point.face) }),
+        value,
+        point.outlier ? t("ui-outlier") : "",
+      ]
+        .filter(Boolean)
+        .join(", ")}
       data-chosen={chosen || undefined}
       onClick={() => onPoint(point.index)}
       onKeyDown={onKey}
@@ -134,7 +143,7 @@ const STICK_PX = 40;
 
 /** Each residual as a stick along its face's normal; the scale's end is 40 px beyond the dot. */
 export function ResidualSticks({ view, object, points, scale_um }: SticksProps) {
-  const sticks = placed(points).filter(({ at_mm, face }) => isSeen(object, at_mm, normalOf(face), view.to));
+  const sticks = placed(points).filter(({ at_mm, face }) => isVisible(object, at_mm, normalOf(face), view.to));
   return (
     <g className={styles.sticks} aria-hidden="true">
       <path d={sticks.map((point) => stick(view, point, scale_um)).join("")} className={styles.halo} />

@@ -100,10 +100,8 @@ function merlonPatches(block: BlockGeometry, i: number, last: number): Patch[] {
   const right = edge(block, 2 * i + 1);
   const patches: Patch[] = [];
   const foot = block.floor_z_mm;
-  if (i > 0)
-    patches.push({ id: `wall:${i}:L`, face: null, normal: [-1, 0, 0], outline: wall(block, left, foot) });
-  if (i < last)
-    patches.push({ id: `wall:${i}:R`, face: null, normal: [1, 0, 0], outline: wall(block, right, foot) });
+  if (i > 0) patches.push({ id: `wall:${i}:L`, face: null, normal: [-1, 0, 0], outline: wall(block, left, foot) });
+  if (i < last) patches.push({ id: `wall:${i}:R`, face: null, normal: [1, 0, 0], outline: wall(block, right, foot) });
   const outline = level(block, left, right, block.crest_z_mm);
   patches.push({ id: `crest:${i}`, face: "crest", normal: [0, 0, 1], outline });
   return patches;
@@ -173,7 +171,7 @@ function hits(box: Box, start: Vec3, to: Vec3): boolean {
 }
 
 /** Whether a viewer towards `to` sees the surface at this point. */
-export function isSeen(block: BlockGeometry, at: Vec3, normal: Vec3, to: Vec3): boolean {
+export function isVisible(block: BlockGeometry, at: Vec3, normal: Vec3, to: Vec3): boolean {
   if (dot(normal, to) <= 0) return false;
   const lifted = along(at, normal, 0.25);
   return !boxes(block).some((box) => hits(box, lifted, to));

@@ -63,8 +63,24 @@ export function narrowSides(board: BoardGeometry, to: Vec3): { side: "front" | "
   const end = to[0] < 0 ? x.low : x.high;
   const front = to[1] < 0 ? y.low : y.high;
   return [
-    { side: "end", outline: [[end, y.low, 0], [end, y.high, 0], [end, y.high, back], [end, y.low, back]] },
-    { side: "front", outline: [[x.low, front, 0], [x.high, front, 0], [x.high, front, back], [x.low, front, back]] },
+    {
+      side: "end",
+      outline: [
+        [end, y.low, 0],
+        [end, y.high, 0],
+        [end, y.high, back],
+        [end, y.low, back],
+      ],
+    },
+    {
+      side: "front",
+      outline: [
+        [x.low, front, 0],
+        [x.high, front, 0],
+        [x.high, front, back],
+        [x.low, front, back],
+      ],
+    },
   ];
 }
 

@@ -1,7 +1,7 @@
 import type { TouchedPoint } from "../api/flowTypes";
 import { roundEnd } from "../parts/lengths";
 
-/** Blue for nothing through violet to orange for the scale's end: told apart by every eye. */
+/** Blue for nothing through violet to orange for the scale's end: distinguishable for every eye. */
 const RAMP: [number, number, number][] = [
   [38, 118, 222],
   [140, 92, 205],

@@ -27,6 +27,6 @@ export function footprint(object: ObjectGeometry): Vec3[] {
 }
 
 /** Whether a viewer towards `to` sees the surface at this point; nothing of a board hides another part. */
-export function isSeen(object: ObjectGeometry, at: Vec3, normal: Vec3, to: Vec3): boolean {
-  return object.kind === "block" ? block.isSeen(object, at, normal, to) : dot(normal, to) > 0;
+export function isVisible(object: ObjectGeometry, at: Vec3, normal: Vec3, to: Vec3): boolean {
+  return object.kind === "block" ? block.isVisible(object, at, normal, to) : dot(normal, to) > 0;
 }

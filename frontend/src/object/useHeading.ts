@@ -8,7 +8,7 @@ const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 /** The heading on its way to `wanted`, turning the short way round. */
 export function useHeading(wanted: Heading): Heading {
-  const [shown, setShown] = useState(wanted);
+  const [heading, setHeading] = useState(wanted);
   const from = useRef(wanted);
   const { azimuth_deg, elevation_deg } = wanted;
 
@@ -26,12 +26,12 @@ export function useHeading(wanted: Heading): Heading {
         azimuth_deg: start.azimuth_deg + turn * eased,
         elevation_deg: start.elevation_deg + rise * eased,
       };
-      setShown(from.current);
+      setHeading(from.current);
       if (t < 1) request = requestAnimationFrame(step);
     };
     request = requestAnimationFrame(step);
     return () => cancelAnimationFrame(request);
   }, [azimuth_deg, elevation_deg]);
 
-  return shown;
+  return heading;
 }

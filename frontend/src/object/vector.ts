@@ -5,9 +5,5 @@ export function dot(a: Vec3, b: Vec3): number {
 }
 
 export function along(start: Vec3, direction: Vec3, length: number): Vec3 {
-  return [
-    start[0] + direction[0] * length,
-    start[1] + direction[1] * length,
-    start[2] + direction[2] * length,
-  ];
+  return [start[0] + direction[0] * length, start[1] + direction[1] * length, start[2] + direction[2] * length];
 }

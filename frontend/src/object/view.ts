@@ -12,7 +12,7 @@ export interface Heading {
 
 interface Headings {
   resting: Heading;
-  /** From where each face is seen best. */
+  /** From where each face is best visible. */
   faces: Record<string, Heading>;
 }
 
@@ -34,7 +34,7 @@ const HEADINGS: Record<ObjectGeometry["kind"], Headings> = {
   },
 };
 
-/** From where a face is seen best, turned the short way round from where we stand. */
+/** From where a face is best visible, turned the short way round from the current view. */
 export function headingFor({ kind }: ObjectGeometry, face: string | null): Heading {
   const { resting, faces } = HEADINGS[kind];
   return (face && faces[face]) || resting;
@@ -56,7 +56,7 @@ export interface View {
   height: number;
 }
 
-/** Kept free around the object, as a share of the smaller side of the picture. */
+/** Left free around the object, as a share of the smaller side of the picture. */
 const MARGIN = 0.06;
 
 /** Half the width and height that the object takes on the screen, in mm, at a heading. */
@@ -86,11 +86,7 @@ export function makeView(object: ObjectGeometry, heading: Heading, width: number
   const flat = Math.cos(elevation);
   const to: Vec3 = [Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)];
   const right: Vec3 = [Math.cos(azimuth), Math.sin(azimuth), 0];
-  const up: Vec3 = [
-    -Math.sin(azimuth) * Math.sin(elevation),
-    Math.cos(azimuth) * Math.sin(elevation),
-    flat,
-  ];
+  const up: Vec3 = [-Math.sin(azimuth) * Math.sin(elevation), Math.cos(azimuth) * Math.sin(elevation), flat];
   const scale = fittingScale(object, width, height);
   return { to, right, up, scale, centre: middle(object), width, height };
 }
@@ -98,14 +94,15 @@ export function makeView(object: ObjectGeometry, heading: Heading, width: number
 /** A point of the object frame on the screen, in px. */
 export function project(view: View, at: Vec3): [number, number] {
   const from: Vec3 = [at[0] - view.centre[0], at[1] - view.centre[1], at[2] - view.centre[2]];
-  return [
-    view.width / 2 + dot(view.right, from) * view.scale,
-    view.height / 2 - dot(view.up, from) * view.scale,
-  ];
+  return [view.width / 2 + dot(view.right, from) * view.scale, view.height / 2 - dot(view.up, from) * view.scale];
 }
 
 export function pathOf(view: View, outline: Vec3[]): string {
-  const points = outline.map((at) => project(view, at).map((px) => px.toFixed(2)).join(" "));
+  const points = outline.map((at) =>
+    project(view, at)
+      .map((px) => px.toFixed(2))
+      .join(" "),
+  );
   return `M${points.join("L")}Z`;
 }
 

@@ -1,16 +1,15 @@
 import { useState } from "react";
-
-import { NextStep } from "../home/NextStep";
 import { startArm } from "../api/armCommands";
 import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
 import { History, type Past } from "../arm/History";
 import { Layout } from "../frame/Layout";
+import { NextStep } from "../home/NextStep";
 import { MainAct } from "../parts/Actions";
-import { t } from "../state/language";
-import { Chips } from "../parts/Chips";
 import { CardHead } from "../parts/CardHead";
+import { Chips } from "../parts/Chips";
 import { PressButton } from "../parts/PressButton";
+import { t } from "../state/language";
 import { getState, useLive } from "../state/store";
 import styles from "./ArmPage.module.css";
 
@@ -32,11 +31,11 @@ function NotStarted() {
         <>
           <div className={styles.chips}>
             <Chips
-              label={t("What was checked")}
+              label={t("ui-checks")}
               options={[
-                { value: "arm", label: t("Arm") },
-                { value: "tip", label: t("Tip") },
-                { value: "identified", label: t("Identifications") },
+                { value: "arm", label: t("ui-arm") },
+                { value: "tip", label: t("ui-tip") },
+                { value: "identified", label: t("ui-identifications") },
               ]}
               value={past}
               onChange={setPast}
@@ -47,28 +46,21 @@ function NotStarted() {
       }
       card={
         <>
-          <CardHead
-            title={t("Is the arm in order?")}
-            text={t("Hold the tip in a cone or ball seat and swing the arm about it: what the tip seems to move by is the arm's own error. It takes five minutes.")}
-          />
+          <CardHead title={t("ui-is-the-arm-in-order")} text={t("ui-hold-tip-cone-ball-seat-swing")} />
           <MainAct>
             <PressButton kind="primary" onPress={() => startArm("check")}>
-              {t("Check the arm")}
+              {t("ui-check-the-arm")}
             </PressButton>
           </MainAct>
           <div className={styles.other}>
-            <h2 className={styles.heading}>{t("Check the tip")}</h2>
-            <p className={styles.text}>
-              {t("Before work: touch a sphere of known diameter nine times. A worn, bent or wrong tip shows at once. It takes a minute.")}
-            </p>
-            <PressButton onPress={() => startArm("tip")}>{t("Check the tip")}</PressButton>
+            <h2 className={styles.heading}>{t("ui-check-the-tip")}</h2>
+            <p className={styles.text}>{t("ui-before-measuring-touch-sphere-known-diameter")}</p>
+            <PressButton onPress={() => startArm("tip")}>{t("ui-check-the-tip")}</PressButton>
           </div>
           <div className={styles.other}>
-            <h2 className={styles.heading}>{t("Identify the arm")}</h2>
-            <p className={styles.text}>
-              {t("From six seats, spheres or places of a ball bar all over the reach the arm's geometry is determined anew. Do it when a check fails, or before the first calibration.")}
-            </p>
-            <PressButton onPress={() => startArm("identify")}>{t("Identify the arm")}</PressButton>
+            <h2 className={styles.heading}>{t("ui-identify-the-arm")}</h2>
+            <p className={styles.text}>{t("ui-six-seats-spheres-ball-bar-places")}</p>
+            <PressButton onPress={() => startArm("identify")}>{t("ui-identify-the-arm")}</PressButton>
           </div>
           <NextStep />
         </>

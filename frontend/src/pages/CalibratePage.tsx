@@ -15,10 +15,7 @@ export function CalibratePage() {
   const over = view && !view.running && view.actions.length === 0;
   if (!view || over) return <NotStarted />;
   return (
-    <Layout
-      picture={<PictureView key={view.picture.kind} picture={view.picture} />}
-      card={<FlowCard view={view} />}
-    />
+    <Layout picture={<PictureView key={view.picture.kind} picture={view.picture} />} card={<FlowCard view={view} />} />
   );
 }
 
@@ -27,16 +24,16 @@ function NotStarted() {
     <Layout
       picture={
         <EmptyState
-          title={t("From touches and a few pictures to a calibrated sensor")}
-          text={`${t("You touch the faces of the crenellated object with the arm's tip, then hold the sensor over it and take a picture in each of a few poses; the station says which. It shows how good the result is, in {unit}, before anything is replaced.", { unit: unitOf("µm") })} ${t("A flat chessboard that the laser's line crosses does as well, and need not be touched.")}`}
+          title={t("ui-contact-points-few-pictures-calibrated-sensor")}
+          text={`${t("ui-touch-faces-crenellated-object-arms-tip", { unit: unitOf("µm") })} ${t("ui-flat-chessboard-laser-line-crosses-also")}`}
         />
       }
       card={
         <>
-          <CardHead title={t("Calibrate the sensor")} text={t("Have the object clamped and the tip clean. It takes a few minutes.")} />
+          <CardHead title={t("ui-calibrate-the-sensor")} text={t("ui-clamp-object-clean-tip-takes-few")} />
           <MainAct>
             <PressButton kind="primary" onPress={startFlow}>
-              {t("Start calibration")}
+              {t("ui-start-calibration")}
             </PressButton>
           </MainAct>
         </>

@@ -25,7 +25,7 @@ export function EntrancePage({ session }: { session: Session }) {
           </div>
         </div>
         <Way session={session} />
-        <Told />
+        <Notice />
         <ChooseLanguage id="entrance-language" />
       </div>
     </main>
@@ -41,18 +41,18 @@ function Way({ session }: { session: Session }) {
     <>
       {byName ? <SignIn /> : <ByCode />}
       <PressButton free kind="quiet" onPress={() => setByName(!byName)}>
-        {byName ? t("Enter by the console’s code") : t("Sign in by name")}
+        {byName ? t("ui-sign-in-with-the-consoles-code") : t("ui-sign-in-with-a-name")}
       </PressButton>
     </>
   );
 }
 
 /** What was wrong with the last try. */
-function Told() {
+function Notice() {
   const notice = useLive((s) => s.notice);
   if (!notice) return null;
   return (
-    <div className={styles.told} role="alert">
+    <div className={styles.notice} role="alert">
       <QualityMark quality={notice.quality} />
       <div>
         <strong>{notice.title}</strong>
@@ -101,14 +101,14 @@ function SignIn() {
   const [password, setPassword] = useState("");
   return (
     <Form
-      title={t("Sign in")}
-      text={t("Whoever looks on sees everything; acting takes an operator’s account.")}
-      act={t("Sign in")}
+      title={t("ui-sign-in")}
+      text={t("ui-viewers-account-watch-everything-operators-account")}
+      act={t("ui-sign-in")}
       onAct={() => signIn(name, password)}
     >
-      <TextField label={t("Name")} autoComplete="username" autoFocus value={name} onText={setName} />
+      <TextField label={t("ui-name")} autoComplete="username" autoFocus value={name} onText={setName} />
       <TextField
-        label={t("Password")}
+        label={t("ui-password")}
         type="password"
         autoComplete="current-password"
         value={password}
@@ -122,12 +122,19 @@ function ByCode() {
   const [code, setCode] = useState("");
   return (
     <Form
-      title={t("Open it by its link")}
-      text={t("The console that runs Crenel shows a link: open that one. Or enter what stands there after code=.")}
-      act={t("Enter")}
+      title={t("ui-open-the-station-by-its-link")}
+      text={t("ui-console-runs-crenel-displays-link-open")}
+      act={t("ui-sign-in")}
       onAct={() => enterByCode(code)}
     >
-      <TextField label={t("Code")} autoComplete="off" autoCapitalize="characters" autoFocus value={code} onText={setCode} />
+      <TextField
+        label={t("ui-code")}
+        autoComplete="off"
+        autoCapitalize="characters"
+        autoFocus
+        value={code}
+        onText={setCode}
+      />
     </Form>
   );
 }
@@ -138,25 +145,25 @@ function FirstAdmin() {
   const [password, setPassword] = useState("");
   return (
     <Form
-      title={t("Make the administrator’s account")}
-      text={t("This station is new: nobody can sign in yet. The console that runs it shows a code for this.")}
-      act={t("Make the account")}
+      title={t("ui-create-the-administrators-account")}
+      text={t("ui-station-new-no-accounts-yet-console")}
+      act={t("ui-create-account")}
       onAct={() => makeAdmin(code, name, password)}
     >
       <TextField
-        label={t("Code on the console")}
+        label={t("ui-code-on-the-console")}
         autoComplete="off"
         autoCapitalize="characters"
         autoFocus
         value={code}
         onText={setCode}
       />
-      <TextField label={t("Your name")} autoComplete="username" value={name} onText={setName} />
+      <TextField label={t("ui-your-name")} autoComplete="username" value={name} onText={setName} />
       <TextField
-        label={t("Password")}
+        label={t("ui-password")}
         type="password"
         autoComplete="new-password"
-        help={t("10 characters or more; three unrelated words are good.")}
+        help={t("ui-least-10-characters-three-unrelated-words")}
         value={password}
         onText={setPassword}
       />

@@ -4,17 +4,17 @@ import { get } from "../api/http";
 import type { HealthView } from "../api/watchTypes";
 import { Banners } from "../frame/Banners";
 import { Checks } from "../health/Checks";
-import { Keeping } from "../health/Keeping";
 import { LogList } from "../health/LogList";
-import { Scrapers } from "../health/Scrapers";
-import { Telling } from "../health/Telling";
+import { Maintenance } from "../health/Maintenance";
+import { MetricsTokens } from "../health/MetricsTokens";
+import { Notifications } from "../health/Notifications";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
 
 const AGAIN_MS = 3000;
 
-/** How the station is, and how it is kept so. */
+/** The state of the station, and its maintenance. */
 export function HealthPage() {
   const role = useLive((s) => s.session?.you?.role);
   const live = useLive((s) => s.connection === "live");
@@ -23,7 +23,7 @@ export function HealthPage() {
     try {
       setView(await get<HealthView>("/api/health"));
     } catch {
-      // the lost connection is told by its own banner
+      // the lost connection has its own banner
     }
   }, []);
   useEffect(() => {
@@ -37,10 +37,10 @@ export function HealthPage() {
   return (
     <main className={styles.page}>
       <div className={styles.records}>
-        {view ? <Checks health={view.health} /> : <p className={styles.empty}>{t("The station is being looked at.")}</p>}
-        {view && <Keeping backup={view.backup} admin={admin} operator={operator} onChange={read} />}
-        <Telling admin={admin} />
-        {admin && <Scrapers />}
+        {view ? <Checks health={view.health} /> : <p className={styles.empty}>{t("ui-checking-the-station")}</p>}
+        {view && <Maintenance backup={view.backup} admin={admin} operator={operator} onChange={read} />}
+        <Notifications admin={admin} />
+        {admin && <MetricsTokens />}
         {operator && <LogList />}
       </div>
       <Banners />

@@ -1,14 +1,14 @@
 import type { CalibrationSummary, Home } from "../api/homeTypes";
+import { Layout } from "../frame/Layout";
 import { TemperatureField } from "../home/TemperatureField";
 import { ValidityList } from "../home/ValidityList";
-import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { Findings } from "../parts/Findings";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
-import { said, t } from "../state/language";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import styles from "./HomePage.module.css";
@@ -16,7 +16,8 @@ import styles from "./HomePage.module.css";
 /** What is valid, what is due, what to do next. */
 export function HomePage() {
   const home = useLive((s) => s.home);
-  if (!home) return <Layout picture={null} card={<CardHead title={t("Home")} text={t("Waiting for the station.")} />} />;
+  if (!home)
+    return <Layout picture={null} card={<CardHead title={t("ui-home")} text={t("ui-waiting-for-the-station")} />} />;
   return (
     <Layout
       picture={
@@ -32,19 +33,21 @@ export function HomePage() {
 
 function Active({ calibration }: { calibration: CalibrationSummary }) {
   const devices = [
-    t("arm {serial}", { serial: calibration.arm_serial }),
-    t("sensor {serial}", { serial: calibration.sensor_serial }),
-    t("object {serial}", { serial: calibration.object_serial }),
+    t("ui-arm-serial", { serial: calibration.arm_serial }),
+    t("ui-sensor-serial", { serial: calibration.sensor_serial }),
+    t("ui-object-serial", { serial: calibration.object_serial }),
   ];
   return (
     <div className={styles.active}>
       <p className={styles.label}>
-        <QualityMark quality={calibration.verdict} /> {t("In use: {name}", { name: said(calibration.name) })}
+        <QualityMark quality={calibration.verdict} /> {t("ui-in-use-name", { name: calibration.name })}
       </p>
       <p className={styles.value}>
         {lengthFigures(calibration.total_um, "µm")} <span>{unitOf("µm")}</span>
       </p>
-      <p className={styles.note}>{t("standard uncertainty of a scanned point, k = 1")} · {devices.join(" · ")}</p>
+      <p className={styles.note}>
+        {t("ui-standard-uncertainty-of-a-scanned-point-lowercase")} · {devices.join(" · ")}
+      </p>
     </div>
   );
 }
@@ -55,7 +58,7 @@ function Next({ home }: { home: Home }) {
     <>
       {/* on a phone it is read first, as a verdict is */}
       <div data-verdict>
-        <CardHead title={t("What to do next")} text={next.text} />
+        <CardHead title={t("ui-what-to-do-next")} text={next.text} />
       </div>
       <MainAct>
         <PressButton free kind="primary" onPress={() => go(next.page)}>

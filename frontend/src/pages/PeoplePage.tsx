@@ -1,6 +1,6 @@
 import { Accounts } from "../access/Accounts";
 import { AuditList } from "../access/AuditList";
-import { Walls } from "../access/Walls";
+import { KioskLinks } from "../access/KioskLinks";
 import { Banners } from "../frame/Banners";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
@@ -15,11 +15,11 @@ export function PeoplePage() {
         {role === "admin" ? (
           <>
             <Accounts />
-            <Walls />
+            <KioskLinks />
             <AuditList />
           </>
         ) : (
-          <p className={styles.empty}>{t("Accounts are an administrator’s affair.")}</p>
+          <p className={styles.empty}>{t("ui-only-an-administrator-can-manage-accounts")}</p>
         )}
       </div>
       <Banners />

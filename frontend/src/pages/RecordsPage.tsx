@@ -3,13 +3,13 @@ import type { ReactNode } from "react";
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
 import type { CalibrationSummary } from "../api/homeTypes";
 import type { ScanSummary } from "../api/scanTypes";
+import type { VerificationSummary } from "../api/verifyTypes";
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { Banners } from "../frame/Banners";
-import type { VerificationSummary } from "../api/verifyTypes";
+import rows from "../parts/List.module.css";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
-import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useDetail } from "../state/router";
 import { useLive } from "../state/store";
@@ -33,31 +33,31 @@ function AllRecords() {
   return (
     <main className={styles.page}>
       <div className={styles.records}>
-      <Section
-        title={t("Calibrations")}
-        empty={t("Accepted calibrations will be here, the newest first. Accept one on the Calibrate page.")}
-        above={<CalibrationHistory />}
-        {...calibrations}
-        row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
-      />
-      <Section
-        title={t("Verifications")}
-        empty={t("Accepted verifications will be here, the newest first. Make one on the Verify page.")}
-        {...verifications}
-        row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
-      />
-      <Section
-        title={t("Arm and tip")}
-        empty={t("Checks of the arm and its tip and identifications will be here, the newest first. Make one on the page Arm & tip.")}
-        {...checks}
-        row={({ row }) => row}
-      />
-      <Section
-        title={t("Scans")}
-        empty={t("Saved clouds will be here, the newest first. Start a scan on the Scan page.")}
-        {...scans}
-        row={(summary) => <ScanRow key={summary.id} summary={summary} />}
-      />
+        <Section
+          title={t("ui-calibrations")}
+          empty={t("ui-accepted-calibrations-appear-newest-first-accept")}
+          above={<CalibrationHistory />}
+          {...calibrations}
+          row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
+        />
+        <Section
+          title={t("ui-verifications")}
+          empty={t("ui-accepted-verifications-appear-newest-first-make")}
+          {...verifications}
+          row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
+        />
+        <Section
+          title={t("ui-arm-and-tip")}
+          empty={t("ui-arm-checks-tip-checks-identifications-appear")}
+          {...checks}
+          row={({ row }) => row}
+        />
+        <Section
+          title={t("ui-scans")}
+          empty={t("ui-saved-clouds-appear-newest-first-start")}
+          {...scans}
+          row={(summary) => <ScanRow key={summary.id} summary={summary} />}
+        />
       </div>
       <Banners />
     </main>
@@ -102,7 +102,9 @@ function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>)
       {list && list.length > 0 ? (
         <ul className={rows.list}>{list.map(row)}</ul>
       ) : (
-        <p className={styles.empty}>{list ? empty : failed ? t("The list could not be read. It is read again when the station is back.") : t("Reading the list.")}</p>
+        <p className={styles.empty}>
+          {list ? empty : failed ? t("ui-list-could-not-loaded-reloads-when") : t("ui-loading-the-list")}
+        </p>
       )}
     </section>
   );

@@ -1,32 +1,39 @@
-import { setScanHand, startScan, stopScan } from "../api/commands";
+import { setSimulatedOperator, startScan, stopScan } from "../api/commands";
 import type { ScanState } from "../api/scanTypes";
 import type { Action } from "../api/types";
 import { Layout } from "../frame/Layout";
+import { NextStep } from "../home/NextStep";
+import type { PlainId } from "../messages/text";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
-import { NextStep } from "../home/NextStep";
-import { t, words } from "../state/language";
-import { useLive } from "../state/store";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
 import { ScanPicture } from "../scan/ScanPicture";
+import { t } from "../state/language";
+import { useLive } from "../state/store";
 
-const WORDS: Record<ScanState["state"], { title: string; text: string }> = {
-  idle: { title: words("Ready to scan"), text: words("Start, then pass the stripe slowly over the part.") },
-  running: { title: words("Scanning"), text: words("Pass the stripe slowly over the part.") },
-  stopping: { title: words("Stopping"), text: words("The cloud is being written.") },
-  blocked: { title: words("Scanning is not possible now"), text: words("The reason stands by the button.") },
+const WORDS: Record<ScanState["state"], { title: PlainId; text: PlainId }> = {
+  idle: { title: "ui-ready-to-scan", text: "ui-start-then-move-stripe-slowly-over" },
+  running: { title: "ui-scanning", text: "ui-move-stripe-slowly-over-part" },
+  stopping: { title: "ui-stopping", text: "ui-saving-the-cloud" },
+  blocked: { title: "ui-scanning-is-not-possible-now", text: "ui-reason-next-button" },
 };
 
 export function ScanPage() {
   const scan = useLive((s) => s.scan);
-  const hasHand = useLive((s) => s.station?.has_hand ?? false);
+  const hasOperator = useLive((s) => s.station?.has_hand ?? false);
   const replay = useLive((s) => s.replay);
   if (replay) return <Layout picture={<ScanPicture />} card={<ReplayCard replay={replay} />} />;
-  if (!scan) return <Layout picture={<ScanPicture />} card={<CardHead title={t("Scan")} text={t("Waiting for the station.")} />} />;
+  if (!scan)
+    return (
+      <Layout
+        picture={<ScanPicture />}
+        card={<CardHead title={t("ui-scan")} text={t("ui-waiting-for-the-station")} />}
+      />
+    );
   const { title, text } = WORDS[scan.state];
   return (
     <Layout
@@ -35,12 +42,19 @@ export function ScanPage() {
         <>
           <CardHead title={t(title)} text={t(text)} help="scan" />
           <BigNumber
-            number={{ label: t("Points"), value: scan.points, unit: "", decimals: 0, quality: "neutral", note: shown(scan) }}
+            number={{
+              label: t("ui-points"),
+              value: scan.points,
+              unit: "",
+              decimals: 0,
+              quality: "neutral",
+              note: displayedShare(scan),
+            }}
           />
           <ScanFigures scan={scan} />
-          <Actions actions={actionsOf(scan, hasHand)} onAct={act}>
+          <Actions actions={actionsOf(scan, hasOperator)} onAct={act}>
             {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
-              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("Save as PLY")}</Download>
+              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("ui-save-as-ply")}</Download>
             )}
             <Findings findings={scan.findings} />
             {scan.state === "blocked" && <NextStep />}
@@ -51,28 +65,33 @@ export function ScanPage() {
   );
 }
 
-function shown(scan: ScanState): string {
-  return scan.points_shown < scan.points ? t("the view shows a part of them") : "";
+function displayedShare(scan: ScanState): string {
+  return scan.points_shown < scan.points ? t("ui-view-contains-only-some-them") : "";
 }
 
 function action(name: string, label: string, primary: boolean, why_not = ""): Action {
   return { name, label, args: {}, primary, enabled: why_not === "", why_not, confirm: "" };
 }
 
-function actionsOf(scan: ScanState, hasHand: boolean): Action[] {
+function actionsOf(scan: ScanState, hasOperator: boolean): Action[] {
   const running = scan.state === "running";
   const main = running
-    ? action("stop", t("Stop the scan"), true)
-    : action("start", t("Start scan"), true, scan.state === "stopping" ? t("The last scan is being written.") : scan.why_not);
-  if (!hasHand || scan.state === "blocked") return [main];
-  const hand = scan.hand_running
-    ? action("hand_off", t("Stop the hand"), false)
-    : action("hand_on", t("Let the hand do it"), false);
-  return [main, hand];
+    ? action("stop", t("ui-stop-the-scan"), true)
+    : action(
+        "start",
+        t("ui-start-scan"),
+        true,
+        scan.state === "stopping" ? t("ui-saving-the-last-scan") : scan.why_not,
+      );
+  if (!hasOperator || scan.state === "blocked") return [main];
+  const operator = scan.hand_running
+    ? action("operator_off", t("ui-stop-the-simulated-operator"), false)
+    : action("operator_on", t("ui-let-the-simulated-operator-do-it"), false);
+  return [main, operator];
 }
 
 async function act({ name }: Action): Promise<void> {
   if (name === "start") return startScan();
   if (name === "stop") return stopScan();
-  return setScanHand(name === "hand_on");
+  return setSimulatedOperator(name === "operator_on");
 }

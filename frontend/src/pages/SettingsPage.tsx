@@ -24,21 +24,24 @@ export function SettingsPage() {
   const zones = useZones(settings);
   useEffect(() => void readSettings(), []);
   if (!settings) {
-    return <Layout picture={<LiveCamera />} card={<CardHead title={t("Settings")} text={t("Waiting for the station.")} />} />;
+    return (
+      <Layout
+        picture={<LiveCamera />}
+        card={<CardHead title={t("ui-settings")} text={t("ui-waiting-for-the-station")} />}
+      />
+    );
   }
   return (
     <Layout
-      picture={
-        <LiveCamera over={(frame) => <ZoneEditor frame={frame} held={settings.zones} zones={zones} />} />
-      }
+      picture={<LiveCamera over={(frame) => <ZoneEditor frame={frame} current={settings.zones} zones={zones} />} />}
       card={
         <>
           <CardHead
-            title={t("Settings of scans")}
+            title={t("ui-scan-settings")}
             text={
               laser
-                ? t("The line that is found is drawn red on the picture. Every change is in use at once, and kept.")
-                : t("Switch the laser on to see the line that is found. Every change is in use at once, and kept.")
+                ? t("ui-detected-line-drawn-red-picture-changes")
+                : t("ui-switch-laser-display-detected-line-changes")
             }
           />
           <Findings findings={settings.findings} />
@@ -46,19 +49,19 @@ export function SettingsPage() {
           <LineSettings settings={settings} />
           <section className={styles.section} aria-labelledby="speed">
             <h2 id="speed" className={styles.heading}>
-              {t("Speed")}
+              {t("ui-speed")}
             </h2>
             <NumberSetting
               name="blur_limit_mm"
-              label={t("Blur from which a pass is too fast")}
+              label={t("ui-blur-above-which-pass-too-fast")}
               unit="mm"
-              help={t("The part’s way under the line during one exposure. Automatic: four times the spacing of the points along the line.")}
+              help={t("ui-motion-part-under-line-during-one")}
               settings={settings}
             />
           </section>
           <section className={styles.section} aria-labelledby="recording">
             <h2 id="recording" className={styles.heading}>
-              {t("Recording")}
+              {t("ui-recording")}
             </h2>
             <label className={styles.switch}>
               <input
@@ -66,11 +69,9 @@ export function SettingsPage() {
                 checked={settings.record_pictures}
                 onChange={(event) => void changeSettings({ record_pictures: event.target.checked })}
               />
-              {t("Record pictures, too")}
+              {t("ui-also-record-pictures")}
             </label>
-            <p className={fields.help}>
-              {t("They take some 30 MB a second, and can be extracted anew. Every line is recorded in any case, and comes first.")}
-            </p>
+            <p className={fields.help}>{t("ui-pictures-take-about-30-mb-per")}</p>
           </section>
           <DelaySettings settings={settings} />
           <LanguageSettings />

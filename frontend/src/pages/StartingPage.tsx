@@ -9,23 +9,23 @@ import { CardHead } from "../parts/CardHead";
 import { CheckIcon, Mark } from "../parts/icons";
 import { Busy } from "../parts/Progress";
 import { QualityMark } from "../parts/QualityMark";
-import { said, t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./StartingPage.module.css";
 
 const AGAIN_MS = 250;
 /** So many questions without an answer, and the station is taken for ended. */
 const UNANSWERED = 8;
-const WORDS = { done: words("done"), current: words("now"), todo: words("to do") };
+const WORDS = { done: "ui-done", current: "ui-now", todo: "ui-to-do" } as const;
 
 /** What the station shows until it is ready: what is being prepared, and how far it is. */
 export function StartingPage() {
   const { readiness, ended } = useReadiness();
   const steps = readiness?.steps ?? [];
   const done = readiness?.done ?? 0;
-  const title = ended ? t("The station did not start") : t("Starting the station");
+  const title = ended ? t("ui-the-station-did-not-start") : t("ui-starting-the-station");
   const text = ended
-    ? t("The console that runs Crenel says why, and what to do. This page goes on once it is started again.")
-    : t("This page goes on by itself once everything is ready.");
+    ? t("ui-console-runs-crenel-states-reason-remedy")
+    : t("ui-page-continues-automatically-once-everything-ready");
   useEffect(() => {
     document.title = `${title} · Crenel`;
   }, [title]);
@@ -41,7 +41,7 @@ export function StartingPage() {
         </div>
       </header>
       <main className={layout.main}>
-        <section className={layout.card} aria-label={t("What is being prepared")}>
+        <section className={layout.card} aria-label={t("ui-preparation")}>
           {ended ? (
             <div className={styles.ended} role="alert">
               <QualityMark quality="attention" />
@@ -50,14 +50,14 @@ export function StartingPage() {
           ) : (
             <CardHead title={title} text={text} />
           )}
-          {!ended && readiness && <Busy text={said(steps[done] ?? "")} fraction={readiness.share} />}
-          <ol className={styles.steps} aria-label={t("Steps")} data-ended={ended || undefined}>
+          {!ended && readiness && <Busy text={steps[done] ?? ""} fraction={readiness.share} />}
+          <ol className={styles.steps} aria-label={t("ui-steps")} data-ended={ended || undefined}>
             {steps.map((step, i) => (
-              <Step key={step} title={said(step)} state={i < done ? "done" : i === done ? "current" : "todo"} />
+              <Step key={step} title={step} state={i < done ? "done" : i === done ? "current" : "todo"} />
             ))}
           </ol>
         </section>
-        <section className={layout.picture} aria-label={t("Picture")}>
+        <section className={layout.picture} aria-label={t("ui-picture")}>
           <Illustration />
         </section>
       </main>

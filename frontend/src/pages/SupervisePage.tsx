@@ -8,15 +8,15 @@ import { Mark } from "../parts/icons";
 import { QualityMark } from "../parts/QualityMark";
 import { useSilence } from "../state/freshness";
 import { isolated } from "../state/isolated";
-import { counted, t } from "../state/language";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import { Board } from "../supervise/Board";
 import { StationCards } from "../supervise/StationCards";
-import { stationState, worst } from "../supervise/words";
+import { stationState, worst } from "../supervise/stationFacts";
 import styles from "./SupervisePage.module.css";
 
 const KEY = "crenel-supervise";
-type Shown = "this" | "all";
+type Scope = "this" | "all";
 
 /** For whoever looks on: this station large, or all that the broker knows. */
 export function SupervisePage() {
@@ -24,42 +24,46 @@ export function SupervisePage() {
   const others = useLive((s) => s.stations);
   const at = useLive((s) => s.stationsAt);
   useEffect(watchStations, []);
-  const wall = useLive((s) => s.session?.you?.wall ?? false);
+  const kiosk = useLive((s) => s.session?.you?.wall ?? false);
   const { live, silent_s } = useSilence();
-  const [chosen, choose] = useState<Shown>(() => (localStorage.getItem(KEY) === "all" ? "all" : "this"));
+  const [chosen, choose] = useState<Scope>(() => (localStorage.getItem(KEY) === "all" ? "all" : "this"));
   const several = (others?.length ?? 0) > 0;
-  const shown = several ? chosen : "this";
-  const pick = (one: Shown) => {
+  const scope = several ? chosen : "this";
+  const pick = (one: Scope) => {
     localStorage.setItem(KEY, one);
     choose(one);
   };
   if (!report) {
     return (
       <main className={styles.page}>
-        <p className={styles.waiting}>{t("Waiting for the station.")}</p>
+        <p className={styles.waiting}>{t("ui-waiting-for-the-station")}</p>
       </main>
     );
   }
   return (
-    <main className={styles.page} data-wall={wall || undefined}>
+    <main className={styles.page} data-kiosk={kiosk || undefined}>
       <header className={styles.head}>
-        {wall && <Mark size="1.5em" />}
-        <h1 className={styles.name}>{shown === "all" ? t("All stations") : isolated(report.name)}</h1>
-        <Freshness live={live} silent_s={silent_s} {...(shown === "all" ? sumOf(report, others ?? []) : alarmsOf(report))} />
+        {kiosk && <Mark size="1.5em" />}
+        <h1 className={styles.name}>{scope === "all" ? t("ui-all-stations") : isolated(report.name)}</h1>
+        <Freshness
+          live={live}
+          silent_s={silent_s}
+          {...(scope === "all" ? sumOf(report, others ?? []) : alarmsOf(report))}
+        />
         {several && (
-          <div className={styles.choice} role="group" aria-label={t("What is shown")}>
-            <button type="button" aria-pressed={shown === "this"} onClick={() => pick("this")}>
-              {t("This station")}
+          <div className={styles.choice} role="group" aria-label={t("ui-view")}>
+            <button type="button" aria-pressed={scope === "this"} onClick={() => pick("this")}>
+              {t("ui-this-station")}
             </button>
-            <button type="button" aria-pressed={shown === "all"} onClick={() => pick("all")}>
-              {t("All {n}", { n: (others?.length ?? 0) + 1 })}
+            <button type="button" aria-pressed={scope === "all"} onClick={() => pick("all")}>
+              {t("ui-all-n", { n: (others?.length ?? 0) + 1 })}
             </button>
           </div>
         )}
         <TimeOfDay />
       </header>
-      {shown === "all" && others ? (
-        <StationCards stations={[own(report, live, silent_s), ...others]} at={at} wall={wall} />
+      {scope === "all" && others ? (
+        <StationCards stations={[own(report, live, silent_s), ...others]} at={at} kiosk={kiosk} />
       ) : (
         <Board report={report} silent_s={live ? 0 : silent_s} />
       )}
@@ -68,7 +72,15 @@ export function SupervisePage() {
 }
 
 function own(report: StationReport, live: boolean, silent_s: number): StationShown {
-  return { id: report.station, name: report.name, state: live ? "live" : "lost", silent_s, report, alarms: report.alarms.length, events: [] };
+  return {
+    id: report.station,
+    name: report.name,
+    state: live ? "live" : "lost",
+    silent_s,
+    report,
+    alarms: report.alarms.length,
+    events: [],
+  };
 }
 
 interface Sum {
@@ -78,23 +90,25 @@ interface Sum {
 
 function alarmsOf(report: StationReport): Sum {
   const alarms = report.alarms.length;
-  return { words: alarms ? counted(alarms, "{n} alarm", "{n} alarms") : t("live"), quality: worst(report) };
+  return { words: alarms ? t("ui-n-alarms", { n: alarms }) : t("ui-live"), quality: worst(report) };
 }
 
 /** How many want somebody; of all of them. */
 function sumOf(report: StationReport, others: StationShown[]): Sum {
   const qualities = [worst(report), ...others.map((one) => stationState(one).quality)];
   const count = (quality: Quality) => qualities.filter((one) => one === quality).length;
-  if (count("bad")) return { words: t("{n} of {all} at fault", { n: count("bad"), all: qualities.length }), quality: "bad" };
-  if (count("attention")) return { words: t("{n} of {all} want attention", { n: count("attention"), all: qualities.length }), quality: "attention" };
-  return { words: counted(qualities.length, "{n} station", "{n} stations"), quality: "good" };
+  if (count("bad"))
+    return { words: t("ui-of-with-faults", { n: count("bad"), all: qualities.length }), quality: "bad" };
+  if (count("attention"))
+    return { words: t("ui-of-need-attention", { n: count("attention"), all: qualities.length }), quality: "attention" };
+  return { words: t("ui-n-stations", { n: qualities.length }), quality: "good" };
 }
 
 function Freshness({ live, silent_s, words, quality }: Sum & { live: boolean; silent_s: number }) {
   if (!live) {
     return (
       <p className={styles.fresh} data-quality="bad" role="status">
-        <QualityMark quality="bad" size="1em" /> {t("not heard for {age}", { age: age(Math.floor(silent_s)) })}
+        <QualityMark quality="bad" size="1em" /> {t("ui-no-contact-for", { age: age(Math.floor(silent_s)) })}
       </p>
     );
   }
@@ -105,7 +119,7 @@ function Freshness({ live, silent_s, words, quality }: Sum & { live: boolean; si
   );
 }
 
-/** It moves, and so tells that the screen itself is alive. */
+/** It moves, as a sign that the screen itself is alive. */
 function TimeOfDay() {
   const [now, setNow] = useState(() => new Date());
   useEffect(() => {

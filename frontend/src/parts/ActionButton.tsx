@@ -25,9 +25,7 @@ export function ActionButton({ action, onAct, describedBy }: ActionButtonProps) 
       >
         {action.label}
       </PressButton>
-      {action.confirm && (
-        <Question action={action} opened={asking} onClose={() => setAsking(false)} onAct={onAct} />
-      )}
+      {action.confirm && <Question action={action} opened={asking} onClose={() => setAsking(false)} onAct={onAct} />}
     </>
   );
 }

@@ -3,11 +3,10 @@ import { type ReactNode, useId } from "react";
 import type { Action } from "../api/types";
 import { ActionButton } from "./ActionButton";
 import styles from "./Actions.module.css";
-import { bound } from "./format";
 
 interface ActionsProps {
   actions: Action[];
-  /** A job is at work and shown: what waits for it needs no reason of its own. */
+  /** A running job is displayed: what waits for it needs no reason of its own. */
   busy?: boolean;
   /** What belongs between stays as it is, and is read whole: it does not come and go by itself. */
   whole?: boolean;
@@ -19,15 +18,15 @@ interface ActionsProps {
 /**
  * What may be done now. The main act stands where the eye is; the others keep to the foot of the
  * card, so that nothing that comes and goes moves them, those that give something up last and
- * quietly; disabled ones say why above them.
+ * quietly; disabled ones have the reason above them.
  */
 export function Actions({ actions, onAct, busy = false, whole = false, children }: ActionsProps) {
   const id = useId();
   const primary = mainOnes(actions);
   const others = actions.filter((action) => !action.primary && !action.confirm);
   const leaving = actions.filter((action) => !action.primary && action.confirm);
-  const told = new Set(primary.map((action) => action.why_not));
-  const reasons = busy ? [] : reasonsOf([...others, ...leaving]).filter(({ why }) => !told.has(why));
+  const primaryReasons = new Set(primary.map((action) => action.why_not));
+  const reasons = busy ? [] : reasonsOf([...others, ...leaving]).filter(({ why }) => !primaryReasons.has(why));
   const idOf = (why: string) => {
     const i = reasons.findIndex((reason) => reason.why === why);
     return i < 0 ? undefined : `${id}${i}`;
@@ -39,11 +38,13 @@ export function Actions({ actions, onAct, busy = false, whole = false, children 
           <ActionButton action={action} onAct={onAct} />
         </MainAct>
       ))}
-      <div className={styles.middle} data-whole={whole || undefined}>{children}</div>
+      <div className={styles.middle} data-whole={whole || undefined}>
+        {children}
+      </div>
       <div className={styles.foot} data-busy={busy || undefined}>
         {reasons.map(({ why, labels }, i) => (
           <p key={why} id={`${id}${i}`} className={styles.why}>
-            <strong>{labels.join(", ")}:</strong> {bound(why)}
+            <strong>{labels.join(", ")}:</strong> {why}
           </p>
         ))}
         {[others, leaving].map(
@@ -66,7 +67,7 @@ export function MainAct({ children }: { children: ReactNode }) {
   return <div className={styles.primary}>{children}</div>;
 }
 
-/** The main acts; beside one that can be done, one that cannot is left out. */
+/** The main acts; next to one that can be done, one that cannot is left out. */
 function mainOnes(actions: Action[]): Action[] {
   const primary = actions.filter((action) => action.primary);
   const possible = primary.filter((action) => action.enabled);
@@ -82,7 +83,7 @@ interface Reason {
   labels: string[];
 }
 
-/** Each reason once, with the acts that it holds back. */
+/** Each reason once, with the acts that it prevents. */
 function reasonsOf(actions: Action[]): Reason[] {
   const reasons = new Map<string, string[]>();
   for (const { enabled, why_not, label } of actions) {

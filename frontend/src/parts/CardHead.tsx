@@ -1,9 +1,9 @@
 import { type Ref, useId, useState } from "react";
+import type { PlainId } from "../messages/text";
 
 import { t } from "../state/language";
-import { bound } from "./format";
-import { HELP } from "./help";
 import styles from "./CardHead.module.css";
+import { HELP } from "./help";
 
 interface CardHeadProps {
   title: string;
@@ -20,20 +20,26 @@ export function CardHead({ title, text, help, ref }: CardHeadProps) {
       <h1 className={styles.title} tabIndex={-1} ref={ref}>
         {title}
       </h1>
-      <p className={styles.text}>{bound(text)}</p>
+      <p className={styles.text}>{text}</p>
       {/* another step begins with its help closed */}
       {help && HELP[help] && <Help key={help} lines={HELP[help]} />}
     </div>
   );
 }
 
-function Help({ lines }: { lines: readonly string[] }) {
+function Help({ lines }: { lines: readonly PlainId[] }) {
   const [open, setOpen] = useState(false);
   const id = useId();
   return (
     <>
-      <button type="button" className={styles.ask} aria-expanded={open} aria-controls={id} onClick={() => setOpen(!open)}>
-        {t("How to")}
+      <button
+        type="button"
+        className={styles.ask}
+        aria-expanded={open}
+        aria-controls={id}
+        onClick={() => setOpen(!open)}
+      >
+        {t("ui-help")}
       </button>
       <ul id={id} className={styles.help} hidden={!open}>
         {lines.map((line) => (

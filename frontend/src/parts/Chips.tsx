@@ -2,7 +2,7 @@ import styles from "./Chips.module.css";
 
 interface ChipsProps<T> {
   label: string;
-  /** `lang` where a label is in that language; `mark` says in a word why one stands out. */
+  /** `lang` where a label is in that language; `mark` is a word for why one stands out. */
   options: { value: T; label: string; lang?: string; mark?: string | undefined }[];
   value: T;
   onChange: (value: T) => void;

@@ -2,7 +2,7 @@ import { chooseLanguage, LANGUAGES, nameOf, t, useLanguage } from "../state/lang
 import { chooseUnits, type Units, useUnits } from "../state/units";
 import { Chips } from "./Chips";
 
-/** What is pressed keeps the focus, where the page began anew under it. */
+/** The pressed button keeps the focus while the page is loaded again. */
 function focusOn(group: string): void {
   requestAnimationFrame(() => {
     if (document.activeElement !== document.body) return;
@@ -18,10 +18,12 @@ export function ChooseLanguage({ id }: { id: string }) {
     focusOn(id);
   };
   const options = LANGUAGES.map((code) => ({ value: code, label: nameOf(code), lang: code }));
-  return <Chips id={id} label={t("Language")} options={options} value={language} onChange={(code) => void choose(code)} />;
+  return (
+    <Chips id={id} label={t("ui-language")} options={options} value={language} onChange={(code) => void choose(code)} />
+  );
 }
 
-/** What lengths are shown and typed in, in this browser. */
+/** The unit in which this browser displays and takes lengths. */
 export function ChooseUnits({ id }: { id: string }) {
   const units = useUnits();
   const choose = (now: Units) => {
@@ -32,5 +34,5 @@ export function ChooseUnits({ id }: { id: string }) {
     { value: "metric", label: "mm, µm" },
     { value: "inch", label: "inch, µin" },
   ];
-  return <Chips id={id} label={t("Lengths")} options={options} value={units} onChange={choose} />;
+  return <Chips id={id} label={t("ui-lengths")} options={options} value={units} onChange={choose} />;
 }

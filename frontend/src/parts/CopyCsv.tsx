@@ -6,18 +6,24 @@ import { CheckIcon, CopyIcon } from "./icons";
 import { PressButton } from "./PressButton";
 import type { TableData } from "./table";
 
-const TOLD_MS = 3000;
+const DISPLAY_MS = 3000;
 
 export function CopyCsv({ tables }: { tables: TableData[] }) {
-  const [told, setTold] = useState<"" | "copied" | "failed">("");
+  const [result, setResult] = useState<"" | "copied" | "failed">("");
   const copy = async () => {
-    setTold((await copyText(toCsv(tables))) ? "copied" : "failed");
-    setTimeout(() => setTold(""), TOLD_MS);
+    setResult((await copyText(toCsv(tables))) ? "copied" : "failed");
+    setTimeout(() => setResult(""), DISPLAY_MS);
   };
   return (
     <PressButton free onPress={copy}>
-      {told === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
-      {{ "": t("Copy as CSV"), copied: t("Copied, in mm and µm"), failed: t("This browser does not let us copy") }[told]}
+      {result === "copied" ? <CheckIcon size="1.25rem" /> : <CopyIcon size="1.25rem" />}
+      {
+        {
+          "": t("ui-copy-as-csv"),
+          copied: t("ui-copied-in-mm-and-m"),
+          failed: t("ui-this-browser-does-not-allow-copying"),
+        }[result]
+      }
     </PressButton>
   );
 }

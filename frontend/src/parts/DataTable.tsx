@@ -1,7 +1,6 @@
 import { t } from "../state/language";
 import styles from "./DataTable.module.css";
-import { bound } from "./format";
-import { plainHead, shownCell, shownHead, type TableData } from "./table";
+import { displayedCell, displayedHead, fileHead, type TableData } from "./table";
 
 /** A plain table of figures: the first column names, the others are numbers. */
 export function DataTable({ table }: { table: TableData }) {
@@ -11,8 +10,8 @@ export function DataTable({ table }: { table: TableData }) {
       <thead>
         <tr>
           {table.head.map((head) => (
-            <th key={plainHead(head)} scope="col">
-              {bound(shownHead(head))}
+            <th key={fileHead(head)} scope="col">
+              {displayedHead(head)}
             </th>
           ))}
         </tr>
@@ -21,7 +20,7 @@ export function DataTable({ table }: { table: TableData }) {
         {table.rows.map((row, i) => (
           <tr key={i}>
             {row.map((cell, k) => (
-              <td key={k}>{shownCell(cell)}</td>
+              <td key={k}>{displayedCell(cell)}</td>
             ))}
           </tr>
         ))}

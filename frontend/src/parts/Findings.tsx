@@ -1,6 +1,5 @@
 import type { Finding } from "../api/types";
 import { t } from "../state/language";
-import { bound } from "./format";
 import { lookAtPose, useLive } from "../state/store";
 import styles from "./Findings.module.css";
 import { QualityMark } from "./QualityMark";
@@ -9,13 +8,13 @@ import { QualityMark } from "./QualityMark";
 export function Findings({ findings }: { findings: Finding[] }) {
   if (findings.length === 0) return null;
   return (
-    <ul className={styles.list} aria-label={t("Findings")}>
+    <ul className={styles.list} aria-label={t("ui-findings")}>
       {findings.map((finding) => (
         <li key={finding.quality + finding.text} className={styles.finding} data-quality={finding.quality}>
           <QualityMark quality={finding.quality} size="1.25rem" />
           <div>
-            <p className={styles.text}>{bound(finding.text)}</p>
-            {finding.remedy && <p className={styles.remedy}>{bound(finding.remedy)}</p>}
+            <p className={styles.text}>{finding.text}</p>
+            {finding.remedy && <p className={styles.remedy}>{finding.remedy}</p>}
             {finding.pose !== null && <ShowPose pose={finding.pose} />}
           </div>
         </li>
@@ -24,7 +23,7 @@ export function Findings({ findings }: { findings: Finding[] }) {
   );
 }
 
-/** Leads to the pose that a finding is about, where its picture is at hand. */
+/** Leads to the pose that a finding is about, where its picture is available. */
 function ShowPose({ pose }: { pose: number }) {
   const there = useLive(({ flow }) => {
     const picture = flow?.picture;
@@ -33,7 +32,7 @@ function ShowPose({ pose }: { pose: number }) {
   if (!there) return null;
   return (
     <button type="button" className={styles.show} onClick={() => lookAtPose(pose)}>
-      {t("Show pose {n}", { n: pose })}
+      {t("ui-show-pose", { n: pose })}
     </button>
   );
 }

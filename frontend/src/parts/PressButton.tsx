@@ -1,9 +1,8 @@
 import { type ReactNode, useEffect, useId, useRef, useState } from "react";
-
 import { useBarred } from "../state/control";
 import { useElapsed } from "../state/freshness";
 import look from "./Control.module.css";
-import { bound, figures } from "./format";
+import { measured } from "./lengths";
 import styles from "./PressButton.module.css";
 
 interface PressButtonProps {
@@ -11,21 +10,21 @@ interface PressButtonProps {
   onPress: () => Promise<void> | void;
   kind?: "primary" | "secondary" | "quiet";
   disabled?: boolean;
-  /** Why it is disabled, said on the button itself. */
+  /** Why it is disabled, on the button itself. */
   why?: string;
   describedBy?: string | undefined;
   /** It changes nothing at the station: whoever looks on may press it. */
   free?: boolean;
 }
 
-/** Two presses of a gloved hand closer than this are one. */
+/** Two presses with a glove closer than this are one. */
 const BOUNCE_MS = 350;
 
 const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
 
 /**
  * A button for gloves: large, acting once however it bounces, deaf for a moment when it has
- * just come under the finger, silent under a held key, and counting the seconds while its
+ * just come under the finger, silent while a key repeats, and counting the seconds while its
  * answer is awaited. Enter, which comes by itself from scanners of bar codes and from elbows,
  * starts nothing at the station; the space bar does.
  */
@@ -38,9 +37,9 @@ export function PressButton(props: PressButtonProps) {
   const whyId = useId();
   const labelId = useId();
   const [waiting, setWaiting] = useState(true);
-  const [asked, setAsked] = useState(false);
+  const [asking, setAsking] = useState(false);
   const busy = useRef(true);
-  const elapsed_s = useElapsed(asked);
+  const elapsed_s = useElapsed(asking);
 
   useEffect(() => {
     const timer = setTimeout(() => {
@@ -54,11 +53,11 @@ export function PressButton(props: PressButtonProps) {
     if (busy.current || disabled) return;
     busy.current = true;
     setWaiting(true);
-    setAsked(true);
+    setAsking(true);
     await Promise.all([onPress(), pause(BOUNCE_MS)]);
     busy.current = false;
     setWaiting(false);
-    setAsked(false);
+    setAsking(false);
   };
 
   return (
@@ -78,10 +77,10 @@ export function PressButton(props: PressButtonProps) {
       </span>
       {why && (
         <span id={whyId} className={styles.why}>
-          {bound(why)}
+          {why}
         </span>
       )}
-      {elapsed_s > 0.6 && <span className={styles.wait}>{figures(elapsed_s, 0)} s</span>}
+      {elapsed_s > 0.6 && <span className={styles.wait}>{measured(elapsed_s, "s")}</span>}
     </button>
   );
 }

@@ -1,5 +1,5 @@
 import { useElapsed } from "../state/freshness";
-import { figures } from "./format";
+import { measured } from "./lengths";
 import styles from "./Progress.module.css";
 
 interface BarProps {
@@ -43,7 +43,7 @@ function Bar({ share }: { share: number }) {
 /** A job at work: its share done, or where it has none, the seconds it has taken. */
 export function Busy({ text, fraction }: { text: string; fraction: number | null }) {
   const elapsed_s = useElapsed(true);
-  const figure = fraction === null ? `${figures(elapsed_s, 0)} s` : `${figures(fraction * 100)} %`;
+  const figure = fraction === null ? measured(elapsed_s, "s") : measured(fraction * 100, "%");
   return (
     <div className={styles.busy} role="status">
       <div className={styles.busyText}>

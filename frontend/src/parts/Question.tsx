@@ -10,14 +10,14 @@ interface QuestionProps {
   opened: boolean;
   onClose: () => void;
   onAct: (action: Action) => Promise<void>;
-  /** What the harmless answer says. */
+  /** The label of the harmless answer. */
   no?: string;
   /** As of PressButton. */
   free?: boolean;
 }
 
 /** Asked before the act, never after; the harmless answer has the focus. */
-export function Question({ action, opened, onClose, onAct, no = t("No, go on"), free = false }: QuestionProps) {
+export function Question({ action, opened, onClose, onAct, no = t("ui-no-continue"), free = false }: QuestionProps) {
   const agree = async () => {
     onClose();
     await onAct(action);
@@ -37,7 +37,9 @@ export function Question({ action, opened, onClose, onAct, no = t("No, go on"), 
         <button type="button" className={styles.no} data-autofocus onClick={onClose}>
           {no}
         </button>
-        <PressButton free={free} onPress={agree}>{action.label}</PressButton>
+        <PressButton free={free} onPress={agree}>
+          {action.label}
+        </PressButton>
       </div>
     </Modal>
   );

@@ -12,7 +12,7 @@ export interface Readout {
 }
 
 /** A row of small labelled figures, as an instrument's panel has them; in several rows (``wrap``)
- *  where one has no room for six. */
+ *  where one has no space for six. */
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   const row = (
     // one row may be wider than its place, and scrolls by the keyboard, too

@@ -1,4 +1,4 @@
-import { languageNow, t } from "../state/language";
+import { currentLanguage, t } from "../state/language";
 import look from "./Control.module.css";
 import download from "./Download.module.css";
 import { DownloadIcon } from "./icons";
@@ -6,13 +6,23 @@ import styles from "./Reports.module.css";
 
 /** A record's report: to read in a tab of its own, and as PDF. */
 export function Reports({ of }: { of: string }) {
-  const lang = languageNow() === "en" ? "" : `?lang=${languageNow()}`;
+  const lang = currentLanguage() === "en" ? "" : `?lang=${currentLanguage()}`;
   return (
     <div className={styles.reports}>
-      <a className={`${look.button} ${download.download}`} href={`${of}/report.html${lang}`} target="_blank" rel="noopener">
-        {t("Report")}
+      <a
+        className={`${look.button} ${download.download}`}
+        href={`${of}/report.html${lang}`}
+        target="_blank"
+        rel="noopener"
+      >
+        {t("ui-report")}
       </a>
-      <a className={`${look.button} ${download.download}`} href={`${of}/report.pdf${lang}`} target="_blank" rel="noopener">
+      <a
+        className={`${look.button} ${download.download}`}
+        href={`${of}/report.pdf${lang}`}
+        target="_blank"
+        rel="noopener"
+      >
         <DownloadIcon size="1.25rem" />
         PDF
       </a>

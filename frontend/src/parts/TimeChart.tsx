@@ -47,16 +47,10 @@ export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
           <polyline className={styles.line} points={line.join(" ")} />
           {points.map(({ id, at, value, limit, quality }, i) => (
             <g key={id} className={onPoint && styles.point} onClick={() => onPoint?.(id)}>
-              <title>{`${moment(at)}: ${value === null ? t("not known") : measured(value, unit, 1)}`}</title>
+              <title>{`${moment(at)}: ${value === null ? t("ui-unknown") : measured(value, unit, 1)}`}</title>
               {onPoint && <rect x={x(i) - 22} y="0" width="44" height={HEIGHT} className={styles.reach} />}
               {limit !== null && (
-                <line
-                  className={styles.limit}
-                  x1={x(i) - reach}
-                  x2={x(i) + reach}
-                  y1={y(limit)}
-                  y2={y(limit)}
-                />
+                <line className={styles.limit} x1={x(i) - reach} x2={x(i) + reach} y1={y(limit)} y2={y(limit)} />
               )}
               {value !== null && <Mark x={x(i)} y={y(value)} quality={quality} />}
             </g>

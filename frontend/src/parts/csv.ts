@@ -1,15 +1,20 @@
-import { plainCell, plainHead, type TableData } from "./table";
+import { message } from "../messages/text";
+import { renderEnglish } from "../state/language";
+import { fileCell, fileHead, type TableData } from "./table";
 
-function cell(text: string): string {
-  const plain = text.replaceAll("\u2212", "-").replaceAll("\u2009", "");
-  return /[",\n]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
+function quoted(text: string): string {
+  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** One table after another, an empty line between them; in English, mm and µm, whatever is shown. */
+/** One table after another, an empty line between them; in English, mm and µm, whatever is displayed. */
 export function toCsv(tables: TableData[]): string {
   return tables
-    .map(({ title, head, rows }) => [[title], head.map(plainHead), ...rows.map((row) => row.map(plainCell))])
-    .map((lines) => lines.map((line) => line.map(cell).join(",")).join("\n"))
+    .map(({ title, head, rows }) => [
+      [renderEnglish(message(title))],
+      head.map(fileHead),
+      ...rows.map((row) => row.map(fileCell)),
+    ])
+    .map((lines) => lines.map((line) => line.map(quoted).join(",")).join("\n"))
     .join("\n\n");
 }
 

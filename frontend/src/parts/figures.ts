@@ -1,16 +1,36 @@
+/** Numbers as the chosen language writes them. */
+
 const MINUS = "\u2212";
+let point = ".";
+
+/** The decimal sign of the chosen language. */
+export function decimalSign(): string {
+  return point;
+}
+
+export function chooseDecimalSign(language: string): void {
+  const parts = new Intl.NumberFormat(language, { numberingSystem: "latn" }).formatToParts(0.5);
+  point = parts.find(({ type }) => type === "decimal")?.value ?? ".";
+}
 
 /** A number with a true minus sign and a thin space between thousands. */
 export function figures(value: number, decimals = 0): string {
+  if (!Number.isFinite(value)) return "–";
   const text = Math.abs(value).toFixed(decimals);
   const [whole = "", fraction] = text.split(".");
   const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u2009") : whole;
   const sign = value < 0 && Number(text) !== 0 ? MINUS : "";
-  return sign + grouped + (fraction ? `.${fraction}` : "");
+  return sign + grouped + (fraction ? point + fraction : "");
 }
 
 /** With its sign always. */
 export function signed(value: number, decimals = 0): string {
   const text = figures(value, decimals);
   return value > 0 && Number(value.toFixed(decimals)) !== 0 ? `+${text}` : text;
+}
+
+/** For files: with a decimal point, in any language. */
+export function plainFigures(value: number, decimals = 0): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text;
 }

@@ -1,27 +1,29 @@
-import { counted, t } from "../state/language";
+import { quantity } from "../messages/text";
+import { t } from "../state/language";
 import { figures, signed } from "./figures";
+import { measured } from "./lengths";
 
 export { figures, signed };
 
 export function age(seconds: number): string {
-  if (seconds < 1) return `${figures(seconds, 2)} s`;
-  if (seconds < 10) return `${figures(seconds, 1)} s`;
-  if (seconds < 120) return `${figures(seconds)} s`;
-  if (seconds < 7200) return `${figures(seconds / 60)} min`;
-  return `${figures(seconds / 3600)} h`;
+  if (seconds < 1) return measured(seconds, "s", 2);
+  if (seconds < 10) return measured(seconds, "s", 1);
+  if (seconds < 120) return measured(seconds, "s");
+  if (seconds < 7200) return measured(seconds / 60, "min");
+  return measured(seconds / 3600, "h");
 }
 
 /** How old something is that comes of age in days. */
 export function days(value: number): string {
-  if (value < 1 / 24) return `${Math.floor(value * 24 * 60)} min`;
-  if (value < 1) return counted(Math.round(value * 24), "{n} hour", "{n} hours");
-  return counted(Math.round(value), "{n} day", "{n} days");
+  if (value < 1 / 24) return measured(Math.floor(value * 24 * 60), "min");
+  if (value < 1) return t("ui-hours", { n: Math.round(value * 24) });
+  return t("ui-days", { n: Math.round(value) });
 }
 
 export function daysAgo(value: number): string {
-  if (value < 1 / 24) return t("{n} min ago", { n: Math.floor(value * 24 * 60) });
-  if (value < 1) return counted(Math.round(value * 24), "{n} hour ago", "{n} hours ago");
-  return counted(Math.round(value), "{n} day ago", "{n} days ago");
+  if (value < 1 / 24) return t("ui-time-ago", { time: quantity(Math.floor(value * 24 * 60), "min") });
+  if (value < 1) return t("ui-hours-ago", { n: Math.round(value * 24) });
+  return t("ui-days-ago", { n: Math.round(value) });
 }
 
 /** Date and time of day, in the operator's own zone. */
@@ -37,16 +39,5 @@ export function moment(iso: string): string {
 
 export function duration(seconds: number): string {
   const whole = Math.floor(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")} min`;
-}
-
-const UNITS = /(\d) (?=(?:µm|mm|µin|in|px|%|s|ms|µs|Hz|fps|GB|nm|°C|min|h|days?)(?![a-z]))/g;
-
-/** The same words, a number never parted from its unit at a line's end. */
-export function bound(text: string): string {
-  return text
-    .replace(UNITS, "$1\u00a0")
-    .replaceAll(" rms", "\u00a0rms")
-    .replaceAll("k = ", "k\u00a0=\u00a0")
-    .replaceAll(/ ([×Ø]) (?=\d)/g, "\u00a0$1\u00a0");
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}\u00a0min`;
 }

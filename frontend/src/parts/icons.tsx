@@ -4,27 +4,27 @@ interface IconProps {
   size?: number | string;
 }
 
-function icon(drawing: ReactNode) {
-  return function Icon({ size = "1.5rem" }: IconProps) {
-    return (
-      <svg
-        width={size}
-        height={size}
-        viewBox="0 0 24 24"
-        fill="none"
-        stroke="currentColor"
-        strokeWidth={1.75}
-        strokeLinecap="round"
-        strokeLinejoin="round"
-        aria-hidden="true"
-        focusable="false"
-        style={{ flex: "none" }}
-      >
-        {drawing}
-      </svg>
-    );
-  };
+function Drawing({ size = "1.5rem", children }: IconProps & { children: ReactNode }) {
+  return (
+    <svg
+      width={size}
+      height={size}
+      viewBox="0 0 24 24"
+      fill="none"
+      stroke="currentColor"
+      strokeWidth={1.75}
+      strokeLinecap="round"
+      strokeLinejoin="round"
+      aria-hidden="true"
+      focusable="false"
+      style={{ flex: "none" }}
+    >
+      {children}
+    </svg>
+  );
 }
+
+const icon = (drawing: ReactNode) => (props: IconProps) => <Drawing {...props}>{drawing}</Drawing>;
 
 export const HomeIcon = icon(<path d="M4 11 12 4l8 7v8.5a.5.5 0 0 1-.5.5H14v-6h-4v6H4.5a.5.5 0 0 1-.5-.5z" />);
 export const CalibrateIcon = icon(<path d="M3 19V8h4v6h3V8h4v6h3V8h4v11zM2 11.5h20" />);
@@ -49,7 +49,9 @@ export const VerifyIcon = icon(
 );
 export const RecordsIcon = icon(<path d="M5 4h10l4 4v12H5zM15 4v4h4M8.5 12h7M8.5 15.5h7" />);
 export const SuperviseIcon = icon(<path d="M3 5h18v11H3zM9 20h6M12 16v4M6.500 12.500l3-3.500 2.500 2.500 4-4.500" />);
-export const HealthIcon = icon(<path d="M12 20C5 15 3 11.500 3 8.500A4.500 4.500 0 0 1 12 7a4.500 4.500 0 0 1 9 1.500c0 3-2 6.500-9 11.500zM6 12h3l1.500-3 3 5 1.500-2h3" />);
+export const HealthIcon = icon(
+  <path d="M12 20C5 15 3 11.500 3 8.500A4.500 4.500 0 0 1 12 7a4.500 4.500 0 0 1 9 1.500c0 3-2 6.500-9 11.500zM6 12h3l1.500-3 3 5 1.500-2h3" />,
+);
 export const SettingsIcon = icon(
   <>
     <path d="M3 7h9M17 7h4M3 17h4M12 17h9" />
@@ -65,7 +67,9 @@ export const PeopleIcon = icon(
 );
 export const CheckIcon = icon(<path d="m5 12.5 4.5 4.5L19 7.5" />);
 export const AttentionIcon = icon(<path d="M12 4 2.5 20h19zM12 10v4.5M12 17.4v.1" />);
-export const BadIcon = icon(<path d="M8.200 3h7.600L21 8.200v7.600L15.800 21H8.200L3 15.800V8.200zM9 9l6 6M15 9l-6 6" />);
+export const BadIcon = icon(
+  <path d="M8.200 3h7.600L21 8.200v7.600L15.800 21H8.200L3 15.800V8.200zM9 9l6 6M15 9l-6 6" />,
+);
 export const NeutralIcon = icon(
   <>
     <circle cx="12" cy="12" r="9" />

@@ -1,12 +1,13 @@
 /**
- * Lengths as this browser shows them. The station speaks mm and µm; whoever chose inch reads and
- * types inch, and the station is told mm. Files, reports and CSV stay in mm and µm.
+ * Lengths as this browser displays them. The station uses mm and µm; whoever chose inch reads and
+ * types inch, and the station receives mm. Files, reports and CSV stay in mm and µm.
  */
 
+import type { Quantity } from "../messages/text";
 import { units } from "../state/units";
-import { figures, signed } from "./figures";
+import { decimalSign, figures, plainFigures, signed } from "./figures";
 
-/** One of the shown unit is `times` × 10^`power` of the station's, exactly. */
+/** One of the displayed unit is `times` × 10^`power` of the station's, exactly. */
 interface Inch {
   unit: string;
   times: bigint;
@@ -16,14 +17,17 @@ interface Inch {
 const INCH: Record<string, Inch> = {
   mm: { unit: "in", times: 254n, power: -1 },
   µm: { unit: "µin", times: 254n, power: -4 },
+  nm: { unit: "µin", times: 254n, power: -1 },
   "mm/s": { unit: "in/s", times: 254n, power: -1 },
   "mm²": { unit: "in²", times: 254n ** 2n, power: -2 },
   "mm³": { unit: "in³", times: 254n ** 3n, power: -3 },
 };
-/** Of what the station keeps to no round inch, so much is shown in a field. */
+/** Of what the station stores to no round inch, a field displays so much. */
 const FIELD_DECIMALS: Record<string, number> = { mm: 5, µm: 1 };
 /** Nobody types more. */
 const TYPED_DECIMALS = 12;
+/** Units that stand close behind their number. */
+const TIGHT = new Set(["", "°", "′", "″"]);
 
 function inch(unit: string): Inch | undefined {
   return units() === "inch" ? INCH[unit] : undefined;
@@ -33,30 +37,31 @@ function perStation({ times, power }: Inch): number {
   return 10 ** -power / Number(times);
 }
 
-/** The unit that stands for the station's; units of other kinds stay. */
+/** The unit displayed for one of the station's; units of other kinds stay. */
 export function unitOf(unit: string): string {
   return inch(unit)?.unit ?? unit;
 }
 
-/** A length of the station's in the unit that is shown. */
+/** A length of the station's in the displayed unit. */
 export function inUnit(value: number, unit: string): number {
   const to = inch(unit);
   return to ? value * perStation(to) : value;
 }
 
-/** So many decimals that the station's resolution is kept. */
+/** So many decimals that the station's resolution is preserved. */
 export function decimalsIn(unit: string, decimals: number): number {
   const to = inch(unit);
   return to ? Math.max(0, Math.ceil(decimals - Math.log10(perStation(to)))) : decimals;
 }
 
 /**
- * The number alone, in the unit that is shown. In inch it is the metric figure that is converted,
- * as the station's sentences hold it, so that one value reads alike wherever it stands.
+ * The number alone, in the displayed unit. In inch it is the rounded metric figure that is
+ * converted, so that one value reads alike everywhere.
  */
 export function lengthFigures(value: number, unit: string, decimals = 0, plus = false): string {
-  const said = inch(unit) ? Number(value.toFixed(decimals)) : value;
-  return (plus ? signed : figures)(inUnit(said, unit), decimalsIn(unit, decimals));
+  if (!Number.isFinite(value)) return figures(value);
+  const rounded = inch(unit) ? Number(value.toFixed(decimals)) : value;
+  return (plus ? signed : figures)(inUnit(rounded, unit), decimalsIn(unit, decimals));
 }
 
 /** With its sign always. */
@@ -69,12 +74,16 @@ export function measured(value: number, unit: string, decimals = 0): string {
   return `${lengthFigures(value, unit, decimals)}${behind(unit)}`;
 }
 
-/** Units of angle stand at the number itself; none is parted from it at a line's end. */
-function behind(unit: string): string {
-  return unit === "″" || unit === "°" ? unit : `\u00a0${unitOf(unit)}`;
+export function displayed({ value, unit, decimals, signed: plus }: Quantity): string {
+  return (plus ? signedLength : measured)(value, unit, decimals);
 }
 
-/** The least round number that holds `value`, of the unit that is shown; in the station's. */
+/** Never parted from its number at a line's end. */
+function behind(unit: string): string {
+  return TIGHT.has(unit) ? unit : `\u00a0${unitOf(unit)}`;
+}
+
+/** The least round number that holds `value`, of the displayed unit; in the station's. */
 export function roundEnd(value: number, unit: string, least: number, most: number): number {
   const scale = inUnit(1, unit);
   for (let ten = 10 ** Math.floor(Math.log10(least * scale)); ; ten *= 10) {
@@ -84,18 +93,34 @@ export function roundEnd(value: number, unit: string, least: number, most: numbe
   }
 }
 
-/** What was typed in the unit that is shown, exactly, in the station's. */
-export function fromTyped(text: string, unit: string): number {
-  const to = inch(unit);
-  if (!to) return Number(text);
-  const [, sign = "", whole = "", fraction = "", exponent = "0"] =
-    /^([+-]?)(\d*)(?:\.(\d*))?(?:e([+-]?\d+))?$/i.exec(text.trim()) ?? [];
-  if (whole + fraction === "") return Number.NaN;
-  return Number(`${sign}${BigInt(whole + fraction) * to.times}e${to.power - fraction.length + Number(exponent)}`);
+/** A typed number; comma and point are both decimal signs. NaN where it is none. */
+export function typedNumber(text: string): number {
+  const plain = text.trim().replace(",", ".");
+  return /^[+\-\u2212]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain.replace("\u2212", "-")) : Number.NaN;
 }
 
-/** A length of the station's as a field holds it: exactly what would be typed for it, where that is known. */
+/** What was typed in the displayed unit, exactly, in the station's. */
+export function fromTyped(text: string, unit: string): number {
+  const to = inch(unit);
+  const value = typedNumber(text);
+  if (!to || Number.isNaN(value)) return value;
+  const [, sign = "", whole = "", fraction = "", exponent = "0"] =
+    /^([+\-\u2212]?)(\d*)(?:[.,](\d*))?(?:e([+-]?\d+))?$/i.exec(text.trim()) ?? [];
+  const minus = sign && sign !== "+" ? "-" : "";
+  return Number(`${minus}${BigInt(whole + fraction) * to.times}e${to.power - fraction.length + Number(exponent)}`);
+}
+
+/** A number as a field displays it. */
+export function fieldFigures(value: number, decimals: number): string {
+  return plainFigures(value, decimals).replace(".", decimalSign());
+}
+
+/** A length of the station's as a field displays it: exactly what would be typed for it, where that is known. */
 export function typed(value: number, unit: string): string {
+  return plainTyped(value, unit).replace(".", decimalSign());
+}
+
+function plainTyped(value: number, unit: string): string {
   const to = inch(unit);
   if (!to) return String(Number(value.toPrecision(12)));
   for (let decimals = 0; decimals <= TYPED_DECIMALS; decimals++) {
@@ -103,27 +128,4 @@ export function typed(value: number, unit: string): string {
     if (fromTyped(text, unit) === value) return text;
   }
   return inUnit(value, unit).toFixed(FIELD_DECIMALS[unit] ?? 5);
-}
-
-const NUMBER = "[+\u2212-]?\\d[\\d\u2009]*(?:\\.\\d+)?";
-const BETWEEN = "[ \u00a0]?(?:[×–±·]|to|bis)[ \u00a0]?";
-const LENGTHS = new RegExp(
-  `(?<![\\w.])(${NUMBER}(?:${BETWEEN}${NUMBER})*)([ \u00a0]?)(mm²|mm³|mm/s|mm|µm)(?![\\w/²³])`,
-  "g",
-);
-
-/** A sentence of the station's, the lengths in it in the unit that is shown. */
-export function inUnits(text: string): string {
-  if (units() === "metric") return text;
-  return text.replace(LENGTHS, (_, numbers: string, space: string, unit: string) => {
-    const shown = numbers.replace(new RegExp(NUMBER, "g"), (number) => lengthOf(number, unit));
-    return `${shown}${space}${unitOf(unit)}`;
-  });
-}
-
-function lengthOf(number: string, unit: string): string {
-  const plain = number.replaceAll("\u2009", "").replace("\u2212", "-");
-  const value = inUnit(Number(plain), unit);
-  const decimals = decimalsIn(unit, plain.split(".")[1]?.length ?? 0);
-  return plain.startsWith("+") ? signed(value, decimals) : figures(value, decimals);
 }

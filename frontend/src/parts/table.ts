@@ -1,60 +1,45 @@
-import { said, t } from "../state/language";
-import { figures, signed } from "./format";
+import { isQuantity, message, type PlainId, type Text } from "../messages/text";
+import { render, renderEnglish } from "../state/language";
+import { plainFigures } from "./figures";
 import { lengthFigures, unitOf } from "./lengths";
 
-/** A number of the station's; `plus` where its sign is always told. */
-export interface Amount {
-  value: number;
-  decimals: number;
-  unit: string;
-  plus: boolean;
-}
-
-/** Words of this browser: as they are copied, and as they are shown. */
-interface Words {
-  plain: string;
-  shown: string;
-}
-
-/** Words of the station stand as they are. */
-export type Cell = string | Amount | Words | { unit: string };
+/** A number's unit is that of its column, or in a cell of its own. */
+export type Cell = Text | { unit: string };
 /** A column's head, with its unit where all of it has one. */
-export type Head = string | { words: string; unit: string };
+export type Head = PlainId | { title: PlainId; unit: string } | { symbol: string; unit?: string };
 
 export interface TableData {
-  title: string;
+  title: PlainId;
   head: Head[];
   rows: Cell[][];
   /** Takes the whole width where others stand side by side. */
   wide?: boolean;
 }
 
-export function amount(value: number, decimals: number, unit = "", plus = false): Amount {
-  return { value, decimals, unit, plus };
-}
-
-/** As it is copied: in the station's units. */
-export function plainCell(cell: Cell): string {
+/** As in a file: in English, and in the station's units. */
+export function fileCell(cell: Cell): string {
   if (typeof cell === "string") return cell;
-  if ("plain" in cell) return cell.plain;
-  if (!("value" in cell)) return cell.unit;
-  return cell.plus ? signed(cell.value, cell.decimals) : figures(cell.value, cell.decimals);
+  if (isQuantity(cell)) return plainFigures(cell.value, cell.decimals);
+  return "unit" in cell ? cell.unit : renderEnglish(cell);
 }
 
-export function plainHead(head: Head): string {
-  if (typeof head === "string") return head;
-  return [head.words, head.unit].filter(Boolean).join(", ");
+export function fileHead(head: Head): string {
+  return headOf(head, renderEnglish, (unit) => unit);
 }
 
-/** As it is shown: in this browser's units. */
-export function shownCell(cell: Cell): string {
-  if (typeof cell === "string") return said(cell);
-  if ("plain" in cell) return cell.shown;
-  if (!("value" in cell)) return unitOf(cell.unit);
-  return lengthFigures(cell.value, cell.unit, cell.decimals, cell.plus);
+/** As displayed: in this browser's language and units. */
+export function displayedCell(cell: Cell): string {
+  if (typeof cell === "string") return cell;
+  if (isQuantity(cell)) return lengthFigures(cell.value, cell.unit, cell.decimals, cell.signed);
+  return "unit" in cell ? unitOf(cell.unit) : render(cell);
 }
 
-export function shownHead(head: Head): string {
-  if (typeof head === "string") return t(head);
-  return [t(head.words), unitOf(head.unit)].filter(Boolean).join(", ");
+export function displayedHead(head: Head): string {
+  return headOf(head, render, unitOf);
+}
+
+function headOf(head: Head, words: (text: Text) => string, unit: (unit: string) => string): string {
+  if (typeof head === "string") return words(message(head));
+  const title = "symbol" in head ? head.symbol : words(message(head.title));
+  return [title, unit(head.unit ?? "")].filter(Boolean).join(", ");
 }

@@ -1,69 +1,69 @@
 import { useState } from "react";
-
 import type { CalibrationPoint } from "../api/recordTypes";
+import { type PlainId, quantity } from "../messages/text";
+import { measured } from "../parts/lengths";
 import { Segments } from "../parts/Segments";
 import { TimeChart } from "../parts/TimeChart";
-import { bound } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import { useList } from "../state/useList";
 import styles from "./CalibrationHistory.module.css";
 
 interface Measure {
-  label: string;
+  label: PlainId;
   unit: string;
-  words: string;
+  explanation: PlainId;
   /** It is a change since the calibration before. */
   since?: boolean;
   value: (point: CalibrationPoint) => number | null;
   limit: (point: CalibrationPoint) => number | null;
 }
 
+const TOTAL: Measure = {
+  label: "ui-uncertainty",
+  unit: "µm",
+  explanation: "ui-standard-uncertainty-dashed-good",
+  value: (point) => point.total_um,
+  limit: (point) => point.good_um,
+};
 const MEASURES: Record<string, Measure> = {
-  total: {
-    label: words("Uncertainty"),
-    unit: "µm",
-    words: words("Standard uncertainty of a scanned point, k = 1; dashed: good up to there"),
-    value: (point) => point.total_um,
-    limit: (point) => point.good_um,
-  },
+  total: TOTAL,
   sensor_um: {
-    label: words("Sensor shift"),
+    label: "ui-sensor-shift",
     unit: "µm",
-    words: words("Shift of the middle of the measuring volume in the frame of the arm's last joint"),
+    explanation: "ui-shift-centre-measuring-volume-frame-arms",
     since: true,
     value: (point) => point.sensor_um,
     limit: (point) => point.expected_um,
   },
   sensor_arcsec: {
-    label: words("Sensor turn"),
+    label: "ui-sensor-rotation",
     unit: "″",
-    words: words("Turn of the measuring volume"),
+    explanation: "ui-rotation-of-the-measuring-volume",
     since: true,
     value: (point) => point.sensor_arcsec,
     limit: (point) => point.expected_arcsec,
   },
   plane_um: {
-    label: words("Laser shift"),
+    label: "ui-laser-shift",
     unit: "µm",
-    words: words("Shift of the laser plane along its normal"),
+    explanation: "ui-shift-laser-plane-along-normal",
     since: true,
     value: (point) => point.plane_um,
     limit: (point) => point.expected_um,
   },
   plane_arcsec: {
-    label: words("Laser turn"),
+    label: "ui-laser-rotation",
     unit: "″",
-    words: words("Turn of the laser plane"),
+    explanation: "ui-rotation-of-the-laser-plane",
     since: true,
     value: (point) => point.plane_arcsec,
     limit: (point) => point.expected_arcsec,
   },
   temperature: {
-    label: words("Temperature"),
+    label: "ui-temperature",
     unit: "°C",
-    words: words("Temperature at acceptance"),
+    explanation: "ui-temperature-at-acceptance",
     value: (point) => point.temperature_c,
     limit: () => null,
   },
@@ -72,58 +72,60 @@ const MEASURES: Record<string, Measure> = {
 /** What became of the newest calibration's sensor on its arm, one figure at a time. */
 export function CalibrationHistory() {
   const { list } = useList<CalibrationPoint>("/api/calibration-history");
-  const [shown, setShown] = useState("total");
+  const [selected, setSelected] = useState("total");
   const newest = list?.[list.length - 1];
   if (!list || !newest) return null;
   const own = list.filter((p) => p.arm_serial === newest.arm_serial && p.sensor_serial === newest.sensor_serial);
   if (own.length < 2) {
-    return <p className={styles.first}>{t("From the second calibration on, what changed between them is drawn here.")}</p>;
+    return <p className={styles.first}>{t("ui-changes-between-calibrations-appear-second-one")}</p>;
   }
-  const names = Object.keys(MEASURES).filter((name) => own.some((point) => MEASURES[name]?.value(point) !== null));
-  const measure = MEASURES[shown] ?? MEASURES.total!;
+  const measures = Object.entries(MEASURES).filter(([, { value }]) => own.some((point) => value(point) !== null));
+  const measure = MEASURES[selected] ?? TOTAL;
   const points = own.map((point) => {
     const [value, limit] = [measure.value(point), measure.limit(point)];
     const beyond = value !== null && limit !== null && value > limit;
-    return { id: point.id, at: point.accepted_at, value, limit, quality: judged(shown, point, beyond) };
+    return { id: point.id, at: point.accepted_at, value, limit, quality: judged(selected, point, beyond) };
   });
   return (
     <div className={styles.history}>
       <div className={styles.choice}>
         <Segments
-          value={shown}
-          onChange={setShown}
-          options={names.map((name) => ({ value: name, label: t(MEASURES[name]?.label ?? name) }))}
-          label={t("What is drawn over time")}
+          value={selected}
+          onChange={setSelected}
+          options={measures.map(([name, { label }]) => ({ value: name, label: t(label) }))}
+          label={t("ui-plotted-quantity")}
         />
       </div>
       <TimeChart
         points={points}
         unit={measure.unit}
-        label={t("{figure} over time", { figure: t(measure.label) })}
+        label={t("ui-over-time", { figure: t(measure.label) })}
         onPoint={(id) => go("records", `calibration/${id}`)}
       />
-      <p className={styles.words}>{bound(`${explained(measure)}. ${told(points[points.length - 1], measure)}`)}</p>
+      <p className={styles.words}>
+        {explained(measure)}. {latest(points[points.length - 1], measure)}
+      </p>
     </div>
   );
 }
 
 type Point = { value: number | null; limit: number | null };
 
-function judged(shown: string, point: CalibrationPoint, beyond: boolean) {
-  if (shown === "total") return point.verdict;
-  if (shown === "temperature") return "neutral";
+function judged(selected: string, point: CalibrationPoint, beyond: boolean) {
+  if (selected === "total") return point.verdict;
+  if (selected === "temperature") return "neutral";
   return beyond ? "attention" : "good";
 }
 
-function explained({ words: what, since }: Measure): string {
-  if (!since) return t(what);
-  return `${t(what)}, ${t("against the calibration before; dashed: what the uncertainties of both let expect of a sensor that did not move (k = 2)")}`;
+function explained({ explanation, since }: Measure): string {
+  if (!since) return t(explanation);
+  return `${t(explanation)}, ${t("ui-against-previous-calibration-dashed-uncertainties-both")}`;
 }
 
-function told(last: Point | undefined, { unit, label }: Measure): string {
+function latest(last: Point | undefined, { unit, label }: Measure): string {
   if (!last || last.value === null) return "";
-  const value = t("{figure} last: {value}", { figure: t(label), value: measured(last.value, unit, last.value < 10 ? 1 : 0) });
+  const value = t("ui-latest", { figure: t(label), value: quantity(last.value, unit, last.value < 10 ? 1 : 0) });
   if (last.limit === null) return `${value}.`;
   const limit = measured(last.limit, unit);
-  return `${value}, ${last.value > last.limit ? t("beyond {limit}", { limit }) : t("within {limit}", { limit })}.`;
+  return `${value}, ${last.value > last.limit ? t("ui-beyond", { limit }) : t("ui-within", { limit })}.`;
 }

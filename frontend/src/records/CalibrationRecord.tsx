@@ -4,12 +4,15 @@ import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
-import { figures, moment } from "../parts/format";
+import { newFindings } from "../parts/findings";
+import { moment } from "../parts/format";
+import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import { ResultPicture } from "../result/ResultPicture";
 import { isolated } from "../state/isolated";
-import { said, t } from "../state/language";
+import { t } from "../state/language";
+import { asSent } from "../state/localized";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
 import { useRead } from "../state/useRead";
@@ -20,10 +23,8 @@ export function CalibrationRecord({ id }: { id: string }) {
   const inUse = useLive((s) => s.home?.calibration?.id ?? "");
   const { value, failed } = useRead<RecordedCalibration>(`/api/calibrations/${id}`, inUse);
   if (!value) {
-    const text = failed
-      ? t("It cannot be shown: its files are not in the data folder any more, or the station is away.")
-      : t("Reading the calibration.");
-    return <Layout picture={null} card={<Head title={t("Calibration")} text={text} />} />;
+    const text = failed ? t("ui-cannot-displayed-files-missing-data-folder") : t("ui-loading-the-calibration");
+    return <Layout picture={null} card={<Head title={t("ui-calibration")} text={text} />} />;
   }
   const { summary, picture, findings } = value;
   return (
@@ -31,12 +32,15 @@ export function CalibrationRecord({ id }: { id: string }) {
       picture={<ResultPicture picture={picture} />}
       card={
         <>
-          <Head title={said(summary.name).replaceAll("-", "\u2011")} text={summary.active ? t("It is in use.") : t("It is not in use any more.")} />
+          <Head
+            title={isolated(summary.name).replaceAll("-", "\u2011")}
+            text={summary.active ? t("ui-in-use") : t("ui-no-longer-in-use")}
+          />
           <BigNumber
-            kept
+            stored
             verdict
             number={{
-              label: t("Uncertainty of a scanned point (k = 1)"),
+              label: t("ui-uncertainty-scanned-point-k-1"),
               value: summary.total_um,
               unit: "µm",
               decimals: 0,
@@ -49,7 +53,7 @@ export function CalibrationRecord({ id }: { id: string }) {
             <Download href={`/api/calibrations/${summary.id}/calibration.json`}>JSON</Download>
           </div>
           <Facts record={value} />
-          <Findings findings={findings.filter(({ text }) => !picture.result.verdict_text.startsWith(text))} />
+          <Findings findings={newFindings(findings, [], [asSent(picture.result).verdict_text])} />
         </>
       }
     />
@@ -61,7 +65,7 @@ function Head({ title, text }: { title: string; text: string }) {
     <>
       <div>
         <PressButton free kind="quiet" onPress={() => go("records")}>
-          ← {t("All records")}
+          ← {t("ui-all-records")}
         </PressButton>
       </div>
       <CardHead title={title} text={text} />
@@ -71,13 +75,13 @@ function Head({ title, text }: { title: string; text: string }) {
 
 function Facts({ record: { summary, operator, station, temperature_c } }: { record: RecordedCalibration }) {
   const rows = [
-    [t("Accepted"), moment(summary.accepted_at)],
-    [t("Operator"), isolated(operator) || t("not stated")],
-    [t("Station"), isolated(station) || t("not stated")],
-    [t("Arm"), summary.arm_serial],
-    [t("Sensor"), summary.sensor_serial],
-    [t("Object"), summary.object_serial],
-    [t("Temperature"), temperature_c === null ? t("not measured") : `${figures(temperature_c, 1)} °C`],
+    [t("ui-accepted"), moment(summary.accepted_at)],
+    [t("ui-operator"), isolated(operator) || t("ui-not-stated")],
+    [t("ui-station"), isolated(station) || t("ui-not-stated")],
+    [t("ui-arm"), summary.arm_serial],
+    [t("ui-sensor"), summary.sensor_serial],
+    [t("ui-object"), summary.object_serial],
+    [t("ui-temperature"), temperature_c === null ? t("ui-not-measured") : measured(temperature_c, "°C", 1)],
   ];
   return (
     <dl className={styles.facts}>

@@ -1,19 +1,19 @@
 import type { CalibrationSummary } from "../api/homeTypes";
 import type { ScanSummary } from "../api/scanTypes";
+import type { VerificationSummary } from "../api/verifyTypes";
 import { Download } from "../parts/Download";
 import { daysAgo, duration, moment } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { Reports } from "../parts/Reports";
-import type { VerificationSummary } from "../api/verifyTypes";
 import { isolated } from "../state/isolated";
-import { counted, said, t } from "../state/language";
+import { t } from "../state/language";
 import { go } from "../state/router";
 import { setState } from "../state/store";
-import { QUALITY, WORD } from "../verify/shown";
-import { ScanActs } from "./ScanActs";
+import { DECISIONS, QUALITY } from "../verify/verification";
 import styles from "./Rows.module.css";
+import { ScanActs } from "./ScanActs";
 
 export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
   return (
@@ -21,19 +21,21 @@ export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
       <QualityMark quality={summary.verdict} />
       <div className={styles.what}>
         <p className={styles.name}>
-          {said(summary.name)}
-          {summary.active && <span className={styles.active}>{t("active")}</span>}
+          {isolated(summary.name)}
+          {summary.active && <span className={styles.active}>{t("ui-active")}</span>}
         </p>
         <p className={styles.detail}>
-          {moment(summary.accepted_at)}, {daysAgo(summary.age_days)} · {t("arm {serial}", { serial: summary.arm_serial })} ·{" "}
-          {t("sensor {serial}", { serial: summary.sensor_serial })} · {t("object {serial}", { serial: summary.object_serial })}
+          {moment(summary.accepted_at)}, {daysAgo(summary.age_days)} ·{" "}
+          {t("ui-arm-serial", { serial: summary.arm_serial })} ·{" "}
+          {t("ui-sensor-serial", { serial: summary.sensor_serial })} ·{" "}
+          {t("ui-object-serial", { serial: summary.object_serial })}
         </p>
       </div>
       <p className={styles.value}>
         {measured(summary.total_um, "µm")} <span>k = 1</span>
       </p>
       <PressButton free onPress={() => go("records", `calibration/${summary.id}`)}>
-        {t("Look at it")}
+        {t("ui-open")}
       </PressButton>
       <Reports of={`/api/calibrations/${summary.id}`} />
     </li>
@@ -50,15 +52,16 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
       <QualityMark quality={QUALITY[summary.result]} />
       <div className={styles.what}>
         <p className={styles.name}>
-          {t(WORD[summary.result])}: {said(summary.gauge)}
+          {t(DECISIONS[summary.result])}: {isolated(summary.gauge)}
         </p>
         <p className={styles.detail}>
-          {moment(summary.accepted_at)} · {counted(summary.clouds, "{n} cloud", "{n} clouds")} · {t("of {calibration}", { calibration: said(summary.calibration) })}
+          {moment(summary.accepted_at)} · {t("ui-n-clouds", { n: summary.clouds })} ·{" "}
+          {t("ui-of", { calibration: summary.calibration })}
           {summary.operator && ` · ${isolated(summary.operator)}`}
         </p>
       </div>
       <PressButton free onPress={open}>
-        {t("Open")}
+        {t("ui-open")}
       </PressButton>
       <Reports of={`/api/verifications/${summary.id}`} />
     </li>
@@ -71,11 +74,11 @@ export function ScanRow({ summary }: { summary: ScanSummary }) {
       <div className={styles.what}>
         <p className={styles.name}>{isolated(summary.name)}</p>
         <p className={styles.detail}>
-          {moment(summary.started_at)} · {duration(summary.seconds)} · {counted(summary.frames, "{n} picture", "{n} pictures")}
+          {moment(summary.started_at)} · {duration(summary.seconds)} · {t("ui-n-pictures", { n: summary.frames })}
         </p>
-        {summary.note && <p className={styles.detail}>{said(summary.note)}</p>}
+        {summary.note && <p className={styles.detail}>{summary.note}</p>}
       </div>
-      <p className={styles.value}>{counted(summary.points, "{n} point", "{n} points")}</p>
+      <p className={styles.value}>{t("ui-n-points", { n: summary.points })}</p>
       <ScanActs scan={summary} />
       <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
     </li>

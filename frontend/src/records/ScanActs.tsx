@@ -4,7 +4,6 @@ import type { ScanSummary } from "../api/scanTypes";
 import type { Action } from "../api/types";
 import { deleteScan, renameScan } from "../api/viewCommands";
 import look from "../parts/Control.module.css";
-import { figures } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";
 import { t } from "../state/language";
@@ -16,28 +15,28 @@ export function ScanActs({ scan }: { scan: ScanSummary }) {
   const [asking, setAsking] = useState(false);
   const end: Action = {
     name: "delete",
-    label: t("Delete it"),
+    label: t("ui-delete"),
     args: {},
     primary: false,
     enabled: true,
     why_not: "",
-    confirm: t("Delete {name}? Its recording and its {points} points are taken from the disk and cannot be brought back.", {
+    confirm: t("ui-delete-recording-points-removed-disk-permanently", {
       name: scan.name,
-      points: figures(scan.points),
+      points: scan.points,
     }),
   };
   if (renaming) return <NewName scan={scan} onDone={() => setRenaming(false)} />;
   return (
     <div className={styles.acts}>
       <PressButton kind="quiet" onPress={() => setRenaming(true)}>
-        {t("Rename")}
+        {t("ui-rename")}
       </PressButton>
       <PressButton kind="quiet" onPress={() => setAsking(true)}>
-        {t("Delete")}
+        {t("ui-delete")}
       </PressButton>
       <Question
         action={end}
-        no={t("No, keep it")}
+        no={t("ui-no-keep-it")}
         opened={asking}
         onClose={() => setAsking(false)}
         onAct={async () => void (await deleteScan(scan.id))}
@@ -65,16 +64,16 @@ function NewName({ scan, onDone }: { scan: ScanSummary; onDone: () => void }) {
         value={name}
         maxLength={120}
         autoFocus
-        aria-label={t("New name of {name}", { name: scan.name })}
+        aria-label={t("ui-new-name-of", { name: scan.name })}
         onFocus={(event) => event.currentTarget.select()}
         onChange={(event) => setName(event.target.value)}
         onKeyDown={(event) => event.key === "Escape" && onDone()}
       />
       <PressButton onPress={save} disabled={empty}>
-        {t("Save")}
+        {t("ui-save")}
       </PressButton>
       <PressButton kind="quiet" free onPress={onDone}>
-        {t("Cancel")}
+        {t("ui-cancel")}
       </PressButton>
     </form>
   );

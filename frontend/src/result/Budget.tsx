@@ -1,7 +1,7 @@
 import type { BudgetRow, CalibrationResult } from "../api/resultTypes";
-import { bound } from "../parts/format";
-import { lengthFigures, measured, unitOf } from "../parts/lengths";
-import { said, t } from "../state/language";
+import { quantity } from "../messages/text";
+import { lengthFigures, unitOf } from "../parts/lengths";
+import { t } from "../state/language";
 import styles from "./Budget.module.css";
 
 /** Where the uncertainty comes from, the largest first, and what changed since the last time. */
@@ -10,16 +10,19 @@ export function Budget({ result }: { result: CalibrationResult }) {
   const largest = Math.max(result.total_um, 1e-9);
   return (
     <div className={styles.budget}>
-      <h3 className={styles.title}>{bound(t("Standard uncertainty of a scanned point, k = 1"))}</h3>
+      <h3 className={styles.title}>{t("ui-standard-uncertainty-of-a-scanned-point")}</h3>
       <div className={styles.rows}>
         {rows.map((row) => (
           <Row key={row.source} row={row} largest={largest} />
         ))}
-        <Row row={{ source: t("Together"), value_um: result.total_um }} largest={largest} total />
+        <Row row={{ source: t("ui-together"), value_um: result.total_um }} largest={largest} total />
       </div>
       {result.good_um !== null && result.usable_um !== null && (
         <p className={styles.limits}>
-          {t("Good up to {good}, usable up to {usable}.", { good: measured(result.good_um, "µm"), usable: measured(result.usable_um, "µm") })}
+          {t("ui-good-up-to-usable-up-to", {
+            good: quantity(result.good_um, "µm"),
+            usable: quantity(result.usable_um, "µm"),
+          })}
         </p>
       )}
       <Compared result={result} />
@@ -34,7 +37,9 @@ function Row({ row, largest, total = false }: { row: BudgetRow; largest: number;
       <span className={styles.track}>
         <span className={styles.bar} style={{ width: `${Math.min(100, (row.value_um / largest) * 100)}%` }} />
       </span>
-      <span className={styles.value}>{micrometres(row.value_um)} {unitOf("µm")}</span>
+      <span className={styles.value}>
+        {micrometres(row.value_um)} {unitOf("µm")}
+      </span>
     </div>
   );
 }
@@ -48,17 +53,17 @@ function Compared({ result }: { result: CalibrationResult }) {
   const { comparison } = result;
   return (
     <div className={styles.compared}>
-      <h3 className={styles.title}>{t("Against the last calibration")}</h3>
+      <h3 className={styles.title}>{t("ui-against-the-last-calibration")}</h3>
       {comparison ? (
         <p>
-          {t("Points of the measuring volume moved by {rms} rms, {most} at most, since {name}.", {
-            rms: measured(comparison.rms_um, "µm"),
-            most: measured(comparison.max_um, "µm"),
-            name: said(comparison.with_name),
+          {t("ui-points-measuring-volume-moved-rms-most", {
+            rms: quantity(comparison.rms_um, "µm"),
+            most: quantity(comparison.max_um, "µm"),
+            name: comparison.with_name,
           })}
         </p>
       ) : (
-        <p>{t("This is the first one. The next is compared with it here.")}</p>
+        <p>{t("ui-first-calibration-next-one-compared")}</p>
       )}
     </div>
   );

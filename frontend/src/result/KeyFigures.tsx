@@ -12,16 +12,34 @@ export function KeyFigures({ result, object }: { result: CalibrationResult; obje
     <Readouts
       wrap
       readouts={[
-        { label: object.kind === "board" ? t("Corners, rms") : t("Edges, rms"), value: figures(result.reprojection_rms_px, 3), unit: "px" },
-        { label: t("Laser plane, rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
+        {
+          label: object.kind === "board" ? t("ui-corners-rms") : t("ui-edges-rms"),
+          value: figures(result.reprojection_rms_px, 3),
+          unit: "px",
+        },
+        { label: t("ui-laser-plane-rms"), value: lengthFigures(result.laser_plane_rms_um, "µm"), unit: unitOf("µm") },
         ...(result.alignment_rms_um === null
           ? []
-          : [{ label: t("Touches, rms"), value: lengthFigures(result.alignment_rms_um, "µm"), unit: unitOf("µm") }]),
-        { label: t("Depth range"), value: t("{low} to {high}", { low: lengthFigures(near, "mm", 1), high: lengthFigures(far, "mm", 1) }), unit: unitOf("mm") },
+          : [
+              {
+                label: t("ui-contact-points-rms"),
+                value: lengthFigures(result.alignment_rms_um, "µm"),
+                unit: unitOf("µm"),
+              },
+            ]),
+        {
+          label: t("ui-depth-range"),
+          value: t("ui-range", { low: lengthFigures(near, "mm", 1), high: lengthFigures(far, "mm", 1) }),
+          unit: unitOf("mm"),
+        },
         ...(result.plane
           ? [
-              { label: t("Plane's angle, k = 1"), value: figures(result.plane.angle_arcsec), unit: "″" },
-              { label: t("Plane's offset, k = 1"), value: lengthFigures(result.plane.offset_um, "µm", 1), unit: unitOf("µm") },
+              { label: t("ui-planes-angle-k-1"), value: figures(result.plane.angle_arcsec), unit: "″" },
+              {
+                label: t("ui-planes-offset-k-1"),
+                value: lengthFigures(result.plane.offset_um, "µm", 1),
+                unit: unitOf("µm"),
+              },
             ]
           : []),
       ]}

@@ -2,7 +2,7 @@ import type { ObjectGeometry } from "../api/flowTypes";
 import type { CalibrationResult, PosePicture } from "../api/resultTypes";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
-import { asSent } from "../state/spoken";
+import { asSent } from "../state/localized";
 import styles from "./Numbers.module.css";
 import { PosesTable } from "./PosesTable";
 import { POSES, tablesOf } from "./tables";

@@ -2,12 +2,12 @@ import { useState } from "react";
 
 import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
 import type { WorstPoint } from "../api/resultTypes";
+import styles from "../flow/ObjectPicture.module.css";
 import { PointPanel } from "../flow/PointPanel";
 import { ResidualLegend } from "../flow/ResidualLegend";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { scaleEnd } from "../object/residuals";
 import { ResidualSticks, Touches } from "../object/Touches";
-import styles from "../flow/ObjectPicture.module.css";
 import { t } from "../state/language";
 
 interface ResidualObjectProps {
@@ -28,7 +28,7 @@ export function ResidualObject({ object, points, worst }: ResidualObjectProps) {
         object={object}
         face={face}
         onFace={(tapped) => setFace(tapped === face ? null : tapped)}
-        label={t("Residuals on the object")}
+        label={t("ui-residuals-on-the-object")}
       >
         {(view) => (
           <>
@@ -47,7 +47,7 @@ export function ResidualObject({ object, points, worst }: ResidualObjectProps) {
       </ObjectDrawing>
       {point && <PointPanel point={point} onClose={() => setChosen(null)} removable={false} />}
       <div className={styles.legend}>
-        {points.length > 0 ? <ResidualLegend scale_um={scale_um} sticks /> : <p>{t("The board was not touched.")}</p>}
+        {points.length > 0 ? <ResidualLegend scale_um={scale_um} sticks /> : <p>{t("ui-the-board-was-not-touched")}</p>}
       </div>
     </div>
   );

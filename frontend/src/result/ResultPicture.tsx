@@ -2,24 +2,24 @@ import { useRef, useState } from "react";
 
 import { PoseView } from "../image/PoseView";
 import { Segments } from "../parts/Segments";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";
 import { KeyFigures } from "./KeyFigures";
-import { partOf } from "./names";
 import { Numbers } from "./Numbers";
+import { partOf } from "./names";
 import { ResidualObject } from "./ResidualObject";
 import styles from "./ResultPicture.module.css";
 import { UncertaintyMap } from "./UncertaintyMap";
 import type { ResultView } from "./view";
 
 const TABS = [
-  { value: "object", label: words("Object") },
-  { value: "image", label: words("Poses") },
-  { value: "map", label: words("Map") },
-  { value: "budget", label: words("Error budget") },
-  { value: "numbers", label: words("Numbers") },
-];
+  { value: "object", label: "ui-object" },
+  { value: "image", label: "ui-poses" },
+  { value: "map", label: "ui-map" },
+  { value: "budget", label: "ui-error-budget" },
+  { value: "numbers", label: "ui-numbers" },
+] as const;
 
 /** The result as pictures first; the table is one tap away. */
 export function ResultPicture({ picture }: { picture: ResultView }) {
@@ -27,8 +27,8 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
   const place = useRef<HTMLDivElement>(null);
   const [tab, setTab] = useState("object");
   const [pose, setPose] = useState(result.shown_pose);
-  useLook((asked) => {
-    setPose(asked);
+  useLook((requested) => {
+    setPose(requested);
     setTab("image");
     place.current?.scrollIntoView({ block: "nearest" });
   });
@@ -39,12 +39,21 @@ export function ResultPicture({ picture }: { picture: ResultView }) {
           value={tab}
           onChange={setTab}
           options={TABS.map(({ value, label }) => ({ value, label: t(label) }))}
-          label={t("What to look at")}
+          label={t("ui-view")}
         />
       </div>
-      <div className={styles.shown} tabIndex={0}>
+      <div className={styles.content} tabIndex={0}>
         {tab === "object" && <ResidualObject object={picture.object} points={picture.points} worst={result.worst} />}
-        {tab === "image" && <PoseView poses={poses} shown={pose} onShow={setPose} residuals worst={result.worst} part={partOf(picture.object)} />}
+        {tab === "image" && (
+          <PoseView
+            poses={poses}
+            selected={pose}
+            onShow={setPose}
+            residuals
+            worst={result.worst}
+            part={partOf(picture.object)}
+          />
+        )}
         {tab === "map" && poses[0] && (
           <UncertaintyMap result={result} width_px={poses[0].width_px} height_px={poses[0].height_px} />
         )}

@@ -1,10 +1,9 @@
 import { useState } from "react";
-
 import type { CalibrationResult } from "../api/resultTypes";
-import { Segments } from "../parts/Segments";
-import { figures } from "../parts/format";
+import { quantity } from "../messages/text";
 import { lengthFigures, measured } from "../parts/lengths";
-import { said, t } from "../state/language";
+import { Segments } from "../parts/Segments";
+import { t } from "../state/language";
 import styles from "./UncertaintyMap.module.css";
 
 interface MapProps {
@@ -26,26 +25,26 @@ const SCALE = ["#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688"]
 /** How well a scanned point is known, and how far it moved since the last calibration, over the
  *  picture: the laser's light falls on one plane only. */
 export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
-  const [shown, setShown] = useState("known");
+  const [selected, setSelected] = useState("known");
   const { map, comparison } = result;
   if (map.length === 0) {
-    return <p className={styles.none}>{t("Calibrations of older versions carry no map.")}</p>;
+    return <p className={styles.none}>{t("ui-calibrations-older-versions-no-map")}</p>;
   }
   const inside = new Map(map.map((p) => [`${p.u} ${p.v}`, p.inside]));
   const moved = comparison?.map ?? [];
-  const change = shown === "moved" && comparison && moved.length > 0;
+  const change = selected === "moved" && comparison && moved.length > 0;
   return (
     <div className={styles.view}>
       {moved.length > 0 && (
         <div className={styles.choice}>
           <Segments
-            value={shown}
-            onChange={setShown}
+            value={selected}
+            onChange={setSelected}
             options={[
-              { value: "known", label: t("Uncertainty") },
-              { value: "moved", label: t("Change") },
+              { value: "known", label: t("ui-uncertainty") },
+              { value: "moved", label: t("ui-change") },
             ]}
-            label={t("What the map shows")}
+            label={t("ui-plotted-quantity")}
           />
         </div>
       )}
@@ -57,12 +56,12 @@ export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
         }
         words={
           change
-            ? t("How far a scanned point moved since {name}: {rms} rms, at most {most}.", {
-                name: said(comparison.with_name),
-                rms: measured(comparison.rms_um, "µm"),
-                most: measured(comparison.max_um, "µm"),
+            ? t("ui-displacement-scanned-point-since-rms-most", {
+                name: comparison.with_name,
+                rms: quantity(comparison.rms_um, "µm"),
+                most: quantity(comparison.max_um, "µm"),
               })
-            : t("Standard uncertainty of a scanned point, k = 1, over the picture.")
+            : t("ui-standard-uncertainty-over-picture")
         }
         width_px={width_px}
         height_px={height_px}
@@ -87,7 +86,9 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
     SCALE[Math.min(SCALE.length - 1, Math.max(0, Math.floor(((value - low) / (high - low || 1)) * SCALE.length)))];
   const wide = step(cells.map((cell) => cell.u));
   const tall = step(cells.map((cell) => cell.v));
-  const bare = Math.max(...cells.map((cell) => cell.v)) + tall / 2 < height_px || Math.min(...cells.map((cell) => cell.v)) - tall / 2 > 0;
+  const bare =
+    Math.max(...cells.map((cell) => cell.v)) + tall / 2 < height_px ||
+    Math.min(...cells.map((cell) => cell.v)) - tall / 2 > 0;
   const worst = cells.reduce((a, b) => (b.inside && (!a.inside || b.um > a.um) ? b : a));
   return (
     <figure className={styles.map}>
@@ -95,7 +96,7 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         className={styles.picture}
         viewBox={`0 0 ${width_px} ${height_px}`}
         role="img"
-        aria-label={`${words} ${t("{low} to {high}", { low: lengthFigures(low, "µm"), high: measured(high, "µm") })}`}
+        aria-label={`${words} ${t("ui-range", { low: lengthFigures(low, "µm"), high: quantity(high, "µm") })}`}
       >
         <defs>
           <pattern id="extrapolated" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -110,7 +111,9 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
           {cells.map(({ u, v, um, inside: covered }) => (
             <g key={`${u} ${v}`}>
               <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill={colour(um)}>
-                <title>{t("{value} at {u}, {v} px", { value: measured(um, "µm", 1), u: figures(u), v: figures(v) })}</title>
+                <title>
+                  {t("ui-value-at-pixel", { value: quantity(um, "µm", 1), u: quantity(u), v: quantity(v, "px") })}
+                </title>
               </rect>
               {!covered && (
                 <rect x={u - wide / 2} y={v - tall / 2} width={wide + 1} height={tall + 1} fill="url(#extrapolated)" />
@@ -136,8 +139,8 @@ function Field({ cells, words, width_px, height_px }: FieldProps) {
         </span>
         <span>{measured(high, "µm", 1)}</span>
         <span className={styles.words}>
-          {words} {t("Hatched: beyond the depths that the stripe covered. Named: the largest within them.")}
-          {bare && ` ${t("Grey: further beyond them; nothing is claimed there.")}`}
+          {words} {t("ui-hatched-beyond-depths-stripe-covered-labelled")}
+          {bare && ` ${t("ui-grey-far-beyond-them-no-statement")}`}
         </span>
       </figcaption>
     </figure>

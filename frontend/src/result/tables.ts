@@ -1,59 +1,72 @@
 import type { ObjectGeometry } from "../api/flowTypes";
-import type { CalibrationResult, WorstPoint } from "../api/resultTypes";
-import { amount, type TableData } from "../parts/table";
-import { said, t, words } from "../state/language";
-import { filled } from "../state/sentences";
-import { cornerWords, partOf } from "./names";
+import type { CalibrationResult, PoseRow, WorstPoint } from "../api/resultTypes";
+import { message, type PlainId, quantity } from "../messages/text";
+import type { Cell, TableData } from "../parts/table";
+import { wordText } from "../state/language";
+import { partOf } from "./names";
 
-export const POSES = words("Poses");
-const KINDS: Record<WorstPoint["kind"], string> = { corner: words("corner"), contact: words("contact"), stripe: words("stripe") };
+export const POSES: PlainId = "ui-poses";
+const KINDS = {
+  corner: "ui-corner",
+  contact: "ui-contact",
+  stripe: "ui-stripe-lowercase",
+} as const satisfies Record<WorstPoint["kind"], PlainId>;
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
+/** All figures of a result, as displayed or as sent. */
 export function tablesOf(result: CalibrationResult, object: ObjectGeometry): TableData[] {
   return [
     ...facesTables(result),
     {
       title: POSES,
-      head: [words("Pose"), { words: partOf(object), unit: "px" }, { words: words("Stripe"), unit: "px" }, { words: words("Off"), unit: "µm" }],
-      rows: result.poses.map((p) =>
-        p.used
-          ? [String(p.number), amount(p.edges_rms_px, 3), p.stripe_rms_px === null ? { plain: "left out", shown: t("left out") } : amount(p.stripe_rms_px, 3), amount(p.off_um, 0, "µm")]
-          : [String(p.number), { plain: `left out: ${p.reason}`, shown: t("left out: {reason}", { reason: p.reason }) }, "", ""],
-      ),
+      head: [
+        "ui-pose",
+        { title: partOf(object), unit: "px" },
+        { title: "ui-stripe", unit: "px" },
+        { title: "ui-deviation", unit: "µm" },
+      ],
+      rows: result.poses.map(poseCells),
     },
     {
-      title: words("Largest residuals"),
-      head: [words("Where"), words("Kind"), words("Residual"), words("Unit")],
-      rows: result.worst.map((w) => [
-        w.kind === "corner" ? { plain: cornerWords(w.name, filled), shown: cornerWords(w.name) } : { plain: w.name, shown: said(w.name) },
-        { plain: w.kind, shown: t(KINDS[w.kind]) },
-        amount(w.value, w.unit === "px" ? 3 : 1, w.unit),
-        { unit: w.unit },
+      title: "ui-largest-residuals",
+      head: ["ui-where", "ui-type", "ui-residual", "ui-unit"],
+      rows: result.worst.map(({ kind, name, value, unit }) => [
+        name,
+        message(KINDS[kind]),
+        quantity(value, unit, unit === "px" ? 3 : 1),
+        { unit },
       ]),
     },
     {
-      title: words("Error budget, k = 1"),
-      head: [words("Source"), { words: "", unit: "µm" }],
+      title: "ui-error-budget-k-1",
+      head: ["ui-source", { symbol: "", unit: "µm" }],
       rows: [
-        ...result.budget.map((row) => [row.source, amount(row.value_um, 2, "µm")]),
-        [words("Together"), amount(result.total_um, 2, "µm")],
+        ...result.budget.map((row) => [row.source, quantity(row.value_um, "µm", 2)]),
+        [message("ui-together"), quantity(result.total_um, "µm", 2)],
       ],
     },
     {
-      title: words("Probe matrix T_flange_sensor"),
+      title: "ui-probe-matrix-t-flange-sensor",
       wide: true,
-      head: [words("Row"), "x", "y", "z", { words: "t", unit: "mm" }],
+      head: ["ui-row", { symbol: "x" }, { symbol: "y" }, { symbol: "z" }, { symbol: "t", unit: "mm" }],
       rows: result.probe_matrix.map((row, i) => [
         String(i + 1),
-        ...row.map((value, j) => amount(value, j === 3 && i < 3 ? 3 : 6, j === 3 && i < 3 ? "mm" : "")),
+        ...row.map((value, j) => (j === 3 && i < 3 ? quantity(value, "mm", 3) : quantity(value, "", 6))),
       ]),
     },
     {
-      title: words("Lens distortion"),
-      head: [words("Term"), words("Value")],
-      rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, amount(value, 6)]),
+      title: "ui-lens-distortion",
+      head: ["ui-term", "ui-value"],
+      rows: result.distortion.map((value, i) => [DISTORTION[i] ?? `d${i}`, quantity(value, "", 6)]),
     },
   ];
+}
+
+function poseCells(pose: PoseRow): Cell[] {
+  const number = String(pose.number);
+  if (!pose.used) return [number, message("ui-left-out-reason", { reason: pose.reason }), "", ""];
+  const stripe = pose.stripe_rms_px === null ? message("ui-left-out") : quantity(pose.stripe_rms_px, "px", 3);
+  return [number, quantity(pose.edges_rms_px, "px", 3), stripe, quantity(pose.off_um, "µm")];
 }
 
 /** None where the object was not touched. */
@@ -61,9 +74,14 @@ function facesTables({ faces }: CalibrationResult): TableData[] {
   if (faces.length === 0) return [];
   return [
     {
-      title: words("Faces"),
-      head: [words("Face"), words("Points"), { words: words("rms"), unit: "µm" }, { words: words("Form"), unit: "µm" }],
-      rows: faces.map((f) => [f.face, amount(f.points, 0), amount(f.rms_um, 1, "µm"), amount(f.form_um, 1, "µm")]),
+      title: "ui-faces",
+      head: ["ui-face", "ui-points", { title: "ui-rms", unit: "µm" }, { title: "ui-form", unit: "µm" }],
+      rows: faces.map((f) => [
+        wordText(f.face),
+        quantity(f.points),
+        quantity(f.rms_um, "µm", 1),
+        quantity(f.form_um, "µm", 1),
+      ]),
     },
   ];
 }

@@ -4,7 +4,7 @@ import { t } from "../state/language";
 import styles from "./CloudView.module.css";
 import { useDrawing } from "./drawing";
 
-/** Of the 3D view's page only the picture is shown, on this page's own ground. */
+/** Of the 3D view's page only the picture is displayed, on this page's own ground. */
 const PICTURE_ONLY = `
   html { color-scheme: light !important; }
   body, #root, #root * { background-color: transparent !important; }
@@ -34,16 +34,16 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
   };
   return (
     <div className={styles.view}>
-      {!ready && <p className={styles.waiting}>{t("The 3D view opens here.")}</p>}
+      {!ready && <p className={styles.waiting}>{t("ui-the-3d-view-opens-here")}</p>}
       <iframe
         ref={frame}
         className={styles.frame}
         data-ready={ready || undefined}
         src={`/viewer/${viewKey}${thousands ? `-${thousands}` : ""}/`}
-        title={t("Live cloud of points")}
+        title={t("ui-live-cloud-of-points")}
         onLoad={prepare}
       />
-      {thousands && <p className={styles.fewer}>{t("Fewer points: this browser draws slowly")}</p>}
+      {thousands && <p className={styles.fewer}>{t("ui-fewer-points-this-browser-renders-slowly")}</p>}
       {children}
     </div>
   );

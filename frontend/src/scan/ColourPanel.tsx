@@ -2,14 +2,14 @@ import { useEffect, useState } from "react";
 
 import { colourBy } from "../api/viewCommands";
 import type { Legend, Measure } from "../api/viewTypes";
-import { fromTyped, unitOf } from "../parts/lengths";
+import { fieldFigures, fromTyped, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ColourPanel.module.css";
-import { decimalsOf, inShown, MEASURES } from "./LegendBar";
+import { decimalsOf, inDisplayedUnit, MEASURES } from "./LegendBar";
 
 const ORDER: Measure[] = ["height", "intensity", "uncertainty", "age", "deviation"];
 
@@ -21,8 +21,8 @@ export function ColourPanel() {
   const fitted = useLive((s) => (s.view?.fits.length ?? 0) > 0);
   return (
     <>
-      <h2 className={styles.title}>{t("Colour by")}</h2>
-      <div role="radiogroup" aria-label={t("Colour by")} className={styles.measures}>
+      <h2 className={styles.title}>{t("ui-colour-by")}</h2>
+      <div role="radiogroup" aria-label={t("ui-colour-by")} className={styles.measures}>
         {ORDER.map((one) => {
           const missing = one === "deviation" && !fitted;
           const off = missing || barred;
@@ -37,7 +37,7 @@ export function ColourPanel() {
               onClick={() => !off && void colourBy(one)}
             >
               {t(MEASURES[one].name)}
-              {missing && <span className={styles.why}>{t("Fit a shape first")}</span>}
+              {missing && <span className={styles.why}>{t("ui-fit-a-shape-first")}</span>}
             </button>
           );
         })}
@@ -47,24 +47,20 @@ export function ColourPanel() {
   );
 }
 
-/** As a field takes it; nothing is not minus nothing. */
-function plain(value: number, decimals: number): string {
-  return value.toFixed(decimals).replace(/^-(?=[0.]*$)/, "");
-}
-
-/** Automatic limits follow what is shown; those typed in stay. */
+/** Automatic limits follow the view; typed ones stay. */
 function Limits({ legend }: { legend: Legend }) {
   const unit = unitOf(legend.unit);
   const [low, setLow] = useState("");
   const [high, setHigh] = useState("");
   const [typed, setTyped] = useState(false);
+  const ends = inDisplayedUnit(legend);
+  const decimals = decimalsOf(ends);
+  const [lowest, highest] = [fieldFigures(ends.low, decimals), fieldFigures(ends.high, decimals)];
   useEffect(() => {
     if (typed) return;
-    const ends = inShown(legend);
-    const decimals = decimalsOf(ends);
-    setLow(plain(ends.low, decimals));
-    setHigh(plain(ends.high, decimals));
-  }, [legend, typed, unit]);
+    setLow(lowest);
+    setHigh(highest);
+  }, [lowest, highest, typed]);
   const type = (set: (text: string) => void) => (text: string) => {
     setTyped(true);
     set(text);
@@ -81,18 +77,31 @@ function Limits({ legend }: { legend: Legend }) {
   return (
     <>
       <h2 className={styles.title}>
-        {t("Limits")} <span className={styles.how}>{legend.automatic ? t("automatic") : t("set by hand")}</span>
+        {t("ui-limits")}{" "}
+        <span className={styles.how}>{legend.automatic ? t("ui-automatic-lowercase") : t("ui-manual")}</span>
       </h2>
       <div className={styles.limits}>
-        <UnitInput unit={unit} long={unit.length > 3} value={low} onText={type(setLow)} aria-label={t("Lower limit, {unit}", { unit })} />
-        <UnitInput unit={unit} long={unit.length > 3} value={high} onText={type(setHigh)} aria-label={t("Upper limit, {unit}", { unit })} />
+        <UnitInput
+          unit={unit}
+          long={unit.length > 3}
+          value={low}
+          onText={type(setLow)}
+          aria-label={t("ui-lower-limit", { unit })}
+        />
+        <UnitInput
+          unit={unit}
+          long={unit.length > 3}
+          value={high}
+          onText={type(setHigh)}
+          aria-label={t("ui-upper-limit", { unit })}
+        />
       </div>
-      {typed && wrong && <p className={styles.wrong}>{t("The lower limit must be below the upper.")}</p>}
+      {typed && wrong && <p className={styles.wrong}>{t("ui-lower-limit-must-below-upper")}</p>}
       <div className={styles.acts}>
         <PressButton onPress={apply} disabled={!typed || wrong}>
-          {t("Use these limits")}
+          {t("ui-apply-limits")}
         </PressButton>
-        {!legend.automatic && <PressButton onPress={automatic}>{t("Automatic")}</PressButton>}
+        {!legend.automatic && <PressButton onPress={automatic}>{t("ui-automatic")}</PressButton>}
       </div>
     </>
   );

@@ -1,11 +1,12 @@
 import type { Distance } from "../api/viewTypes";
+import { type PlainId, quantity } from "../messages/text";
+import { lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
-import { lengthFigures, measured, unitOf } from "../parts/lengths";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./DistanceSign.module.css";
 
-const WORDS: Record<Distance["state"], string> = { in: words("In range"), near: words("Too near"), far: words("Too far") };
+const STATES: Record<Distance["state"], PlainId> = { in: "ui-in-range", near: "ui-too-near", far: "ui-too-far" };
 
 /** How far the sensor is from the part, readable from two metres. */
 export function DistanceSign() {
@@ -16,14 +17,14 @@ export function DistanceSign() {
     <div className={styles.sign} data-quality={good ? "good" : "bad"}>
       <p className={styles.words}>
         <QualityMark quality={good ? "good" : "bad"} size="1.5rem" />
-        {t(WORDS[distance.state])}
+        {t(STATES[distance.state])}
       </p>
       <p className={styles.value}>
         {lengthFigures(distance.mm, "mm")}
         <span className={styles.unit}>{unitOf("mm")}</span>
       </p>
       <p className={styles.range}>
-        {t("calibrated {low} to {high}", { low: lengthFigures(distance.near_mm, "mm"), high: measured(distance.far_mm, "mm") })}
+        {t("ui-calibrated-to", { low: lengthFigures(distance.near_mm, "mm"), high: quantity(distance.far_mm, "mm") })}
       </p>
     </div>
   );

@@ -1,20 +1,20 @@
 import type { ReactNode } from "react";
-
 import { colourBy, removeFit } from "../api/viewCommands";
 import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
+import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
-import { figures } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";
 import { useBarred } from "../state/control";
-import { counted, said, t, words } from "../state/language";
+import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./MeasurePanel.module.css";
 
-const SHAPES: { name: ShapeName; label: string; icon: ReactNode }[] = [
-  { name: "plane", label: words("Plane"), icon: <PlaneIcon /> },
-  { name: "sphere", label: words("Sphere"), icon: <SphereIcon /> },
-  { name: "cylinder", label: words("Cylinder"), icon: <CylinderIcon /> },
+const NAMES: Record<ShapeName, PlainId> = { plane: "ui-plane", sphere: "ui-sphere", cylinder: "ui-cylinder" };
+const SHAPES: { name: ShapeName; icon: ReactNode }[] = [
+  { name: "plane", icon: <PlaneIcon /> },
+  { name: "sphere", icon: <SphereIcon /> },
+  { name: "cylinder", icon: <CylinderIcon /> },
 ];
 
 /** Shapes fitted to what is drawn around, the newest first. */
@@ -23,10 +23,10 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
   const barred = useBarred() !== "";
   const busy = useLive((s) => s.view?.busy ?? "");
   const some = useLive((s) => Boolean(s.view?.legend));
-  const why = busy ? `${said(busy)}.` : some ? "" : t("There is no cloud in the picture yet. Scan, or show a scan.");
+  const why = busy ? busy : some ? "" : t("ui-no-cloud-picture-yet-scan-display");
   return (
     <>
-      <h2 className={styles.title}>{t("Fit a shape")}</h2>
+      <h2 className={styles.title}>{t("ui-fit-a-shape")}</h2>
       <div className={styles.shapes}>
         {SHAPES.map((shape) => (
           <button
@@ -37,7 +37,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
             onClick={() => !barred && !why && onPick(shape.name)}
           >
             {shape.icon}
-            {t(shape.label)}
+            {t(NAMES[shape.name])}
           </button>
         ))}
       </div>
@@ -56,7 +56,7 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
 function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
   const barred = useBarred() !== "";
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
-  const label = t(SHAPES.find(({ name }) => name === fitted.shape)?.label ?? fitted.shape);
+  const label = t(NAMES[fitted.shape]);
   // of a plane its form is asked for first, of round shapes their diameter
   const flat = fitted.shape === "plane";
   const [first, ...rest] = fitted.figures;
@@ -69,40 +69,50 @@ function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
           {label} {fitted.id}
         </h3>
         {!barred && (
-          <button type="button" className={styles.remove} onClick={() => void removeFit(fitted.id)} aria-label={t("Remove {name}", { name: `${label} ${fitted.id}` })}>
+          <button
+            type="button"
+            className={styles.remove}
+            onClick={() => void removeFit(fitted.id)}
+            aria-label={t("ui-remove-name", { name: `${label} ${fitted.id}` })}
+          >
             <CloseIcon size="1.25rem" />
           </button>
         )}
       </header>
       {main && (
         <p className={styles.main}>
-          <span className={styles.mainLabel}>{said(main.label)}</span>
-          {lengthFigures(main.value, main.unit, main.decimals)} <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
+          <span className={styles.mainLabel}>{main.label}</span>
+          {lengthFigures(main.value, main.unit, main.decimals)}{" "}
+          <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
           <Known figure={main} />
         </p>
       )}
       <dl className={styles.rows}>
         {others.map((figure) => (
-          <Row key={figure.label} label={said(figure.label)}>
+          <Row key={figure.label} label={figure.label}>
             {measured(figure.value, figure.unit, figure.decimals)} <Known figure={figure} />
           </Row>
         ))}
         {!flat && <Row label={t(FORM)}>{micrometres(fitted.form_um)}</Row>}
-        <Row label={t("Distances, rms")}>{micrometres(fitted.rms_um)}</Row>
-        <Row label={t("Largest distance")}>{micrometres(fitted.largest_um)}</Row>
+        <Row label={t("ui-distances-rms")}>{micrometres(fitted.rms_um)}</Row>
+        <Row label={t("ui-largest-distance")}>{micrometres(fitted.largest_um)}</Row>
       </dl>
       <p className={styles.note}>
         {fitted.points < fitted.picked
-          ? t("{n} of {all} points", { n: figures(fitted.points), all: figures(fitted.picked) })
-          : counted(fitted.points, "{n} point", "{n} points")}
-        {fitted.every ? "" : `, ${t("of those in the picture, which are thinned")}`}.{" "}
+          ? t("ui-of-points", { n: fitted.points, all: fitted.picked })
+          : t("ui-n-points", { n: fitted.points })}
+        {fitted.every ? "" : `, ${t("ui-thinned-cloud-picture")}`}.{" "}
         {fitted.figures.some((figure) => figure.uncertainty !== null)
-          ? t("± is the standard uncertainty, k = 1, by the scatter of the scan; what calibration and arm add is not in it.")
-          : t("Too few pictures took part to tell an uncertainty.")}
+          ? t("ui-standard-uncertainty-k-1-scatter-scan")
+          : t("ui-too-few-pictures-for-an-uncertainty")}
       </p>
       {last && !byDeviation && !barred && (
-        <button type="button" className={`${look.button} ${styles.deviations}`} onClick={() => void colourBy("deviation")}>
-          {t("Colour by deviation from it")}
+        <button
+          type="button"
+          className={`${look.button} ${styles.deviations}`}
+          onClick={() => void colourBy("deviation")}
+        >
+          {t("ui-colour-by-deviation")}
         </button>
       )}
     </article>
@@ -120,14 +130,10 @@ function Row({ label, children }: { label: string; children: ReactNode }) {
 
 function Known({ figure }: { figure: Figure }) {
   if (figure.uncertainty === null) return null;
-  return (
-    <span className={styles.known}>
-      ± {small(figure.uncertainty, figure.uncertainty_unit)}
-    </span>
-  );
+  return <span className={styles.known}>± {small(figure.uncertainty, figure.uncertainty_unit)}</span>;
 }
 
-const FORM = words("Form, highest to lowest");
+const FORM = "ui-form-highest-to-lowest";
 
 function formOf({ form_um }: Fitted): Figure {
   const decimals = form_um < 10 ? 1 : 0;

@@ -1,8 +1,8 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
-
 import type { Region, ShapeName } from "../api/viewTypes";
+import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./PickOverlay.module.css";
 
 interface PickOverlayProps {
@@ -11,15 +11,15 @@ interface PickOverlayProps {
   onCancel: () => void;
 }
 
-const DRAW: Record<ShapeName, string> = {
-  plane: words("Draw a rectangle over the plane"),
-  sphere: words("Draw a rectangle over the sphere"),
-  cylinder: words("Draw a rectangle over the cylinder"),
+const DRAW: Record<ShapeName, PlainId> = {
+  plane: "ui-draw-a-rectangle-over-the-plane",
+  sphere: "ui-draw-a-rectangle-over-the-sphere",
+  cylinder: "ui-draw-a-rectangle-over-the-cylinder",
 };
 
 type Spot = { x: number; y: number };
 
-/** A drag shorter than this share of the picture was a slip of the hand. */
+/** A drag shorter than this share of the picture was a slip. */
 const SMALLEST = 0.01;
 
 /** Over the 3D view: a rectangle is drawn around what a shape is fitted to. */
@@ -68,7 +68,7 @@ export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
           onPointerDown={(event) => event.stopPropagation()}
           onClick={onCancel}
         >
-          {t("Cancel")}
+          {t("ui-cancel")}
         </button>
       </div>
     </div>

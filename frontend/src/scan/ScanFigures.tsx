@@ -1,7 +1,7 @@
 import type { ScanState } from "../api/scanTypes";
-import { QualityMark } from "../parts/QualityMark";
 import { duration, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
+import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";
@@ -11,18 +11,18 @@ export function ScanFigures({ scan }: { scan: ScanState }) {
   const live = useLive((s) => s.connection === "live");
   return (
     <dl className={styles.figures} data-stale={!live || undefined}>
-      <Figure label={t("Rate")} value={t("{n} points/s", { n: figures(scan.rate_points_s) })} />
-      <Figure label={t("Time")} value={duration(scan.seconds)} />
+      <Figure label={t("ui-rate")} value={t("ui-points-s-n", { n: scan.rate_points_s })} />
+      <Figure label={t("ui-time")} value={duration(scan.seconds)} />
       <Figure
-        label={t("Blur")}
+        label={t("ui-blur")}
         value={scan.blur_mm === null ? "–" : measured(scan.blur_mm, "mm", 2)}
         lost={tooFast(scan)}
       />
-      <Figure label={t("Spacing of lines")} value={scan.step_mm === null ? "–" : measured(scan.step_mm, "mm", 2)} />
-      <Figure label={t("Pictures")} value={figures(scan.frames)} />
-      <Figure label={t("Lost pictures")} value={figures(scan.lost_frames)} lost={scan.lost_frames > 0} />
+      <Figure label={t("ui-line-spacing")} value={scan.step_mm === null ? "–" : measured(scan.step_mm, "mm", 2)} />
+      <Figure label={t("ui-pictures")} value={figures(scan.frames)} />
+      <Figure label={t("ui-lost-pictures")} value={figures(scan.lost_frames)} lost={scan.lost_frames > 0} />
       <Figure
-        label={t("Without arm position")}
+        label={t("ui-without-arm-position")}
         value={figures(scan.frames_without_joints)}
         lost={scan.frames_without_joints > 0}
       />

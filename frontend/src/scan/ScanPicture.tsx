@@ -4,10 +4,11 @@ import { newKey } from "../api/commands";
 import { fitShape } from "../api/viewCommands";
 import type { Region, ShapeName } from "../api/viewTypes";
 import { LiveCamera } from "../image/LiveCamera";
+import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon, ScanIcon } from "../parts/icons";
 import { useBarred } from "../state/control";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { notify } from "../state/notices";
 import { getState, useLive } from "../state/store";
 import { CloudView } from "./CloudView";
@@ -22,11 +23,17 @@ import { savePicture } from "./savePicture";
 
 type Panel = "camera" | "scans" | "colours" | "measure";
 
-const TOOLS: { panel: Panel; label: string; icon: ReactNode }[] = [
-  { panel: "camera", label: words("Camera"), icon: <ScanIcon /> },
-  { panel: "scans", label: words("Scans"), icon: <CloudsIcon /> },
-  { panel: "colours", label: words("Colours"), icon: <ColoursIcon /> },
-  { panel: "measure", label: words("Measure"), icon: <MeasureIcon /> },
+const TITLES: Record<Panel, PlainId> = {
+  camera: "ui-camera",
+  scans: "ui-scans",
+  colours: "ui-colours",
+  measure: "ui-measure",
+};
+const TOOLS: { panel: Panel; icon: ReactNode }[] = [
+  { panel: "camera", icon: <ScanIcon /> },
+  { panel: "scans", icon: <CloudsIcon /> },
+  { panel: "colours", icon: <ColoursIcon /> },
+  { panel: "measure", icon: <MeasureIcon /> },
 ];
 
 /** The 3D view with what can be done in it; one panel is open at a time. */
@@ -48,7 +55,7 @@ export function ScanPicture() {
   return (
     <CloudView viewKey={viewKey} frame={frame}>
       {picking && <PickOverlay shape={picking} onPick={pick} onCancel={() => setPicking(null)} />}
-      <div className={styles.tools} role="toolbar" aria-label={t("3D view")} hidden={picking !== null}>
+      <div className={styles.tools} role="toolbar" aria-label={t("ui-3d-view")} hidden={picking !== null}>
         {TOOLS.map((tool) => (
           <button
             key={tool.panel}
@@ -58,16 +65,16 @@ export function ScanPicture() {
             onClick={() => toggle(tool.panel)}
           >
             {tool.icon}
-            {t(tool.label)}
+            {t(TITLES[tool.panel])}
           </button>
         ))}
         <button type="button" className={`${look.button} ${styles.tool}`} onClick={() => void save(frame.current)}>
           <CameraIcon />
-          {t("Save picture")}
+          {t("ui-save-picture")}
         </button>
       </div>
       {panel && !picking && (
-        <section className={styles.panel} aria-label={t(TOOLS.find((tool) => tool.panel === panel)?.label ?? "")}>
+        <section className={styles.panel} aria-label={t(TITLES[panel])}>
           {barred && <p className={styles.barred}>{barred}</p>}
           {panel === "camera" && (
             <div className={styles.camera}>
@@ -88,5 +95,5 @@ export function ScanPicture() {
 async function save(frame: HTMLIFrameElement | null): Promise<void> {
   const { view, station } = getState();
   const saved = frame !== null && (await savePicture(frame, view?.legend ?? null, station?.name ?? ""));
-  if (!saved) notify({ quality: "attention", title: t("The picture was not saved: the 3D view is not open yet.") }, 6000);
+  if (!saved) notify({ quality: "attention", title: t("ui-picture-not-saved-3d-view-not") }, 6000);
 }

@@ -5,31 +5,31 @@ import { TRIAL_POINTS, trial_ms } from "./trial";
 /** Thousands of the clouds' points that a browser is sent, fewer with each step; at first all. */
 const STEPS = [null, 300, 75] as const;
 /** Of the clouds' points that the station shows. */
-const MOST_SHOWN = 2_000_000;
-const KEPT = "crenel-drawing";
+const MOST_POINTS = 2_000_000;
+const KEY = "crenel-drawing";
 const LOOKED_MS = 1500;
 /** Slower than this, the page's buttons wait for the picture. */
 const SLOW_MS = 250;
 
 /** A browser without a graphics processor cannot draw many; one that does not say so is tried. */
 function firstStep(): number {
-  const kept = Number(sessionStorage.getItem(KEPT));
-  if (kept > 0 && kept < STEPS.length) return kept;
+  const stored = Number(sessionStorage.getItem(KEY));
+  if (stored > 0 && stored < STEPS.length) return stored;
   const canvas = document.createElement("canvas");
   canvas.width = 1024;
   canvas.height = 768;
   const gl = canvas.getContext("webgl2");
   const named = gl?.getExtension("WEBGL_debug_renderer_info");
   const renderer = gl && named ? String(gl.getParameter(named.UNMASKED_RENDERER_WEBGL)) : "";
-  const said = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
-  const step = said ? STEPS.length - 1 : gl ? stepOf(trial_ms(gl)) : 0;
+  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+  const step = software ? STEPS.length - 1 : gl ? stepOf(trial_ms(gl)) : 0;
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return step;
 }
 
 /** By how long the points of the trial took: so many must be drawn within one slow frame. */
 function stepOf(took_ms: number): number {
-  const all = MOST_SHOWN * (took_ms / TRIAL_POINTS);
+  const all = MOST_POINTS * (took_ms / TRIAL_POINTS);
   const some = 1000 * STEPS[1] * (took_ms / TRIAL_POINTS);
   return all < SLOW_MS ? 0 : some < SLOW_MS ? 1 : STEPS.length - 1;
 }
@@ -58,7 +58,7 @@ export function useDrawing(): { thousands: number | null; watch: (picture: { win
       if (slow < 2) request = window.requestAnimationFrame(drawn);
       else {
         step = each > 4 * SLOW_MS ? STEPS.length - 1 : now + 1;
-        sessionStorage.setItem(KEPT, `${step}`);
+        sessionStorage.setItem(KEY, `${step}`);
         setNow(step);
       }
     });

@@ -9,7 +9,7 @@ export async function savePicture(frame: HTMLIFrameElement, legend: Legend | nul
   const scene = canvases.sort((a, b) => b.width * b.height - a.width * a.height)[0];
   const page = document.createElement("canvas");
   const pen = page.getContext("2d");
-  if (!scene || !scene.width || !pen) return false;
+  if (!scene?.width || !pen) return false;
   page.width = scene.width;
   page.height = scene.height;
   const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -35,7 +35,7 @@ function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, size: { width
   const left = size.width - BAR.width - BAR.margin;
   const top = size.height - BAR.margin - BAR.height - 20;
   const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
-  legend.colours.forEach((colour, i) => shades.addColorStop(i / (legend.colours.length - 1), colour));
+  for (const [i, colour] of legend.colours.entries()) shades.addColorStop(i / (legend.colours.length - 1), colour);
   write(pen, `${t(MEASURES[legend.measure].legend)}, ${legend.unit}`, left, top - 7);
   const ink = pen.fillStyle;
   pen.fillStyle = shades;

@@ -18,7 +18,10 @@ void main() { colour = vec4(gl_PointCoord, 0.5, 1.0); }`;
 /** The best of a few tries: a busy machine is slow by chance, one without a processor always. */
 export function trial_ms(gl: WebGL2RenderingContext): number {
   const program = gl.createProgram();
-  for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]] as const) {
+  for (const [kind, source] of [
+    [gl.VERTEX_SHADER, VERTEX],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ] as const) {
     const shader = gl.createShader(kind);
     if (!shader) return 0;
     gl.shaderSource(shader, source);
@@ -27,6 +30,7 @@ export function trial_ms(gl: WebGL2RenderingContext): number {
   }
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return 0;
+  // biome-ignore lint/correctness/useHookAtTopLevel: it is of WebGL
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
   draw_ms(gl, 1); // what is prepared once is no part of it

@@ -8,11 +8,11 @@ export function LanguageSettings() {
   return (
     <section className={styles.section} aria-labelledby="language">
       <h2 id="language" className={styles.heading}>
-        {t("Language and units")}
+        {t("ui-language-and-units")}
       </h2>
       <ChooseLanguage id="settings-language" />
       <ChooseUnits id="settings-units" />
-      <p className={fields.help}>{t("For this browser. Files, reports and CSV keep mm and µm.")}</p>
+      <p className={fields.help}>{t("ui-applies-browser-files-reports-csv-stay")}</p>
     </section>
   );
 }

@@ -1,51 +1,52 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/settingsTypes";
+import type { PlainId } from "../messages/text";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
-import { t, words } from "../state/language";
+import { t } from "../state/language";
 import { NumberSetting } from "./NumberSetting";
 import styles from "./Settings.module.css";
 
-const CHOICES: { value: StationSettings["choice"]; label: string }[] = [
-  { value: "continuity", label: words("The longest line (automatic)") },
-  { value: "strength", label: words("The brightest") },
-  { value: "first", label: words("The first, from the picture's top") },
-  { value: "last", label: words("The last, from the picture's top") },
+const CHOICES: { value: StationSettings["choice"]; label: PlainId }[] = [
+  { value: "continuity", label: "ui-the-longest-line-automatic" },
+  { value: "strength", label: "ui-the-brightest" },
+  { value: "first", label: "ui-the-first-from-the-pictures-top" },
+  { value: "last", label: "ui-the-last-from-the-pictures-top" },
 ];
 
-/** How the laser's line is told from everything else that is bright. */
+/** How the laser line is distinguished from everything else that is bright. */
 export function LineSettings({ settings }: { settings: StationSettings }) {
   return (
     <section className={styles.section} aria-labelledby="line">
       <h2 id="line" className={styles.heading}>
-        {t("Laser line")}
+        {t("ui-laser-line")}
       </h2>
       <NumberSetting
         name="exposure_us"
-        label={t("Exposure")}
+        label={t("ui-exposure")}
         unit="µs"
-        placeholder={t("as it is")}
-        help={t("Of scans. Short on bright metal, long on dark parts; a long one blurs.")}
+        placeholder={t("ui-unchanged")}
+        help={t("ui-scans-short-bright-metal-long-dark")}
         settings={settings}
       >
-        <PressButton onPress={exposeByTheLine}>{t("By the line")}</PressButton>
+        <PressButton onPress={exposeByTheLine}>{t("ui-adjust-to-the-line")}</PressButton>
       </NumberSetting>
       <NumberSetting
         name="threshold"
-        label={t("Threshold")}
-        unit={t("grey levels")}
-        help={t("How far the line stands out of its surroundings. Automatic: four times the noise.")}
+        label={t("ui-threshold")}
+        unit={t("ui-grey-levels")}
+        help={t("ui-far-line-exceeds-surroundings-automatic-four")}
         settings={settings}
       />
       <NumberSetting
         name="min_width_px"
-        label={t("Least width")}
+        label={t("ui-minimum-width")}
         unit="px"
-        help={t("What is narrower is a glint. Automatic: about half of the line's usual width.")}
+        help={t("ui-narrower-lines-glints-automatic-about-half")}
         settings={settings}
       />
       <label className={fields.field}>
-        <span className={fields.label}>{t("Where several lines cross a column")}</span>
+        <span className={fields.label}>{t("ui-where-several-lines-cross-a-column")}</span>
         <select
           className={fields.input}
           value={settings.choice}
@@ -57,7 +58,7 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
             </option>
           ))}
         </select>
-        <span className={fields.help}>{t("Take the first or the last on glass and film, where two surfaces reflect.")}</span>
+        <span className={fields.help}>{t("ui-take-first-last-glass-film-where")}</span>
       </label>
     </section>
   );

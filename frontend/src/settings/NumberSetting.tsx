@@ -6,7 +6,7 @@ import fields from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";
-import { useHeldLength } from "../parts/useHeldLength";
+import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
 type Name = "threshold" | "min_width_px" | "exposure_us" | "blur_limit_mm";
@@ -24,15 +24,15 @@ interface NumberSettingProps {
 
 /** One number of the settings; an empty field leaves it to the station. */
 export function NumberSetting(props: NumberSettingProps) {
-  const { name, label, unit, help, settings, placeholder = t("automatic"), children } = props;
+  const { name, label, unit, help, settings, placeholder = t("ui-automatic-lowercase"), children } = props;
   const id = useId();
-  const held = useHeldLength(settings[name], unit);
+  const field = useLengthField(settings[name], unit);
   const set = async () => {
-    await changeSettings({ [name]: held.value });
+    await changeSettings({ [name]: field.value });
   };
   const submit = (event: FormEvent) => {
     event.preventDefault();
-    void set();
+    if (field.valid) void set();
   };
   return (
     <form className={fields.field} onSubmit={submit}>
@@ -44,12 +44,18 @@ export function NumberSetting(props: NumberSettingProps) {
           id={id}
           unit={unitOf(unit)}
           long={unit.length > 4}
-          value={held.text}
+          value={field.text}
           placeholder={placeholder}
           aria-describedby={`${id}-help`}
-          onText={held.setText}
+          onText={field.setText}
         />
-        {held.changed ? <PressButton onPress={set}>{t("Set")}</PressButton> : children}
+        {field.changed ? (
+          <PressButton onPress={set} disabled={!field.valid}>
+            {t("ui-set")}
+          </PressButton>
+        ) : (
+          children
+        )}
       </div>
       <p id={`${id}-help`} className={fields.help}>
         {help}

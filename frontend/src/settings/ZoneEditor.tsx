@@ -19,11 +19,12 @@ interface Pull {
 }
 
 /** The zones on the live picture, their corners pulled by a gloved finger. */
-export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[]; zones: Zones }) {
+export function ZoneEditor({ frame, current, zones }: { frame: Frame; current: Zone[]; zones: Zones }) {
   const svg = useRef<SVGSVGElement>(null);
   const [pull, setPull] = useState<Pull | null>(null);
-  const shown = pull?.zones ?? held;
-  useEffect(() => setPull(null), [held]);
+  const displayed = pull?.zones ?? current;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the station's zones replace those that are pulled
+  useEffect(() => setPull(null), [current]);
   const { width_px, height_px, scale } = frame;
 
   const at = (event: PointerEvent): [number, number] => {
@@ -39,13 +40,13 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
     if (!zones.drawing || event.button !== 0) return;
     svg.current?.setPointerCapture(event.pointerId);
     const from = at(event);
-    setPull({ zones: [...held, rectangle(from, from)], zone: held.length, corner: -1, from });
+    setPull({ zones: [...current, rectangle(from, from)], zone: current.length, corner: -1, from });
   };
   const take = (zone: number, corner: number, event: PointerEvent, fresh = false) => {
     if (event.button !== 0) return;
     event.stopPropagation();
     svg.current?.setPointerCapture(event.pointerId);
-    const pulled = fresh ? withCorner(held, zone, corner, at(event)) : held;
+    const pulled = fresh ? withCorner(current, zone, corner, at(event)) : current;
     setPull({ zones: pulled, zone, corner, from: null });
   };
   const move = (event: PointerEvent) => {
@@ -61,7 +62,7 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
     void zones.set(pull.zones).then(() => setPull(null));
   };
   const key = (zone: number, corner: number, event: KeyboardEvent) => {
-    const to = moved(held, zone, corner, event.key);
+    const to = moved(current, zone, corner, event.key);
     if (!to) return;
     event.preventDefault();
     void zones.set(to);
@@ -73,23 +74,34 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
       data-drawing={zones.drawing || undefined}
       viewBox={`-0.5 -0.5 ${width_px} ${height_px}`}
       role="group"
-      aria-label={t("Zones without measurement")}
+      aria-label={t("ui-zones-without-measurement")}
       onPointerDown={begin}
       onPointerMove={move}
       onPointerUp={end}
       onPointerCancel={() => setPull(null)}
     >
       <defs>
-        <pattern id="hatch" width={12 / scale} height={12 / scale} patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+        <pattern
+          id="hatch"
+          width={12 / scale}
+          height={12 / scale}
+          patternUnits="userSpaceOnUse"
+          patternTransform="rotate(45)"
+        >
           <rect width={12 / scale} height={12 / scale} className={styles.ground} />
           <rect width={4 / scale} height={12 / scale} className={styles.line} />
         </pattern>
       </defs>
-      {shown.map((zone, i) => (
-        <polygon key={i} points={zone.map((corner) => corner.join()).join(" ")} className={styles.zone} fill="url(#hatch)" />
+      {displayed.map((zone, i) => (
+        <polygon
+          key={i}
+          points={zone.map((corner) => corner.join()).join(" ")}
+          className={styles.zone}
+          fill="url(#hatch)"
+        />
       ))}
       {!zones.drawing &&
-        shown.map((zone, i) =>
+        displayed.map((zone, i) =>
           zone.map(([u, v], k) => {
             const [nextU, nextV] = zone[(k + 1) % zone.length] ?? [u, v];
             const [midU, midV] = [(u + nextU) / 2, (v + nextV) / 2];
@@ -105,7 +117,7 @@ export function ZoneEditor({ frame, held, zones }: { frame: Frame; held: Zone[];
                   className={styles.corner}
                   tabIndex={0}
                   role="button"
-                  aria-label={t("Corner {corner} of zone {zone}; arrow keys move it, Delete removes it", { corner: k + 1, zone: i + 1 })}
+                  aria-label={t("ui-corner-zone-arrow-keys-move-delete", { corner: k + 1, zone: i + 1 })}
                   onPointerDown={(event) => take(i, k, event)}
                   onKeyDown={(event) => key(i, k, event)}
                 >
@@ -153,14 +165,18 @@ const WAYS: Record<string, [number, number]> = {
 
 /** What a key makes of the zones; null where it means nothing here. */
 function moved(all: Zone[], zone: number, corner: number, key: string): Zone[] | null {
-  const held = all[zone];
-  const from = held?.[corner];
-  if (!held || !from) return null;
+  const corners = all[zone];
+  const from = corners?.[corner];
+  if (!corners || !from) return null;
   if (key === "Delete" || key === "Backspace") {
-    if (held.length <= 3) return all.filter((_, i) => i !== zone);
-    return replaced(all, zone, held.filter((_, i) => i !== corner));
+    if (corners.length <= 3) return all.filter((_, i) => i !== zone);
+    return replaced(
+      all,
+      zone,
+      corners.filter((_, i) => i !== corner),
+    );
   }
   const way = WAYS[key];
   if (!way) return null;
-  return replaced(all, zone, replaced(held, corner, [from[0] + way[0], from[1] + way[1]]));
+  return replaced(all, zone, replaced(corners, corner, [from[0] + way[0], from[1] + way[1]]));
 }

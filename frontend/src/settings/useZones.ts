@@ -17,10 +17,10 @@ export interface Zones {
 export function useZones(settings: StationSettings | null): Zones {
   const [drawing, setDrawing] = useState(false);
   const [before, setBefore] = useState<Zone[][]>([]);
-  const held = settings?.zones ?? [];
+  const current = settings?.zones ?? [];
   const set = async (zones: Zone[]) => {
     setDrawing(false);
-    if (await changeSettings({ zones })) setBefore([...before, held]);
+    if (await changeSettings({ zones })) setBefore([...before, current]);
   };
   const undo = async () => {
     const last = before[before.length - 1];

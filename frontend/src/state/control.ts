@@ -6,8 +6,8 @@ export function useBarred(): string {
   const you = useLive((s) => s.session?.you ?? null);
   const holder = useLive((s) => s.control?.holder ?? null);
   if (!you) return "";
-  if (you.wall) return t("A wall screen looks on.");
-  if (you.role === "viewer") return t("You look on: acting takes an operator.");
-  if (holder && holder.id !== you.id) return t("{name} has control.", { name: holder.name });
+  if (you.wall) return t("ui-a-kiosk-display-can-only-view");
+  if (you.role === "viewer") return t("ui-your-account-only-view-acting-requires");
+  if (holder && holder.id !== you.id) return t("ui-has-control", { name: holder.name });
   return "";
 }

@@ -1,29 +1,44 @@
 import { useSyncExternalStore } from "react";
 
-import { figures } from "../parts/figures";
-import { inUnits } from "../parts/lengths";
-import { isolated, withIsolated } from "./isolated";
-import { filled, Sentences, type Strings, type Values } from "./sentences";
+import stationEnglish from "../../../app/messages/en.ftl?raw";
+import { Catalogue, type NumberFormat } from "../messages/catalogue";
+import english from "../messages/en.ftl?raw";
+import type { MessageId, Text, Value, Values } from "../messages/text";
+import { chooseDecimalSign, figures, plainFigures } from "../parts/figures";
+import { displayed } from "../parts/lengths";
 
 const KEY = "crenel-language";
 const ENGLISH = "en";
-const FEW_LOOKED_UP = 25;
-const LONGEST_LOOKED_UP = 160;
-/** One file a language, read only once its language is chosen. */
-const FILES = import.meta.glob<Strings>(["../../../app/strings/*.json", "!../../../app/strings/en.json"], { import: "default" });
-const READ = new Map(Object.entries(FILES).map(([path, read]) => [path.replace(/^.*\/|\.json$/g, ""), read]));
+/** The files of a language, the client's and the station's, are loaded once it is chosen. */
+const OWN = import.meta.glob<string>(["../messages/*.ftl", "!../messages/en.ftl"], {
+  query: "?raw",
+  import: "default",
+});
+const STATION = import.meta.glob<string>(["../../../app/messages/*.ftl", "!../../../app/messages/en.ftl"], {
+  query: "?raw",
+  import: "default",
+});
 
 /** All languages there are, by their codes. */
-export const LANGUAGES: readonly string[] = [ENGLISH, ...READ.keys()];
+export const LANGUAGES: readonly string[] = [
+  ENGLISH,
+  ...Object.keys(OWN).map((path) => path.replace(/^.*\/|\.ftl$/g, "")),
+];
 
 /** A link may ask for a language; read before anything tidies the address. */
-const ASKED = new URLSearchParams(window.location.search).get("lang");
+const REQUESTED = new URLSearchParams(window.location.search).get("lang");
+
+const DISPLAY: NumberFormat = { quantity: displayed, count: figures };
+const FILE: NumberFormat = {
+  quantity: ({ value, unit, decimals }) => [plainFigures(value, decimals), unit].filter(Boolean).join(" "),
+  count: String,
+};
+const SOURCES = [english, stationEnglish];
+const ENGLISH_CATALOGUE = new Catalogue(ENGLISH, SOURCES, DISPLAY);
+const FILE_CATALOGUE = new Catalogue(ENGLISH, SOURCES, FILE);
 
 let language = ENGLISH;
-let strings: Strings = {};
-let sentences: Sentences | null = null;
-/** Counts up with each change of how sentences are said; 0 while they are said as they come. */
-let changes = 0;
+let catalogue = ENGLISH_CATALOGUE;
 const listeners = new Set<() => void>();
 
 /** A language's name in itself. */
@@ -31,39 +46,38 @@ export function nameOf(code: string): string {
   return new Intl.DisplayNames([code], { type: "language" }).of(code) ?? code;
 }
 
-/** The browser's own words. In English they are the key and are not looked up. */
-export function t(text: string, values: Values = {}): string {
-  const named = Object.entries(values).map(([name, value]) => [name, typeof value === "string" ? isolated(value) : value]);
-  return filled(strings[text] ?? text, Object.fromEntries(named) as Values);
+/** One of the client's own texts. */
+export function t<Id extends MessageId>(id: Id, ...[values]: Values<Id>): string {
+  return catalogue.message(id, values ?? {});
 }
 
-/** One of two wordings by a count, which both may name as {n}. */
-export function counted(n: number, one: string, more: string, values: Values = {}): string {
-  return t(n === 1 ? one : more, { n: figures(n), ...values });
+/** A text in this browser's language and units. */
+export function render(text: Text): string {
+  return catalogue.render(text);
 }
 
-/** Words that are told apart from where they are shown; `t` or `said` is for where they are. */
-export function words(text: string): string {
-  return text;
+/** The same in English, mm and µm, for files. */
+export function renderEnglish(text: Text): string {
+  return FILE_CATALOGUE.render(text);
 }
 
-/** A sentence that the station said, in this browser's language and units; what is not known stays as it is. */
-export function said(text: string): string {
-  return withIsolated(inUnits(sentences ? sentences.said(text) : text));
+/** Whether the language files have all messages of a text. */
+export function isKnown(text: Value): boolean {
+  return ENGLISH_CATALOGUE.knows(text);
 }
 
-/** As above, of what comes from elsewhere: it costs a bounded time, whatever it is. */
-export function saidElsewhere(text: string): string {
-  if (!sentences || text.length > LONGEST_LOOKED_UP) return withIsolated(inUnits(text));
-  return withIsolated(inUnits(sentences.said(text, FEW_LOOKED_UP)));
+/** The name of a kind of thing that the station sends by its English word: `front`, `left`. */
+export function wordText(term: string): Text {
+  const text = { message_id: `word-${term.replaceAll(" ", "-")}`, values: {} };
+  return isKnown(text) ? text : term;
 }
 
-/** Which wording `said` gives: another number, another wording; 0 is the station's own. */
-export function heardSince(): number {
-  return changes;
+/** The same in this browser's language. */
+export function word(term: string): string {
+  return render(wordText(term));
 }
 
-/** The language now; a component that asks renders again when it changes. */
+/** The current language; a component that uses it renders again when it changes. */
 export function useLanguage(): string {
   return useSyncExternalStore(
     (listener) => {
@@ -75,36 +89,41 @@ export function useLanguage(): string {
 }
 
 /** As above, outside of components. */
-export function languageNow(): string {
+export function currentLanguage(): string {
   return language;
 }
 
-/** Reads the language, shows it from now on, and keeps it for this browser. */
+/** Loads the language, uses it from now on, and remembers it for this browser. */
 export async function chooseLanguage(code: string): Promise<void> {
-  await show(code);
+  await use(code);
   localStorage.setItem(KEY, code);
 }
 
 /** Before the first paint: what the address asks for, what was chosen here, or the browser's own. */
 export async function startLanguage(): Promise<void> {
-  if (ASKED) window.history.replaceState(null, "", window.location.pathname + window.location.hash);
-  if (ASKED && LANGUAGES.includes(ASKED)) return chooseLanguage(ASKED);
-  const kept = localStorage.getItem(KEY);
-  const wanted = [kept ?? "", ...navigator.languages.map((one) => one.slice(0, 2).toLowerCase())];
-  await show(wanted.find((code) => LANGUAGES.includes(code)) ?? ENGLISH);
+  if (REQUESTED) window.history.replaceState(null, "", window.location.pathname + window.location.hash);
+  if (REQUESTED && LANGUAGES.includes(REQUESTED)) return chooseLanguage(REQUESTED);
+  const chosen = localStorage.getItem(KEY);
+  const wanted = [chosen ?? "", ...navigator.languages.map((one) => one.slice(0, 2).toLowerCase())];
+  await use(wanted.find((code) => LANGUAGES.includes(code)) ?? ENGLISH);
 }
 
-async function show(code: string): Promise<void> {
+async function use(code: string): Promise<void> {
   try {
-    strings = (await READ.get(code)?.()) ?? {};
+    catalogue =
+      code === ENGLISH ? ENGLISH_CATALOGUE : new Catalogue(code, await sources(code), DISPLAY, ENGLISH_CATALOGUE);
+    language = code;
   } catch {
-    // the file did not come: English is better than no page
-    code = ENGLISH;
-    strings = {};
+    // a file could not be loaded: English is better than no page
+    catalogue = ENGLISH_CATALOGUE;
+    language = ENGLISH;
   }
-  language = code;
-  sentences = code === ENGLISH ? null : new Sentences(strings);
-  if (sentences || changes) changes += 1;
-  document.documentElement.lang = code;
+  chooseDecimalSign(language);
+  document.documentElement.lang = language;
   for (const listener of listeners) listener();
+}
+
+function sources(code: string): Promise<string[]> {
+  const files = [OWN[`../messages/${code}.ftl`], STATION[`../../../app/messages/${code}.ftl`]];
+  return Promise.all(files.map((load) => load?.() ?? ""));
 }

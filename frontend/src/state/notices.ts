@@ -23,7 +23,7 @@ export function notify(
   if (lasts_ms) setTimeout(() => dismiss(id), lasts_ms);
 }
 
-/** What was told of an earlier act is over once a later one has succeeded. */
+/** A notice of an earlier act is over once a later one has succeeded. */
 export function clearNotice(): void {
   setState({ notice: null });
 }
@@ -31,7 +31,7 @@ export function clearNotice(): void {
 /** The station is heard again: an act that it did not confirm is to be looked at, no more. */
 export function noteReturn(): void {
   if (!getState().notice?.untilHeard) return;
-  notify({ quality: "neutral", title: t("The station answers again. Look whether the last press was done.") }, 8000);
+  notify({ quality: "neutral", title: t("ui-station-responds-again-check-whether-last") }, 8000);
 }
 
 export function dismiss(id: number): void {

@@ -1,21 +1,32 @@
 import { useSyncExternalStore } from "react";
 
-import { words } from "./language";
+import type { PlainId } from "../messages/text";
 
-export const PAGES = ["home", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings", "people"] as const;
+export const PAGES = [
+  "home",
+  "calibrate",
+  "verify",
+  "scan",
+  "arm",
+  "records",
+  "supervise",
+  "health",
+  "settings",
+  "people",
+] as const;
 export type Page = (typeof PAGES)[number];
 
-export const TITLES: Record<Page, string> = {
-  home: words("Home"),
-  calibrate: words("Calibrate"),
-  verify: words("Verify"),
-  scan: words("Scan"),
-  arm: words("Arm & tip"),
-  records: words("Records"),
-  supervise: words("Supervise"),
-  health: words("Health"),
-  settings: words("Settings"),
-  people: words("People"),
+export const TITLES: Record<Page, PlainId> = {
+  home: "ui-home",
+  calibrate: "ui-calibrate",
+  verify: "ui-verify",
+  scan: "ui-scan",
+  arm: "ui-arm-tip",
+  records: "ui-records",
+  supervise: "ui-supervise",
+  health: "ui-health",
+  settings: "ui-settings",
+  people: "ui-people",
 };
 
 const listeners = new Set<() => void>();

@@ -11,7 +11,7 @@ import type { Quality } from "../api/types";
 import type { VerifyView } from "../api/verifyTypes";
 import type { ViewState } from "../api/viewTypes";
 import type { StationReport, StationShown, Told } from "../api/watchTypes";
-import { spoken } from "./spoken";
+import { localized } from "./localized";
 
 export type Connection = "connecting" | "live" | "lost";
 
@@ -23,7 +23,7 @@ export interface StationEvent {
   at: number;
 }
 
-/** A sentence to the operator that stays until read, or until it has had its time. */
+/** A message to the operator that stays until it is dismissed, or for a time. */
 export interface Notice {
   id: number;
   quality: Quality;
@@ -51,7 +51,7 @@ export interface LiveState {
   home: Home | null;
   arm: ArmView | null;
   verify: VerifyView | null;
-  /** Id of the verification that is looked at again; null for the one at hand. */
+  /** Id of the opened verification record; null for the running verification. */
   record: string | null;
   view: ViewState | null;
   /** Of this station, as others see it. */
@@ -60,7 +60,7 @@ export interface LiveState {
   stations: StationShown[] | null;
   /** performance.now() of their arrival: they come only when something of them has changed. */
   stationsAt: number;
-  /** What was told last to whoever is away. */
+  /** The last notification. */
   told: Told | null;
   event: StationEvent | null;
   /** The pose that was last asked for, by a finding or a figure that names it. */
@@ -109,20 +109,20 @@ export function subscribe(listener: () => void): () => void {
   return () => listeners.delete(listener);
 }
 
-/** One value of the live state, its sentences in this browser's language; the component renders
+/** One value of the live state, its texts in this browser's language; the component renders
  *  again only when it changes. */
 export function useLive<T>(select: (state: LiveState) => T): T {
-  return useSyncExternalStore(subscribe, () => select(spoken(state)));
+  return useSyncExternalStore(subscribe, () => select(localized(state)));
 }
 
-/** Brings the picture of a pose up where it can be seen. */
+/** Displays the picture of a pose, where it is available. */
 export function lookAtPose(pose: number): void {
   setState({ look: { pose } });
 }
 
 /** Takes a newer view of the flow; an older one, come late by another road, is dropped. */
 export function putFlow(view: FlowView): void {
-  const held = state.flow;
-  if (held && held.session_id === view.session_id && held.rev > view.rev) return;
+  const current = state.flow;
+  if (current && current.session_id === view.session_id && current.rev > view.rev) return;
   setState({ flow: view });
 }

@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
 
-/** What lengths are shown in, chosen by each browser for itself. */
+/** The units of length, chosen by each browser for itself. */
 export type Units = "metric" | "inch";
 
 const KEY = "crenel-units";

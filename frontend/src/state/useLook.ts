@@ -5,12 +5,12 @@ import { useLive } from "./store";
 /** Calls back when a pose is asked for from elsewhere on the page; not for what was asked before. */
 export function useLook(onLook: (pose: number) => void): void {
   const look = useLive((s) => s.look);
-  const seen = useRef(look);
+  const last = useRef(look);
   const call = useRef(onLook);
   call.current = onLook;
   useEffect(() => {
-    if (look === seen.current) return;
-    seen.current = look;
+    if (look === last.current) return;
+    last.current = look;
     if (look) call.current(look.pose);
   }, [look]);
 }

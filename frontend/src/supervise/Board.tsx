@@ -2,14 +2,13 @@ import { useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
 import type { Alarm, StationReport } from "../api/watchTypes";
-import { bound } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { CloudView } from "../scan/CloudView";
 import { t } from "../state/language";
 import styles from "./Board.module.css";
-import { doing, facts, type Fact, KINDS } from "./words";
+import { doing, type Fact, facts, KINDS } from "./stationFacts";
 
-/** One station for a screen on the wall: what runs, what is wrong, and the live cloud. */
+/** One station for a kiosk display: what runs, what is wrong, and the live cloud. */
 export function Board({ report, silent_s }: { report: StationReport; silent_s: number }) {
   return (
     <div className={styles.board} data-stale={silent_s > 0 || undefined}>
@@ -28,9 +27,16 @@ export function Board({ report, silent_s }: { report: StationReport; silent_s: n
 function Doing({ report }: { report: StationReport }) {
   const { title, number, unit, note } = doing(report);
   return (
-    <section className={styles.doing} aria-label={t("What runs")} data-idle={report.activity.kind === "idle" || undefined}>
+    <section
+      className={styles.doing}
+      aria-label={t("ui-current-activity")}
+      data-idle={report.activity.kind === "idle" || undefined}
+    >
       <p className={styles.kind}>{t(KINDS[report.activity.kind])}</p>
-      <h2 className={styles.what}>{number ? number : title}{unit && <span> {unit}</span>}</h2>
+      <h2 className={styles.what}>
+        {number ? number : title}
+        {unit && <span> {unit}</span>}
+      </h2>
       <p className={styles.note}>{note}</p>
     </section>
   );
@@ -38,19 +44,19 @@ function Doing({ report }: { report: StationReport }) {
 
 function Alarms({ alarms }: { alarms: Alarm[] }) {
   return (
-    <section className={styles.alarms} aria-label={t("Alarms")}>
+    <section className={styles.alarms} aria-label={t("ui-alarms")}>
       {alarms.length === 0 && (
         <p className={styles.alarm} data-quality="good">
           <QualityMark quality="good" size="1.25em" />
-          <span>{t("No alarms")}</span>
+          <span>{t("ui-no-alarms")}</span>
         </p>
       )}
       {alarms.map((alarm) => (
         <div key={alarm.text} className={styles.alarm} data-quality={alarm.quality}>
           <QualityMark quality={alarm.quality} size="1.25em" />
           <div>
-            <p>{bound(alarm.text)}</p>
-            {alarm.remedy && <p className={styles.remedy}>{bound(alarm.remedy)}</p>}
+            <p>{alarm.text}</p>
+            {alarm.remedy && <p className={styles.remedy}>{alarm.remedy}</p>}
           </div>
         </div>
       ))}
@@ -62,7 +68,7 @@ function Cloud() {
   const frame = useRef<HTMLIFrameElement>(null);
   const [viewKey] = useState(newKey);
   return (
-    <section className={styles.cloud} aria-label={t("Live cloud")}>
+    <section className={styles.cloud} aria-label={t("ui-live-cloud")}>
       <CloudView viewKey={viewKey} frame={frame} />
     </section>
   );
@@ -76,7 +82,7 @@ function FactTile({ fact }: { fact: Fact }) {
         {fact.quality !== "neutral" && <QualityMark quality={fact.quality} size="0.85em" />}
         <span>{fact.value}</span>
       </dd>
-      <dd className={styles.under}>{bound(fact.note)}</dd>
+      <dd className={styles.under}>{fact.note}</dd>
     </div>
   );
 }

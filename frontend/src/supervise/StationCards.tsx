@@ -1,12 +1,12 @@
 import { useDeferredValue, useEffect, useState } from "react";
 
 import type { StationReport, StationShown } from "../api/watchTypes";
-import { bound, figures, moment } from "../parts/format";
+import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
-import { saidElsewhere, t } from "../state/language";
+import { t } from "../state/language";
 import styles from "./StationCards.module.css";
-import { doing, type Fact, facts, KINDS, stationState } from "./words";
+import { doing, type Fact, facts, KINDS, stationState } from "./stationFacts";
 
 /** So many cards at first, and with each press: whoever may publish can invent stations. */
 const CARDS = 48;
@@ -15,20 +15,25 @@ interface Cards {
   stations: StationShown[];
   /** performance.now() of when they were as they say. */
   at: number;
-  wall: boolean;
+  kiosk: boolean;
 }
 
 /** Several stations side by side, the ones that need somebody first. */
 export function StationCards(newest: Cards) {
-  const { stations, at, wall } = useDeferredValue(newest, { ...newest, stations: [] });
+  const { stations, at, kiosk } = useDeferredValue(newest, { ...newest, stations: [] });
   const [most, setMost] = useState(CARDS);
   return (
-    <ul className={styles.cards} data-wall={wall || undefined} data-few={stations.length <= 4 || undefined} aria-label={t("Stations")}>
-      <Ordered stations={stations.slice(0, most)} at={at} wall={wall} />
+    <ul
+      className={styles.cards}
+      data-kiosk={kiosk || undefined}
+      data-few={stations.length <= 4 || undefined}
+      aria-label={t("ui-stations")}
+    >
+      <Ordered stations={stations.slice(0, most)} at={at} kiosk={kiosk} />
       {stations.length > most && (
         <li className={styles.more}>
           <button type="button" onClick={() => setMost(most + CARDS)}>
-            {t("Show {n} more", { n: figures(stations.length - most) })}
+            {t("ui-display-more", { n: stations.length - most })}
           </button>
         </li>
       )}
@@ -36,10 +41,10 @@ export function StationCards(newest: Cards) {
   );
 }
 
-function Ordered({ stations, at, wall }: Cards) {
+function Ordered({ stations, at, kiosk }: Cards) {
   return stations
     .sort((a, b) => rank(a) - rank(b))
-    .map((station) => <Card key={station.id} station={station} at={at} wall={wall} />);
+    .map((station) => <Card key={station.id} station={station} at={at} kiosk={kiosk} />);
 }
 
 /** Seconds since a moment, counted on while wanted. */
@@ -57,7 +62,7 @@ function rank(station: StationShown): number {
   return { bad: 0, attention: 1, good: 2, neutral: 3 }[stationState(station).quality];
 }
 
-function Card({ station, at, wall }: { station: StationShown; at: number; wall: boolean }) {
+function Card({ station, at, kiosk }: { station: StationShown; at: number; kiosk: boolean }) {
   const lost = station.state === "lost";
   const { words, quality } = stationState(station, useSince(at, lost));
   const { report } = station;
@@ -69,59 +74,61 @@ function Card({ station, at, wall }: { station: StationShown; at: number; wall: 
           <h2 className={styles.name}>{isolated(station.name)}</h2>
           <p className={styles.state}>{words}</p>
         </div>
-        {report?.address && !wall && (
+        {report?.address && !kiosk && (
           <a className={styles.open} href={report.address} rel="noreferrer">
-            {t("Open")}
+            {t("ui-open")}
           </a>
         )}
       </div>
-      {report ? <Inside report={report} station={station} /> : <p className={styles.none}>{t("Nothing is known of it yet.")}</p>}
+      {report ? <Inside report={report} station={station} /> : <p className={styles.none}>{t("ui-no-data-yet")}</p>}
     </li>
   );
 }
 
-/** The disk is told of where it is nearly full. */
-function isShown(fact: Fact): boolean {
+/** The disk is displayed only where it is nearly full. */
+function isRelevant(fact: Fact): boolean {
   return fact.id !== "disk" || fact.quality !== "neutral";
 }
 
 function Inside({ report, station }: { report: StationReport; station: StationShown }) {
   const live = station.state === "live";
   const { title, number, unit, note } = doing(report);
-  const alarm = report.alarms[0] && saidElsewhere(report.alarms[0].text);
+  const alarm = report.alarms[0]?.text;
   const event = station.events[0];
   return (
     <>
       <div className={styles.doing}>
-        <p className={styles.kind}>{live ? t(KINDS[report.activity.kind]) : t("As of {when}", { when: moment(report.at) })}</p>
-        <p className={styles.what}>
-          {number || saidElsewhere(title)} {unit && <span>{unit}</span>}
+        <p className={styles.kind}>
+          {live ? t(KINDS[report.activity.kind]) : t("ui-as-of", { when: moment(report.at) })}
         </p>
-        <p className={styles.note}>{saidElsewhere(note)}</p>
+        <p className={styles.what}>
+          {number || title} {unit && <span>{unit}</span>}
+        </p>
+        <p className={styles.note}>{note}</p>
       </div>
       {live && alarm && (
         <p className={styles.alarm} data-quality={report.alarms[0]?.quality}>
-          {station.alarms > 1
-            ? t("{alarm}, and {n} more", { alarm: bound(alarm.replace(/\.$/, "")), n: figures(station.alarms - 1) })
-            : bound(alarm)}
+          {station.alarms > 1 ? t("ui-alarm-and-more", { alarm, n: station.alarms - 1 }) : alarm}
         </p>
       )}
       <dl className={styles.facts}>
-        {facts(report, 0).filter(isShown).map((fact) => (
-          <div key={fact.id} data-quality={live ? fact.quality : "neutral"}>
-            <dt>{fact.label}</dt>
-            <dd>
-              {live && (fact.quality === "bad" || fact.quality === "attention") && (
-                <QualityMark quality={fact.quality} size="0.9em" />
-              )}
-              {fact.value}
-            </dd>
-          </div>
-        ))}
+        {facts(report, 0)
+          .filter(isRelevant)
+          .map((fact) => (
+            <div key={fact.id} data-quality={live ? fact.quality : "neutral"}>
+              <dt>{fact.label}</dt>
+              <dd>
+                {live && (fact.quality === "bad" || fact.quality === "attention") && (
+                  <QualityMark quality={fact.quality} size="0.9em" />
+                )}
+                {fact.value}
+              </dd>
+            </div>
+          ))}
       </dl>
       {event && (
         <p className={styles.event}>
-          {moment(event.at).slice(11)} {saidElsewhere(event.text)}
+          {moment(event.at).slice(11)} {event.text}
         </p>
       )}
     </>

@@ -4,11 +4,11 @@ import type { VerdictLine, VerificationSummary } from "../api/verifyTypes";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
-import { counted, said, t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./BigVerdict.module.css";
-import { QUALITY } from "./shown";
+import { QUALITY } from "./verification";
 
-const TITLE = { pass: words("Passed"), fail: words("Failed"), uncertain: words("Uncertain") };
+const TITLES = { pass: "ui-passed", fail: "ui-failed", uncertain: "ui-uncertain" } as const;
 
 /** The verdict, readable from two metres. */
 export function Verdict({ result, text, children }: VerdictLine & { children?: ReactNode }) {
@@ -16,7 +16,7 @@ export function Verdict({ result, text, children }: VerdictLine & { children?: R
     <div className={styles.verdict} data-result={result} data-verdict>
       <p className={styles.title}>
         <QualityMark quality={QUALITY[result]} size="2rem" />
-        {t(TITLE[result])}
+        {t(TITLES[result])}
       </p>
       <p>{text}</p>
       {children}
@@ -29,11 +29,11 @@ export function BigVerdict({ summary }: { summary: VerificationSummary }) {
   return (
     <Verdict {...summary}>
       <p className={styles.detail}>
-        {said(summary.gauge)}, {counted(summary.clouds, "{n} cloud", "{n} clouds")}
-        {summary.touched ? `, ${t("compared with the probe")}` : ""} · {moment(summary.accepted_at)}
+        {isolated(summary.gauge)}, {t("ui-n-clouds", { n: summary.clouds })}
+        {summary.touched ? `, ${t("ui-compared-with-the-probe")}` : ""} · {moment(summary.accepted_at)}
         {summary.operator && ` · ${isolated(summary.operator)}`}
       </p>
-      <p className={styles.detail}>{t("of {calibration}", { calibration: said(summary.calibration) })}</p>
+      <p className={styles.detail}>{t("ui-of", { calibration: summary.calibration })}</p>
     </Verdict>
   );
 }

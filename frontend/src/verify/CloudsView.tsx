@@ -1,17 +1,17 @@
 import { sendVerify } from "../api/verifyCommands";
 import type { CloudLine, VerifyPicture } from "../api/verifyTypes";
-import { bound, figures } from "../parts/format";
+import type { PlainId } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
-import { counted, t, words } from "../state/language";
+import { t } from "../state/language";
 import styles from "./CloudsView.module.css";
 import { DeviationMap } from "./DeviationMap";
 import { LiveScan } from "./LiveScan";
-import { shownOf } from "./shown";
+import { displayedOf } from "./verification";
 
 /** The cloud being scanned, or the newest one's map, and every cloud with what it shows. */
 export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: boolean }) {
-  const { clouds } = shownOf(picture);
+  const { clouds } = displayedOf(picture);
   const state = picture.scanning
     ? "scanning"
     : picture.clouds.some((cloud) => cloud.state === "measuring")
@@ -30,7 +30,7 @@ export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: bo
         )}
       </div>
       {picture.clouds.length > 0 && (
-        <ul className={styles.list} aria-label={t("Clouds")}>
+        <ul className={styles.list} aria-label={t("ui-clouds")}>
           {picture.clouds.map((cloud) => (
             <Row key={cloud.number} cloud={cloud} busy={busy} />
           ))}
@@ -40,30 +40,36 @@ export function CloudsView({ picture, busy }: { picture: VerifyPicture; busy: bo
   );
 }
 
-const STATE: Record<CloudLine["state"], string> = {
-  scanning: words("being scanned"),
-  measuring: words("being measured"),
-  good: "",
-  refused: words("of no use"),
-  aside: words("set aside"),
+const STATES: Record<CloudLine["state"], PlainId | null> = {
+  scanning: "ui-being-scanned",
+  measuring: "ui-being-measured",
+  good: null,
+  refused: "ui-unusable",
+  aside: "ui-excluded",
 };
 
 function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
   const { number, state } = cloud;
+  const title = STATES[state];
   const idle = !busy && state !== "scanning" && state !== "measuring";
   return (
     <li className={styles.row} data-state={state}>
       <div className={styles.what}>
         <p className={styles.name}>
-          {t("Cloud {n}", { n: number })}
-          {STATE[state] && <span className={styles.state}>{t(STATE[state])}</span>}
+          {t("ui-cloud-n", { n: number })}
+          {title && <span className={styles.state}>{t(title)}</span>}
         </p>
-        <p className={styles.detail}>{bound(cloud.text || (cloud.points ? counted(cloud.used || cloud.points, "{n} point", "{n} points") : ""))}</p>
+        <p className={styles.detail}>
+          {cloud.text || (cloud.points ? t("ui-n-points", { n: cloud.used || cloud.points }) : "")}
+        </p>
       </div>
       <Figures cloud={cloud} />
       {idle && state !== "refused" && (
-        <PressButton kind="quiet" onPress={() => sendVerify(state === "aside" ? "restore_cloud" : "void_cloud", { number })}>
-          {state === "aside" ? t("Take it back") : t("Set aside")}
+        <PressButton
+          kind="quiet"
+          onPress={() => sendVerify(state === "aside" ? "restore_cloud" : "void_cloud", { number })}
+        >
+          {state === "aside" ? t("ui-include") : t("ui-exclude")}
         </PressButton>
       )}
     </li>
@@ -71,21 +77,21 @@ function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
 }
 
 function Figures({ cloud }: { cloud: CloudLine }) {
-  const shown: [string, string | null][] = [
-    [words("rms"), cloud.rms_um === null ? null : measured(cloud.rms_um, "µm")],
-    [words("angle"), cloud.angle_arcsec === null ? null : `${figures(cloud.angle_arcsec)}″`],
-    [words("Z error"), cloud.z_error_um === null ? null : signedLength(cloud.z_error_um, "µm")],
-    [words("radius error"), cloud.radius_error_um === null ? null : signedLength(cloud.radius_error_um, "µm")],
-    [words("centre error"), cloud.centre_error_um === null ? null : measured(cloud.centre_error_um, "µm")],
+  const figures: [PlainId, string | null][] = [
+    ["ui-rms", cloud.rms_um === null ? null : measured(cloud.rms_um, "µm")],
+    ["ui-angle-lowercase", cloud.angle_arcsec === null ? null : measured(cloud.angle_arcsec, "″")],
+    ["ui-z-error", cloud.z_error_um === null ? null : signedLength(cloud.z_error_um, "µm")],
+    ["ui-radius-error-lowercase", cloud.radius_error_um === null ? null : signedLength(cloud.radius_error_um, "µm")],
+    ["ui-centre-error-lowercase", cloud.centre_error_um === null ? null : measured(cloud.centre_error_um, "µm")],
   ];
   return (
     <dl className={styles.figures}>
-      {shown.map(
+      {figures.map(
         ([name, value]) =>
           value && (
             <div key={name}>
               <dt>{t(name)}</dt>
-              <dd>{bound(value)}</dd>
+              <dd>{value}</dd>
             </div>
           ),
       )}

@@ -1,31 +1,41 @@
 import { useState } from "react";
+import type { MapFile } from "../api/verifyFiles";
 
 import type { CloudLine } from "../api/verifyTypes";
-import type { MapFile } from "../api/verifyFiles";
+import { quantity } from "../messages/text";
+import { Chips } from "../parts/Chips";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
-import { Chips } from "../parts/Chips";
-import { deviationColour, deviationScale, DEVIATION_CSS } from "./colours";
+import { DEVIATION_CSS, deviationColour, deviationScale } from "./colours";
 import styles from "./DeviationMap.module.css";
 import { useFile } from "./useFile";
 
-/** Where a cloud lies above and below the shape fitted to it, seen from outside. */
+/** Where a cloud lies above and below the shape fitted to it, from outside. */
 export function DeviationMap({ clouds, shape }: { clouds: CloudLine[]; shape: "plane" | "sphere" }) {
   const [chosen, setChosen] = useState<number | null>(null);
   const last = clouds[clouds.length - 1];
   const cloud = clouds.find(({ number }) => number === chosen) ?? last;
   const { file, failed } = useFile<MapFile>(cloud?.map_url ?? "");
-  if (!cloud) return <p className={styles.told}>{t("The map of the first cloud will be here once it is scanned.")}</p>;
+  if (!cloud) return <p className={styles.note}>{t("ui-map-appears-after-first-cloud")}</p>;
   return (
     <div className={styles.view}>
-      <Chips label={t("Clouds")} options={clouds.map(({ number }) => ({ value: number, label: t("Cloud {n}", { n: number }) }))} value={cloud.number} onChange={setChosen} />
-      {file ? <Map file={file} /> : <p className={styles.told}>{failed ? t("The map could not be read.") : t("Reading the map.")}</p>}
+      <Chips
+        label={t("ui-clouds")}
+        options={clouds.map(({ number }) => ({ value: number, label: t("ui-cloud-n", { n: number }) }))}
+        value={cloud.number}
+        onChange={setChosen}
+      />
+      {file ? (
+        <Cells file={file} />
+      ) : (
+        <p className={styles.note}>{failed ? t("ui-the-map-could-not-be-loaded") : t("ui-loading-the-map")}</p>
+      )}
       {file && <Legend file={file} shape={shape} />}
     </div>
   );
 }
 
-function Map({ file }: { file: MapFile }) {
+function Cells({ file }: { file: MapFile }) {
   const { cell_mm: cell, x_mm, y_mm, deviation_um } = file;
   const end = deviationScale(deviation_um);
   const low_x = Math.min(...x_mm) - cell;
@@ -33,9 +43,22 @@ function Map({ file }: { file: MapFile }) {
   const width = Math.max(...x_mm) + cell - low_x;
   const height = Math.max(...y_mm) + cell - low_y;
   return (
-    <svg className={styles.map} viewBox={`${low_x} ${-low_y - height} ${width} ${height}`} role="img" aria-label={t("Deviations from the fitted shape")} shapeRendering="crispEdges">
+    <svg
+      className={styles.map}
+      viewBox={`${low_x} ${-low_y - height} ${width} ${height}`}
+      role="img"
+      aria-label={t("ui-deviations-from-the-fitted-shape")}
+      shapeRendering="crispEdges"
+    >
       {x_mm.map((x, i) => (
-        <rect key={i} x={x - cell / 2} y={-(y_mm[i] ?? 0) - cell / 2} width={cell * 1.02} height={cell * 1.02} fill={deviationColour((deviation_um[i] ?? 0) / end)} />
+        <rect
+          key={i}
+          x={x - cell / 2}
+          y={-(y_mm[i] ?? 0) - cell / 2}
+          width={cell * 1.02}
+          height={cell * 1.02}
+          fill={deviationColour((deviation_um[i] ?? 0) / end)}
+        />
       ))}
     </svg>
   );
@@ -48,9 +71,9 @@ function Legend({ file, shape }: { file: MapFile; shape: "plane" | "sphere" }) {
       <span>−{lengthFigures(end, "µm")}</span>
       <span className={styles.ramp} style={{ background: DEVIATION_CSS }} />
       <span>+{measured(end, "µm")}</span>
-      <span className={styles.note}>
-        {shape === "plane" ? t("from the fitted plane, outward is positive") : t("from the fitted sphere, outward is positive")};{" "}
-        {t("each cell of {size} is the mean of its points", { size: measured(file.cell_mm, "mm", 1) })}
+      <span className={styles.explanation}>
+        {shape === "plane" ? t("ui-fitted-plane-outward-positive") : t("ui-fitted-sphere-outward-positive")};{" "}
+        {t("ui-cell-mean-points", { size: quantity(file.cell_mm, "mm", 1) })}
       </span>
     </div>
   );

@@ -1,9 +1,10 @@
 import type { FigureLine } from "../api/verifyTypes";
+import { quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./FigureBars.module.css";
-import { QUALITY, WORD, worded } from "./shown";
+import { DECISIONS, QUALITY, worded } from "./verification";
 
 /** Each figure with its uncertainty against its limit. */
 export function FigureBars({ found }: { found: FigureLine[] }) {
@@ -29,24 +30,25 @@ function Bar({ figure }: { figure: FigureLine }) {
       </div>
       <div className={styles.track} aria-hidden="true">
         <span className={styles.bar} style={{ width: at(size) }} />
-        {U > 0 && <span className={styles.unsure} style={{ left: at(size - U), width: `calc(${at(size + U)} - ${at(size - U)})` }} />}
+        {U > 0 && (
+          <span
+            className={styles.unsure}
+            style={{ left: at(size - U), width: `calc(${at(size + U)} - ${at(size - U)})` }}
+          />
+        )}
         {limit !== null && <span className={styles.limit} style={{ left: at(limit) }} />}
       </div>
       <p className={styles.words}>
         {limit === null ? (
-          <span>{t("for information, without a limit")}</span>
+          <span>{t("ui-for-information-without-a-limit")}</span>
         ) : (
           <>
             <QualityMark quality={QUALITY[figure.decision]} size="1.125rem" />
-            <strong>{t(WORD[figure.decision])}</strong>
-            <span>{t("limit {value}", { value: measured(limit, unit) })}</span>
+            <strong>{t(DECISIONS[figure.decision])}</strong>
+            <span>{t("ui-limit-value", { value: quantity(limit, unit) })}</span>
           </>
         )}
-        {U > 0 && (
-          <span>
-            U = {measured(U, unit, U < 10 ? 1 : 0)}, k = 2
-          </span>
-        )}
+        {U > 0 && <span>U = {measured(U, unit, U < 10 ? 1 : 0)}, k = 2</span>}
       </p>
     </li>
   );

@@ -2,10 +2,9 @@ import { sendVerify } from "../api/verifyCommands";
 import type { GaugeOption } from "../api/verifyTypes";
 import choice from "../flow/ChoicesPicture.module.css";
 import { EmptyState } from "../parts/EmptyState";
-import { bound } from "../parts/format";
 import { CheckIcon } from "../parts/icons";
-import { t } from "../state/language";
 import { isolated } from "../state/isolated";
+import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 
 /** Which gauge is clamped on the table. */
@@ -14,8 +13,8 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
     return (
       <EmptyState
         picture={<GaugeDrawing shape="sphere" />}
-        title={t("No gauge yet")}
-        text={t("Put the paper of a plate or a sphere into the data folder's gauges, as a nominal with its size, its certificate and its limits. It appears here at once.")}
+        title={t("ui-no-gauge-yet")}
+        text={t("ui-put-datasheet-plate-sphere-into-folder")}
       />
     );
   }
@@ -24,8 +23,8 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
     <div className={choice.picture}>
       <div className={choice.choices}>
         <section className={choice.group}>
-          <h3 className={choice.heading}>{t("Gauge")}</h3>
-          <div role="radiogroup" aria-label={t("Gauge")} className={choice.options}>
+          <h3 className={choice.heading}>{t("ui-gauge")}</h3>
+          <div role="radiogroup" aria-label={t("ui-gauge")} className={choice.options}>
             {gauges.map((option) => (
               <button
                 key={option.id}
@@ -38,7 +37,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
                 <span className={choice.tick}>{option.id === gauge && <CheckIcon size="1.125rem" />}</span>
                 <span>
                   <span className={choice.label}>{isolated(option.label)}</span>
-                  <span className={choice.detail}>{bound(option.detail)}</span>
+                  <span className={choice.detail}>{option.detail}</span>
                 </span>
               </button>
             ))}

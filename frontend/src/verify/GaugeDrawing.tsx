@@ -1,10 +1,22 @@
 import styles from "./GaugeDrawing.module.css";
 
 /** A plate or a sphere on its foot, as it stands clamped; with where to touch it, or the stripe. */
-export function GaugeDrawing({ shape, touching = false, scanning = false }: { shape: "plane" | "sphere" | null; touching?: boolean; scanning?: boolean }) {
+export function GaugeDrawing({
+  shape,
+  touching = false,
+  scanning = false,
+}: {
+  shape: "plane" | "sphere" | null;
+  touching?: boolean;
+  scanning?: boolean;
+}) {
   return (
     <svg className={styles.drawing} viewBox="0 0 320 220" aria-hidden="true">
-      {shape === "sphere" ? <Sphere touching={touching} scanning={scanning} /> : <Plate touching={touching} scanning={scanning} />}
+      {shape === "sphere" ? (
+        <Sphere touching={touching} scanning={scanning} />
+      ) : (
+        <Plate touching={touching} scanning={scanning} />
+      )}
     </svg>
   );
 }

@@ -1,3 +1,4 @@
+import { quantity } from "../messages/text";
 import { lengthFigures, measured } from "../parts/lengths";
 import { t } from "../state/language";
 import styles from "./Charts.module.css";
@@ -27,7 +28,7 @@ const EDGE = 26;
 export function LinesChart({ title, unit, lines, labels, limit = null, both = false }: LinesChartProps) {
   const all = lines.flatMap(({ values }) => values);
   const largest = Math.max(...all.map(Math.abs), 1);
-  /* A far limit does not flatten the points: it is then said in words alone. */
+  /* A far limit does not flatten the points: it is then in the text alone. */
   const drawn = limit !== null && limit < 4 * largest ? limit : null;
   const top = 1.15 * Math.max(largest, drawn ?? 0);
   const low = both ? -top : 0;
@@ -39,7 +40,8 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
         {title}
         {limit !== null && (
           <span className={styles.limitWords}>
-            {t("limit {value}", { value: measured(limit, unit) })}, {drawn === null ? t("beyond the chart") : t("dashed")}
+            {t("ui-limit-value", { value: quantity(limit, unit) })},{" "}
+            {drawn === null ? t("ui-beyond-the-chart") : t("ui-dashed")}
           </span>
         )}
       </figcaption>
@@ -52,16 +54,37 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
           {both && <span>0</span>}
           <span>{both ? `−${lengthFigures(top, unit)}` : "0"}</span>
         </div>
-        <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label={title}>
+        <svg
+          className={styles.plot}
+          viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+          preserveAspectRatio="none"
+          role="img"
+          aria-label={title}
+        >
           {both && <line className={styles.zero} x1={0} x2={WIDTH} y1={y(0)} y2={y(0)} />}
           {drawn !== null &&
-            (both ? [-drawn, drawn] : [drawn]).map((value) => <line key={value} className={styles.limit} x1={0} x2={WIDTH} y1={y(value)} y2={y(value)} />)}
+            (both ? [-drawn, drawn] : [drawn]).map((value) => (
+              <line key={value} className={styles.limit} x1={0} x2={WIDTH} y1={y(value)} y2={y(value)} />
+            ))}
           {lines.map((line) => (
-            <polyline key={line.name} className={styles.line} style={{ stroke: line.colour }} points={line.values.map((value, i) => `${x(i)},${y(value)}`).join(" ")} />
+            <polyline
+              key={line.name}
+              className={styles.line}
+              style={{ stroke: line.colour }}
+              points={line.values.map((value, i) => `${x(i)},${y(value)}`).join(" ")}
+            />
           ))}
           {lines.map((line) =>
             line.values.map((value, i) => (
-              <line key={`${line.name}${i}`} className={styles.dot} style={{ stroke: line.colour }} x1={x(i)} x2={x(i)} y1={y(value)} y2={y(value)}>
+              <line
+                key={`${line.name}${i}`}
+                className={styles.dot}
+                style={{ stroke: line.colour }}
+                x1={x(i)}
+                x2={x(i)}
+                y1={y(value)}
+                y2={y(value)}
+              >
                 <title>{`${line.name}, ${labels[i] ?? ""}: ${measured(value, unit, 1)}`}</title>
               </line>
             )),
@@ -69,7 +92,7 @@ export function LinesChart({ title, unit, lines, labels, limit = null, both = fa
         </svg>
       </div>
       <div className={styles.axis} aria-hidden="true">
-        <span>{t("Cloud")}</span>
+        <span>{t("ui-cloud")}</span>
         <div className={styles.labels} style={labels.length === 1 ? { justifyContent: "center" } : undefined}>
           {labels.map((label) => (
             <span key={label}>{label}</span>
@@ -94,9 +117,7 @@ export function RangeBars({ title, unit, bars }: RangeBarsProps) {
     <figure className={styles.chart}>
       <figcaption className={styles.title}>
         {title}
-        <span className={styles.limitWords}>
-          {t("mean {value}", { value: measured(mean, unit, 1) })}
-        </span>
+        <span className={styles.limitWords}>{t("ui-mean", { value: quantity(mean, unit, 1) })}</span>
       </figcaption>
       <ul className={styles.bars}>
         {bars.map(({ name, value, colour }) => (

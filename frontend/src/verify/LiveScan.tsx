@@ -20,20 +20,20 @@ export function LiveScan({ shape, state }: LiveScanProps) {
   const [viewKey] = useState(newKey);
   const legend = useLive((s) => s.view?.legend ?? null);
   const scanning = state === "scanning";
-  const shown = scanning || state === "measuring";
+  const visible = scanning || state === "measuring";
   return (
     <>
-      <div className={styles.live} data-shown={shown || undefined}>
+      <div className={styles.live} data-visible={visible || undefined}>
         <CloudView viewKey={viewKey} frame={frame}>
           {scanning && <DistanceSign />}
-          {shown && legend && <LegendBar legend={legend} />}
+          {visible && legend && <LegendBar legend={legend} />}
         </CloudView>
       </div>
       {(scanning || state === "before") && (
         <div className={styles.guide} data-beside={scanning || undefined}>
           <GaugeDrawing shape={shape} scanning />
           <p className={styles.words}>
-            {scanning ? t("Keep the stripe on the gauge. Slowly: the points come as you pass.") : t("Each pass becomes a map of where the cloud lies off the gauge.")}
+            {scanning ? t("ui-keep-stripe-gauge-move-slowly-points") : t("ui-pass-becomes-map-clouds-deviations-gauge")}
           </p>
         </div>
       )}

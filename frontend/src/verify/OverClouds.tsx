@@ -1,13 +1,13 @@
 import styles from "./Charts.module.css";
 import { LinesChart } from "./LinesChart";
-import type { Shown } from "./shown";
+import type { DisplayedVerification } from "./verification";
 
 /** How the figures go from cloud to cloud, against their limits. */
-export function OverClouds({ shown }: { shown: Shown }) {
-  const labels = shown.clouds.map(({ number }) => `${number}`);
+export function OverClouds({ verification }: { verification: DisplayedVerification }) {
+  const labels = verification.clouds.map(({ number }) => `${number}`);
   return (
     <div className={styles.charts}>
-      {shown.figures
+      {verification.figures
         .filter((figure) => figure.clouds.length === labels.length)
         .map((figure) => (
           <LinesChart

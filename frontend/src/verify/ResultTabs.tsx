@@ -9,49 +9,44 @@ import { DeviationMap } from "./DeviationMap";
 import { FigureBars } from "./FigureBars";
 import { OverClouds } from "./OverClouds";
 import styles from "./ResultTabs.module.css";
-import { type Shown, tablesOf } from "./shown";
 import { StudyView } from "./StudyView";
+import { type DisplayedVerification, tablesOf } from "./verification";
 
 interface ResultTabsProps {
-  shown: Shown;
+  displayed: DisplayedVerification;
   /** The same in the station's own words, for files. */
-  sent: Shown;
+  sent: DisplayedVerification;
   id?: string;
 }
 
 /** Pictures first: what the clouds show, and over clouds and calibrations; the table one tap away. */
-export function ResultTabs({ shown, sent, id }: ResultTabsProps) {
+export function ResultTabs({ displayed, sent, id }: ResultTabsProps) {
   const [tab, setTab] = useState("figures");
   const tabs = [
-    { value: "figures", label: t("Figures") },
-    { value: "map", label: t("Map") },
-    { value: "clouds", label: t("Clouds") },
-    ...(id ? [{ value: "study", label: t("Calibrations") }] : []),
-    { value: "numbers", label: t("Numbers") },
+    { value: "figures", label: t("ui-figures") },
+    { value: "map", label: t("ui-map") },
+    { value: "clouds", label: t("ui-clouds") },
+    ...(id ? [{ value: "study", label: t("ui-calibrations") }] : []),
+    { value: "numbers", label: t("ui-numbers") },
   ];
   return (
     <div className={frame.picture}>
       <div className={frame.tabs}>
-        <Segments
-          value={tab}
-          onChange={setTab}
-          options={tabs}
-          label={t("What to look at")}
-        />
+        <Segments value={tab} onChange={setTab} options={tabs} label={t("ui-view")} />
       </div>
-      <div className={frame.shown} tabIndex={0}>
-        {tab === "figures" && <FigureBars found={shown.figures} />}
-        {tab === "map" && <DeviationMap clouds={shown.clouds} shape={shown.shape} />}
-        {tab === "clouds" && <OverClouds shown={shown} />}
+      <div className={frame.content} tabIndex={0}>
+        {tab === "figures" && <FigureBars found={displayed.figures} />}
+        {tab === "map" && <DeviationMap clouds={displayed.clouds} shape={displayed.shape} />}
+        {tab === "clouds" && <OverClouds verification={displayed} />}
         {tab === "study" && id && <StudyView id={id} />}
-        {tab === "numbers" && <Tables shown={shown} sent={sent} />}
+        {tab === "numbers" && <Tables displayed={displayed} sent={sent} />}
       </div>
     </div>
   );
 }
 
-function Tables({ shown, sent }: Omit<ResultTabsProps, "id">) {
-  const tables = tablesOf(shown);
+function Tables({ displayed, sent }: Omit<ResultTabsProps, "id">) {
+  const tables = tablesOf(displayed);
   return (
     <div className={styles.tables}>
       <div className={styles.copy}>
@@ -62,7 +57,7 @@ function Tables({ shown, sent }: Omit<ResultTabsProps, "id">) {
           <DataTable table={table} />
         </div>
       ))}
-      {shown.notes.map((note) => (
+      {displayed.notes.map((note) => (
         <p key={note} className={styles.note}>
           {note}
         </p>

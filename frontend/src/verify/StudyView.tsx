@@ -4,45 +4,49 @@ import { get } from "../api/http";
 import { makeStudy } from "../api/verifyCommands";
 import type { StudyFile } from "../api/verifyFiles";
 import type { StudyState } from "../api/verifyTypes";
+import { type PlainId, quantity } from "../messages/text";
 import { rampColour } from "../object/residuals";
 import { CopyCsv } from "../parts/CopyCsv";
 import { PressButton } from "../parts/PressButton";
 import { Busy } from "../parts/Progress";
-import { amount, type TableData } from "../parts/table";
-import { counted, said, t, words } from "../state/language";
+import type { TableData } from "../parts/table";
+import { t } from "../state/language";
 import styles from "./Charts.module.css";
 import { LinesChart, RangeBars } from "./LinesChart";
 
-const ASKED_EVERY_MS = 400;
+const POLL_MS = 400;
 
 /** The paper's test: the clouds of one verification, each rebuilt with every calibration. */
 export function StudyView({ id }: { id: string }) {
   const { state, begin } = useStudy(id);
   if (!state) return null;
-  if (state.running) return <div className={styles.begin}><Busy text={state.text || t("Rebuilding the clouds")} fraction={state.fraction} /></div>;
+  if (state.running)
+    return (
+      <div className={styles.begin}>
+        <Busy text={state.text || t("ui-rebuilding-the-clouds")} fraction={state.fraction} />
+      </div>
+    );
   const { study } = state;
   if (!study) {
     return (
       <div className={styles.begin}>
-        <h2>{t("The same clouds with every calibration")}</h2>
-        <p>
-          {t(
-            "Every cloud of this verification is rebuilt with each of the {n} accepted calibrations. What differs from one calibration to the next is the calibrations'; what differs from cloud to cloud is the arm's and the scanning's. It runs in the background.",
-            { n: state.accepted },
-          )}
-        </p>
+        <h2>{t("ui-the-same-clouds-with-every-calibration")}</h2>
+        <p>{t("ui-every-cloud-verification-rebuilt-accepted-calibrations", { n: state.accepted })}</p>
         <PressButton kind="primary" onPress={begin}>
-          {counted(state.accepted, "Rebuild with the calibration", "Rebuild with {n} calibrations")}
+          {t("ui-rebuild-with-calibrations", { n: state.accepted })}
         </PressButton>
       </div>
     );
   }
-  return <Charts study={study} newer={state.accepted > study.calibrations.length + study.left_out.length} begin={begin} />;
+  return (
+    <Charts study={study} newer={state.accepted > study.calibrations.length + study.left_out.length} begin={begin} />
+  );
 }
 
 function useStudy(id: string) {
   const [state, setState] = useState<StudyState | null>(null);
-  const [asked, setAsked] = useState(0);
+  const [polls, setPolls] = useState(0);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: polled again once it has begun
   useEffect(() => {
     let timer = 0;
     let wanted = true;
@@ -51,7 +55,7 @@ function useStudy(id: string) {
         (read) => {
           if (!wanted) return;
           setState(read);
-          if (read.running) timer = window.setTimeout(ask, ASKED_EVERY_MS);
+          if (read.running) timer = window.setTimeout(ask, POLL_MS);
         },
         () => undefined,
       );
@@ -60,11 +64,11 @@ function useStudy(id: string) {
       wanted = false;
       window.clearTimeout(timer);
     };
-  }, [id, asked]);
+  }, [id, polls]);
   const begin = async () => {
     const begun = await makeStudy(id);
     if (begun) setState(begun);
-    setAsked((count) => count + 1);
+    setPolls((count) => count + 1);
   };
   return { state: state, begin };
 }
@@ -72,19 +76,19 @@ function useStudy(id: string) {
 type Row = StudyFile["rows"][number];
 interface Measure {
   of: (row: Row) => number;
-  title: string;
+  title: PlainId;
   unit: string;
   both: boolean;
 }
 
 const MEASURES: Record<StudyFile["shape"], [Measure, Measure]> = {
   plane: [
-    { of: (row) => row.angle_arcsec ?? 0, title: words("Angle between the normals"), unit: "″", both: false },
-    { of: (row) => row.z_error_um ?? 0, title: words("Z error in the cloud's middle"), unit: "µm", both: true },
+    { of: (row) => row.angle_arcsec ?? 0, title: "ui-angle-between-the-normals", unit: "″", both: false },
+    { of: (row) => row.z_error_um ?? 0, title: "ui-z-error-in-the-clouds-middle", unit: "µm", both: true },
   ],
   sphere: [
-    { of: (row) => row.radius_error_um ?? 0, title: words("Radius error"), unit: "µm", both: true },
-    { of: (row) => row.centre_error_um ?? 0, title: words("Distance between the centres"), unit: "µm", both: false },
+    { of: (row) => row.radius_error_um ?? 0, title: "ui-radius-error", unit: "µm", both: true },
+    { of: (row) => row.centre_error_um ?? 0, title: "ui-distance-between-the-centres", unit: "µm", both: false },
   ],
 };
 
@@ -94,50 +98,72 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
   const measures = MEASURES[study.shape];
   const lines = (measure: Measure) =>
     study.calibrations.map((name, c) => ({
-      name: said(name),
+      name,
       colour: colour(c),
-      values: study.rows.filter((row) => row.calibration === c).sort((a, b) => a.cloud - b.cloud).map(measure.of),
+      values: study.rows
+        .filter((row) => row.calibration === c)
+        .sort((a, b) => a.cloud - b.cloud)
+        .map(measure.of),
     }));
-  const labels = study.clouds.map((name) => name.replace("Cloud ", ""));
-  const against = study.against_probe ? t("against the touched gauge") : t("against the mean of all");
+  const labels = study.clouds.map((_, i) => String(i + 1));
+  const against = study.against_probe ? t("ui-against-the-touched-gauge") : t("ui-against-the-mean-of-all");
   return (
     <>
       <div className={styles.again}>
         <CopyCsv tables={tables(study, measures)} />
-        {newer && <PressButton onPress={begin}>{t("Rebuild with the newer ones too")}</PressButton>}
+        {newer && <PressButton onPress={begin}>{t("ui-also-rebuild-with-the-newer-ones")}</PressButton>}
       </div>
       <ul className={styles.legend}>
         {study.calibrations.map((name, c) => (
           <li key={name}>
             <span className={styles.swatch} style={{ background: colour(c) }} />
-            {said(name)}
+            {name}
           </li>
         ))}
       </ul>
       <div className={styles.charts}>
         {measures.map((measure) => (
-          <LinesChart key={measure.title} title={`${t(measure.title)}, ${against}`} unit={measure.unit} lines={lines(measure)} labels={labels} both={measure.both} />
+          <LinesChart
+            key={measure.title}
+            title={`${t(measure.title)}, ${against}`}
+            unit={measure.unit}
+            lines={lines(measure)}
+            labels={labels}
+            both={measure.both}
+          />
         ))}
         {study.between_clouds.length > 0 &&
           measures.map((measure, k) => (
             <RangeBars
               key={measure.title}
-              title={t("{figure}: range over the clouds", { figure: t(measure.title) })}
+              title={t("ui-range-over-the-clouds", { figure: t(measure.title) })}
               unit={measure.unit}
-              bars={study.between_clouds.map((range) => ({ name: said(study.calibrations[range.of] ?? ""), value: k ? range.second : range.first, colour: colour(range.of) }))}
+              bars={study.between_clouds.map((range) => ({
+                name: study.calibrations[range.of] ?? "",
+                value: k ? range.second : range.first,
+                colour: colour(range.of),
+              }))}
             />
           ))}
         {study.between_calibrations.length > 0 &&
           measures.map((measure, k) => (
             <RangeBars
               key={measure.title}
-              title={t("{figure}: range over the calibrations", { figure: t(measure.title) })}
+              title={t("ui-range-over-the-calibrations", { figure: t(measure.title) })}
               unit={measure.unit}
-              bars={study.between_calibrations.map((range) => ({ name: said(study.clouds[range.of] ?? ""), value: k ? range.second : range.first, colour: "var(--ink-3)" }))}
+              bars={study.between_calibrations.map((range) => ({
+                name: study.clouds[range.of] ?? "",
+                value: k ? range.second : range.first,
+                colour: "var(--ink-3)",
+              }))}
             />
           ))}
       </div>
-      {study.left_out.length > 0 && <p className={styles.note}>{t("Left out:")} {study.left_out.map(said).join(" ")}</p>}
+      {study.left_out.length > 0 && (
+        <p className={styles.note}>
+          {t("ui-left-out-sentence")} {study.left_out.join(" ")}
+        </p>
+      )}
     </>
   );
 }
@@ -145,13 +171,18 @@ function Charts({ study, newer, begin }: { study: StudyFile; newer: boolean; beg
 function tables(study: StudyFile, measures: [Measure, Measure]): TableData[] {
   return [
     {
-      title: words("Clouds and calibrations"),
-      head: [words("Calibration"), words("Cloud"), ...measures.map(({ title, unit }) => ({ words: title, unit })), { words: words("rms"), unit: "µm" }],
+      title: "ui-clouds-and-calibrations",
+      head: [
+        "ui-calibration",
+        "ui-cloud",
+        ...measures.map(({ title, unit }) => ({ title, unit })),
+        { title: "ui-rms", unit: "µm" },
+      ],
       rows: study.rows.map((row) => [
         study.calibrations[row.calibration] ?? "",
         study.clouds[row.cloud] ?? "",
-        ...measures.map((measure) => amount(measure.of(row), 2, measure.unit)),
-        amount(row.rms_um, 2, "µm"),
+        ...measures.map((measure) => quantity(measure.of(row), measure.unit, 2)),
+        quantity(row.rms_um, "µm", 2),
       ]),
     },
   ];

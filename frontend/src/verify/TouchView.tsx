@@ -1,11 +1,10 @@
 import { useElementSize } from "@mantine/hooks";
-
 import type { TouchLine } from "../api/verifyTypes";
 import legend from "../flow/ResidualLegend.module.css";
+import { quantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";
 import { RAMP_CSS, rampColour } from "../object/residuals";
-import { figures } from "../parts/format";
-import { measured, roundEnd, signedLength } from "../parts/lengths";
+import { roundEnd, signedLength } from "../parts/lengths";
 import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 import styles from "./TouchView.module.css";
@@ -14,7 +13,7 @@ interface TouchViewProps {
   picture: { shape: "plane" | "sphere" | null; radius_mm: number | null; touches: TouchLine[] };
 }
 
-/** Where the gauge was touched, seen from above, and how far each touch is off it. */
+/** The contact points on the gauge from above, and how far each is off it. */
 export function TouchView({ picture }: TouchViewProps) {
   const placed = picture.touches.filter((touch) => touch.x_mm !== null);
   if (placed.length === 0) {
@@ -22,12 +21,19 @@ export function TouchView({ picture }: TouchViewProps) {
       <div className={styles.view}>
         <GaugeDrawing shape={picture.shape} touching />
         <p className={styles.words}>
-          {picture.touches.length === 0 ? t("Touch where the dots are; the order does not matter.") : t("{n} taken. A few more, and they are drawn here.", { n: figures(picture.touches.length) })}
+          {picture.touches.length === 0
+            ? t("ui-touch-dots-any-order")
+            : t("ui-taken-after-few-more-they-drawn", { n: picture.touches.length })}
         </p>
       </div>
     );
   }
-  return <Plot {...picture} placed={placed.map((touch, i) => ({ ...touch, number: i + 1, at: [touch.x_mm ?? 0, -(touch.y_mm ?? 0)] }))} />;
+  return (
+    <Plot
+      {...picture}
+      placed={placed.map((touch, i) => ({ ...touch, number: i + 1, at: [touch.x_mm ?? 0, -(touch.y_mm ?? 0)] }))}
+    />
+  );
 }
 
 const LABEL_PX = { wide: 82, tall: 17, text: 13, dot: 7 };
@@ -49,11 +55,24 @@ function Plot({ radius_mm, placed }: PlotProps) {
   const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px }, (px * width) / 2);
   return (
     <div className={styles.view}>
-      <svg ref={plot} className={styles.plot} viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`} role="img" aria-label={t("Touches, seen from above")}>
+      <svg
+        ref={plot}
+        className={styles.plot}
+        viewBox={`${-half} ${-half} ${2 * half} ${2 * half}`}
+        role="img"
+        aria-label={t("ui-contact-points-from-above")}
+      >
         {radius_mm !== null ? (
           <circle r={radius_mm} className={styles.gauge} />
         ) : (
-          <rect x={-1.15 * reach} y={-1.15 * reach} width={2.3 * reach} height={2.3 * reach} rx={dot} className={styles.gauge} />
+          <rect
+            x={-1.15 * reach}
+            y={-1.15 * reach}
+            width={2.3 * reach}
+            height={2.3 * reach}
+            rx={dot}
+            className={styles.gauge}
+          />
         )}
         {placed.map(({ index, number, at, residual_um }) => (
           <g key={index} transform={`translate(${at.join(" ")})`}>
@@ -73,7 +92,7 @@ function Plot({ radius_mm, placed }: PlotProps) {
       <div className={legend.legend}>
         <span>0</span>
         <span className={legend.ramp} style={{ background: RAMP_CSS }} />
-        <span>{t("{end} off the gauge that fits them best; outward is positive", { end: measured(end, "µm") })}</span>
+        <span>{t("ui-off-best-fitting-gauge-outward-positive", { end: quantity(end, "µm") })}</span>
       </div>
     </div>
   );

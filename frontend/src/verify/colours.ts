@@ -1,6 +1,6 @@
 import { roundEnd } from "../parts/lengths";
 
-/** Blue below, a quiet grey where it fits, orange above: told apart by every eye, in light and dark. */
+/** Blue below, a quiet grey where it fits, orange above: distinguishable for every eye, in light and dark. */
 const BELOW: [number, number, number] = [30, 100, 210];
 const FITS: [number, number, number] = [202, 206, 212];
 const ABOVE: [number, number, number] = [232, 120, 20];

@@ -4,7 +4,12 @@ import { get } from "../api/http";
 
 /** A file of the server's, read once for each address; null until it is there. */
 export function useFile<T>(path: string, change = ""): { file: T | null; failed: boolean } {
-  const [read, setRead] = useState<{ path: string; file: T | null; failed: boolean }>({ path: "", file: null, failed: false });
+  const [read, setRead] = useState<{ path: string; file: T | null; failed: boolean }>({
+    path: "",
+    file: null,
+    failed: false,
+  });
+  // biome-ignore lint/correctness/useExhaustiveDependencies: loaded again with each change
   useEffect(() => {
     if (!path) return;
     let wanted = true;

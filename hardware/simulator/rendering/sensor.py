@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, LinkHealth, SensorInfo
@@ -204,10 +205,10 @@ class SimulatedSensor:
         if self._shared_renderer.faults.camera_lost:
             self._open = False
             raise DeviceError(
-                "The simulated camera is lost", "Its fault switch camera_lost is on; turn it off."
+                message("simulated-camera-is-lost"), message("turn-fault-switch-camera-lost-off")
             )
 
     def _check_open(self) -> None:
         if not self._open:
-            raise DeviceError("The simulated sensor is not open")
+            raise DeviceError(message("simulated-sensor-is-not-open"))
         self._check_camera()

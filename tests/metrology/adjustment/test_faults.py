@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
+from app.messages.message import Message, Quantity, Text
 from app.metrology.adjustment.core.gauss_newton import solve_adjustment
 from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.core.variance_components import Scales
@@ -20,6 +21,14 @@ ALL_AROUND = ("crest", "front", "back", "left", "right")
 # The links of an arm whose tip is off by some 100 and 250 um.
 MIDDLING = replace(USUAL, links_mm=0.012, links_rad=3e-5)
 POOR = replace(USUAL, links_mm=0.03, links_rad=7.5e-5)
+
+
+def number(text: Text, name: str) -> float:
+    """One of a message's quantities."""
+    assert isinstance(text, Message)
+    value = text.values[name]
+    assert isinstance(value, Quantity)
+    return value.value
 
 
 def station(poses: int, faces: tuple[str, ...], scales: Scales = USUAL) -> SimulatedSetup:
@@ -77,9 +86,9 @@ def test_a_wrong_size_of_the_block_is_told_with_its_faces(
     on = station(3, ALL_AROUND)
     (told,) = said(on, 3, inward(on, dict.fromkeys(pair, by_mm / 2)))
     assert (told.code, told.quality) == ("size", "attention")
-    assert f"on {pair[0]} and {pair[1]} lie" in told.text
-    assert ("closer together" if by_mm > 0 else "further apart") in told.text
-    off_um = float(told.text.split(" µm")[0].split()[-1])
+    assert f"on {pair[0]} and {pair[1]} lie" in str(told.text)
+    assert ("closer together" if by_mm > 0 else "further apart") in str(told.text)
+    off_um = number(told.text, "opening")
     assert off_um == pytest.approx(1e3 * abs(by_mm), abs=15)
 
 
@@ -99,9 +108,9 @@ def test_a_tip_off_its_place_is_named_with_where_it_is(
     (told,) = said(on, 3, touches_on(on).R_arm_flange @ np.array(off_mm))
     assert told.code == "tip-place"
     assert told.quality == ("bad" if np.linalg.norm(off_mm) > 0.15 else "attention")
-    named = told.text.split("it: by ")[1].split(" mm (±")[0].split(", ")
+    named = [number(told.text, axis) for axis in "xyz"]
     # the tip is back from where the file has it
-    assert np.allclose([float(mm) for mm in named], -np.array(off_mm), atol=0.05)
+    assert np.allclose(named, -np.array(off_mm), atol=0.05)
 
 
 def test_a_poor_arm_does_not_hide_a_tip_far_off() -> None:
@@ -122,7 +131,11 @@ def test_an_object_moved_after_it_was_touched_is_told_from_the_tip(
     moved = (tips_mm - middle) @ turn.T + middle + shift_mm * np.array([0.6, 0.0, 0.8])
     told = said(on, 3, moved - tips_mm)[0]
     assert told.code == "object-moved"
-    assert f"object {shift_mm:.1f}" in told.text if shift_mm else "object turned by" in told.text
+    assert (
+        f"object {shift_mm:.1f}" in str(told.text)
+        if shift_mm
+        else "object turned by" in str(told.text)
+    )
 
 
 def test_with_one_pose_a_moved_object_cannot_be_told() -> None:

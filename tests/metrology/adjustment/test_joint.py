@@ -46,7 +46,8 @@ def test_points_lie_where_the_truth_has_them(found: BlockCalibration, samples: P
     assert error_um < 2.0 * found.uncertainty.total_um
     assert all(pose.used for pose in found.poses)
     # the one contact that the sample has wrong
-    assert next(point.name for point in found.worst if point.kind == "contact") == "crest 10"
+    worst = next(point for point in found.worst if point.kind == "contact")
+    assert (worst.face, worst.contact, str(worst.name)) == ("crest", 9, "crest 10")
 
 
 def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
@@ -57,7 +58,7 @@ def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
     result = calibrate_block(replace(inputs, q_rad=q))
     out = [pose for pose in result.poses if not pose.used]
     assert [pose.number for pose in out] == [2, 5]
-    assert "fits the joint angles of pose 5" in out[0].reason
+    assert "fits the joint angles of pose 5" in str(out[0].reason)
     assert "pose-left-out" in codes(result)
 
 
@@ -69,7 +70,7 @@ def test_a_pose_that_is_slightly_astray_is_left_out_too(
     result = calibrate_block(replace(inputs, q_rad=q))
     (out,) = [pose for pose in result.poses if not pose.used]
     assert out.number == 2
-    assert "fits the joint angles" not in out.reason
+    assert "fits the joint angles" not in str(out.reason)
     assert result.uncertainty.total_um < 1.2 * found.uncertainty.total_um
 
 
@@ -100,7 +101,7 @@ def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: BlockInpu
         replace(some, failed_poses=(FailedPose(inputs.observations[0].number, refusal),))
     )
     (said,) = [finding for finding in result.findings if finding.code == "pose-left-out"]
-    assert said.text.endswith("shows no contrast. Turn up the light.")
+    assert str(said.text).endswith("picture shows no contrast. Turn up the light.")
     assert not said.remedy
 
 
@@ -119,7 +120,7 @@ def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: BlockInputs, by_mm: f
     told = [finding for finding in result.findings if finding.code == "tip-diameter"]
     assert told
     assert told[0].remedy
-    stated = re.search(r"a tip of ([0-9.]+) mm \(± ([0-9.]+)\)", told[0].text)
+    stated = re.search(r"a tip of ([0-9.]+) mm \(± ([0-9.]+)\)", str(told[0].text))
     assert stated
     found_mm, twice_sd_mm = map(float, stated.groups())
     assert found_mm == pytest.approx(tip.diameter_mm, abs=twice_sd_mm)
@@ -141,7 +142,7 @@ def test_one_pose_is_the_special_case(inputs: BlockInputs, found: BlockCalibrati
 def test_the_verdict_goes_by_the_users_limits(inputs: BlockInputs) -> None:
     strict = calibrate_block(replace(inputs, limits=Limits(good_um=5.0, usable_um=10.0)))
     assert strict.findings[0].quality == "bad"
-    assert "the limit is 10 µm" in strict.findings[0].text
+    assert "the limit is 10 µm" in str(strict.findings[0].text)
 
 
 def test_the_advised_pose_helps_more_than_the_same_again(
@@ -154,10 +155,9 @@ def test_the_advised_pose_helps_more_than_the_same_again(
     assert advice[0].total_um < advice[-1].total_um <= one.uncertainty.total_um * 1.02
     assert advice[0].total_um < 0.9 * one.uncertainty.total_um
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
-    assert "°" in move.words
-    assert (
-        pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block).words == "hold as it is"
-    )
+    assert "°" in str(move.words)
+    none = pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block)
+    assert str(none.words) == "hold as it is"
 
 
 def test_touches_are_asked_for_until_the_target_is_reached(
@@ -168,7 +168,7 @@ def test_touches_are_asked_for_until_the_target_is_reached(
     assert advice.reaches
     assert advice.now_um == pytest.approx(now)
     assert advice.then_um <= 0.8 * now
-    assert "more on the" in advice.words
+    assert "more on the" in str(advice.words)
     assert next_touches(found.alignment, inputs.features, inputs.block, 2 * now).more == ()
 
 
@@ -185,6 +185,6 @@ def test_a_block_of_another_size_is_told_by_the_arms_motion(samples: Path, times
     found = calibrate_block(joint_inputs(replace(session, block=other)))
     (said,) = [one for one in found.findings if one.code == "object-size"]
     assert said.quality == "bad"
-    percent = float(said.text.split("object is ")[1].split(" %")[0])
+    percent = float(str(said.text).split("object is ")[1].split(" %")[0])
     assert percent == pytest.approx(100 * abs(1 / times - 1), abs=0.15)
-    assert ("smaller" if times > 1 else "larger") in said.text
+    assert ("smaller" if times > 1 else "larger") in str(said.text)

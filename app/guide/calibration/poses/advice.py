@@ -7,6 +7,7 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from app.guide.common.view import Segment
+from app.messages.message import Text
 from app.metrology.adjustment.planning.next_pose import PoseDelta, pose_delta
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, inverse
@@ -31,7 +32,7 @@ class Advice:
     poses: int
     now_um: float
     then_um: float
-    words: str
+    words: Text
     outline: Sequence[Segment]
     q_rad: Sequence[float]
     T_obj_cam: Matrix

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from app.guide.calibration.state import PoseCapture
+from app.messages.message import Text, message
 from app.metrology.adjustment.board.initial_guess import FEWEST_POSES
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 
@@ -36,18 +37,18 @@ def plan_view(listed: Sequence[PoseCapture]) -> PoseDelta | None:
     return None if view is None else VIEWS[view]
 
 
-def view_instruction(view: PoseDelta) -> str:
+def view_instruction(view: PoseDelta) -> Text:
     """How to hold the sensor, as one sentence."""
     if view == VIEWS[0]:
-        return "Hold the sensor straight above the chessboard, its longer side along the picture."
-    return f"From straight above the chessboard: {view.words}. Follow the dashed outline."
+        return message("hold-sensor-straight-above-chessboard-longer")
+    return message("straight-above-chessboard-follow-dashed-outline", words=view.words)
 
 
-def still_missing(usable: int) -> str:
+def still_missing(usable: int) -> Text:
     """Why there is no calibration yet from so many pictures; empty where there may be one."""
     more = FEWEST_POSES - usable
     if more <= 0:
         return ""
     if more == 1:
-        return "A chessboard is seen from several sides: take one more picture."
-    return f"A chessboard is seen from several sides: take {more} more pictures."
+        return message("chessboard-seen-several-sides-take-one")
+    return message("chessboard-seen-several-sides-take-more", more=more)

@@ -1,12 +1,13 @@
-"""What a fresh capture shows, so that a useless picture is told of at once."""
+"""What a fresh capture shows, so that a useless picture is reported at once."""
 
 from collections.abc import Mapping, Sequence
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.outcome import CalibrationOutcome
-from app.guide.common.view import ImageCorner, sentence
+from app.guide.common.view import ImageCorner
+from app.messages.message import message, word
 from app.metrology.adjustment.block.calibrate import observe_block
 from app.metrology.adjustment.board.calibrate import observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
@@ -16,7 +17,7 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.capture import Capture
-from app.station.preview.image_quality import error_finding, image_findings
+from app.station.preview.image_quality import image_findings
 from app.station.preview.target_overlay import TargetOverlay, block_overlay, board_overlay
 from app.workflows.calibrate import AnyDetection
 
@@ -38,8 +39,8 @@ def detect_in_capture(
         findings.append(
             Finding(
                 "bad",
-                "No laser stripe is in the picture.",
-                "Check the laser and the exposure, then take a new picture.",
+                message("no-laser-stripe-picture"),
+                message("check-laser-exposure-then-take-new"),
             )
         )
     seen: AnyDetection
@@ -71,25 +72,25 @@ def _as_sentences(finding: Finding) -> Finding:
 
 
 def _unusable(
-    refusal: OperationError, stripe: Stripe, findings: Sequence[Finding]
+    error: OperationError, stripe: Stripe, findings: Sequence[Finding]
 ) -> CalibrationOutcome:
     """A picture that was declined: which of exposure, focus, framing, object or lighting is at
     fault, and what shows it."""
-    told = _as_sentences(error_finding(refusal))
-    if not isinstance(refusal, DetectionError):
-        first = Finding("bad", told.text, told.remedy)
+    reason, remedy = error.reason, sentence(error.remedy)
+    if not isinstance(error, DetectionError):
+        first = Finding("bad", reason, remedy)
         return CalibrationOutcome((), (), thin_stripe(stripe), [first, *findings], None)
-    named = f"{refusal.fault.capitalize()} is at fault. {told.text}"
-    # the picture's own words say the same again
-    others = [] if refusal.fault in ("exposure", "focus") else findings
+    named = message("fault", fault=word(error.fault), text=reason)
+    # the findings about the picture itself give the same reason
+    others = [] if error.fault in ("exposure", "focus") else findings
     return CalibrationOutcome(
         corners=(),
         outline=(),
         stripe=thin_stripe(stripe),
-        findings=[Finding("bad", named, told.remedy), *others],
+        findings=[Finding("bad", named, remedy), *others],
         result=None,
-        marks=refusal.marks,
-        fault=refusal.fault,
+        marks=error.marks,
+        fault=error.fault,
     )
 
 

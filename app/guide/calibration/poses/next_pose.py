@@ -48,7 +48,7 @@ def advise(
     """The pose that would help most after those taken; None where none is to be told.
 
     Raises:
-        Refusal: no calibration follows from the poses so far.
+        OperationError: no calibration follows from the poses so far.
     """
     so_far = _so_far(read_any_session(folder.path), known, limits)
     found, state = so_far.adjusted, so_far.adjusted.state

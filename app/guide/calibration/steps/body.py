@@ -16,6 +16,7 @@ from app.guide.common.view import (
     Picture,
     StepProgress,
 )
+from app.messages.message import Text, join, message
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
 
@@ -24,7 +25,7 @@ from app.metrology.targets.target import CalibrationTarget
 class StepView:
     """A step's own part of the view; actions of its own come first."""
 
-    instruction: str
+    instruction: Text
     picture: Picture
     actions: Sequence[Action]
     number: LiveNumber | None = None
@@ -36,10 +37,10 @@ def offer(
     state: CalibrationState,
     live: CalibrationLive,
     name: str,
-    label: str,
+    label: Text,
     args: Mapping[str, object] | None = None,
     primary: bool = False,
-    confirm: str = "",
+    confirm: Text = "",
 ) -> Action:
     """The action, enabled or with the reason why not."""
     reason = rejection_reason(state, live, name, args or {})
@@ -63,7 +64,11 @@ def geometry(item: CalibrationTarget) -> ObjectGeometry:
 def device_findings(live: CalibrationLive) -> list[Finding]:
     """A device that went away while the operator is at work; nothing is lost by it."""
     return [
-        Finding("bad", f"{link.title}: {link.text}", "Wait, or check it. What was taken is kept.")
+        Finding(
+            "bad",
+            join([link.title, link.text], ": "),
+            message("wait-check-what-taken-kept"),
+        )
         for link in (live.arm_link, live.sensor_link)
         if link.state != "connected"
     ]

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from app.errors import sentence
 from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
@@ -10,14 +11,15 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, device_findings, offer
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
+from app.guide.common.mentions import mentions
 from app.guide.common.view import (
     Action,
     CameraPicture,
     LiveNumber,
     StepProgress,
     StillPicture,
-    sentence,
 )
+from app.messages.message import Text, message, quantity
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 
 FEWEST_CORNERS = 8
@@ -30,16 +32,16 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     found = live.corners_detected >= FEWEST_CORNERS
     there = live.to_move is None or is_reached(live.to_move)
     planned, picture = _plan_view(state, live), _camera(state, live)
-    goal = "Hold the sensor over the object, in another way than before."
+    goal: Text = message("hold-sensor-over-object-another-way")
     if picture.target:
-        goal = "Hold the sensor over the object so that it lies about as the dashed outline."
+        goal = message("hold-sensor-over-object-so-lies")
     if planned is not None:
         goal = view_instruction(planned)
     elif live.advice is not None and not there:
-        goal = f"For the next pose {live.advice.words}. Follow the dashed outline."
+        goal = message("next-pose-follow-dashed-outline", words=live.advice.words)
     return StepView(
         instruction=(
-            "The object is in the picture. Hold the arm there, or clamp it."
+            message("object-picture-hold-arm-there-clamp")
             if found and there and planned is None
             else goal
         ),
@@ -48,7 +50,7 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         progress=_poses(state, live),
         findings=[*device_findings(live), *_picture_findings(live), *_about_line(live)],
         actions=[
-            offer(state, live, "confirm_place", "The object is in the picture", primary=True),
+            offer(state, live, "confirm_place", message("object-picture"), primary=True),
             *_enough(state, live),
         ],
     )
@@ -57,13 +59,13 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
 def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Take the picture while the arm is still."""
     return StepView(
-        instruction="Hold still and take the picture. The laser switches itself.",
+        instruction=message("hold-still-take-picture-laser-switches"),
         picture=_camera(state, live),
         number=_stillness(live),
         progress=_poses(state, live),
         findings=[*device_findings(live), *_picture_findings(live)],
         actions=[
-            offer(state, live, "capture", "Take the picture", primary=True),
+            offer(state, live, "capture", message("take-picture"), primary=True),
             *_enough(state, live),
         ],
     )
@@ -73,10 +75,10 @@ def _poses(state: CalibrationState, live: CalibrationLive) -> StepProgress:
     """How many poses there are, of as many as are asked for while they help."""
     done = len(state.pictures)
     if live.advice is not None and not live.advice.worth_it:
-        return StepProgress(done, done, f"{done} poses are enough")
+        return StepProgress(done, done, message("poses-enough", done=done))
     enough = ENOUGH_POSES if live.chosen.board is None else ENOUGH_OF_A_BOARD
     of = max(done, enough)
-    return StepProgress(done, of, f"{done} of up to {of} poses")
+    return StepProgress(done, of, message("up-poses", done=done, of=of))
 
 
 def _enough(state: CalibrationState, live: CalibrationLive) -> list[Action]:
@@ -84,7 +86,7 @@ def _enough(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     count = len(state.pictures)
     if not count:
         return []
-    label = f"Go on with {count} pose{'s' if count > 1 else ''}"
+    label = message("go-pose-count-one-other-s", count=count)
     return [offer(state, live, "keep_picture", label)]
 
 
@@ -114,8 +116,8 @@ def _about_line(live: CalibrationLive) -> list[Finding]:
     return [
         Finding(
             "neutral",
-            "The laser's line must cross the chessboard in every picture.",
-            "Switch the laser on to look where it lies.",
+            message("lasers-line-must-cross-chessboard-every"),
+            message("switch-laser-look-where-lies"),
         )
     ]
 
@@ -127,12 +129,12 @@ def _to_go(live: CalibrationLive) -> LiveNumber | None:
     left = live.to_move
     there = is_reached(left)
     return LiveNumber(
-        "Still to turn",
+        message("still-turn"),
         left.largest_deg,
         "°",
         0,
         "good" if there else "attention",
-        "Hold it there" if there else f"{left.words[:1].upper()}{left.words[1:]}",
+        message("hold-there") if there else message("capital", text=left.words),
     )
 
 
@@ -148,12 +150,10 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     findings.sort(key=lambda finding: finding.quality != "bad")
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
-        why = f": {refused.why}" if refused.why else ""
-        remedy = refused.remedy or "Go back, and take the picture or the points again."
-        text = sentence(f"{refused.what.rstrip('.')}{why}")
-        # of the shown picture it may be said already, after what is at fault
-        if not any(finding.text.endswith(text) for finding in findings):
-            findings.insert(0, Finding("bad", text, sentence(remedy)))
+        error = refused.error.finding("bad", message("go-back-take-picture-points-again"))
+        # a finding about the shown picture may give the same reason
+        if not any(mentions(finding.text, error.text) for finding in findings):
+            findings.insert(0, error)
     unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
     planned = _plan_view(state, live)
     more = not unusable and (planned is not None or (advice is not None and advice.worth_it))
@@ -166,49 +166,53 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         progress=_poses(state, live),
         findings=findings,
         actions=[
-            offer(state, live, "another_pose", "Take another pose", primary=more),
-            offer(state, live, "solve", "Calibrate", primary=not (unusable or more)),
-            offer(state, live, "retake", "Take this picture anew", primary=unusable),
-            offer(state, live, "back", "Back to the points", {"to": "touch"}),
+            offer(state, live, "another_pose", message("take-another-pose"), primary=more),
+            offer(state, live, "solve", message("calibrate"), primary=not (unusable or more)),
+            offer(state, live, "retake", message("take-picture-anew"), primary=unusable),
+            offer(state, live, "back", message("back-points"), {"to": "touch"}),
         ],
     )
 
 
 def _solve_instruction(
     state: CalibrationState, live: CalibrationLive, refused: bool, unusable: bool, more: bool
-) -> str:
+) -> Text:
     if refused:
-        return "This could not be solved. What was taken is kept."
+        return message("could-solved-what-taken-kept")
     if unusable:
-        others = " or go on without it" if len(state.pictures) > 1 else ""
-        return f"This picture cannot be used. Take it anew{others}."
+        others = "yes" if len(state.pictures) > 1 else "no"
+        return message("picture-cannot-used-take-anew", others=others)
     count = len(state.pictures)
-    taken = f"{count} pose{'s are' if count != 1 else ' is'} taken."
+    taken = message("pose-count-one-other-s-taken", count=count)
     planned = _plan_view(state, live)
     if more and planned is not None:
-        return f"{taken} Take another: {planned.words}."
+        return message("take-another", taken=taken, words=planned.words)
     if more and live.advice is not None:
-        return f"{taken} Take another: {live.advice.words}."
-    return f"{taken} Compute the calibration, or take another pose."
+        return message("take-another", taken=taken, words=live.advice.words)
+    return message("compute-calibration-take-another-pose", taken=taken)
 
 
 def _advice_finding(advice: Advice) -> Finding:
-    gain = f"{advice.now_um:.0f} → {advice.then_um:.0f} µm (k = 1)"
     return Finding(
         "neutral",
-        f"The pose that would help most: {advice.words}. A scanned point: {gain}.",
-        "" if advice.worth_it else "More poses would bring little.",
+        message(
+            "pose-would-help-most-scanned-point",
+            words=advice.words,
+            now=quantity(advice.now_um, "µm"),
+            then=quantity(advice.then_um, "µm"),
+        ),
+        "" if advice.worth_it else message("more-poses-would-bring-little"),
     )
 
 
 def _uncertainty_number(advice: Advice) -> LiveNumber:
     return LiveNumber(
-        "Uncertainty of a scanned point so far (k = 1)",
+        message("uncertainty-scanned-point-so-far-k"),
         advice.now_um,
         "µm",
         0,
         "neutral",
-        f"{advice.then_um:.0f} µm after the advised pose",
+        message("after-advised-pose", then=quantity(advice.then_um, "µm")),
     )
 
 
@@ -223,7 +227,7 @@ def _stillness(live: CalibrationLive) -> LiveNumber:
     still = live.stillness
     moved_um = None if still.moved_um != still.moved_um else still.moved_um
     return LiveNumber(
-        "Movement of the tip",
+        message("movement-tip"),
         moved_um,
         "µm",
         0,
@@ -235,15 +239,17 @@ def _stillness(live: CalibrationLive) -> LiveNumber:
 def _picture_findings(live: CalibrationLive) -> list[Finding]:
     """What is to be said of the live picture, each thing once."""
     if live.corners_detected >= FEWEST_CORNERS:
-        found = Finding("good", f"{live.corners_detected} corners of the object are found.")
+        found = Finding(
+            "good", message("corners-object-found", corners_detected=live.corners_detected)
+        )
         # their number stands below the picture, too: what needs attention has the room
         return _once(live.picture_findings) or [found]
     if live.laser_on:
         return [
             Finding(
                 "neutral",
-                "The laser is on, and beside it the object may be too dark to be found.",
-                "Switch it off to aim. For the picture it is switched by itself.",
+                message("laser-beside-object-may-too-dark"),
+                message("switch-off-aim-picture-switched-itself"),
             )
         ]
     return _once(live.picture_findings)
@@ -251,11 +257,10 @@ def _picture_findings(live: CalibrationLive) -> list[Finding]:
 
 def _once(findings: Sequence[Finding]) -> list[Finding]:
     """Each once, and none that another one gives as its reason."""
-    told = {
-        sentence(finding.text): Finding(
-            finding.quality, sentence(finding.text), sentence(finding.remedy)
-        )
-        for finding in findings
-        if not any(f": {finding.text}" in other.text for other in findings)
-    }
-    return list(told.values())
+    once: dict[Text, Finding] = {}
+    for finding in findings:
+        others = (other.text for other in findings if other.text != finding.text)
+        if not any(mentions(other, finding.text) for other in others):
+            text, remedy = sentence(finding.text), sentence(finding.remedy)
+            once[text] = Finding(finding.quality, text, remedy)
+    return list(once.values())

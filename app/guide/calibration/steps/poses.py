@@ -9,6 +9,7 @@ from app.guide.calibration.state import CalibrationState, PoseCapture
 from app.guide.calibration.steps.body import offer
 from app.guide.common.result_view import CalibrationResult, PoseRow
 from app.guide.common.view import Action, PosePicture
+from app.messages.message import Text, message, word
 
 
 def pose_pictures(
@@ -99,20 +100,25 @@ def _state(
     return "used" if row.used else "left_out"
 
 
-def _note(capture: PoseCapture, row: PoseRow | None, looked_at: CalibrationOutcome | None) -> str:
+def _note(capture: PoseCapture, row: PoseRow | None, looked_at: CalibrationOutcome | None) -> Text:
     """Why the pose, or its laser line, does not count; empty where both do."""
     if capture.gone:
-        return "Set aside"
+        return message("pose-is-set-aside")
     if row is not None and row.reason:
-        return f"Used, but {row.reason}" if row.used else f"Left out: {row.reason}"
+        return (
+            message("used-but", reason=row.reason)
+            if row.used
+            else message("left-out", reason=row.reason)
+        )
     bad = looked_at is not None and any(f.quality == "bad" for f in looked_at.findings)
     if row is not None or looked_at is None or not bad:
         return ""
-    return f"Not usable: {looked_at.fault}" if looked_at.fault else "Not usable"
+    fault = looked_at.fault
+    return message("usable", fault=word(fault)) if fault else message("usable-2")
 
 
 def _action(state: CalibrationState, live: CalibrationLive, capture: PoseCapture) -> Action:
     args = {"number": capture.number}
     if capture.gone:
-        return offer(state, live, "restore_pose", "Take it back", args)
-    return offer(state, live, "void_pose", "Set aside", args)
+        return offer(state, live, "restore_pose", message("take-back"), args)
+    return offer(state, live, "void_pose", message("set-aside"), args)

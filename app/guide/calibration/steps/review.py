@@ -7,8 +7,10 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry, offer
 from app.guide.calibration.steps.capture import solve_step
 from app.guide.calibration.steps.poses import pose_pictures
+from app.guide.common.mentions import mentions
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.view import Action, LiveNumber, ResultPicture
+from app.messages.message import Text, message
 
 
 def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
@@ -27,12 +29,12 @@ def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
             poses=pose_pictures(state, live, seen),
         ),
         number=LiveNumber(
-            "Uncertainty of a scanned point (k = 1)",
+            message("uncertainty-scanned-point-k-1"),
             result.total_um,
             "µm",
             0,
             "neutral" if stale else result.verdict,
-            "Of before: the poses were changed since." if stale else result.verdict_text,
+            message("before-poses-were-changed-since") if stale else result.verdict_text,
         ),
         findings=[*_changes(state, result), *_other_findings(seen)] if stale else seen.findings,
         actions=_actions(state, live, result, stale),
@@ -41,28 +43,29 @@ def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
 
 def _other_findings(seen: CalibrationOutcome) -> list[Finding]:
     """Those that are not about the number, which is of before."""
-    text = seen.result.verdict_text if seen.result else ""
-    return [finding for finding in seen.findings if not text.startswith(finding.text)]
+    verdict = seen.result.verdict_text if seen.result else ""
+    return [finding for finding in seen.findings if not mentions(verdict, finding.text)]
 
 
-def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> str:
+def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> Text:
     if stale:
-        return "The poses were changed. Solve again, or undo the change."
+        return message("poses-were-changed-solve-again-undo")
     if state.ended == "accepted":
-        return "It is kept under Records. Scan with it, or calibrate anew."
+        return message("kept-under-records-scan-calibrate-anew")
     if result.verdict == "bad":
-        return "This calibration should not be used. The findings say what to do."
-    return "Look at the numbers, then accept the calibration or repeat it."
+        return message("calibration-should-used-findings-say-what")
+    return message("look-numbers-then-accept-calibration-repeat")
 
 
 def _changes(state: CalibrationState, result: CalibrationResult) -> list[Finding]:
     """Which poses were set aside or taken back since the result was solved."""
     before = {row.number for row in result.poses}
     now = {picture.number for picture in state.pictures}
-    told = [f"Pose {n} is set aside" for n in sorted(before - now)]
-    told += [f"Pose {n} is taken back" for n in sorted(now - before)]
+    changes = [message("pose-set-aside-2", n=n) for n in sorted(before - now)]
+    changes += [message("pose-taken-back", n=n) for n in sorted(now - before)]
     return [
-        Finding("attention", f"{text}: the figures are of before.", "Solve again.") for text in told
+        Finding("attention", message("figures-before", text=text), message("solve-again"))
+        for text in changes
     ]
 
 
@@ -70,20 +73,20 @@ def _actions(
     state: CalibrationState, live: CalibrationLive, result: CalibrationResult, stale: bool
 ) -> list[Action]:
     if state.ended:
-        return [offer(state, live, "repeat", "Start a new calibration", primary=True)]
+        return [offer(state, live, "repeat", message("start-new-calibration"), primary=True)]
     good = result.verdict != "bad" or stale
     return [
-        offer(state, live, "solve", "Solve again", primary=True)
+        offer(state, live, "solve", message("solve-again-2"), primary=True)
         if stale
-        else offer(state, live, "accept", "Accept this calibration", primary=good),
+        else offer(state, live, "accept", message("accept-calibration"), primary=good),
         offer(
             state,
             live,
             "repeat",
-            "Repeat from the start" if live.chosen.board else "Repeat from the first point",
+            message("repeat-start") if live.chosen.board else message("repeat-first-point"),
             primary=not good,
-            confirm="Set this calibration aside and start again from the beginning?",
+            confirm=message("set-calibration-aside-start-again-beginning"),
         ),
-        offer(state, live, "another_pose", "Take another pose"),
-        offer(state, live, "back", "Back to the points", {"to": "touch"}),
+        offer(state, live, "another_pose", message("take-another-pose")),
+        offer(state, live, "back", message("back-points"), {"to": "touch"}),
     ]

@@ -6,6 +6,7 @@ from app.guide.calibration.rules import other_devices
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry, offer
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
+from app.messages.message import Text, message, quantity, rounded
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
@@ -24,19 +25,19 @@ def devices_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     ready = all(link.state == "connected" for link in links)
     return StepView(
         instruction=(
-            "Both devices answer. Go on."
+            message("both-devices-answer-go")
             if ready
-            else "Switch the arm and the sensor on and connect them."
+            else message("switch-arm-sensor-connect-them")
         ),
         picture=DevicesPicture([_line(link) for link in links]),
-        actions=[offer(state, live, "confirm_devices", "Continue", primary=True)],
+        actions=[offer(state, live, "confirm_devices", message("continue"), primary=True)],
     )
 
 
 def _line(link: DeviceState) -> DeviceLine:
     text = link.text
     if link.rate_hz is not None:
-        text = f"{text}, {link.rate_hz:.0f} a second"
+        text = message("second", text=text, rate=quantity(link.rate_hz))
     return DeviceLine(link.title, QUALITY[link.state], text)
 
 
@@ -44,9 +45,9 @@ def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Which arm, which object, which sensor?"""
     item = live.chosen.object
     return StepView(
-        instruction="Check that the arm with its tip, the object and the sensor are those in use.",
+        instruction=message("check-arm-tip-object-sensor-those"),
         picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
-        actions=[offer(state, live, "confirm_setup", "These are in use", primary=True)],
+        actions=[offer(state, live, "confirm_setup", message("these-use"), primary=True)],
         findings=[
             *other_devices(live),
             *([live.tip] if live.tip is not None else []),
@@ -61,8 +62,12 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
         ChoiceOption(
             entry.id,
             entry.datasheet.name,
-            f"serial number {entry.datasheet.serial_number}, {entry.datasheet.joint_count} joints, "
-            f"tip Ø {entry.datasheet.tip.diameter_mm:.3f} mm",
+            message(
+                "serial-number-joints-tip",
+                serial_number=entry.datasheet.serial_number,
+                joint_count=entry.datasheet.joint_count,
+                diameter=quantity(entry.datasheet.tip.diameter_mm, "mm", 3),
+            ),
         )
         for entry in library.arms.values()
     ]
@@ -74,22 +79,26 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
         ChoiceOption(
             entry.id,
             entry.datasheet.name,
-            f"serial number {entry.datasheet.serial_number}, "
-            f"{entry.datasheet.width_px} × {entry.datasheet.height_px} pixels",
+            message(
+                "serial-number-pixels",
+                serial_number=entry.datasheet.serial_number,
+                width_px=entry.datasheet.width_px,
+                height_px=entry.datasheet.height_px,
+            ),
         )
         for entry in library.sensors.values()
     ]
     return [
         Choice(field, title, options, state.choices.get(field, ""))
         for field, title, options in (
-            ("arm", "Arm and tip", arms),
-            ("object", "Object", objects),
-            ("sensor", "Sensor", sensors),
+            ("arm", message("arm-tip"), arms),
+            ("object", message("object"), objects),
+            ("sensor", message("sensor-2"), sensors),
         )
     ]
 
 
-def _object_detail(item: CalibrationTarget) -> str:
+def _object_detail(item: CalibrationTarget) -> Text:
     if isinstance(item, Chessboard):
         return _board_detail(item)
     size = (
@@ -97,17 +106,29 @@ def _object_detail(item: CalibrationTarget) -> str:
         item.back_y_mm - item.front_y_mm,
         item.crest_z_mm - item.base_z_mm,
     )
-    return (
-        f"serial number {item.serial_number}, {item.merlon_count} merlons, "
-        f"{size[0]:.0f} × {size[1]:.0f} × {size[2]:.0f} mm"
+    return message(
+        "serial-number-merlons",
+        serial_number=item.serial_number,
+        merlon_count=item.merlon_count,
+        size=quantity(size[0], "mm"),
+        size2=quantity(size[1], "mm"),
+        size3=quantity(size[2], "mm"),
     )
 
 
-def _board_detail(board: Chessboard) -> str:
+def _board_detail(board: Chessboard) -> Text:
     columns, rows = board.inner_corners
     if not board.serial_number:
-        return f"chessboard, {columns} × {rows} inner corners, squares of {board.square_mm:g} mm"
-    return (
-        f"serial number {board.serial_number}, chessboard, {columns} × {rows} inner corners, "
-        f"squares of {board.square_mm:g} mm"
+        return message(
+            "chessboard-inner-corners-squares-mm",
+            columns=columns,
+            rows=rows,
+            square=rounded(board.square_mm, "mm"),
+        )
+    return message(
+        "serial-number-chessboard-inner-corners-squares",
+        serial_number=board.serial_number,
+        columns=columns,
+        rows=rows,
+        square=rounded(board.square_mm, "mm"),
     )

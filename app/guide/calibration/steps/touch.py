@@ -9,7 +9,9 @@ from app.guide.calibration.touch.report import face_in_use, face_progress, next_
 from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.common.view import StepProgress as Progress
+from app.messages.message import Text, Value, message, quantity
 from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import on_face
 
 LISTED_SUSPECTS, LISTED_FACES = 3, 3
 
@@ -19,7 +21,7 @@ def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     item, touch = live.chosen.object, live.touch
     if item is None or touch is None:
         return StepView(
-            instruction="The arm or the object that was chosen cannot be read any more.",
+            instruction=message("arm-object-chosen-cannot-read-any"),
             picture=DevicesPicture([]),
             actions=[],
             findings=live.library.findings,
@@ -34,7 +36,7 @@ def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         instruction=_instruction(faces, selected, done >= wanted, touch),
         picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
-        progress=Progress(done, wanted, f"{done} of {wanted} points"),
+        progress=Progress(done, wanted, message("points-4", done=done, wanted=wanted)),
         findings=[*device_findings(live)[:1], *touch.findings, *_advice(touch)],
         actions=_actions(state, live, touch, done >= wanted),
     )
@@ -51,20 +53,17 @@ def _on_board(
     if touch.suspects:
         instruction = _remove_first(touch)
     elif done == 0:
-        instruction = (
-            f"Go on to the pictures. {wanted} touches, spread over the printed side, would "
-            "check the size of its squares."
-        )
+        instruction = message("go-pictures-touches-spread-over-printed", wanted=wanted)
     elif left == 1:
-        instruction = "Touch the printed side once more, far from the others. Or go on."
+        instruction = message("touch-printed-side-once-more-far")
     elif left > 0:
-        instruction = f"Touch the printed side {left} more times, spread wide. Or go on."
+        instruction = message("touch-printed-side-more-times-spread", left=left)
     else:
-        instruction = "All points are there. Go on to the pictures."
+        instruction = message("all-points-there-go-pictures")
     return StepView(
         instruction=instruction,
         picture=ObjectPicture(geometry(board), [face], touch.points),
-        progress=Progress(done, wanted, f"{done} of {wanted} points"),
+        progress=Progress(done, wanted, message("points-4", done=done, wanted=wanted)),
         findings=[*device_findings(live)[:1], *touch.findings],
         actions=_actions(state, live, touch, done == 0 or left <= 0),
     )
@@ -75,12 +74,21 @@ def _actions(
 ) -> list[Action]:
     suspects = touch.suspects[:LISTED_SUSPECTS]
     return [
-        offer(state, live, "take_point", "Take the point", primary=not complete),
-        offer(state, live, "confirm_touch", "Continue", primary=complete),
-        offer(state, live, "undo", "Undo the last point"),
-        *(offer(state, live, "redo", f"Put point {i + 1} back") for i in state.undone[-1:]),
+        offer(state, live, "take_point", message("take-point"), primary=not complete),
+        offer(state, live, "confirm_touch", message("continue"), primary=complete),
+        offer(state, live, "undo", message("undo-last-point")),
         *(
-            offer(state, live, "void_point", f"Remove point {index + 1}", {"index": index})
+            offer(state, live, "redo", message("put-point-back", i=i + 1))
+            for i in state.undone[-1:]
+        ),
+        *(
+            offer(
+                state,
+                live,
+                "void_point",
+                message("remove-point", index=index + 1),
+                {"index": index},
+            )
             for index in suspects
         ),
     ]
@@ -88,48 +96,54 @@ def _actions(
 
 def _instruction(
     faces: list[FaceProgress], selected: str, complete: bool, touch: TouchReport
-) -> str:
+) -> Text:
     if complete and touch.suspects:
         return _remove_first(touch)
     if complete:
         more = touch.advice is not None and touch.advice.more
-        return f"All points are there. Go on, or add {'more as told below' if more else 'some'}."
+        return message("all-points-there-go-add", more="yes" if more else "no")
     here = next(face for face in faces if face.face == selected)
     if here.wanted == 0:
-        return f"{_place(selected)} Points here are welcome beside those on the other faces."
+        return message("points-here-welcome-beside-those-other", place=_place(selected))
     goal = next_face(faces, selected)
     if goal != selected:
-        return f"This face has its points. Go on with: {TITLES[goal].lower()}."
-    return (
-        f"{_place(selected)} Spread {here.wanted} points, hold still, and press the arm's button."
+        return message("face-has-points-go", face=TITLES[goal])
+    return message(
+        "spread-points-hold-still-press-arms", place=_place(selected), wanted=here.wanted
     )
 
 
-def _remove_first(touch: TouchReport) -> str:
+def _remove_first(touch: TouchReport) -> Text:
     if len(touch.suspects) == 1:
-        return f"Point {touch.suspects[0] + 1} is off its face. Remove it, then go on."
-    return "Some points are off their face. Remove them, then go on."
+        return message("point-off-face-remove-then-go", suspects=touch.suspects[0] + 1)
+    return message("some-points-off-their-face-remove")
 
 
-def _place(face: str) -> str:
+def _place(face: str) -> Text:
     places = {
-        "crest": "Touch the tops of the merlons.",
-        "floor": "Touch the floors of the grooves.",
-        "front": "Touch the front face.",
-        "back": "Touch the back face.",
-        "left": "Touch the left end.",
-        "right": "Touch the right end.",
+        "crest": message("touch-tops-merlons"),
+        "floor": message("touch-floors-grooves"),
+        "front": message("touch-front-face"),
+        "back": message("touch-back-face"),
+        "left": message("touch-left-end"),
+        "right": message("touch-right-end"),
     }
     return places[face]
 
 
 def _number(touch: TouchReport) -> LiveNumber:
-    label = "Object's place (k = 1)"
+    label = message("objects-place-k-1")
     if touch.alignment is None or touch.advice is None:
-        return LiveNumber(label, None, "µm", 0, "neutral", "after three points on three faces")
+        return LiveNumber(
+            label, None, "µm", 0, "neutral", message("after-three-points-three-faces")
+        )
     fine = touch.advice.now_um <= touch.target_um
     quality: Quality = "attention" if touch.suspects else ("good" if fine else "neutral")
-    note = f"wanted: {touch.target_um:.0f} µm; points fit to {1e3 * touch.alignment.rms_mm:.0f} µm"
+    note = message(
+        "wanted-points-fit",
+        target=quantity(touch.target_um, "µm"),
+        rms=quantity(1000.0 * touch.alignment.rms_mm, "µm"),
+    )
     return LiveNumber(label, touch.advice.now_um, "µm", 0, quality, note)
 
 
@@ -138,16 +152,23 @@ def _advice(touch: TouchReport) -> list[Finding]:
     if touch.alignment is None or touch.advice is None:
         missing = touch.missing if not touch.findings else ""
         return [Finding("neutral", missing)] if missing else []
-    told = touch.advice
-    known = f"Object known to {told.now_um:.0f} µm (k = 1)"
-    if not told.more:
+    advice = touch.advice
+    if not advice.more:
         return []
-    total = sum(count for _, count in told.more)
-    words = told.words
-    if len(told.more) > LISTED_FACES:
-        face, most = told.more[0]
-        words = f"{total} more over all faces, {most} of them on the {face} face,"
-    text = f"{known}; {words} {'brings' if total == 1 else 'bring'} {told.then_um:.0f} µm."
-    if not told.reaches:
-        text = f"{text[:-1]}, {touch.target_um:.0f} µm are wanted."
-    return [Finding("neutral", text, "Spread them wide, clear of the edges.")]
+    total = sum(count for _, count in advice.more)
+    words = advice.words
+    if len(advice.more) > LISTED_FACES:
+        face, most = advice.more[0]
+        words = message("touches-over-all-faces", total=total, most=most, where=on_face(face))
+    values: dict[str, Value] = {
+        "total": total,
+        "words": words,
+        "now": quantity(advice.now_um, "µm"),
+        "then": quantity(advice.then_um, "µm"),
+    }
+    text = (
+        message("touches-would-bring", **values)
+        if advice.reaches
+        else message("touches-would-not-reach", **values, target=quantity(touch.target_um, "µm"))
+    )
+    return [Finding("neutral", text, message("spread-them-wide-clear-edges"))]

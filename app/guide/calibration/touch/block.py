@@ -4,16 +4,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.errors import OperationError
+from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, format_signed_um, sentence
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3
+from app.messages.message import message, quantity, signed, word
 from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.probing.alignment import Alignment, align, other_face
 from app.metrology.probing.contacts import missing_contacts
-from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face
 from app.metrology.transforms import Floats
 
 WANTED = 9
@@ -23,12 +24,12 @@ quality; the uncertainty falls with the root of the number, and 27 points with
 WRONG_FACE_MM = 1.0
 EDGE_MARGIN_MM = 1.0
 TITLES = {
-    "crest": "Crests (top)",
-    "floor": "Floors (grooves)",
-    "front": "Front face",
-    "back": "Back face",
-    "left": "Left end",
-    "right": "Right end",
+    "crest": message("crests-top"),
+    "floor": message("floors-grooves"),
+    "front": message("front-face"),
+    "back": message("back-face"),
+    "left": message("left-end"),
+    "right": message("right-end"),
 }
 
 
@@ -46,50 +47,64 @@ def block_report(
         return TouchReport(unplaced, None, missing, (), ())
     q_rad = np.array([contact.q_rad for contact in contacts])
     try:
-        found = align(
+        alignment = align(
             faces,
             tip_centres(arm, q_rad),
             arm.tip.radius_mm,
             block,
             tip_covariances(arm, q_rad),
         )
-    except OperationError as refusal:
-        text = refusal.what + (f": {refusal.why}" if refusal.why else "")
-        finding = Finding("bad", sentence(text), sentence(refusal.remedy))
-        return TouchReport(unplaced, None, sentence(refusal.remedy), (finding,), ())
+    except OperationError as error:
+        remedy = sentence(error.remedy)
+        finding = Finding("bad", error.reason, remedy)
+        return TouchReport(unplaced, None, remedy, (finding,), ())
     points = tuple(
         TouchedPoint(c.index, c.face, _vec(at), float(r) * 1e3, bool(outlier))
         for c, at, r, outlier in zip(
-            contacts, found.points_obj_mm, found.residuals_mm, found.outliers, strict=True
+            contacts,
+            alignment.points_obj_mm,
+            alignment.residuals_mm,
+            alignment.outliers,
+            strict=True,
         )
     )
     suspects = tuple(point.index for point in points if point.outlier)
     findings = tuple(
-        _outlier_finding(point, i, found, block) for i, point in enumerate(points) if point.outlier
+        _outlier_finding(point, i, alignment, block)
+        for i, point in enumerate(points)
+        if point.outlier
     )
-    advice = next_touches(found, faces, block, target_um) if found.sigma_mm > 0 else None
-    return TouchReport(points, found, "", findings, suspects, advice, target_um)
+    advice = next_touches(alignment, faces, block, target_um) if alignment.sigma_mm > 0 else None
+    return TouchReport(points, alignment, "", findings, suspects, advice, target_um)
 
 
 def _outlier_finding(
-    point: TouchedPoint, contact: int, found: Alignment, block: Crenellated
+    point: TouchedPoint, contact: int, alignment: Alignment, block: Crenellated
 ) -> Finding:
     assert point.residual_um is not None
-    name = f"Point {point.index + 1}"
+    number, face = point.index + 1, word(point.face)
     off_mm = abs(point.residual_um) / 1e3
     if off_mm >= WRONG_FACE_MM:
-        where = other_face(found, contact, point.face, block)
-        guess = f" and lies on the {where} face" if where else ""
-        return Finding(
-            "bad",
-            f"{name} misses the {point.face} face by {off_mm:.1f} mm{guess}.",
-            "Remove it, then touch the face that is marked in the drawing.",
+        off = quantity(off_mm, "mm", 1)
+        other = other_face(alignment, contact, point.face, block)
+        text = (
+            message(
+                "point-lies-on-other-face", index=number, face=face, off=off, where=on_face(other)
+            )
+            if other
+            else message("point-misses-face", index=number, face=face, off=off)
         )
+        return Finding("bad", text, message("remove-then-touch-face-marked-drawing"))
     return Finding(
         "attention",
-        f"{name} is {format_signed_um(point.residual_um)} off the {point.face} face; "
-        f"the others agree to {found.rms_mm * 1e3:.0f} µm.",
-        "Remove it and touch there again, at rest and clear of the edge.",
+        message(
+            "point-off-face",
+            index=number,
+            off=signed(point.residual_um, "µm"),
+            face=face,
+            rms=quantity(alignment.rms_mm * 1000.0, "µm"),
+        ),
+        message("remove-touch-there-again-rest-clear"),
     )
 
 

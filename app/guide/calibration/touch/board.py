@@ -8,14 +8,15 @@ from app.errors import OperationError
 from app.findings import Finding
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch.touch_report import TouchReport
-from app.guide.common.view import FaceProgress, TouchedPoint, Vec3, format_signed_um
+from app.guide.common.view import FaceProgress, TouchedPoint, Vec3
+from app.messages.message import message, signed
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 
 FACE = "board"
 """The one face of a board that is touched."""
-TITLE = "Board (printed side)"
+TITLE = message("board-printed-side")
 WANTED = 6
 """Three fix a plane, the others tell whether one of them slipped."""
 FEWEST_JUDGED = 6
@@ -24,7 +25,7 @@ SLIPPED_MM, SLIPPED_BENDS = 0.1, 2.0
 
 
 def board_report(contacts: Sequence[Contact], arm: Arm, board: Chessboard) -> TouchReport:
-    """How well the points so far fit a plane; where on it they lie is told by the pictures."""
+    """How well the points so far fit a plane; the pictures show where on it they lie."""
     off_um = _off_plane_um(contacts, arm)
     slipped_um = 1e3 * max(SLIPPED_MM, SLIPPED_BENDS * board.flatness_mm)
     points = tuple(
@@ -78,7 +79,10 @@ def _outlier_finding(point: TouchedPoint) -> Finding:
     assert point.residual_um is not None
     return Finding(
         "attention",
-        f"Point {point.index + 1} is {format_signed_um(point.residual_um)} "
-        "off the plane of the others.",
-        "Remove it and touch there again, at rest.",
+        message(
+            "point-off-plane-others",
+            index=point.index + 1,
+            off=signed(point.residual_um, "µm"),
+        ),
+        message("remove-touch-there-again-rest"),
     )

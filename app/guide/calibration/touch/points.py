@@ -3,37 +3,37 @@
 from app.errors import OperationError
 from app.findings import Quality
 from app.guide.calibration.guide import CalibrationGuide
-from app.guide.calibration.touch.board import FACE as BOARD
 from app.guide.calibration.touch.report import (
     SAME_PLACE_MM,
     face_in_use,
     face_progress,
     next_face,
     same_place,
+    where_on_object,
 )
-from app.guide.common.view import format_signed_um
+from app.messages.message import message, quantity, signed
 
 
 def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: str | None) -> None:
     """Adds the point that the tip touches now, or touched at ``until_ns``.
 
     Raises:
-        Refusal: the arm is lost or moves, or the point was taken already.
+        OperationError: the arm is lost or moves, or the point was taken already.
     """
     with guide.lock:
         state = guide.state
         chosen = guide.datasheets.selection(state)
         arm = chosen.arm
         if arm is None or chosen.object is None:
-            raise OperationError("no-arm-model", "The arm that was chosen cannot be read any more")
+            raise OperationError("no-arm-model", message("arm-chosen-cannot-read-any-more"))
         mean = guide.station.rig.arm.average(until_ns=until_ns)
         twin = same_place(mean.q_rad, state.counted, arm)
         if twin is not None:
             raise OperationError(
                 "same-place",
-                f"This is point {twin + 1} again",
-                f"the tip lies within {SAME_PLACE_MM} mm of it",
-                "Move the tip to another place",
+                message("point-again", twin=twin + 1),
+                message("tip-lies-within-mm", distance=quantity(SAME_PLACE_MM, "mm", 1)),
+                message("move-tip-another-place"),
             )
         guide.append(
             "point_taken",
@@ -66,7 +66,7 @@ def redo(guide: CalibrationGuide, key: str | None) -> None:
         index = guide.state.undone[-1]
         guide.append("point_restored", {"index": index}, key)
         guide.folder.keep_contacts(guide.state.counted)
-        guide.station.bus.event("point_restored", f"Point {index + 1} is back.")
+        guide.station.bus.event("point_restored", message("point-back", index=index + 1))
         face = guide.state.contacts[index].face
         if face != guide.state.face:
             guide.append("face_selected", {"face": face})
@@ -77,7 +77,7 @@ def void_point(guide: CalibrationGuide, index: int, key: str | None) -> None:
     with guide.lock:
         guide.append("point_voided", {"index": index}, key)
         guide.folder.keep_contacts(guide.state.counted)
-        guide.station.bus.event("point_voided", f"Point {index + 1} is removed.")
+        guide.station.bus.event("point_voided", message("point-removed", index=index + 1))
 
 
 def _go_on(guide: CalibrationGuide) -> None:
@@ -94,14 +94,15 @@ def _go_on(guide: CalibrationGuide) -> None:
 
 
 def _report_point(guide: CalibrationGuide) -> None:
-    """Says what the new point is worth, for an operator who looks at the arm."""
+    """Reports the residual of the new point, for an operator who looks at the arm."""
     point, report = guide.state.counted[-1], guide.datasheets.touch(guide.state)
-    text = f"Point {point.index + 1} on the {point.face} face"
-    if point.face == BOARD:
-        text = f"Point {point.index + 1} on the board"
+    number, where = point.index + 1, where_on_object(point.face)
     quality: Quality = "good"
     judged = next((p for p in report.points if p.index == point.index), None) if report else None
-    if judged is not None and judged.residual_um is not None:
-        text += f": {format_signed_um(judged.residual_um)}"
+    if judged is None or judged.residual_um is None:
+        text = message("point-taken-at", index=number, where=where)
+    else:
+        off = signed(judged.residual_um, "µm")
+        text = message("point-taken-off", index=number, where=where, off=off)
         quality = "attention" if judged.outlier else "good"
-    guide.station.bus.event("point_taken", f"{text}.", quality)
+    guide.station.bus.event("point_taken", text, quality)

@@ -11,10 +11,11 @@ from app.guide.calibration.touch import block as touching
 from app.guide.calibration.touch import board as board_touching
 from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import FaceProgress
+from app.messages.message import Text, message
 from app.metrology.arm.joint_plausibility import limits_error
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import FACES
+from app.metrology.targets.crenellated_block import FACES, on_face
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats
 
@@ -24,6 +25,11 @@ SAME_PLACE_MM = 0.3
 def face_names(item: CalibrationTarget) -> tuple[str, ...]:
     """The names of all faces that may be touched."""
     return (board_touching.FACE,) if isinstance(item, Chessboard) else FACES
+
+
+def where_on_object(face: str) -> Text:
+    """Where a point lies: "on the left face", "on the board"."""
+    return message("on-board") if face == board_touching.FACE else on_face(face)
 
 
 def face_in_use(selected: str, item: CalibrationTarget) -> str:
@@ -55,8 +61,10 @@ def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm)
         wrong = limits_error(contact.q_rad, arm)
         if wrong is not None:
             suspects.append(contact.index)
-            text = f"Point {contact.index + 1} cannot be true: {wrong.what}; {wrong.why}."
-            findings.append(Finding("bad", text, "Remove it, and touch there again."))
+            text = message(
+                "point-cannot-true", index=contact.index + 1, what=wrong.what, why=wrong.why
+            )
+            findings.append(Finding("bad", text, message("remove-touch-there-again")))
     if not suspects:
         return report
     others = [index for index in report.suspects if index not in suspects]

@@ -4,18 +4,19 @@ from dataclasses import dataclass
 
 from app.findings import Finding
 from app.guide.common.view import TouchedPoint
+from app.messages.message import Text
 from app.metrology.adjustment.planning.next_touches import TouchAdvice
 from app.metrology.probing.alignment import Alignment
 
 
 @dataclass(frozen=True)
 class TouchReport:
-    """The points, what they tell of the object, and what is to be said of them."""
+    """The points, where they put the object, and the findings about them."""
 
     points: tuple[TouchedPoint, ...]
     alignment: Alignment | None
     """The block's place; None before it is known, and always on a board."""
-    missing: str
+    missing: Text
     """What to probe before anything can be computed; empty when nothing is missing."""
     findings: tuple[Finding, ...]
     suspects: tuple[int, ...]

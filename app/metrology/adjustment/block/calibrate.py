@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message
 from app.metrology.adjustment.block.findings import BlockEvidence, block_findings
 from app.metrology.adjustment.block.initial_guess import common_camera, estimate_block_pose
 from app.metrology.adjustment.block.laser_lines import (
@@ -68,7 +69,7 @@ from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse
 
-Progress = Callable[[str, float], None]
+Progress = Callable[[Text, float], None]
 # What is not known to a metre is not known.
 HOPELESS_UM = 1e6
 
@@ -162,19 +163,19 @@ def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> Bl
     Source:
         With one pose, Eq. 5 to 8 of the article, with the errors of the arm taken into account.
     """
-    say = progress or (lambda _what, _share: None)
+    report = progress or (lambda _what, _share: None)
     _refuse_unusable(inputs)
-    say("Fitting the contact points", 0.0)
+    report(message("fitting-contact-points"), 0.0)
     alignment = _align_contacts(inputs)
-    say("Finding a start", 0.1)
+    report(message("finding-start"), 0.1)
     start = _initial_problem(inputs, alignment)
-    say("Adjusting all poses together", 0.3)
+    report(message("adjusting-all-poses-together"), 0.3)
     found = _adjust_twice(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
     found, astray = remove_outlier_lines(found)
-    say("Working out the uncertainty", 0.8)
+    report(message("working-out-uncertainty"), 0.8)
     result = _assemble_result(inputs, alignment, found, mounting, start.excluded_lines_mm | astray)
-    say("Done", 1.0)
+    report(message("done"), 1.0)
     return result
 
 
@@ -291,9 +292,7 @@ def _assemble_result(
         for pose in pose_results(found, inputs.observations, inputs.block)
     ]
     out = outlier_pose_results([pose.number for pose in inputs.observations], mounting)
-    unseen = [
-        PoseResult(one.number, False, str(one.error).rstrip(".")) for one in inputs.failed_poses
-    ]
+    unseen = [PoseResult(one.number, False, one.error.text) for one in inputs.failed_poses]
     poses = tuple(sorted((*used, *out, *unseen), key=lambda pose: pose.number))
     evidence = BlockEvidence(
         inputs.block,
@@ -322,7 +321,7 @@ def _assemble_result(
     )
 
 
-def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> str:
+def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> Text:
     """What is wrong with the laser's line of a pose that was used, if anything."""
     if pose.number in lines_out:
         return line_exclusion_reason(lines_out[pose.number])
@@ -332,24 +331,26 @@ def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> str:
 def _refuse_unusable(inputs: BlockInputs) -> None:
     require_observations(inputs.observations, inputs.failed_poses, "object")
     joints = inputs.arm.joint_count
-    for name, q in (("the poses", inputs.q_rad), ("the contacts", inputs.contact_q_rad)):
+    for name, q in ((message("poses"), inputs.q_rad), (message("contacts"), inputs.contact_q_rad)):
         if q.ndim != 2 or q.shape[1] != joints:
             raise OperationError(
                 "joint-count",
-                f"{name}: {q.shape[-1]} joint angles",
-                f"the arm {inputs.arm.name} has {joints} joints",
-                "check that the session was taken with this arm",
+                message("joint-angles", name=name, count=q.shape[-1]),
+                message("arm-has-joints-2", name=inputs.arm.name, joints=joints),
+                message("check-session-taken-arm"),
             )
         if not np.isfinite(q).all():
-            raise OperationError("angles-not-finite", f"{name}: a joint angle is not a number")
+            raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
     sizes = {
         (p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.observations
     }
     if len(sizes) > 1:
         raise OperationError(
             "image-size",
-            "the pictures are of different sizes: "
-            + ", ".join(f"{width} x {height}" for width, height in sorted(sizes)),
-            "they come from more than one camera, or were scaled",
-            "use full pictures of one sensor",
+            message(
+                "pictures-different-sizes",
+                sizes=", ".join(f"{width} × {height}" for width, height in sorted(sizes)),
+            ),
+            message("they-come-more-than-one-camera"),
+            message("use-full-pictures-one-sensor"),
         )

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.errors import sentence
+from app.messages.message import Text, message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
@@ -54,7 +56,7 @@ class BlockEvidence:
 def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
     state, covariance = evidence.result.state, evidence.result.covariance
-    found = (
+    findings = (
         uncertainty_verdict(
             evidence.uncertainty.total_um, evidence.uncertainty.rows, evidence.limits
         ),
@@ -68,58 +70,62 @@ def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
         *_line_findings(evidence),
         _stripe_finding(evidence),
     )
-    return sort_by_severity(found)
+    return sort_by_severity(findings)
 
 
 def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     out = [pose for pose in evidence.poses if not pose.used]
-    seen = {pose.number for pose in evidence.observations}  # others' reasons say what to do
-    found = [
+    observed = {pose.number for pose in evidence.observations}  # others' reasons say what to do
+    findings = [
         CalibrationFinding(
             "attention",
             "pose-left-out",
-            f"Pose {pose.number} was left out: {pose.reason}.",
-            "Check that picture and joint angles are of one moment, or take the pose again."
-            if pose.number in seen
-            else "",
+            message("pose-left-out", number=pose.number, reason=pose.reason),
+            message("check-picture-joint-angles-one-moment") if pose.number in observed else "",
             pose.number,
         )
         for pose in out
     ]
     if len(used) == 1:
-        text = (
-            "One pose alone was used: errors of the arm's links show in the contacts only; joint "
-            "angles that are not the picture's, and an object moved since it was touched, do not "
-            "show."
-        )
+        text = message("one-pose-alone-used-errors-arms")
         return [
-            *found,
-            CalibrationFinding("neutral", "one-pose", text, "Take more poses, tilted and turned."),
+            *findings,
+            CalibrationFinding(
+                "neutral", "one-pose", text, message("take-more-poses-tilted-turned")
+            ),
         ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
-    found.append(
+    findings.append(
         CalibrationFinding(
             "good",
             "poses",
-            f"{len(used)} poses agree on the object's place to {np.median(off):.0f} µm; pose "
-            f"{furthest.number} is furthest off, by {furthest.off_um:.0f} µm.",
+            message(
+                "poses-agree-objects-place-pose-furthest",
+                used=len(used),
+                median=quantity(np.median(off), "µm"),
+                number=furthest.number,
+                off=quantity(furthest.off_um, "µm"),
+            ),
             pose=furthest.number,
         )
     )
     turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
-        found.append(
+        findings.append(
             CalibrationFinding(
                 "attention",
                 "poses-alike",
-                f"The sensor turned by {turn:.1f}° at most between the poses (wanted: "
-                f"{ALIKE_DEG:.0f}° and more), so that they tell little more than one.",
-                "Take poses tilted to the left, right, front and back, and turned about the view.",
+                message(
+                    "sensor-turned-most-between-poses-wanted",
+                    turn=quantity(turn, "°", 1),
+                    alike_deg=quantity(ALIKE_DEG, "°"),
+                ),
+                message("take-poses-tilted-left-right-front"),
             )
         )
-    return found
+    return findings
 
 
 def largest_turn_deg(T_arm_flange: Floats) -> float:
@@ -138,32 +144,35 @@ def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
         (row.value_um for row in evidence.uncertainty.rows if row.source == "arm geometry"), 0.0
     )
     poor = 1e3 * scales.links_mm > evidence.limits.good_um
-    found = [
+    findings = [
         CalibrationFinding(
             "attention" if poor else "neutral",
             "arm-links",
-            f"The data speak for errors of the arm's links of {1e3 * scales.links_mm:.0f} µm and "
-            f"{np.degrees(scales.links_rad) * 3600:.1f}″ each; what is left of them makes "
-            f"{links_um:.0f} µm of a point's uncertainty.",
-            "Check the tip that is mounted against the arm's file, and that nothing moved; have "
-            "the arm's model identified anew."
-            if poor
-            else "",
+            message(
+                "data-speak-errors-arms-links-each",
+                links=quantity(1e3 * scales.links_mm, "µm"),
+                turns=quantity(np.degrees(scales.links_rad) * 3600, "″", 1),
+                share=quantity(links_um, "µm"),
+            ),
+            message("check-tip-mounted-against-arms-file") if poor else "",
         )
     ]
     if scales.noise > NOISY:
-        found.append(
+        findings.append(
             CalibrationFinding(
                 "attention",
                 "arm-scatter",
-                f"The poses and contacts scatter {scales.noise:.1f} times more than the arm's "
-                f"encoders explain (limit {NOISY:.1f}).",
-                "Check the arm for play, the tip and the sensor for a loose mount; hold still.",
+                message(
+                    "poses-contacts-scatter-times-more-than",
+                    noise=quantity(scales.noise, "", 1),
+                    noisy=quantity(NOISY, "", 1),
+                ),
+                message("check-arm-play-tip-sensor-loose"),
             )
         )
-    remedy = "Check that the pictures' joint angles are those of their poses."
-    found += sensor_distance_findings(evidence.uncertainty.pivot_mm, remedy)
-    return found
+    remedy = message("check-pictures-joint-angles-those-their")
+    findings += sensor_distance_findings(evidence.uncertainty.pivot_mm, remedy)
+    return findings
 
 
 def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
@@ -173,27 +182,34 @@ def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     worst = max(used, key=lambda pose: pose.edges_rms_px)
     rms_px = float(np.sqrt(square))
     good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= WORST_POSE * EDGE_RMS_PX
-    found = [
+    findings = [
         CalibrationFinding(
             "good" if good else "attention",
             "edges",
-            f"{points} points on the block's edges fit the camera to {rms_px:.2f} px rms, "
-            f"worst in pose {worst.number} ({worst.edges_rms_px:.2f} px); the limit is "
-            f"{EDGE_RMS_PX:.1f} px.",
-            "" if good else "Clean the block's edges; check focus, lighting and certificate.",
+            message(
+                "points-blocks-edges-fit-camera-rms",
+                points=points,
+                rms=quantity(rms_px, "px", 2),
+                number=worst.number,
+                edges_rms=quantity(worst.edges_rms_px, "px", 2),
+                edge_rms_px=quantity(EDGE_RMS_PX, "px", 1),
+            ),
+            "" if good else message("clean-blocks-edges-check-focus-lighting"),
             worst.number,
         )
     ]
-    told: set[str] = set()
+    reported: set[str] = set()
     for pose in evidence.observations:
         for item in pose.image_findings:
-            if item.code not in told:
-                told.add(item.code)
-                text = f"Pose {pose.number}: {item.text}"
-                found.append(
-                    CalibrationFinding("attention", item.code, text, item.remedy, pose.number)
+            if item.code not in reported:
+                reported.add(item.code)
+                text = message("pose-2", number=pose.number, reason=item.text)
+                findings.append(
+                    CalibrationFinding(
+                        "attention", item.code, text, sentence(item.remedy), pose.number
+                    )
                 )
-    return found
+    return findings
 
 
 def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
@@ -201,10 +217,12 @@ def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
         CalibrationFinding(
             "attention",
             "laser-moved",
-            f"The laser's line of pose {number} lies {1e3 * off_mm:.0f} µm off the plane of the "
-            "others, and was left out.",
-            "Check that its laser picture is of this pose, that the sensor was held still between "
-            "its two pictures, and that the laser sits firmly; take the pose again.",
+            message(
+                "lasers-line-pose-lies-off-plane",
+                number=number,
+                off=quantity(1e3 * off_mm, "µm"),
+            ),
+            message("check-laser-picture-pose-sensor-held"),
             number,
         )
         for number, off_mm in sorted(evidence.excluded_lines_mm.items())
@@ -213,9 +231,8 @@ def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
         CalibrationFinding(
             "attention",
             "line-missing",
-            f"Pose {pose.number} shows no laser line on the object: used without it.",
-            "Check that the laser was on, that its line crossed the object, and the exposure; take "
-            "the pose again.",
+            message("pose-shows-no-laser-line-object", number=pose.number),
+            message("check-laser-line-crossed-object-exposure"),
             pose.number,
         )
         for pose in evidence.poses
@@ -235,19 +252,21 @@ def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
     numbers = {pose.number for pose in used}
     extracted = sum(len(pose.stripe.u) for pose in evidence.observations if pose.number in numbers)
     share, rms_px = points / max(extracted, 1), float(np.sqrt(square))
-    remedy = ""
+    remedy: Text = ""
     if rms_px > STRIPE_RMS_PX:
-        remedy = (
-            "Check that each laser picture is of its own pose, taken without moving the sensor, "
-            "and that the laser sits firmly; then its focus."
-        )
+        remedy = message("check-each-laser-picture-own-pose")
     elif share < AGREEING:
-        remedy = "Keep reflections out of the grooves: matt spray, lower exposure."
+        remedy = message("keep-reflections-out-grooves-matt-spray")
     return CalibrationFinding(
         "attention" if remedy else "good",
         "laser-plane",
-        f"{points} stripe points fit one laser plane to {rms_px:.2f} px rms (limit "
-        f"{STRIPE_RMS_PX:.1f} px), {100 * share:.0f} % of those on the object (limit "
-        f"{100 * AGREEING:.0f} %).",
+        message(
+            "stripe-points-fit-one-laser-plane",
+            points=points,
+            rms=quantity(rms_px, "px", 2),
+            stripe_rms_px=quantity(STRIPE_RMS_PX, "px", 1),
+            share=quantity(100 * share, "%"),
+            agreeing=quantity(100 * AGREEING, "%"),
+        ),
         remedy,
     )

@@ -7,6 +7,7 @@ import cv2
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.laser_plane_fit import fit_laser_plane
@@ -67,9 +68,9 @@ def estimate_block_pose(camera: Camera, pose: BlockObservation, block: Crenellat
     if len(found) < FEWEST_CORNERS:
         raise OperationError(
             "too-few-corners",
-            f"pose {pose.number} shows {len(found)} corners of {block.name}",
-            f"{FEWEST_CORNERS} are needed to place it",
-            "bring more of the object into the picture",
+            message("pose-shows-corners", number=pose.number, found=len(found), name=block.name),
+            message("needed-place", fewest_corners=FEWEST_CORNERS),
+            message("bring-more-object-into-picture"),
         )
     points = np.array([at[corner.name] for corner in found])
     uv = np.array([[corner.u, corner.v] for corner in found])
@@ -82,7 +83,7 @@ def solve_pnp(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
         points_mm, uv_px, camera.matrix, camera.distortion, flags=cv2.SOLVEPNP_SQPNP
     )
     if not found:
-        raise OperationError("object-not-placed", "the object's points do not fit on their pixels")
+        raise OperationError("object-not-placed", message("objects-points-do-fit-their-pixels"))
     turn, shift = cv2.solvePnPRefineLM(
         points_mm, uv_px, camera.matrix, camera.distortion, turn, shift
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.adjustment.block.initial_guess import express_in_camera_frame
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.observations import AdjustmentProblem, BlockObservation
@@ -64,11 +65,13 @@ def fit_common_plane(
         most_mm = max(off_mm[number] for number in telling)
         raise OperationError(
             "lines-contradict",
-            f"the laser's lines of poses {', '.join(map(str, telling))} lie up to"
-            f" {most_mm:.1f} mm off one plane",
-            "with half of them or more contradicting the others, none can be trusted",
-            "check that each laser picture is of its own pose, that the laser was not moved"
-            " against the camera, and that the line seen is its own and not a reflection",
+            message(
+                "lasers-lines-poses-lie-up-off",
+                poses=", ".join(map(str, telling)),
+                most=quantity(most_mm, "mm", 1),
+            ),
+            message("half-them-more-contradicting-others-none"),
+            message("check-each-laser-picture-own-pose-2"),
         )
     return plane, far
 

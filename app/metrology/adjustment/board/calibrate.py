@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.messages.message import Text, message, quantity
 from app.metrology.adjustment.board.findings import ROBOT_ROW, BoardEvidence, board_findings
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.laser_lines import (
@@ -35,6 +36,7 @@ from app.metrology.adjustment.outliers.contacts import remove_outlier_contacts
 from app.metrology.adjustment.outliers.poses import remove_outlier_poses
 from app.metrology.adjustment.results.poses import (
     PoseResult,
+    Readings,
     line_exclusion_reason,
     outlier_pose_results,
 )
@@ -54,7 +56,7 @@ from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, inverse
 
-Progress = Callable[[str, float], None]
+Progress = Callable[[Text, float], None]
 
 # How far whole lines lie off their plane is told anew until it is told the same within this.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
@@ -132,15 +134,15 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
             ``stripe-one-line``, ``laser-along-board``, ``laser-through-camera``); or
             ``too-few-edges``, ``adjustment-failed``.
     """
-    say = progress or (lambda _what, _share: None)
+    report = progress or (lambda _what, _share: None)
     require_observations(inputs.observations, inputs.failed_poses, "board")
-    say("Finding a start", 0.0)
+    report(message("finding-start"), 0.0)
     start = board_problem(inputs)
-    say("Adjusting all poses together", 0.3)
+    report(message("adjusting-all-poses-together"), 0.3)
     found, mounting = _adjust_robustly(inputs, start)
-    say("Working out the uncertainty", 0.8)
+    report(message("working-out-uncertainty"), 0.8)
     result = _assemble_result(inputs, found, replace(start, mounting=mounting))
-    say("Done", 1.0)
+    report(message("done"), 1.0)
     return result
 
 
@@ -222,22 +224,20 @@ def _pose_results(
     inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
 ) -> tuple[PoseResult, ...]:
     """Of the poses used, of those that contradict, and of those that show no board."""
-    results = [
-        PoseResult(one.number, False, str(one.error).rstrip(".")) for one in inputs.failed_poses
-    ]
+    results = [PoseResult(one.number, False, one.error.text) for one in inputs.failed_poses]
     numbers = [pose.number for pose in inputs.observations]
-    readings = "joint angles" if isinstance(inputs.arm, Arm) else "robot's pose"
+    readings: Readings = "angles" if isinstance(inputs.arm, Arm) else "pose"
     results += outlier_pose_results(numbers, start.mounting, readings)
     for pose in board_pose_results(found, inputs.observations, inputs.board):
         results.append(replace(pose, reason=_line_problem(pose.number, start)))
     return tuple(sorted(results, key=lambda pose: pose.number))
 
 
-def _line_problem(number: int, start: BoardStart) -> str:
+def _line_problem(number: int, start: BoardStart) -> Text:
     """What is wrong with the laser's line of a pose that was used, if anything."""
     if number in start.excluded_lines_mm:
         return line_exclusion_reason(start.excluded_lines_mm[number])
     if number in start.contradicting_lines_mm:
         off_mm = start.contradicting_lines_mm[number]
-        return f"its laser line lies {off_mm:.1f} mm off the plane of the others"
+        return message("laser-line-lies-off-plane-others", off=quantity(off_mm, "mm", 1))
     return ""

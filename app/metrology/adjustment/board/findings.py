@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.errors import sentence
+from app.messages.message import message, quantity
 from app.metrology.adjustment.block.findings import ALIKE_DEG, largest_turn_deg
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
@@ -26,13 +28,13 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 # What a budget calls a robot's share.
 ROBOT_ROW = "robot's poses"
 REMEDIES = {
-    "contact points": "Touch more points, spread wide over the board.",
-    "arm encoders": "Take more pictures, from all sides; hold the arm in a compact posture.",
-    "arm geometry": "Take more pictures, from all sides; have the arm's model identified anew.",
-    "object certificate": "Measure the pattern's width and height, and fix it to a flat plate.",
-    "edges and corners": "Light the board evenly, sharp and large in the picture.",
-    "stripe": "Take more pictures, with the laser's line on the flat of the board.",
-    "distortion": "Take more pictures, with the board in all corners of the picture.",
+    "contact points": message("touch-more-points-spread-wide-over"),
+    "arm encoders": message("take-more-pictures-all-sides-hold"),
+    "arm geometry": message("take-more-pictures-all-sides-have"),
+    "object certificate": message("measure-patterns-width-height-fix-flat"),
+    "edges and corners": message("light-board-evenly-sharp-large-picture"),
+    "stripe": message("take-more-pictures-lasers-line-flat"),
+    "distortion": message("take-more-pictures-board-all-corners"),
 }
 # Poses tell the same of everything: this many at most are asked for.
 MOST_ASKED = 60
@@ -63,21 +65,21 @@ class BoardEvidence:
 
 def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
     """By the uncertainty of a point, and every reason for or against it; the gravest first."""
-    found = evidence.result
-    told = (
+    result = evidence.result
+    findings = (
         _verdict(evidence),
         *_contact_findings(evidence),
-        *board_fault_findings(found, evidence.board.square_mm, evidence.limits),
+        *board_fault_findings(result, evidence.board.square_mm, evidence.limits),
         *_print_findings(evidence),
         _bend_finding(evidence),
         *_pose_findings(evidence),
-        *_rocking_findings(found),
+        *_rocking_findings(result),
         *_image_findings(evidence.observations),
-        *pixel_aspect_findings(found.state.camera, found.covariance[:2, :2]),
+        *pixel_aspect_findings(result.state.camera, result.covariance[:2, :2]),
         *_line_findings(evidence),
         _stripe_finding(evidence),
     )
-    return sort_by_severity(told)
+    return sort_by_severity(findings)
 
 
 def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
@@ -86,20 +88,14 @@ def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
     poses = len(evidence.result.problem.views)
     limit = limits.good_um if known.total_um <= limits.usable_um else limits.usable_um
     asked = int(np.ceil(poses * (known.total_um / limit) ** 2))
-    more = "Take more pictures, tilted to all sides"
-    if asked <= MOST_ASKED:
-        more = f"{more}: about {asked} like these, in all, would do"
-    else:
-        more += (
-            "; so far off, the robot's own accuracy is at fault, or its poses are not the flange's"
-            " in the arm's frame"
-        )
-    remedies = REMEDIES | {
-        ROBOT_ROW: f"{more}. If that is all the robot can do, set the limits to what the scans need"
-        " (--good-um, --usable-um).",
-    }
+    remedies = dict(REMEDIES)
+    remedies[ROBOT_ROW] = (
+        message("take-more-pictures-like-these", asked=asked)
+        if asked <= MOST_ASKED
+        else message("take-more-pictures-robot-at-fault")
+    )
     if evidence.excluded_lines_mm or evidence.contradicting_lines_mm:
-        remedies["stripe"] = "Let the laser come to rest, and take the pictures again."
+        remedies["stripe"] = message("let-laser-come-rest-take-pictures")
     return uncertainty_verdict(known.total_um, known.rows, limits, remedies)
 
 
@@ -108,102 +104,113 @@ def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     if contacts is None or touches is None:
         return []
     count, rms_um = int((~contacts.excluded).sum()), contacts.rms_um
-    text = f"{count} contacts lie on the board to {rms_um:.0f} µm rms."
-    found = [CalibrationFinding("good", "contacts", text)]
+    text = message("contacts-lie-board-rms", count=count, rms=quantity(rms_um, "µm"))
+    findings = [CalibrationFinding("good", "contacts", text)]
     if rms_um > limits.good_um:
-        text = (
-            f"{count} contacts lie on the board to {rms_um:.0f} µm rms; up to "
-            f"{limits.good_um:.0f} µm is good."
+        text = message(
+            "contacts-lie-board-rms-up-good",
+            count=count,
+            rms=quantity(rms_um, "µm"),
+            good=quantity(limits.good_um, "µm"),
         )
-        remedy = (
-            "Check that the tip is the one of the arm's file, and that board and arm stood firm."
-        )
-        found = [CalibrationFinding("attention", "contacts", text, remedy)]
+        remedy = message("check-tip-one-arms-file-board")
+        findings = [CalibrationFinding("attention", "contacts", text, remedy)]
     left_out = contact_outlier_findings(touches.features, contacts.residuals_um, contacts.excluded)
-    return [*found, *left_out]
+    return [*findings, *left_out]
 
 
 def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """The corners' places one by one against the certificate, which may be silent on them."""
-    board, papers = evidence.board, evidence.result.problem.prior
-    told_mm = float(papers.sd[coordinate_groups(board)[1]][0])
-    if told_mm < PRINT_TIMES * board.standard_uncertainty_mm:
+    board, prior = evidence.board, evidence.result.problem.prior
+    estimate_mm = float(prior.sd[coordinate_groups(board)[1]][0])
+    if estimate_mm < PRINT_TIMES * board.standard_uncertainty_mm:
         return []
     return [
         CalibrationFinding(
             "attention",
             "board-print",
-            f"The corners lie {1e3 * told_mm:.0f} µm off a regular pattern, by the certificate "
-            f"{1e3 * board.standard_uncertainty_mm:.0f} µm: allowed for.",
-            "Check that this is the board, and how exact its certificate takes it to be.",
+            message(
+                "corners-lie-off-regular-pattern-certificate",
+                off=quantity(1e3 * estimate_mm, "µm"),
+                standard_uncertainty=quantity(1e3 * board.standard_uncertainty_mm, "µm"),
+            ),
+            message("check-board-how-exact-certificate-takes"),
         )
     ]
 
 
 def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
-    found, board = evidence.result, evidence.board
-    bend = evaluate_surface(board, found.state.coordinates, corner_points(board)[:, :2]).height_mm
+    result, board = evidence.result, evidence.board
+    bend = evaluate_surface(board, result.state.coordinates, corner_points(board)[:, :2]).height_mm
     rms_mm = float(np.sqrt(np.mean(bend**2)))
     if rms_mm > BENT_TIMES * max(board.flatness_mm, FLATTEST_MM):
         return CalibrationFinding(
             "attention",
             "board-bent",
-            f"The sheet bends by {np.ptp(bend):.2f} mm over the pattern; flat to "
-            f"{board.flatness_mm:.2f} mm was expected.",
-            "Fix the board to a flat plate.",
+            message(
+                "sheet-bends-over-pattern-flat-expected",
+                bend=quantity(np.ptp(bend), "mm", 2),
+                flatness=quantity(board.flatness_mm, "mm", 2),
+            ),
+            message("fix-board-flat-plate"),
         )
-    text = f"The sheet bends by {1e3 * np.ptp(bend):.0f} µm over the pattern: allowed for."
+    text = message("sheet-bends-over-pattern-allowed", bend=quantity(1e3 * np.ptp(bend), "µm"))
     return CalibrationFinding("neutral", "board-bend", text)
 
 
 def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
-    seen = {pose.number for pose in evidence.observations}  # others' reasons say what to do
+    observed = {pose.number for pose in evidence.observations}  # others' reasons say what to do
     about_lines = (
         evidence.excluded_lines_mm | evidence.contradicting_lines_mm
     )  # are told with the lines
-    said = [
+    findings = [
         CalibrationFinding(
             "attention",
             "pose-left-out",
-            f"Pose {pose.number}: {pose.reason}.",
-            "Check that laser, board and camera kept still, and that picture and pose are of one"
-            " moment."
-            if pose.number in seen
-            else "",
+            message("pose-2", number=pose.number, reason=pose.reason),
+            message("check-laser-board-camera-kept-still") if pose.number in observed else "",
         )
         for pose in evidence.poses
         if pose.reason and not (pose.used and pose.number in about_lines)
     ]
     off = [pose.off_um for pose in used]
     furthest = used[int(np.argmax(off))]
-    said.append(
+    findings.append(
         CalibrationFinding(
             "attention" if len(used) < FEW_POSES else "good",
             "poses",
-            f"{len(used)} poses agree on the board's place to {np.median(off):.0f} µm; pose "
-            f"{furthest.number} is furthest off, by {furthest.off_um:.0f} µm.",
-            "Take more pictures, tilted to all sides." if len(used) < FEW_POSES else "",
+            message(
+                "poses-agree-boards-place-pose-furthest",
+                used=len(used),
+                median=quantity(np.median(off), "µm"),
+                number=furthest.number,
+                off=quantity(furthest.off_um, "µm"),
+            ),
+            message("take-more-pictures-tilted-all-sides-2") if len(used) < FEW_POSES else "",
         )
     )
     turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
     if turn < ALIKE_DEG:
-        said.append(
+        findings.append(
             CalibrationFinding(
                 "attention",
                 "poses-alike",
-                f"The sensor turned by {turn:.1f}° at most between the poses (wanted: "
-                f"{ALIKE_DEG:.0f}° and more).",
-                "Take poses tilted to the left, right, front and back, and turned about the view.",
+                message(
+                    "sensor-turned-most-between-poses-wanted-2",
+                    turn=quantity(turn, "°", 1),
+                    alike_deg=quantity(ALIKE_DEG, "°"),
+                ),
+                message("take-poses-tilted-left-right-front"),
             )
         )
-    return said
+    return findings
 
 
-def _rocking_findings(found: AdjustmentResult) -> list[CalibrationFinding]:
+def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
     """A robot's poses that agree on the board's place better than on its tilt."""
-    sd = found.scales.noise * found.problem.motion.noise_sd
-    if len(sd) != TURNS_SHIFTS_TILTS or len(found.problem.views) < FEW_POSES:
+    sd = result.scales.noise * result.problem.motion.noise_sd
+    if len(sd) != TURNS_SHIFTS_TILTS or len(result.problem.views) < FEW_POSES:
         return []
     turn, tilt = float(sd[0]), float(sd[-1])
     if tilt < max(ROCKING_RAD, ROCKING_TIMES * turn):
@@ -212,24 +219,29 @@ def _rocking_findings(found: AdjustmentResult) -> list[CalibrationFinding]:
         CalibrationFinding(
             "attention",
             "board-rocks",
-            f"Robot and pictures agree on the board's place, but on its tilt only to "
-            f"{1e3 * tilt:.1f} mrad (the robot's own turns: {1e3 * turn:.1f} mrad).",
-            "Fix the board so that it cannot rock or warp, and lock the camera's lens.",
+            message(
+                "robot-pictures-agree-boards-place-but",
+                tilt=quantity(1e3 * tilt, "mrad", 1),
+                turn=quantity(1e3 * turn, "mrad", 1),
+            ),
+            message("fix-board-so-cannot-rock-warp"),
         )
     ]
 
 
-def _image_findings(seen: Sequence[BoardObservation]) -> list[CalibrationFinding]:
+def _image_findings(observations: Sequence[BoardObservation]) -> list[CalibrationFinding]:
     """What a single picture suffers from, each kind once, by the first pose that shows it."""
     first = {
-        item.code: (pose.number, item) for pose in reversed(seen) for item in pose.image_findings
+        item.code: (pose.number, item)
+        for pose in reversed(observations)
+        for item in pose.image_findings
     }
     return [
         CalibrationFinding(
             "attention",
             code,
-            f"Pose {number}: {item.text}.",
-            f"{item.remedy[:1].upper()}{item.remedy[1:]}.",
+            message("pose-2", number=number, reason=item.text),
+            sentence(item.remedy),
         )
         for code, (number, item) in first.items()
     ]
@@ -238,19 +250,19 @@ def _image_findings(seen: Sequence[BoardObservation]) -> list[CalibrationFinding
 def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     """Lines that contradict the others, and are too many to be mistakes."""
     before, apart = evidence.excluded_lines_mm, evidence.contradicting_lines_mm
-    remedy = "Let the laser warm up, check its mount, and take the pictures again."
+    remedy = message("let-laser-warm-up-check-mount")
     if before:
-        text = (
-            f"The laser's lines of poses {_join_numbers(before)} lie "
-            f"{max(before.values()):.1f} mm off the plane of the others: "
-            "the laser moved against the camera, and these lines were left out."
+        text = message(
+            "lasers-lines-poses-lie-off-plane",
+            poses=_join_numbers(before),
+            off=quantity(max(before.values()), "mm", 1),
         )
         return [CalibrationFinding("attention", "laser-moved", text, remedy)]
     if apart:
-        text = (
-            f"The laser's lines of poses {_join_numbers(apart)} lie "
-            f"{max(apart.values()):.1f} mm off the plane of the others: "
-            "the laser moved against the camera, and all lines were made to count."
+        text = message(
+            "lasers-lines-poses-lie-off-plane-2",
+            poses=_join_numbers(apart),
+            off=quantity(max(apart.values()), "mm", 1),
         )
         return [CalibrationFinding("bad", "laser-moved", text, remedy)]
     return []
@@ -263,9 +275,15 @@ def _join_numbers(numbers: Iterable[int]) -> str:
 def _stripe_finding(evidence: BoardEvidence) -> CalibrationFinding:
     used = [pose for pose in evidence.poses if pose.used]
     points = sum(pose.stripe_points for pose in used)
-    without = [str(pose.number) for pose in used if not pose.stripe_points]
+    without = [pose.number for pose in used if not pose.stripe_points]
     rms = np.sqrt(sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1))
-    text = f"{points} points of the laser's line lie on the board, {rms:.2f} px rms off the plane."
+    text = message("points-lasers-line-lie-board-rms", points=points, rms=quantity(rms, "px", 2))
     if without:
-        text += f" Pose{'s' if len(without) > 1 else ''} {', '.join(without)} show none."
+        text = message(
+            "points-lasers-line-lie-board-but-poses",
+            points=points,
+            rms=quantity(rms, "px", 2),
+            count=len(without),
+            poses=_join_numbers(without),
+        )
     return CalibrationFinding("good" if not without else "neutral", "stripe", text)

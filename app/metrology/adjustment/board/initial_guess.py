@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, quantity, rounded
 from app.metrology.adjustment.block.initial_guess import solve_pnp
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.chessboard.detect_board import BoardDetection
@@ -47,10 +48,9 @@ def board_camera(
     if len(seen) < FEWEST_POSES:
         raise OperationError(
             "too-few-images",
-            f"{len(seen)} pictures show {board.name}",
-            f"a flat board tells the camera's focal length from {FEWEST_POSES} pictures on,"
-            " tilted against each other",
-            "take more pictures, 8 or more of them, tilted by 20° and more",
+            message("pictures-show", seen=len(seen), name=board.name),
+            message("flat-board-tells-cameras-focal-length", fewest_poses=FEWEST_POSES),
+            message("take-more-pictures-8-more-them"),
         )
     points = corner_points(board)
     K, distortion = _calibrate_camera(seen, points, size_px)
@@ -63,9 +63,13 @@ def board_camera(
     if apart.max() < LEAST_TILT_DEG:
         raise OperationError(
             "boards-parallel",
-            f"the board is tilted by {apart.max():.1f}° at most between the {len(seen)} pictures",
-            "pictures of a flat board from one direction do not tell the focal length",
-            "take pictures tilted by 20° and more, to two sides",
+            message(
+                "board-tilted-most-between-pictures",
+                tilt=quantity(apart.max(), "°", 1),
+                seen=len(seen),
+            ),
+            message("pictures-flat-board-one-direction-do"),
+            message("take-pictures-tilted-20-more-two"),
         )
     return camera, T
 
@@ -116,9 +120,9 @@ def number_corners(
         if off[order[0]] > TURN_DEG or off[order[1]] < 2 * TURN_DEG:
             raise OperationError(
                 "board-ambiguous",
-                f"pose {pose.number}: {board.name} looks the same turned round",
-                "neither its colours nor the arm's poses tell which corner is the first",
-                "use a board with an even and an odd count of inner corners",
+                message("pose-looks-same-turned-round", number=pose.number, name=board.name),
+                message("neither-colours-nor-arms-poses-tell"),
+                message("use-board-even-odd-count-inner"),
             )
         detection = replace(pose.detection, number=ways[order[0]])
         chosen.append(replace(pose, detection=detection))
@@ -157,17 +161,18 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
     if scale <= 0:
         raise OperationError(
             "poses-reversed",
-            f"by the arm's motion {board.name} moves the other way than in the pictures",
-            "no size of its squares makes them agree",
-            "check that the pictures are not mirrored, and that the poses are those of the flange"
-            " in the arm's frame, in mm, with qw last, and not their inverse",
+            message("arms-motion-moves-other-way-than", name=board.name),
+            message("no-size-squares-makes-them-agree"),
+            message("check-pictures-mirrored-poses-those-flange"),
         )
     if abs(scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * sd):
         raise OperationError(
             "square-size",
-            f"by the arm's motion the squares of {board.name} are"
-            f" {scale * board.square_mm:.2f} mm wide",
-            f"its certificate says {board.square_mm:g} mm",
-            "measure the squares, and correct the certificate; or check that every picture has its"
-            " own pose, in mm",
+            message(
+                "arms-motion-squares-wide",
+                name=board.name,
+                width=quantity(scale * board.square_mm, "mm", 2),
+            ),
+            message("certificate-says", square=rounded(board.square_mm, "mm")),
+            message("measure-squares-correct-certificate-check-every"),
         )

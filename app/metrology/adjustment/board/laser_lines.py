@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.adjustment.board.bundle import Bundle
 from app.metrology.adjustment.board.observations import BoardView, intersect_surface
 from app.metrology.adjustment.board.surface import around_pattern
@@ -72,9 +73,9 @@ def fit_laser_lines(
     if len(enough) < 2:
         raise OperationError(
             "stripe-not-found",
-            f"the laser's line lies on the board in {len(enough)} of {len(views)} pictures",
-            "one line alone does not fix the laser's plane",
-            "let the line cross the board in every picture",
+            message("lasers-line-lies-board-pictures", enough=len(enough), views=len(views)),
+            message("one-line-alone-does-fix-lasers"),
+            message("let-line-cross-board-every-picture"),
         )
     plane = fit_majority_plane([in_cam[p] for p in enough])
     _refuse_one_line([in_cam[p] for p in enough], plane)
@@ -84,11 +85,13 @@ def fit_laser_lines(
     if usual > max(OFF_MM, OFF_FLATNESSES * views[0].board.flatness_mm):
         raise OperationError(
             "lines-contradict",
-            f"the laser's lines of poses {', '.join(map(str, numbers))} lie {usual:.1f} mm off the"
-            " plane that suits them best",
-            "they do not lie in one plane",
-            "check that the laser was not moved against the camera, and that the line seen is"
-            " its own and not a reflection",
+            message(
+                "lasers-lines-poses-lie-off-plane-3",
+                poses=", ".join(map(str, numbers)),
+                usual=quantity(usual, "mm", 1),
+            ),
+            message("they-do-lie-one-plane"),
+            message("check-laser-moved-against-camera-line"),
         )
     off, out, apart = _find_contradictions(in_cam, enough, plane, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
@@ -301,9 +304,9 @@ def _refuse_one_line(per_pose: Sequence[Floats], plane: LaserPlane) -> None:
     if spread[1] < LEAST_SPREAD * spread[0]:
         raise OperationError(
             "stripe-one-line",
-            "the laser's line lies at one place of its plane in all pictures",
-            "one line alone does not fix the laser's plane",
-            "take pictures from different distances, or tilted to different sides",
+            message("lasers-line-lies-one-place-plane"),
+            message("one-line-alone-does-fix-lasers"),
+            message("take-pictures-different-distances-tilted-different"),
         )
 
 
@@ -314,8 +317,11 @@ def _refuse_parallel(uprights: Sequence[Floats], plane: LaserPlane) -> None:
     if angle < LEAST_LASER_ANGLE_DEG:
         raise OperationError(
             "laser-along-board",
-            f"the laser's plane stands {angle:.1f}° to the board (limit"
-            f" {LEAST_LASER_ANGLE_DEG:.0f}°)",
-            "a plane that is nearly the board's does not meet it in a sharp line",
-            "turn the sensor so that the laser falls onto the board from above",
+            message(
+                "lasers-plane-stands-board-limit",
+                angle=quantity(angle, "°", 1),
+                least_laser_angle_deg=quantity(LEAST_LASER_ANGLE_DEG, "°"),
+            ),
+            message("plane-nearly-boards-does-meet-sharp"),
+            message("turn-sensor-so-laser-falls-onto"),
         )

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message, rounded, signed
 from app.metrology.adjustment.board.bundle import Bundle, adjust_bundle, with_identity_pose
 from app.metrology.adjustment.board.initial_guess import (
     BoardObservation,
@@ -179,9 +180,13 @@ def _contact_observations(
     if abs(usual) > CONTACTS_OFF_MM:
         raise OperationError(
             "contacts-off-board",
-            f"the {len(touches)} contacts lie {usual:+.1f} mm off the board that the pictures show",
-            f"the limit is {CONTACTS_OFF_MM:g} mm",
-            "check square_mm, the tip in arm.json, and that the board was not moved",
+            message(
+                "contacts-lie-off-board-pictures-show",
+                touches=len(touches),
+                usual=signed(usual, "mm", 1),
+            ),
+            message("limit-is-value", limit=rounded(CONTACTS_OFF_MM, "mm")),
+            message("check-square-mm-tip-arm-json"),
         )
     by_bend = np.zeros((len(touches), coordinates))
     by_bend[:, bend_slice(inputs.board)] = bend_modes(inputs.board).by_strength(in_obj[:, :2])

@@ -17,7 +17,7 @@ from app.metrology.adjustment.results.poses import (
     stripe_residuals,
     worst_image_points,
 )
-from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstResidual
+from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstResidual, contact_residual
 from app.metrology.sensor.camera import project
 from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.transforms import Floats
@@ -105,7 +105,7 @@ def board_worst_points(
     if contacts is not None:
         off_um = np.abs(contacts.residuals_um)
         worst += [
-            WorstResidual("contact", f"board {i + 1}", float(off_um[i]), "µm", contact=int(i))
+            contact_residual(int(i), "board", float(off_um[i]))
             for i in np.argsort(-off_um)[:WORST_OF_A_KIND]
         ]
     worst += worst_image_points(found, poses)

@@ -7,6 +7,7 @@ of a ``RobotArm``.
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.adjustment.core.arm_errors import (
     FlangeMotion,
     arm_motion,
@@ -29,14 +30,12 @@ def flange_motion(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
     if readings.shape[1:] != wanted:
         raise OperationError(
             "joint-count",
-            f"readings of shape {readings.shape[1:]} for the arm {arm.name}",
-            f"{wanted} is expected",
-            "check that the session was taken with this arm",
+            message("readings-shape-arm", shape=str(readings.shape[1:]), name=arm.name),
+            message("expected", wanted=str(wanted)),
+            message("check-session-taken-arm"),
         )
     if not np.isfinite(readings).all():
-        raise OperationError(
-            "angles-not-finite", f"a reading of the arm {arm.name} is not a number"
-        )
+        raise OperationError("angles-not-finite", message("reading-arm-number", name=arm.name))
     return arm_motion(arm, readings) if isinstance(arm, Arm) else robot_motion(readings)
 
 
@@ -58,9 +57,9 @@ def plane_contacts(
     if arm.tip is None:
         raise OperationError(
             "tip-missing",
-            f"{len(readings)} contacts, and the arm {arm.name} has no tip",
-            "contacts are of a tip's sphere",
-            "give the tip in arm.json, or leave out probing.csv",
+            message("contacts-arm-has-no-tip", readings=len(readings), name=arm.name),
+            message("contacts-tips-sphere"),
+            message("give-tip-or-leave-out-probing"),
         )
     moves = flange_motion(arm, readings)
     if noise is not None:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.adjustment.core.linearise import (
     Linearisation,
     NormalEquations,
@@ -234,10 +235,9 @@ def no_convergence_error() -> OperationError:
     """The refusal where no minimum is found, or one that says nothing."""
     return OperationError(
         "adjustment-failed",
-        "the calibration's unknowns did not settle on what was seen and touched",
-        "the pictures, the contacts and the certificate contradict each other",
-        "check that this is the object in the pictures, and that every picture belongs to"
-        " its arm pose",
+        message("calibrations-unknowns-did-settle-what-seen"),
+        message("pictures-contacts-certificate-contradict-each-other"),
+        message("check-object-pictures-every-picture-belongs"),
     )
 
 
@@ -275,9 +275,9 @@ def _require_enough(judgements: PoseWeights, problem: AdjustmentProblem) -> None
     if found < wanted + 4:
         raise OperationError(
             "too-few-edges",
-            f"{found} usable edge and stripe points in {len(problem.views)} poses",
-            "they do not determine the camera",
-            "bring more of the object into the picture, sharp and well lit",
+            message("usable-edge-stripe-points-poses", found=found, views=len(problem.views)),
+            message("they-do-determine-camera"),
+            message("bring-more-object-into-picture-sharp"),
         )
 
 

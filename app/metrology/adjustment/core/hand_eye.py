@@ -2,12 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message, quantity, signed
 from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
+
+Thing = Literal["object", "board"]
+"""What the pictures of a calibration show."""
 
 # Poses disagree with the others beyond this and this many times what is usual among them.
 CONTRADICTS_MM, CONTRADICTS_TIMES = 1.5, 6.0
@@ -112,10 +117,9 @@ def refuse_alike(T_arm_flange: Floats) -> None:
     if count < 3:
         raise OperationError(
             "too-few-poses",
-            f"{count} poses without contact points",
-            "how the sensor sits on the flange shows only when the flange turns: three poses"
-            " at least, turned about two different axes",
-            "take more pictures, each turned against the others, or touch the object",
+            message("poses-without-contact-points", count=count),
+            message("how-sensor-sits-flange-shows-only"),
+            message("take-more-pictures-each-turned-against"),
         )
     turns = np.array(
         [
@@ -129,27 +133,36 @@ def refuse_alike(T_arm_flange: Floats) -> None:
     if largest < LEAST_TURN_RAD:
         raise OperationError(
             "poses-alike",
-            f"the flange turned by {np.degrees(largest):.1f}° at most between the {count} poses",
-            "poses all alike do not tell where the sensor sits on the flange, in any direction",
-            "take pictures turned by 20° and more, about two different axes",
+            message(
+                "flange-turned-most-between-poses",
+                turn=quantity(np.degrees(largest), "°", 1),
+                count=count,
+            ),
+            message("poses-all-alike-do-tell-where"),
+            message("take-pictures-turned-20-more-about"),
         )
     if size[1] < LEAST_SECOND_AXIS * size[0]:
         x, y, z = axes[0]
         raise OperationError(
             "poses-about-one-axis",
-            f"all {count} poses turn the flange about one axis, ({x:+.2f} {y:+.2f} {z:+.2f}) in"
-            " its own frame",
-            "where the sensor sits along that axis cannot be told",
-            "add pictures turned about another axis",
+            message(
+                "all-poses-turn-flange-about-one",
+                count=count,
+                x=signed(x, "", 2),
+                y=signed(y, "", 2),
+                z=signed(z, "", 2),
+            ),
+            message("where-sensor-sits-along-axis-cannot"),
+            message("add-pictures-turned-about-another-axis"),
         )
 
 
-def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str) -> None:
+def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: Thing) -> None:
     """Refuses where the poses that agree are not more than those that do not.
 
     Args:
         numbers: the poses' own.
-        thing: what the pictures show, in the operator's words.
+        thing: what the pictures show.
 
     Raises:
         OperationError: says how far apart the poses put it.
@@ -160,11 +173,14 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: str
         return
     raise OperationError(
         "poses-contradict",
-        f"poses {', '.join(map(str, numbers))} put the {thing} up to"
-        f" {mounting.off_mm.max():.1f} mm apart",
-        "with half of them or more contradicting the others, none can be trusted",
-        f"check that the {thing} was not moved, and that every picture has the arm's readings"
-        " of its own pose",
+        message(
+            "poses-put-up-apart",
+            poses=", ".join(map(str, numbers)),
+            thing=thing,
+            apart=quantity(mounting.off_mm.max(), "mm", 1),
+        ),
+        message("half-them-more-contradicting-others-none"),
+        message("check-moved-every-picture-has-arms", thing=thing),
     )
 
 

@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message
 from app.metrology.adjustment.core.arm_errors import FlangeMotion
+from app.metrology.adjustment.core.hand_eye import Thing
 from app.metrology.adjustment.core.robust_weights import RobustWeights
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.detection.detect_block import ObjectDetection
@@ -159,7 +161,9 @@ class FailedPose:
     error: OperationError
 
 
-def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], thing: str) -> None:
+def require_observations(
+    seen: Sequence[object], unseen: Sequence[FailedPose], thing: Thing
+) -> None:
     """Refuses where no picture shows the ``thing``, with the reason of the first.
 
     Raises:
@@ -169,7 +173,9 @@ def require_observations(seen: Sequence[object], unseen: Sequence[FailedPose], t
         return
     if unseen:
         raise unseen[0].error
-    raise OperationError("no-images", "no pose was given", "", f"take a picture of the {thing}")
+    raise OperationError(
+        "no-images", message("no-pose-given"), "", message("take-picture-2", thing=thing)
+    )
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from functools import partial
 
 import numpy as np
 
+from app.messages.message import message, quantity, rounded, signed
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import ContactObservations
 from app.metrology.adjustment.outliers.bayes_factors import (
@@ -169,19 +170,20 @@ def _diameter_finding(
     outward_mm = float(told.sizes[0])
     if 2 * abs(outward_mm) < DIAMETER_MM:
         return None
-    remedy = "Check which tip is mounted, its diameter, and that this is the object."
+    remedy = message("check-which-tip-mounted-diameter-object")
     if len(set(touches.features)) == 1:  # by one plane the three are not told apart
-        remedy = (
-            "Check which tip is mounted, its diameter and its length, and that the object was not "
-            "moved after it was touched."
-        )
+        remedy = message("check-which-tip-mounted-diameter-length")
     given = 2 * touches.radius_mm
     told_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(told.covariance[0, 0]))
     return CalibrationFinding(
         offset_quality(outward_mm, limits),
         "tip-diameter",
-        f"Contacts and pictures agree better with a tip of {told_mm:.3f} mm "
-        f"(± {known_mm:.3f}) than with {given:.3f} mm.",
+        message(
+            "contacts-pictures-agree-better-tip-than",
+            fitted=quantity(told_mm, "mm", 3),
+            known=quantity(known_mm, "", 3),
+            given=quantity(given, "mm", 3),
+        ),
         remedy,
     )
 
@@ -204,11 +206,15 @@ def _tip_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | No
     return CalibrationFinding(
         offset_quality(off_mm, limits),
         "tip-place",
-        f"Contacts and pictures agree better with the tip's centre {off_mm:.2f} mm from where "
-        f"the arm's file has it: by {x:+.2f}, {y:+.2f}, {z:+.2f} mm (± {known_mm:.2f}) in the "
-        "flange frame. Scanned points may be off by as much.",
-        "Check which tip is mounted and that its stylus is straight and tight; have its place "
-        "determined anew, and touch the object again.",
+        message(
+            "contacts-pictures-agree-better-tips-centre",
+            off=quantity(off_mm, "mm", 2),
+            x=signed(x, "", 2),
+            y=signed(y, "", 2),
+            z=signed(z, "mm", 2),
+            known=quantity(known_mm, "", 2),
+        ),
+        message("check-which-tip-mounted-stylus-straight"),
     )
 
 
@@ -219,21 +225,21 @@ def _motion_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding |
     turned_deg = np.degrees(turned_rad)
     along = told.sizes[3:] / max(off_mm, 1e-9)
     known_mm = 2 * float(np.sqrt(along @ told.covariance[3:, 3:] @ along))
-    text = (
-        f"The pictures have the object {off_mm:.2f} mm (± {known_mm:.2f}) from where it was "
-        f"touched, turned by {turned_deg:.2f}°. Scanned points may be off by as much."
+    text = message(
+        "pictures-have-object-where-touched-turned",
+        off=quantity(off_mm, "mm", 2),
+        known=quantity(known_mm, "", 2),
+        turned=quantity(turned_deg, "°", 2),
     )
     if off_mm < known_mm:
-        text = (
-            f"The pictures have the object turned by {turned_deg:.2f}° from how it was touched. "
-            "Scanned points may be off by as much."
+        text = message(
+            "pictures-have-object-turned-how-touched", turned=quantity(turned_deg, "°", 2)
         )
     return CalibrationFinding(
         offset_quality(max(off_mm, LEVER_MM * turned_rad), limits),
         "object-moved",
         text,
-        "Fix object and arm so that neither can move, touch the object, and take the pictures "
-        "again.",
+        message("fix-object-arm-so-neither-can"),
     )
 
 
@@ -245,10 +251,13 @@ def _block_size_finding(limits: Limits, told: FaultEstimate) -> CalibrationFindi
     return CalibrationFinding(
         offset_quality(LEVER_MM * share, limits),
         "object-size",
-        f"By the arm's motion the object is {percent:.2f} % (± {known:.2f}) "
-        f"{'larger' if share > 0 else 'smaller'} than its certificate says: all lengths would be "
-        "off by as much.",
-        "Check that this is the object of the certificate, and its lengths in mm.",
+        message(
+            "arms-motion-object-than-certificate-says",
+            share=quantity(percent, "%", 2),
+            uncertainty=quantity(known, "", 2),
+            sign="larger" if share > 0 else "smaller",
+        ),
+        message("check-object-certificate-lengths-mm"),
     )
 
 
@@ -261,8 +270,11 @@ def _board_size_finding(
     return CalibrationFinding(
         offset_quality(LEVER_MM * share, limits),
         "board-size",
-        f"By the arm's motion the squares are {(1 + share) * square_mm:.3f} mm wide (± "
-        f"{2 * sd * square_mm:.3f}), by the certificate {square_mm:g} mm: all "
-        "lengths would be off by as much.",
-        "Measure the pattern over all its squares, and correct the certificate.",
+        message(
+            "arms-motion-squares-wide-certificate",
+            width=quantity((1 + share) * square_mm, "mm", 3),
+            uncertainty=quantity(2 * sd * square_mm, "", 3),
+            nominal=rounded(square_mm, "mm"),
+        ),
+        message("measure-pattern-over-all-squares-correct"),
     )

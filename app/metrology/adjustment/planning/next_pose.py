@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.messages.message import Text, join, message, quantity
 from app.metrology.adjustment.block.predicted_view import (
     ObservationNoise,
     predict_view,
@@ -71,21 +72,42 @@ class PoseDelta:
         return max(abs(self.tilt_right_deg), abs(self.tilt_back_deg), abs(self.turn_deg))
 
     @property
-    def words(self) -> str:
+    def words(self) -> Text:
         """``tilt left 20°, 8 mm higher``; ``hold as it is`` where nothing changes."""
-        said = []
-        for value, least, positive, negative, unit in (
-            (self.tilt_right_deg, WORD_DEG, "tilt right", "tilt left", "°"),
-            (self.tilt_back_deg, WORD_DEG, "tilt to the back", "tilt to the front", "°"),
-            (self.turn_deg, WORD_DEG, "turn anticlockwise", "turn clockwise", "°"),
-        ):
-            if abs(value) >= least:
-                said.append(f"{positive if value > 0 else negative} {abs(value):.0f}{unit}")
-        if abs(self.higher_mm) >= WORD_MM:
-            said.append(
-                f"{abs(self.higher_mm):.0f} mm {'higher' if self.higher_mm > 0 else 'lower'}"
+        right, back, turn = (
+            quantity(abs(angle), "°")
+            for angle in (self.tilt_right_deg, self.tilt_back_deg, self.turn_deg)
+        )
+        moves = []
+        if abs(self.tilt_right_deg) >= WORD_DEG:
+            to_right = self.tilt_right_deg > 0
+            moves.append(
+                message("tilt-right-by", angle=right)
+                if to_right
+                else message("tilt-left-by", angle=right)
             )
-        return ", ".join(said) or "hold as it is"
+        if abs(self.tilt_back_deg) >= WORD_DEG:
+            to_back = self.tilt_back_deg > 0
+            moves.append(
+                message("tilt-back-by", angle=back)
+                if to_back
+                else message("tilt-front-by", angle=back)
+            )
+        if abs(self.turn_deg) >= WORD_DEG:
+            anticlockwise = self.turn_deg > 0
+            moves.append(
+                message("turn-anticlockwise-by", angle=turn)
+                if anticlockwise
+                else message("turn-clockwise-by", angle=turn)
+            )
+        if abs(self.higher_mm) >= WORD_MM:
+            distance = quantity(abs(self.higher_mm), "mm")
+            moves.append(
+                message("higher-by", distance=distance)
+                if self.higher_mm > 0
+                else message("lower-by", distance=distance)
+            )
+        return join(moves) if moves else message("hold-2")
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import Text, join, message
 from app.metrology.probing.alignment import Alignment
-from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
 from app.metrology.transforms import Floats
 
 MOST_MORE = 30
@@ -28,10 +29,15 @@ class TouchAdvice:
     reaches: bool
 
     @property
-    def words(self) -> str:
+    def words(self) -> Text:
         """``6 more on the left face, 2 on the crest``; empty where nothing is needed."""
-        said = [f"{count} on the {face} face" for face, count in self.more]
-        return ", ".join([said[0].replace(" on", " more on", 1), *said[1:]]) if said else ""
+        if not self.more:
+            return ""
+        (face, count), *others = self.more
+        first = message("more-touches-on-face", count=count, where=on_face(face))
+        return join(
+            [first, *(message("touches-on-face", count=n, where=on_face(one)) for one, n in others)]
+        )
 
 
 def placement_uncertainty_um(

@@ -2,15 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Quantity, Text, message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.parameters import pose_scene
-from app.metrology.calibration.findings import WORST_OF_A_KIND, WorstResidual
+from app.metrology.calibration.findings import (
+    WORST_OF_A_KIND,
+    WorstResidual,
+    contact_residual,
+    corner_text,
+)
 from app.metrology.calibration.observation_model import Rows, with_coordinates
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import project
@@ -21,8 +28,10 @@ from app.metrology.transforms import Floats, inverse
 # many times what is usual among all poses, and this.
 FITS_TIMES, FITS_MM = 5.0, 1.0
 MOST_STRIPE_POINTS = 60
-NO_LINE = "its picture shows no laser line on the object"
-"""Of a pose that was used, but for its laser line."""
+Readings = Literal["angles", "pose"]
+"""What an arm gives with a picture: its joint angles, or a robot its flange's pose."""
+NO_LINE = message("picture-shows-no-laser-line-object")
+"""Of a pose that was used without its laser line."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +46,7 @@ class PoseResult:
 
     number: int
     used: bool
-    reason: str = ""
+    reason: Text = ""
     edges_rms_px: float = 0.0
     edge_points: int = 0
     stripe_rms_px: float = 0.0
@@ -87,33 +96,34 @@ def stripe_residuals(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, 
 
 
 def outlier_pose_results(
-    numbers: Sequence[int], mounting: Mounting, readings: str = "joint angles"
+    numbers: Sequence[int], mounting: Mounting, readings: Readings = "angles"
 ) -> list[PoseResult]:
     """Of the poses that contradict the others, each with the pose whose readings would fit it."""
     T_arm_flange = mounting.T_arm_flange
     usual_mm = float(np.median(mounting.off_mm))
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
-        off = _format_length(mounting.off_mm[p])
-        reason = f"it puts the object {off} from where the others put it"
+        off = _length(mounting.off_mm[p])
+        reason = message("puts-object-where-others-put", off=off)
         # the flange at which this pose's picture would agree with the others
         wanted = T_arm_flange[p] @ _correction(mounting, p)
         apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
         other = int(np.argmin(apart))
         if apart[other] < min(FITS_TIMES * usual_mm + FITS_MM, apart[p] / 2):
-            reason += f"; it fits the {readings} of pose {numbers[other]}"
+            reason = message(
+                "puts-object-fits-other-pose", readings=readings, off=off, other=numbers[other]
+            )
         results.append(PoseResult(numbers[p], False, reason))
     return results
 
 
-def line_exclusion_reason(off_mm: float) -> str:
-    """Of a pose that was used, but for its laser line."""
-    off = _format_length(off_mm)
-    return f"its laser line was left out, {off} off the plane of the others"
+def line_exclusion_reason(off_mm: float) -> Text:
+    """Of a pose that was used without its laser line."""
+    return message("laser-line-left-out-off-plane", off=_length(off_mm))
 
 
-def _format_length(mm: float) -> str:
-    return f"{mm:.1f} mm" if mm >= 1 else f"{1e3 * mm:.0f} µm"
+def _length(mm: float) -> Quantity:
+    return quantity(mm, "mm", 1) if mm >= 1 else quantity(1e3 * mm, "µm")
 
 
 def block_worst_points(
@@ -125,7 +135,7 @@ def block_worst_points(
     """The few worst contacts, corners and stripe points over all poses."""
     contacts = 1e3 * np.abs(alignment.residuals_mm)
     worst = [
-        WorstResidual("contact", f"{features[i]} {i + 1}", float(contacts[i]), "µm", contact=int(i))
+        contact_residual(int(i), features[i], float(contacts[i]))
         for i in np.argsort(-contacts)[:WORST_OF_A_KIND]
     ]
     worst += worst_image_points(found, poses)
@@ -140,7 +150,14 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
         for name, u, v in pose.corners_px
     ]
     worst = [
-        WorstResidual("corner", f"pose {number} {name}", off, "px", pose=number)
+        WorstResidual(
+            "corner",
+            message("pose-4", number=number, name=corner_text(name)),
+            off,
+            "px",
+            pose=number,
+            corner=name,
+        )
         for off, number, name in sorted(at_corners, reverse=True)[:WORST_OF_A_KIND]
     ]
     on_stripe = []
@@ -154,7 +171,13 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
         ]
     worst += [
         WorstResidual(
-            "stripe", f"pose {number} ({u:.0f}, {v:.0f})", off, "px", None, number, (u, v)
+            "stripe",
+            message("pose-5", number=number, u=quantity(u), v=quantity(v)),
+            off,
+            "px",
+            None,
+            number,
+            (u, v),
         )
         for off, number, u, v in sorted(on_stripe, reverse=True)[:WORST_OF_A_KIND]
     ]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message, quantity, rounded, signed
 from app.metrology.arm.identification.observations import (
     ArmObservations,
     ProbedPlace,
@@ -27,15 +28,15 @@ UNLIKELY = 5e-4
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
 
 
-def check_spheres(data: StackedObservations, fit: ArmFit) -> list[str]:
+def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
     """Warns of a sphere that is seen in another size than the others; refuses one far off.
 
     Each by its own points and the arm fitted, whatever the fit left out.
     """
-    found = _sphere_excesses(data, fit)
-    if len(found) < 2:
+    excesses = _sphere_excesses(data, fit)
+    if len(excesses) < 2:
         return []
-    excess, sd = np.array([own[1:] for own in found]).T
+    excess, sd = np.array([own[1:] for own in excesses]).T
     weights = 1 / sd**2
     rest = weights.sum() - weights
     off = excess - (np.sum(weights * excess) - weights * excess) / rest
@@ -44,21 +45,22 @@ def check_spheres(data: StackedObservations, fit: ArmFit) -> list[str]:
     worst = int(np.argmax(np.abs(off) / off_sd))
     if abs(off[worst]) <= max(EXCESS_SIGMAS * off_sd[worst], EXCESS_MM):
         return []
-    others = "the other one" if len(found) == 2 else "the others"
-    told = (
-        f"{found[worst][0].label} is seen {2e3 * abs(off[worst]):.0f} µm "
-        f"(± {2e3 * off_sd[worst]:.0f}) "
-        f"{'larger' if off[worst] > 0 else 'smaller'} than {others}, against the "
-        "diameters given"
+    finding = message(
+        "seen-than-against-diameters-given",
+        label=excesses[worst][0].label,
+        off=quantity(2e3 * abs(off[worst]), "µm"),
+        uncertainty=quantity(2e3 * off_sd[worst]),
+        sign="larger" if off[worst] > 0 else "smaller",
+        others=len(excesses) - 1,
     )
     if abs(off[worst]) > WRONG_TIP_MM:
         raise OperationError(
             "sphere-diameter",
-            told,
-            "one diameter is not this sphere's, or the sphere was not clean",
-            "Check diameter_mm of the spheres; take this sphere again or delete its rows",
+            finding,
+            message("one-diameter-spheres-sphere-clean"),
+            message("check-diameter-mm-spheres-take-sphere"),
         )
-    return [f"{told}: check its diameter"]
+    return [message("check-diameter", finding=finding)]
 
 
 def _sphere_excesses(
@@ -102,7 +104,7 @@ def _fit_sphere_radius(
     return float(at[3]), max(sd, 1e-6) * float(np.sqrt(shape[3, 3]))
 
 
-def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[str]:
+def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
     """Warns of bars that the given arm sees otherwise; refuses lengths that contradict the rest.
 
     The rest is a fit in which every bar's length is free.
@@ -118,31 +120,38 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[str
     except OperationError:  # too little is left without the lengths to contradict them
         return []
     lengths = {bar.name: bar.length_mm for bar in observations.bars}
-    seen = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
-    worst = max(seen, key=lambda name: abs(seen[name]) / lengths[name])
-    told = (
-        f"the arm sees bar {worst} as {lengths[worst] + seen[worst]:.3f} mm, "
-        f"{lengths[worst]:.3f} mm are given"
+    errors = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
+    worst = max(errors, key=lambda name: abs(errors[name]) / lengths[name])
+    finding = message(
+        "arm-sees-bar-given",
+        bar=worst,
+        measured=quantity(lengths[worst] + errors[worst], "mm", 3),
+        given=quantity(lengths[worst], "mm", 3),
     )
     if fit.scatter_mm > CONTRADICTION * max(loose.scatter_mm, 2e-3):
         raise OperationError(
             "bar-length",
-            told,
-            f"with the bars' lengths the points scatter by {fit.scatter_mm * 1e3:.0f} µm, without "
-            f"them by {loose.scatter_mm * 1e3:.0f} µm",
-            f"Check length_mm of bar {worst}, and its ends",
+            finding,
+            message(
+                "bars-lengths-points-scatter-without-them",
+                scatter=quantity(1e3 * fit.scatter_mm, "µm"),
+                without=quantity(1e3 * loose.scatter_mm, "µm"),
+            ),
+            message("check-length-mm-bar-ends", bar=worst),
         )
-    if abs(seen[worst]) > UNLIKELY * lengths[worst]:
+    if abs(errors[worst]) > UNLIKELY * lengths[worst]:
         if _spheres_contradict_bars(loose, fit):
             raise OperationError(
                 "bar-length",
-                told,
-                "the spheres are of the size given for them by the arm's papers, and not by "
-                f"this bar's length, which makes them {2e3 * abs(fit.at.radius_excess_mm):.0f} µm "
-                f"{'larger' if fit.at.radius_excess_mm > 0 else 'smaller'}",
-                f"Check length_mm of bar {worst}, and its ends",
+                finding,
+                message(
+                    "spheres-size-given-them-arms-papers",
+                    excess=quantity(2e3 * abs(fit.at.radius_excess_mm), "µm"),
+                    sign="larger" if fit.at.radius_excess_mm > 0 else "smaller",
+                ),
+                message("check-length-mm-bar-ends", bar=worst),
             )
-        return [f"{told}: check its length, unless the arm's papers are as far off"]
+        return [message("check-length-unless-arms-papers-far", finding=finding)]
     return []
 
 
@@ -163,31 +172,43 @@ def check_tip_diameter(arm: Arm, data: StackedObservations, fit: ArmFit) -> None
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
     if abs(excess) > max(EXCESS_SIGMAS * sd, WRONG_TIP_MM):
         diameter = arm.tip.diameter_mm
+        fitted = quantity(diameter + 2 * excess, "mm", 3)
         raise OperationError(
             "tip-diameter",
-            f"the spheres are seen {2e3 * excess:+.0f} µm (± {2e3 * sd:.0f}) against their "
-            f"diameters with the tip's {diameter:g} mm",
-            f"the tip rather has {diameter + 2 * excess:.3f} mm, or the spheres' diameters are "
-            "not theirs" + (", or a bar's length is wrong" if data.bars else ""),
-            "Correct the tip's diameter in arm.json, or what the tables give",
+            message(
+                "spheres-seen-against-their-diameters-tips",
+                excess=signed(2e3 * excess, "µm"),
+                uncertainty=quantity(2e3 * sd),
+                diameter=rounded(diameter, "mm"),
+            ),
+            message("tip-rather-has-or-bar-wrong", diameter=fitted)
+            if data.bars
+            else message("tip-rather-has", diameter=fitted),
+            message("correct-tips-diameter-arm-json-what"),
         )
 
 
-def size_warnings(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[str]:
+def size_warnings(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
     """What of the sizes is not known, or looks a little wrong."""
-    found: list[str] = []
+    warnings: list[Text] = []
     if not observations.bars:
         size_um = 1e3 * size_uncertainty_mm(arm)
-        found.append(
-            "no ball bar was measured: the arm's size is that of its papers; a longest link wrong "
-            f"by {LENGTH_MM:g} mm adds {size_um:.0f} µm over the reach"
+        warnings.append(
+            message(
+                "no-ball-bar-measured-arms-size",
+                error=rounded(LENGTH_MM, "mm"),
+                size=quantity(size_um, "µm"),
+            )
         )
     if observations.spheres:
         excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
         if abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM):
-            found.append(
-                f"the spheres are seen {2e3 * abs(excess):.0f} µm "
-                f"{'larger' if excess > 0 else 'smaller'} than stated: "
-                f"the tip's diameter may be {arm.tip.diameter_mm + 2 * excess:.4f} mm"
+            warnings.append(
+                message(
+                    "spheres-seen-than-stated-tips-diameter",
+                    excess=quantity(2e3 * abs(excess), "µm"),
+                    sign="larger" if excess > 0 else "smaller",
+                    diameter=quantity(arm.tip.diameter_mm + 2 * excess, "mm", 4),
+                )
             )
-    return found
+    return warnings

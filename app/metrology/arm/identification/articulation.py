@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.input_checks import NO_SEAT_MM, check_swing
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
@@ -17,6 +18,8 @@ from app.metrology.transforms import Floats
 LEAST_POINTS = 10
 
 ArticulationVerdict = Literal["pass", "fail", "none"]
+
+THE_SEAT = message("seat-3")
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,10 @@ class Articulation:
 
 
 def check_articulation(
-    arm: Arm, q_rad: Floats, limits: ArticulationLimits | None = None, label: str = "the seat"
+    arm: Arm,
+    q_rad: Floats,
+    limits: ArticulationLimits | None = None,
+    label: Text = THE_SEAT,
 ) -> Articulation:
     """Single-point articulation: how far the tip seems to move while a seat holds it.
 
@@ -69,19 +75,22 @@ def check_articulation(
     if len(q) < LEAST_POINTS:
         raise OperationError(
             "too-few-points",
-            f"{label} has {len(q)} points",
-            f"at least {LEAST_POINTS} are needed",
-            "Take more while the arm swings",
+            message("has-points", label=label, count=len(q)),
+            message("least-needed", least=LEAST_POINTS),
+            message("take-more-while-arm-swings"),
         )
     check_swing(label, arm, q)
     half_range, two_sigma = tip_spread_um(tip_centres(arm, q))
     if half_range.max() > 1e3 * NO_SEAT_MM:
         raise OperationError(
             "not-seated",
-            f"{label}: by arm.json the tip goes {half_range.max() / 500:.0f} mm to and fro",
-            "no seated tip does: points of another place are among them, or the file is another "
-            "arm's",
-            "Give each seat a name of its own; check arm.json",
+            message(
+                "arm-json-tip-goes-fro",
+                label=label,
+                distance=quantity(half_range.max() / 500, "mm"),
+            ),
+            message("no-seated-tip-does-points-another"),
+            message("give-seat-own-name-check-arm-json"),
         )
     _, J = tip_jacobian(arm, q)
     encoders = np.sqrt(np.mean(np.diagonal(encoder_covariances(arm, J), axis1=1, axis2=2), axis=0))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.artefact_checks import (
     check_bars,
     check_spheres,
@@ -46,12 +47,12 @@ BETTER = 1.05
 LARGE_DEVIATION = 1.4
 """Held-out deviations, in standard deviations, beyond which more places would help."""
 
-ProgressCallback = Callable[[float, str], None]
+ProgressCallback = Callable[[float, Text], None]
 
 
 @dataclass(frozen=True)
 class ParameterChange:
-    """A parameter that the points told: mm or rad by its name, standard uncertainty k = 1."""
+    """A parameter that the points determine: mm or rad by its name, standard uncertainty k = 1."""
 
     name: str
     before: float
@@ -67,7 +68,7 @@ class FixedParameter:
     reason: FixedReason
 
     @property
-    def why(self) -> str:
+    def why(self) -> Text:
         return REASONS[self.reason]
 
 
@@ -75,7 +76,7 @@ class FixedParameter:
 class Outlier:
     """A point that was left out: the ``number``-th taken at a place, from 1."""
 
-    place: str
+    place: Text
     number: int
     distance_mm: float
 
@@ -84,7 +85,7 @@ class Outlier:
 class PlaceFit:
     """How well one place's points agree, rms in mm, by the arm as it was and as identified."""
 
-    place: str
+    place: Text
     points: int
     before_mm: float
     after_mm: float
@@ -117,7 +118,7 @@ class Identification:
 
     Apart from the arm's size, where no ball bar told it.
     """
-    warnings: tuple[str, ...]
+    warnings: tuple[Text, ...]
 
     @property
     def size_known(self) -> bool:
@@ -129,7 +130,7 @@ def identify(
     arm: Arm,
     observations: ArmObservations,
     check: ArmObservations | None = None,
-    tell: ProgressCallback = lambda share, text: None,
+    progress: ProgressCallback = lambda share, text: None,
 ) -> Identification:
     """Fits Denavit-Hartenberg parameters, error terms between parallel axes, and the tip.
 
@@ -137,10 +138,10 @@ def identify(
     places that the fit did not use.
 
     Args:
-        arm: as its papers have it; the start of the fit.
+        arm: as its datasheet has it; the start of the fit.
         check: places that the fit must not see and that show whether it helps; where
             not given, every k-th place is held out in turn.
-        tell: told the share done and what is being done.
+        progress: called with the share done and what is being done.
 
     Returns:
         The arm with covariance (mm and rad, k = 1), outliers, and errors before and after.
@@ -161,14 +162,14 @@ def identify(
     if check is not None:
         check_disjoint(observations, check)
     data = observations.stacked
-    tell(0.1, "Fitting the arm")
+    progress(0.1, message("fitting-arm"))
     fit = fit_arm(arm, data, candidates(arm, bool(observations.bars)))
-    spheres_told = check_spheres(data, fit)
+    spheres = check_spheres(data, fit)
     check_places_fixed(data, fit)
     bars = check_bars(arm, observations, fit)
     check_scatter(fit)
     check_tip_diameter(arm, data, fit)
-    tell(0.4, "Checking on places held out")
+    progress(0.4, message("checking-places-held-out"))
     good = without_points(observations, fit.inliers)
     if check is None:
         validation = cross_validate(arm, good, fit.scatter_mm)
@@ -176,8 +177,8 @@ def identify(
         validation = compare_arms(arm, fit.at.arm, fit.at.radius_excess_mm, check, fit.scatter_mm)
     if validation.ratio < BETTER:
         raise _no_improvement_error(validation)
-    tell(0.9, "")
-    spheres = bool(observations.spheres)
+    progress(0.9, "")
+    on_spheres = bool(observations.spheres)
     return Identification(
         arm=fit.at.arm,
         changes=_parameter_changes(arm, fit),
@@ -185,8 +186,8 @@ def identify(
         covariance=fit.covariance,
         correlations=_correlations(arm, fit),
         scatter_mm=fit.scatter_mm,
-        radius_excess_mm=fit.at.radius_excess_mm if spheres else 0.0,
-        radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if spheres else None,
+        radius_excess_mm=fit.at.radius_excess_mm if on_spheres else 0.0,
+        radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if on_spheres else None,
         outliers=_outliers(data, fit),
         places=_places(arm, good.stacked, fit),
         validation=validation,
@@ -194,7 +195,7 @@ def identify(
         volume_after_mm=volumetric_uncertainty_mm(fit.at.arm, fit.moved, fit.covariance),
         warnings=(
             *bars,
-            *spheres_told,
+            *spheres,
             *identification_warnings(arm, observations, fit),
             *_deviation_warning(validation),
         ),
@@ -206,25 +207,31 @@ def _no_improvement_error(validation: Validation) -> OperationError:
     if before < 1.3:
         return OperationError(
             "identification-no-better",
-            f"on places held out the arm's errors go from {before:.2f} to {after:.2f} "
-            "of their noise",
-            "the arm's parameters already explain the points as well as they are measured",
-            "Keep the arm.json in use",
+            message(
+                "places-held-out-arms-errors-go",
+                before=quantity(before, "", 2),
+                after=quantity(after, "", 2),
+            ),
+            message("arms-parameters-already-explain-points-well"),
+            message("keep-arm-json-use"),
         )
     return OperationError(
         "identification-no-better",
-        f"on places held out the arm's errors go from {before:.1f} to {after:.1f} of their noise",
-        "the fit follows these points and not the arm",
-        "Take more places, all over the reach, with the arm swung from side to side in each",
+        message(
+            "places-held-out-arms-errors-go",
+            before=quantity(before, "", 1),
+            after=quantity(after, "", 1),
+        ),
+        message("fit-follows-these-points-arm"),
+        message("take-more-places-all-over-reach"),
     )
 
 
-def _deviation_warning(validation: Validation) -> tuple[str, ...]:
+def _deviation_warning(validation: Validation) -> tuple[Text, ...]:
     left = validation.after.normalised
     if left < LARGE_DEVIATION:
         return ()
-    text = f"places held out still deviate {left:.1f} times as far as their noise explains"
-    return (f"{text}: take more places, more evenly over the reach",)
+    return (message("places-held-out-still-deviate", times=quantity(left, "", 1)),)
 
 
 def _parameter_changes(arm: Arm, fit: ArmFit) -> tuple[ParameterChange, ...]:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.errors import OperationError
+from app.messages.message import Text, message, quantity, rounded, signed
 from app.metrology.arm.identification.artefact_checks import size_warnings
 from app.metrology.arm.identification.least_squares import residuals
 from app.metrology.arm.identification.observations import ArmObservations, Bar, StackedObservations
@@ -44,40 +45,43 @@ def check_enough(arm: Arm, observations: ArmObservations) -> None:
     if observations.groups_count < LEAST_PLACES:
         raise OperationError(
             "too-few-places",
-            f"too few places were touched: {observations.groups_count}",
-            f"at least {LEAST_PLACES} seats, spheres and bar positions are needed, so that some "
-            "can be held out",
-            "Take more places, all over the arm's reach",
+            message("too-few-places-were-touched", count=observations.groups_count),
+            message("least-seats-spheres-bar-positions-needed", least_places=LEAST_PLACES),
+            message("take-more-places-all-over-arms"),
         )
     for seat in observations.seats:
         if len(seat.q_rad) < LEAST_SEAT:
-            raise _too_few(f"seat {seat.name}", len(seat.q_rad), LEAST_SEAT)
-        check_swing(f"seat {seat.name}", arm, seat.q_rad)
+            raise _too_few(message("seat-4", name=seat.name), len(seat.q_rad), LEAST_SEAT)
+        check_swing(message("seat-4", name=seat.name), arm, seat.q_rad)
     for sphere in observations.spheres:
         if len(sphere.q_rad) < LEAST_SPHERE:
-            raise _too_few(f"sphere {sphere.name}", len(sphere.q_rad), LEAST_SPHERE)
+            raise _too_few(message("sphere-3", name=sphere.name), len(sphere.q_rad), LEAST_SPHERE)
 
 
-def _too_few(label: str, points: int, least: int) -> OperationError:
+def _too_few(label: Text, points: int, least: int) -> OperationError:
     return OperationError(
         "too-few-points",
-        f"{label} has {points} points",
-        f"at least {least} are needed to tell the arm's errors from its own centre",
-        "Take more there, or delete its rows",
+        message("has-points-2", label=label, count=points),
+        message("least-needed-tell-arms-errors-own", least=least),
+        message("take-more-there-delete-rows"),
     )
 
 
-def check_swing(label: str, arm: Arm, q_rad: Floats) -> None:
+def check_swing(label: Text, arm: Arm, q_rad: Floats) -> None:
     """Refuses a seat about which the arm hardly moved; angles (m, n)."""
     swings = np.ptp(q_rad, axis=0)
     most = int(np.argmax(swings))
     if swings[most] < LEAST_SWING_RAD:
         raise OperationError(
             "arm-hardly-moved",
-            f"{label}: no joint turned more than {np.rad2deg(swings[most]):.1f}° "
-            f"({arm.joints[most].name})",
-            "an arm that stays as it is shows nothing of its errors",
-            "Swing the elbow from one side to the other while the tip stays in the seat",
+            message(
+                "no-joint-turned-more-than",
+                label=label,
+                swing=quantity(np.rad2deg(swings[most]), "°", 1),
+                joint=arm.joints[most].name,
+            ),
+            message("arm-stays-shows-nothing-errors"),
+            message("swing-elbow-one-side-other-while"),
         )
 
 
@@ -89,16 +93,16 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
         joint = arm.joints[int(np.argmax(still))].name
         raise OperationError(
             "joint-still",
-            f"joint {joint} reads the same in all points",
-            "it was not moved, or its encoder is not read",
-            "Check the encoder; swing the arm so that every joint turns",
+            message("joint-reads-same-all-points", joint=joint),
+            message("moved-encoder-read"),
+            message("check-encoder-swing-arm-so-every"),
         )
     if len(np.unique(data.q_rad, axis=0)) < DIFFERENT * len(data.q_rad):
         raise OperationError(
             "points-twice",
-            "many points have the very same angles",
-            "rows were copied, or the arm was held still: the same point twice tells nothing more",
-            "Delete what stands there twice",
+            message("many-points-have-very-same-angles"),
+            message("rows-were-copied-arm-held-still"),
+            message("delete-what-stands-there-twice"),
         )
     tips = {seat.name: tip_jacobian(arm, seat.q_rad)[0] for seat in observations.seats}
     far_mm = {name: _typical_distance(points) for name, points in tips.items()}
@@ -106,46 +110,53 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
         name = max(far_mm, key=lambda seat: far_mm[seat])
         raise OperationError(
             "arm-does-not-fit",
-            f"by this arm.json the tip goes far while it is in a seat: {far_mm[name]:.0f} mm from "
-            f"the middle of seat {name}",
-            "the points were taken with another arm, or the file is wrong",
-            "Check signs, lengths and the order of the joints in arm.json",
+            message("arm-json-tip-goes-far-while", far=quantity(far_mm[name], "mm"), name=name),
+            message("points-were-taken-another-arm-file"),
+            message("check-signs-lengths-joints-order"),
         )
     for name, points in tips.items():
         split, gap_mm = _find_split(points)
         if gap_mm > MIXED_MM:
             raise OperationError(
                 "seat-moved",
-                f"seat {name}: its points 1 to {split} and {split + 1} to {len(points)} lie "
-                f"{gap_mm:.0f} mm apart",
-                "they are of two seats, or the seat was carried elsewhere in between"
-                + _arm_doubt(arm, [off for other, off in far_mm.items() if other != name]),
-                "Give each seat a name of its own",
+                message(
+                    "seat-points-1-lie-apart",
+                    name=name,
+                    split=split,
+                    next=split + 1,
+                    points=len(points),
+                    gap=quantity(gap_mm, "mm"),
+                ),
+                _split_reason([off for other, off in far_mm.items() if other != name]),
+                message("give-each-seat-name-own"),
             )
     _check_bars_kind(arm, observations.bars)
 
 
-def _arm_doubt(arm: Arm, far_mm: list[float]) -> str:
-    """Said where the tip goes far in the other seats, too."""
+def _split_reason(far_mm: list[float]) -> Text:
+    """Why a seat's points lie apart; the arm is doubted where the tip goes far in others, too."""
     if not far_mm or float(np.median(far_mm)) < ODD_MM:
-        return ""
-    return (
-        f", or arm.json is not this arm's: in other seats, too, its tip goes {max(far_mm):.0f} mm"
-    )
+        return message("two-seats-or-seat-carried")
+    return message("two-seats-or-seat-carried-or-arm", far=quantity(max(far_mm), "mm"))
 
 
 def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
     """Refuses a length in another unit, or of quite another bar."""
     for bar in bars:
         a, b = (np.median(tip_jacobian(arm, q)[0], axis=0) for q in bar.q_rad)
-        seen_mm = float(np.linalg.norm(a - b))
-        if abs(seen_mm - bar.length_mm) > MIXED_MM:
+        measured_mm = float(np.linalg.norm(a - b))
+        if abs(measured_mm - bar.length_mm) > MIXED_MM:
             raise OperationError(
                 "bar-length",
-                f"bar {bar.name}, position {bar.position}: by arm.json its ends lie "
-                f"{seen_mm:.0f} mm apart, {bar.length_mm:g} mm are given",
-                "the length is of another bar or in another unit, or the ends are not this bar's",
-                f"Give length_mm of bar {bar.name} in millimetres, and check its rows",
+                message(
+                    "bar-position-arm-json-ends-lie",
+                    name=bar.name,
+                    position=bar.position,
+                    measured=quantity(measured_mm, "mm"),
+                    length=rounded(bar.length_mm, "mm"),
+                ),
+                message("length-another-bar-another-unit-ends"),
+                message("give-length-mm-bar-millimetres-check", name=bar.name),
             )
 
 
@@ -167,32 +178,37 @@ def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
         if gap_mm > max(MOVED_SIGMAS * sd, 1e-2):
             raise OperationError(
                 "seat-moved",
-                f"{place.label}: its points 1 to {split} and {split + 1} to {len(points)} lie "
-                f"{gap_mm * 1e3:.0f} µm apart, while single points scatter by {sd * 1e3:.0f} µm",
-                "the seat moved in between",
-                "Clamp the seat, and take this place again or delete its rows",
+                message(
+                    "points-1-lie-apart-while-single",
+                    label=place.label,
+                    split=split,
+                    next=split + 1,
+                    points=len(points),
+                    gap=quantity(1e3 * gap_mm, "µm"),
+                    sd=quantity(1e3 * sd, "µm"),
+                ),
+                message("seat-moved-between"),
+                message("clamp-seat-take-place-again-delete"),
             )
         if untrusted:
             raise OperationError(
                 "place-disagrees",
-                f"{place.label}: {out} of its {len(points)} points disagree with the rest",
-                "the tip was not seated, or the seat was loose, or points of another place are "
-                "among them",
-                "Take this place again, or delete its rows",
+                message("points-disagree-rest", label=place.label, out=out, points=len(points)),
+                message("tip-seated-seat-loose-points-another"),
+                message("take-place-again-delete-rows"),
             )
 
 
 def check_disjoint(observations: ArmObservations, check: ArmObservations) -> None:
     """Refuses to check a fit by points that it saw."""
     fitted = {row.tobytes() for row in observations.stacked.q_rad}
-    seen = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
-    if seen:
+    shared = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
+    if shared:
         raise OperationError(
             "check-seen",
-            f"{seen} of the {len(check.stacked.q_rad)} points to check by are among those of "
-            "the fit",
-            "they cannot show whether the arm is better elsewhere",
-            "Name a folder of other places, or none: some are then held out in turn",
+            message("points-check-among-those-fit", shared=shared, count=len(check.stacked.q_rad)),
+            message("they-cannot-show-whether-arm-better"),
+            message("name-folder-other-places-none-some"),
         )
 
 
@@ -201,29 +217,31 @@ def check_scatter(fit: ArmFit) -> None:
     if fit.scatter_mm > LARGEST_SCATTER_MM:
         raise OperationError(
             "identification-explains-nothing",
-            f"even by the best arm the points still scatter by {fit.scatter_mm:.1f} mm",
-            "they do not come from an arm of this kind, or the tip was not seated",
-            "Check the encoders, arm.json, and how the points were taken",
+            message(
+                "even-best-arm-points-still-scatter", scatter=quantity(fit.scatter_mm, "mm", 1)
+            ),
+            message("they-do-come-arm-kind-tip"),
+            message("check-encoders-arm-json-how-points"),
         )
 
 
 def identification_warnings(
     arm: Arm, observations: ArmObservations, fit: ArmFit
-) -> tuple[str, ...]:
-    """What whoever identifies an arm should know beside the result."""
+) -> tuple[Text, ...]:
+    """What whoever identifies an arm should know in addition to the result."""
     return *size_warnings(arm, observations, fit), *_far_moves(arm, fit)
 
 
-def _far_moves(arm: Arm, fit: ArmFit) -> list[str]:
+def _far_moves(arm: Arm, fit: ArmFit) -> list[Text]:
     before, after = parameter_values(arm), parameter_values(fit.at.arm)
     names = parameter_names(arm)
-    far: list[str] = []
+    far: list[Text] = []
     for i, limit in zip(fit.moved, parameter_limits(arm, fit.moved), strict=True):
         change = float(after[i] - before[i])
         if abs(change) > FAR_LIMITS * limit:
             angle = names[i].endswith("_rad")
-            told = f"{np.rad2deg(change):+.3f}°" if angle else f"{change:+.2f} mm"
-            far.append(f"{names[i]} moves by {told}: check arm.json and the bars' lengths")
+            by = signed(np.rad2deg(change), "°", 3) if angle else signed(change, "mm", 2)
+            far.append(message("moves-check-arm-json-bars-lengths", name=names[i], change=by))
     return far
 
 

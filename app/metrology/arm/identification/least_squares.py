@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 
 from app.errors import OperationError
+from app.messages.message import join, message
 from app.metrology.arm.identification.observations import Group, StackedObservations
 from app.metrology.arm.identification.parameters import (
     encoder_covariances,
@@ -88,9 +89,9 @@ def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:
         try:
             centres[i] = fit_sphere(points).centre_mm
         except OperationError as refusal:
-            what = f"{place.label}: {refusal.what}"
+            what = join([place.label, refusal.what], ": ")
             raise OperationError(
-                refusal.code, what, refusal.why, "Touch more of the sphere"
+                refusal.code, what, refusal.why, message("touch-more-sphere")
             ) from refusal
     return Unknowns(arm, centres, 0.0, np.zeros(len(data.bar_names)))
 

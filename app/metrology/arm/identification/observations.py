@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text, message
 from app.metrology.transforms import Floats
 
 
@@ -47,7 +48,7 @@ class Bar:
 class ProbedPlace:
     """One unknown centre and the points taken on it."""
 
-    label: str
+    label: Text
     diameter_mm: float | None
     """None where the tip sat in a seat."""
     rows: slice
@@ -119,7 +120,7 @@ def _stack_observations(observations: ArmObservations) -> StackedObservations:
     groups: list[Group] = []
     count = 0
 
-    def add(label: str, diameter_mm: float | None, q_rad: Floats) -> int:
+    def add(label: Text, diameter_mm: float | None, q_rad: Floats) -> int:
         nonlocal count
         places.append(ProbedPlace(label, diameter_mm, slice(count, count + len(q_rad))))
         blocks.append(q_rad)
@@ -127,12 +128,16 @@ def _stack_observations(observations: ArmObservations) -> StackedObservations:
         return len(places) - 1
 
     for seat in observations.seats:
-        groups.append(Group((add(f"seat {seat.name}", None, seat.q_rad),)))
+        groups.append(Group((add(message("seat-4", name=seat.name), None, seat.q_rad),)))
     for sphere in observations.spheres:
-        groups.append(Group((add(f"sphere {sphere.name}", sphere.diameter_mm, sphere.q_rad),)))
+        groups.append(
+            Group((add(message("sphere-3", name=sphere.name), sphere.diameter_mm, sphere.q_rad),))
+        )
     for number, bar in enumerate(observations.bars):
-        label = f"bar {bar.name} {bar.position} end"
-        ends = (add(f"{label} {end}", None, q) for end, q in zip(bar.ends, bar.q_rad, strict=True))
+        ends = (
+            add(message("bar-end-2", name=bar.name, position=bar.position, end=end), None, q)
+            for end, q in zip(bar.ends, bar.q_rad, strict=True)
+        )
         groups.append(Group(tuple(ends), number))
     return StackedObservations(
         q_rad=np.concatenate(blocks),

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text, message
 from app.metrology.arm.identification.parameters import (
     ALPHA,
     ERROR_RY,
@@ -24,13 +25,13 @@ FixedReason = Literal[
     "base frame", "flange frame", "error term", "redundant", "scale", "unobserved"
 ]
 
-REASONS: dict[FixedReason, str] = {
-    "base frame": "moving it only moves the whole arm in space",
-    "flange frame": "the tip's coordinates are moved instead",
-    "error term": "the Denavit-Hartenberg parameters do the same",
-    "redundant": "the parameters moved do the same together",
-    "scale": "without a ball bar the arm's size is not observable",
-    "unobserved": "these points do not tell it better than the workshop made it",
+REASONS: dict[FixedReason, Text] = {
+    "base frame": message("moving-only-moves-whole-arm-space"),
+    "flange frame": message("tips-coordinates-moved-instead"),
+    "error term": message("denavit-hartenberg-parameters-do-same"),
+    "redundant": message("parameters-moved-do-same-together"),
+    "scale": message("without-ball-bar-arms-size-observable"),
+    "unobserved": message("these-points-do-tell-better-than"),
 }
 
 # The workshop makes an arm about this well: a parameter moves only if the points tell it better.

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.arm.identification.least_squares import (
     LEAST_SCATTER_MM,
     Indices,
@@ -116,11 +117,13 @@ def descend(
     worst = int(np.argmax(rms))
     raise OperationError(
         "identification-diverges",
-        f"no arm near the given one explains the points; those of {data.places[worst].label} "
-        f"lie {rms[worst]:.1f} mm (rms) apart",
-        "the fit does not settle",
-        "Check arm.json against the arm: signs, units, lengths, the order of the joints; "
-        "and the points of that place",
+        message(
+            "no-arm-near-given-one-explains",
+            label=data.places[worst].label,
+            rms=quantity(rms[worst], "mm", 1),
+        ),
+        message("fit-does-settle"),
+        message("check-arm-json-against-arm-signs"),
     )
 
 
@@ -223,9 +226,9 @@ def _scatter(
     if freedom < 1:
         raise OperationError(
             "too-few-points",
-            f"{int(kept.sum())} points at {len(data.places)} places",
-            f"they leave nothing over to check {len(columns)} parameters",
-            "Take more points, in more places",
+            message("points-places", points=int(kept.sum()), places=len(data.places)),
+            message("they-leave-nothing-over-check-parameters", columns=len(columns)),
+            message("take-more-points-more-places"),
         )
 
     from scipy.optimize import brentq  # slow to load, and seldom needed

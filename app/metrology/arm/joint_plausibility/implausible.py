@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.errors import OperationError
+from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm
 
 ImplausibleKind = Literal["number", "limits", "jump", "slip", "spike", "frozen"]
@@ -30,59 +31,70 @@ class ImplausibleReading:
 
     @property
     def error(self) -> OperationError:
-        """What is said of it: the joint, the reading, what it may be, and what to do."""
-        reading = f"{math.degrees(self.reading_rad):.1f}°"
+        """What is wrong with it: the joint, the reading, what it may be, and what to do."""
+        reading = quantity(math.degrees(self.reading_rad), "°", 1)
         if self.kind == "number":
             return OperationError(
                 "joint-implausible",
-                f"joint {self.joint} reads no number",
-                "nothing is taken from such a reading",
-                "check the arm's cable, then switch the arm off and on",
+                message("joint-reads-no-number", joint=self.joint),
+                message("nothing-taken-such-reading"),
+                message("check-arms-cable-then-switch-arm"),
             )
         if self.kind == "limits":
             low, high = (math.degrees(limit) for limit in self.limits_rad)
             return OperationError(
                 "joint-implausible",
-                f"joint {self.joint} reads {reading}",
-                f"its datasheet lets it turn from {low:.1f}° to {high:.1f}°",
-                "bring the joint to its reference and switch the arm off and on; "
-                "if it goes on, choose the datasheet of this arm",
+                message("joint-reads", joint=self.joint, reading=reading),
+                message(
+                    "datasheet-lets-turn", low=quantity(low, "°", 1), high=quantity(high, "°", 1)
+                ),
+                message("bring-joint-reference-switch-arm-off"),
             )
         if self.kind == "jump":
             return OperationError(
                 "joint-implausible",
-                f"joint {self.joint} reads {reading}, "
-                f"{math.degrees(abs(self.step_rad)):.1f}° from where it can be",
-                "no hand and no knock moves a joint so far in so short a time",
-                "check the joint's encoder and cable, then bring the arm to its reference",
+                message(
+                    "joint-reads-where-can",
+                    joint=self.joint,
+                    reading=reading,
+                    step=quantity(math.degrees(abs(self.step_rad)), "°", 1),
+                ),
+                message("no-hand-no-knock-moves-joint"),
+                message("check-joints-encoder-cable-then-bring"),
             )
         if self.kind == "slip":
             return OperationError(
                 "joint-implausible",
-                f"joint {self.joint} jumped by {math.degrees(abs(self.step_rad)):.1f}° "
-                "and stayed there",
-                "no hand and no knock moves a joint so far in so short a time",
-                "bring the joint to its reference and switch the arm off and on",
+                message(
+                    "joint-jumped-stayed-there",
+                    joint=self.joint,
+                    step=quantity(math.degrees(abs(self.step_rad)), "°", 1),
+                ),
+                message("no-hand-no-knock-moves-joint"),
+                message("bring-joint-reference-switch-arm-off-2"),
             )
         if self.kind == "spike":
             return OperationError(
                 "joint-implausible",
-                f"joint {self.joint} reads {reading}, "
-                f"{math.degrees(abs(self.step_rad)):.2f}° off its readings before and after",
-                "no joint goes there and back between two readings",
-                "check the joint's encoder and cable, then bring the arm to its reference",
+                message(
+                    "joint-reads-off-readings-before-after",
+                    joint=self.joint,
+                    reading=reading,
+                    step=quantity(math.degrees(abs(self.step_rad)), "°", 2),
+                ),
+                message("no-joint-goes-there-back-between"),
+                message("check-joints-encoder-cable-then-bring"),
             )
         return OperationError(
             "joint-implausible",
-            f"joint {self.joint} reads {reading} again and again",
-            f"{EQUAL_FROZEN} readings in a row or more are equal to the last digit, "
-            "as those of a working encoder never are",
-            "its encoder stands still: switch the arm off and on, and check the joint's cable",
+            message("joint-reads-again-again", joint=self.joint, reading=reading),
+            message("readings-row-more-equal-last-digit", equal_frozen=EQUAL_FROZEN),
+            message("encoder-stands-still-switch-arm-off"),
         )
 
 
 def limits_error(q_rad: Sequence[float], arm: Arm) -> OperationError | None:
-    """What is said of angles (n,) outside the arm's limits; None for those inside."""
+    """What is wrong with angles (n,) outside the arm's limits; None for those inside."""
     for joint, angle_rad in zip(arm.joints, q_rad, strict=True):
         low, high = joint.limits_rad
         if not low - STOP_TOLERANCE_RAD <= angle_rad <= high + STOP_TOLERANCE_RAD:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text, message
 from app.metrology.detection.edges.camera_from_edges import (
     WITH_K1,
     WITH_K2,
@@ -131,8 +132,8 @@ def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[Plan
     return told
 
 
-def find_unobserved_planes(found: EdgeMeasurements) -> tuple[str, ...]:
-    """The block's planes, in words, that no measured edge tells the place of.
+def find_unobserved_planes(found: EdgeMeasurements) -> tuple[tuple[int, int], ...]:
+    """The block's planes, by axis and number, that no measured edge tells the place of.
 
     Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
     would not be noticed.
@@ -144,18 +145,19 @@ def find_unobserved_planes(found: EdgeMeasurements) -> tuple[str, ...]:
     hidden = []
     for (axis, _, _), points in zip(faces, telling, strict=True):
         if points < _TELLING_POINTS:
-            hidden.append(describe_plane(axis, count[axis]))
+            hidden.append((axis, count[axis]))
         count[axis] += 1
     return tuple(hidden)
 
 
-def describe_plane(axis: int, number: int) -> str:
+def describe_plane(axis: int, number: int) -> Text:
     """The name of the so-manieth plane along an axis: merlons are counted from the left."""
     if axis == 0:
-        return f"the {('left', 'right')[number % 2]} side of merlon {number // 2 + 1}"
+        side = ("left", "right")[number % 2]
+        return message("side-merlon", side=side, number=number // 2 + 1)
     if axis == 1:
-        return f"the block's {('front', 'back')[number]}"
-    return f"the height of its {('base', 'floors', 'crests')[number]}"
+        return message("side-of-block", side=("front", "back")[number])
+    return message("height-of-level", level=("base", "floors", "crests")[number])
 
 
 def _gather_pieces(

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import message
 from app.metrology.detection.edges.dimension_test import lines_along_x
 from app.metrology.detection.edges.measure_all import EdgeMeasurements, stations_along_x
 from app.metrology.detection.edges.stations import EdgeStations
@@ -54,7 +55,9 @@ def find_overrun(grey: Floats, found: EdgeMeasurements) -> RejectionReason | Non
                 beyond = _stations_beyond(found, corner, reach_mm, row)
                 if _runs_on(grey, found, beyond, step):
                     what = describe_edge(frame.names[edge])
-                    return RejectionReason(f"{what} goes on beyond its {side} end", True, (edge,))
+                    return RejectionReason(
+                        message("goes-beyond-end", edge=what, side=side), True, (edge,)
+                    )
     return None
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.messages.message import message, quantity
 from app.metrology.detection.edges.dimension_test import PlaneShift, estimate_shifts
 from app.metrology.detection.edges.measure_all import EdgeMeasurements, refit_without
 from app.metrology.detection.rejection import RejectionReason, describe_edge
@@ -118,8 +119,11 @@ def find_outlier_edges(
         return _find_strain(found, parts)
     worst = max(displaced, key=lambda part: part.ratio)
     return RejectionReason(
-        f"{describe_edge(worst.name)} lies {worst.distance_um:.0f} µm from where the certificate"
-        " puts it",
+        message(
+            "lies-where-certificate-puts",
+            edge=describe_edge(worst.name),
+            distance=quantity(worst.distance_um, "µm"),
+        ),
         True,
         tuple({part.edge for part in displaced}),
         _is_single_edge(found, displaced, certificate_mm),
@@ -146,8 +150,12 @@ def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionRea
         return None
     worst = max(parts, key=lambda part: part.distance_px)
     return RejectionReason(
-        f"its edges lie {usual_px:.1f} px off on average, and {describe_edge(worst.name)}"
-        f" {worst.distance_um:.0f} µm, from where the certificate puts them",
+        message(
+            "edges-lie-off-average-where-certificate",
+            usual=quantity(usual_px, "px", 1),
+            edge=describe_edge(worst.name),
+            distance=quantity(worst.distance_um, "µm"),
+        ),
         True,
         (worst.edge,),
         off_px=worst.distance_px,

@@ -1,0 +1,119 @@
+"""Messages in words: the language files, through Project Fluent's library."""
+
+import re
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from app.messages.isolated import isolate_names
+from app.messages.message import Message, MessageList, Quantity, Text, Value
+
+FOLDER = Path(__file__).parent
+ENGLISH = "en"
+MINUS, PLUS = "−", "+"
+TIGHT = frozenset(("", "°", "′", "″"))
+"""Units that stand close behind their number."""
+
+Render = Callable[[Text], str]
+
+
+_FILE = re.compile(r"[^\s:,]*[/\\._]\w")
+"""A path or the name of a file at the beginning of a text."""
+
+
+def _capital(text: object) -> str:
+    """With a capital letter, unless it begins with a file."""
+    words = str(text)
+    return words if _FILE.match(words) else words[:1].upper() + words[1:]
+
+
+def _clause(text: object) -> str:
+    return str(text).strip().rstrip(".")
+
+
+FUNCTIONS: dict[str, Callable[[Any], Any]] = {"CAPITAL": _capital, "CLAUSE": _clause}
+"""What the language files may do to a text that is put in: begin it with a capital letter, take
+its full stop away. The browser has the same."""
+
+
+def languages() -> tuple[str, ...]:
+    """The codes of all languages there are, English first."""
+    others = sorted(path.stem for path in FOLDER.glob("*.ftl") if path.stem != ENGLISH)
+    return (ENGLISH, *others)
+
+
+@cache
+def renderer(language: str) -> Render:
+    """What puts texts into the words of a language.
+
+    Raises:
+        FileNotFoundError: there is no such language.
+    """
+    return Catalogue(language).render
+
+
+def translator(language: str) -> Render | None:
+    """The renderer of another language; None for English, and for a language without a file."""
+    return renderer(language) if language in languages()[1:] else None
+
+
+def in_english(text: Text) -> str:
+    """The text in English, the language of logs and of the console."""
+    return text if isinstance(text, str) else renderer(ENGLISH)(text)
+
+
+class Catalogue:
+    """One language file. What it lacks is said in English."""
+
+    def __init__(self, language: str) -> None:
+        from babel import Locale
+        from fluent.runtime import FluentBundle, FluentResource
+
+        text = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
+        self._bundle = FluentBundle([language], FUNCTIONS, use_isolating=False)
+        self._bundle.add_resource(FluentResource(text))
+        self._decimal_point = Locale.parse(language).number_symbols["latn"]["decimal"]
+        self._language = language
+
+    def render(self, text: Text) -> str:
+        """The text in this language; an id that no file has is shown itself."""
+        match text:
+            case str():
+                return text
+            case Quantity():
+                return self._quantity(text)
+            case MessageList():
+                return text.separator.join(self.render(item) for item in text.items)
+            case Message():
+                return self._message(text)
+
+    def _message(self, text: Message) -> str:
+        if not self._bundle.has_message(text.message_id):
+            return text.message_id if self._language == ENGLISH else in_english(text)
+        pattern = self._bundle.get_message(text.message_id).value
+        if pattern is None:
+            return text.message_id
+        values = {name: self._value(value) for name, value in text.values.items()}
+        words, _ = self._bundle.format_pattern(pattern, values)
+        return str(words)
+
+    def _value(self, value: Value) -> Any:
+        from fluent.runtime.types import fluent_number
+
+        if isinstance(value, str):
+            return isolate_names(value)
+        return (
+            fluent_number(value, useGrouping=False)
+            if isinstance(value, int)
+            else self.render(value)
+        )
+
+    def _quantity(self, quantity: Quantity) -> str:
+        """A number with a true minus sign, and none where nothing is left of it."""
+        digits = f"{abs(quantity.value):.{quantity.decimals}f}"
+        sign = ""
+        if digits.strip("0."):
+            sign = MINUS if quantity.value < 0 else PLUS if quantity.signed else ""
+        space = "" if quantity.unit in TIGHT else " "
+        return f"{sign}{digits.replace('.', self._decimal_point)}{space}{quantity.unit}"

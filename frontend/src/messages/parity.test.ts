@@ -1,0 +1,33 @@
+/** The browser and the station put a message into the same words; run by tests/frontend. */
+
+import { readFileSync } from "node:fs";
+
+import { expect, test } from "vitest";
+
+import { chooseDecimalSign } from "../parts/figures";
+import { displayed } from "../parts/lengths";
+import { Catalogue } from "./catalogue";
+import type { Text } from "./text";
+
+/** A file of the station's renderings, where its tests give one. */
+const path = process.env.CRENEL_RENDERINGS;
+interface Rendering {
+  text: Text;
+  words: string;
+}
+
+test.runIf(path)("every message of the station reads alike in both", () => {
+  const files = JSON.parse(readFileSync(path ?? "", "utf8")) as Record<string, { source: string; cases: Rendering[] }>;
+  for (const [language, { source, cases }] of Object.entries(files)) {
+    chooseDecimalSign(language);
+    const catalogue = new Catalogue(language, [source], { quantity: displayed, count: String });
+    const different = cases.filter(({ text, words }) => plain(catalogue.render(text)) !== plain(words));
+    expect(different.map(({ text, words }) => [text, words, catalogue.render(text)])).toEqual([]);
+    expect(cases.length).toBeGreaterThan(1000);
+  }
+});
+
+/** Which spaces break a line is the browser's affair. */
+function plain(text: string): string {
+  return text.replaceAll(/[\u00a0\u2009]/g, " ");
+}

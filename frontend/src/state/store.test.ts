@@ -1,0 +1,46 @@
+import { beforeEach, expect, test, vi } from "vitest";
+
+import type { FlowView } from "../api/flowTypes";
+import { clearNotice, noteReturn, notify } from "./notices";
+import { getState, lookAtPose, putFlow, setState, subscribe } from "./store";
+
+const view = (session_id: string, rev: number) => ({ session_id, rev }) as FlowView;
+
+beforeEach(() => setState({ flow: null, notice: null }));
+
+test("an older view of the same session is dropped, one of another is not", () => {
+  putFlow(view("a", 5));
+  putFlow(view("a", 4));
+  expect(getState().flow?.rev).toBe(5);
+  putFlow(view("a", 5));
+  putFlow(view("a", 6));
+  expect(getState().flow?.rev).toBe(6);
+  putFlow(view("b", 1));
+  expect(getState().flow).toEqual({ session_id: "b", rev: 1 });
+});
+
+test("listeners are called on each change, until they leave", () => {
+  const listener = vi.fn();
+  const leave = subscribe(listener);
+  lookAtPose(3);
+  expect(getState().look).toEqual({ pose: 3 });
+  leave();
+  lookAtPose(4);
+  expect(listener).toHaveBeenCalledTimes(1);
+});
+
+test("a notice stays until it is dismissed, or for its time", () => {
+  vi.useFakeTimers();
+  notify({ quality: "bad", title: "No answer", untilHeard: true });
+  expect(getState().notice).toMatchObject({ title: "No answer", detail: "", remedy: "" });
+  noteReturn();
+  expect(getState().notice?.quality).toBe("neutral");
+  vi.advanceTimersByTime(9000);
+  expect(getState().notice).toBeNull();
+  notify({ quality: "bad", title: "It stays" });
+  noteReturn();
+  expect(getState().notice?.title).toBe("It stays");
+  clearNotice();
+  expect(getState().notice).toBeNull();
+  vi.useRealTimers();
+});

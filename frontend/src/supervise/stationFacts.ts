@@ -1,0 +1,137 @@
+import type { Quality } from "../api/types";
+import type { CalibrationReport, DeviceReport, StationReport, StationShown } from "../api/watchTypes";
+import type { PlainId } from "../messages/text";
+import { age, days, daysAgo, figures } from "../parts/format";
+import { measured } from "../parts/lengths";
+import { t } from "../state/language";
+
+export interface Fact {
+  id: string;
+  label: string;
+  value: string;
+  note: string;
+  quality: Quality;
+}
+
+/** What a station is doing, and the number that goes with it. */
+export function doing({ activity }: StationReport): { title: string; number: string; unit: string; note: string } {
+  const { title, step, steps, progress } = activity;
+  if (activity.kind === "scanning") {
+    const points = t("ui-n-points", { n: activity.points });
+    const lost = activity.lost_frames ? `, ${t("ui-frames-lost", { n: activity.lost_frames })}` : "";
+    return {
+      title,
+      number: figures(activity.rate_points_s),
+      unit: t("ui-points-s"),
+      note: points + lost,
+    };
+  }
+  return {
+    title,
+    number: "",
+    unit: "",
+    note: [steps ? t("ui-step-of", { n: step, all: steps }) : "", progress].filter(Boolean).join(" · "),
+  };
+}
+
+export const KINDS: Record<StationReport["activity"]["kind"], PlainId> = {
+  idle: "ui-idle",
+  calibrating: "ui-calibration",
+  verifying: "ui-verification",
+  checking_arm: "ui-arm-check",
+  scanning: "ui-scan",
+  working: "ui-job",
+};
+
+/** The facts of a station in the order in which they are asked for; devices as old as they are. */
+export function facts(report: StationReport, more_s: number): Fact[] {
+  return [
+    ...report.devices.map((device) => deviceFact(device, more_s)),
+    calibrationFact(report.calibration),
+    verificationFact(report),
+    ...(report.temperature_c === null
+      ? []
+      : [fact("temperature", t("ui-temperature"), measured(report.temperature_c, "°C", 1), t("ui-ambient"))]),
+    fact(
+      "disk",
+      t("ui-disk"),
+      measured(report.disk_free_gb, "GB"),
+      t("ui-free"),
+      report.disk_free_gb < 1 ? "bad" : report.disk_free_gb < 10 ? "attention" : "neutral",
+    ),
+    fact(
+      "control",
+      t("ui-control"),
+      report.control ?? t("ui-nobody"),
+      report.laser_on ? t("ui-laser-is-on-lowercase") : t("ui-laser-is-off-lowercase"),
+    ),
+  ];
+}
+
+function fact(id: string, label: string, value: string, note: string, quality: Quality = "neutral"): Fact {
+  return { id, label, value, note, quality };
+}
+
+function deviceFact(device: DeviceReport, more_s: number): Fact {
+  const arm = device.name === "arm";
+  const stated = (value: string, note: string, quality: Quality) =>
+    fact(device.name, arm ? t("ui-arm") : t("ui-camera"), value, note, quality);
+  const old = device.age_s === null ? null : age(device.age_s + more_s);
+  if (device.state === "lost" || device.state === "off") {
+    const value = device.state === "lost" ? t("ui-lost") : t("ui-off");
+    return stated(value, old === null ? t("ui-no-data-yet-lowercase") : t("ui-for", { age: old }), "bad");
+  }
+  if (device.state === "connecting") return stated(t("ui-connecting"), t("ui-no-data-yet-lowercase"), "attention");
+  const fresh = old === null ? t("ui-no-data") : t("ui-old-age", { age: old });
+  if (device.rate_hz === null) return stated(fresh, "", "good");
+  const rate = { n: figures(device.rate_hz) };
+  return stated(arm ? t("ui-hz", rate) : t("ui-fps", rate), fresh, "good");
+}
+
+function calibrationFact(calibration: CalibrationReport | null): Fact {
+  const stated = (value: string, note: string, quality: Quality) =>
+    fact("calibration", t("ui-calibration"), value, note, quality);
+  if (!calibration) return stated(t("ui-none"), t("ui-scanning-is-not-possible"), "attention");
+  const value = measured(calibration.total_um, "µm");
+  const values = { age: days(calibration.age_days) };
+  if (calibration.due) return stated(value, t("ui-due-old", values), "attention");
+  const quality = calibration.quality === "neutral" ? "good" : calibration.quality;
+  return stated(value, t("ui-valid-old", values), quality);
+}
+
+function verificationFact({ verification }: StationReport): Fact {
+  if (!verification) return fact("verified", t("ui-verified"), t("ui-not-yet"), t("ui-against-a-gauge"));
+  const since = (Date.now() - new Date(verification.at).getTime()) / 86_400_000;
+  const result = {
+    good: t("ui-passed-lowercase"),
+    attention: t("ui-uncertain-lowercase"),
+    bad: t("ui-failed-lowercase"),
+    neutral: t("ui-done"),
+  }[verification.quality];
+  return fact("verified", t("ui-verified"), result, daysAgo(Math.max(since, 0)), verification.quality);
+}
+
+/** How a station is, in one word and one colour. */
+export function stationState(station: StationShown, more_s = 0): { words: string; quality: Quality } {
+  switch (station.state) {
+    case "lost":
+      return {
+        words: station.silent_s === null ? t("ui-lost") : t("ui-lost-for", { age: age(station.silent_s + more_s) }),
+        quality: "bad",
+      };
+    case "off":
+      return { words: t("ui-switched-off"), quality: "neutral" };
+    case "waiting":
+      return { words: t("ui-waiting"), quality: "neutral" };
+    case "unknown":
+      return { words: t("ui-unknown-the-broker-is-offline"), quality: "attention" };
+    case "live":
+      return { words: t("ui-live"), quality: worst(station.report) };
+  }
+}
+
+export function worst(report: StationReport | null): Quality {
+  const alarms = report?.alarms ?? [];
+  if (alarms.some((alarm) => alarm.quality === "bad")) return "bad";
+  return alarms.length > 0 ? "attention" : "good";
+}

@@ -1,0 +1,55 @@
+"""The client's language files: all ids that it uses, and no others, alike in every language."""
+
+import re
+
+import pytest
+from fluent.syntax import FluentParser
+from fluent.syntax.ast import Comment, Junk, Message, ResourceComment
+
+from app.messages.catalogue import languages
+from tests.frontend.node import FRONTEND
+from tests.frontend.test_client_checks import places_by_id
+
+SOURCES = FRONTEND / "src"
+FILES = SOURCES / "messages"
+USED = re.compile(r'"(ui-[a-z0-9-]+)"')
+
+
+def source(language: str) -> str:
+    return (FILES / f"{language}.ftl").read_text(encoding="utf-8")
+
+
+def used_ids() -> set[str]:
+    """As literals in the code; nothing composes an id."""
+    return {
+        text_id
+        for path in SOURCES.rglob("*.ts*")
+        if path.name != "places.ts" and ".test." not in path.name
+        for text_id in USED.findall(path.read_text(encoding="utf-8"))
+    }
+
+
+def test_every_language_of_the_station_is_one_of_the_client() -> None:
+    assert {path.stem for path in FILES.glob("*.ftl")} == set(languages())
+
+
+def test_the_ids_are_those_that_are_used() -> None:
+    ids = places_by_id(source("en")).keys()
+    assert sorted(used_ids() - ids) == []
+    assert sorted(ids - used_ids()) == []
+    assert len(ids) > 500
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_file_has_nothing_but_messages(language: str) -> None:
+    body = FluentParser().parse(source(language)).body
+    assert [entry.content for entry in body if isinstance(entry, Junk)] == []
+    assert all(isinstance(entry, (Message, Comment, ResourceComment)) for entry in body)
+    ids = [entry.id.name for entry in body if isinstance(entry, Message)]
+    assert ids == sorted(set(ids))
+    assert all(text_id.startswith("ui-") for text_id in ids)
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_a_language_has_the_same_texts_with_the_same_places(language: str) -> None:
+    assert places_by_id(source(language)) == places_by_id(source("en"))

@@ -1,0 +1,187 @@
+"""Texts in the words of a language: numbers, plurals, texts within texts, and what is unknown."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from app.messages.catalogue import in_english, languages, renderer
+from app.messages.message import (
+    Message,
+    MessageList,
+    Quantity,
+    Text,
+    join,
+    message,
+    quantity,
+    rounded,
+    signed,
+    text_from_json,
+    text_to_json,
+    word,
+)
+
+HEBREW = "זרוע מדידה"
+ENGLISH, GERMAN = renderer("en"), renderer("de")
+
+
+def test_english_is_the_first_language() -> None:
+    assert languages()[0] == "en"
+    assert "de" in languages()
+
+
+@pytest.mark.parametrize(
+    ("text", "english", "german"),
+    [
+        (quantity(12.345, "mm", 2), "12.35 mm", "12,35 mm"),
+        (quantity(1234567.0), "1234567", "1234567"),
+        (quantity(21.5, "°C", 1), "21.5 °C", "21,5 °C"),
+        (quantity(1.5, "°", 1), "1.5°", "1,5°"),
+        (quantity(7, "″"), "7″", "7″"),
+        (quantity(50, "%"), "50 %", "50 %"),
+        (quantity(-3.25, "µm", 1), "−3.2 µm", "−3,2 µm"),
+        (quantity(-0.04, "mm", 1), "0.0 mm", "0,0 mm"),
+        (quantity(3, "µm"), "3 µm", "3 µm"),
+        (signed(3, "µm"), "+3 µm", "+3 µm"),
+        (signed(-3, "µm"), "−3 µm", "−3 µm"),
+        (signed(0.001, "µm", 1), "0.0 µm", "0,0 µm"),
+        (rounded(0.1, "mm"), "0.1 mm", "0,1 mm"),
+        (rounded(25.0, "mm"), "25 mm", "25 mm"),
+        (rounded(2000.0), "2000", "2000"),
+        (rounded(5.98765, "mm", 4), "5.988 mm", "5,988 mm"),
+        (rounded(float("inf"), "mm"), "inf mm", "inf mm"),
+    ],
+)
+def test_numbers_with_units_and_signs(text: Quantity, english: str, german: str) -> None:
+    assert ENGLISH(text) == english
+    assert GERMAN(text) == german
+    assert str(text) == english
+
+
+@pytest.mark.parametrize(
+    ("count", "english", "german"),
+    [
+        (0, "rms of 0 touches", "rms von 0 Antastungen"),
+        (1, "rms of 1 touch", "rms von 1 Antastung"),
+        (12000, "rms of 12000 touches", "rms von 12000 Antastungen"),
+    ],
+)
+def test_plurals(count: int, english: str, german: str) -> None:
+    text = message("contacts-rms", count=count)
+    assert ENGLISH(text).endswith(english)
+    assert GERMAN(text).endswith(german)
+
+
+def test_texts_within_texts() -> None:
+    known = message("known-k-1", known=quantity(2.5, "µm", 1))
+    board = message(
+        "inner-corners-mm-apart", columns=8, rows=5, square=rounded(12.5, "mm"), known=known
+    )
+    assert ENGLISH(board) == "8 × 5 inner corners, 12.5 mm apart, known to 2.5 µm (k = 1)"
+    assert GERMAN(board) == "8 × 5 innere Ecken, Abstand 12,5 mm, bekannt auf 2,5 µm (k = 1)"
+    left_out = message("left-out-3", text=message("arm-model-arm", serial_number="A7"))
+    assert ENGLISH(left_out) == "Left out: the arm model is of arm A7."
+
+
+def test_lists_join_texts() -> None:
+    texts = join([word("front"), quantity(0.5, "mm", 1), "J2.alpha"], "; ")
+    assert ENGLISH(texts) == "front; 0.5 mm; J2.alpha"
+    assert GERMAN(texts).endswith("; 0,5 mm; J2.alpha")
+    assert ENGLISH(message("take-one", languages=join(["en", "de"]))) == "Take one of en, de"
+    assert ENGLISH(join([])) == ""
+
+
+def test_a_text_as_a_sentence_and_with_a_capital() -> None:
+    half = message("arm-still")
+    assert ENGLISH(message("capital", text=half)) == "The arm was not still"
+    assert ENGLISH(message("sentence", text=half)) == "The arm was not still."
+    assert ENGLISH(message("sentence", text="it is over.")) == "It is over."
+    file = "gauges/plate.json: is cut off"
+    assert ENGLISH(message("sentence", text=file)) == f"{file}."
+
+
+def test_names_from_right_to_left_leave_the_rest_in_its_place() -> None:
+    text = message("serial-number-3", value=HEBREW, value2="12")
+    assert ENGLISH(text) == f"\u2068{HEBREW}\u2069, serial number 12"
+    assert "\u202e" not in ENGLISH(message("serial-number-2", value="a\u202eb"))
+
+
+def test_a_plain_string_is_the_same_in_every_language() -> None:
+    assert GERMAN("Found at 12.5 mm.") == "Found at 12.5 mm."
+
+
+def test_an_unknown_id_is_shown_itself() -> None:
+    assert ENGLISH(Message("no-such-message")) == "no-such-message"
+    assert GERMAN(Message("no-such-message")) == "no-such-message"
+
+
+def test_a_missing_value_leaves_the_rest() -> None:
+    assert "serial number" in ENGLISH(Message("serial-number-2"))
+
+
+def test_what_a_language_lacks_is_in_english(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "en.ftl").write_text("here = here\nsize = { $size } wide\n")
+    (tmp_path / "fr.ftl").write_text("here = ici\n")
+    monkeypatch.setattr("app.messages.catalogue.FOLDER", tmp_path)
+    renderer.cache_clear()
+    try:
+        assert languages() == ("en", "fr")
+        french = renderer("fr")
+        assert french(message("here")) == "ici"
+        assert french(message("size", size=quantity(2, "mm"))) == "2 mm wide"
+    finally:
+        renderer.cache_clear()
+
+
+def test_an_unknown_language_is_an_error() -> None:
+    with pytest.raises(FileNotFoundError):
+        renderer("xx")
+
+
+def test_a_text_in_an_f_string_is_an_error() -> None:
+    for text in (message("arm-still"), quantity(1, "mm"), join([])):
+        with pytest.raises(TypeError, match="value of a message"):
+            f"{text}"
+    assert str(message("arm-still")) == in_english(message("arm-still")) == "the arm was not still"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "plain",
+        "",
+        quantity(-2.5, "µm", 1),
+        signed(3.0),
+        message("arm-still"),
+        message("contacts-rms", count=3),
+        message("left-out-3", text=message("known-k-1", known=quantity(2.5, "µm", 1))),
+        join(["one", join([message("arm-still"), quantity(1.0, "%")], " · ")], "; "),
+        message("titled-text", title=join([word("front")]), text=HEBREW),
+    ],
+)
+def test_a_text_goes_into_a_file_and_back(text: Text) -> None:
+    data = json.loads(json.dumps(text_to_json(text)))
+    back = text_from_json(data)
+    assert back == text
+    assert GERMAN(back) == GERMAN(text)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [None, 3, [], {}, {"message_id": "a"}, {"items": ["a"]}, {"value": "1", "unit": "mm"}]
+    + [{"message_id": "a", "values": {"b": None}}, {"items": [None], "separator": ", "}],
+)
+def test_other_data_is_no_text(data: object) -> None:
+    with pytest.raises(ValueError, match="no text"):
+        text_from_json(data)
+
+
+def test_messages_are_equal_by_id_and_values() -> None:
+    assert message("tip") == Message("tip", {})
+    assert {message("known-k-1", known=quantity(1, "µm")): 1} == {
+        message("known-k-1", known=quantity(1, "µm")): 1
+    }
+    assert message("titled-text", title="a", text=Path("b")).values["text"] == "b"
+    assert isinstance(join(["a"]), MessageList)

@@ -1,0 +1,169 @@
+"""The language files have exactly what the code uses, each with the same variables."""
+
+import ast
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import pytest
+from fluent.runtime import FluentBundle, FluentResource
+from fluent.syntax import FluentParser
+from fluent.syntax import ast as ftl
+
+from app.messages.catalogue import ENGLISH, FOLDER, FUNCTIONS, languages
+
+ROOT = Path(__file__).resolve().parents[2]
+OTHERS = languages()[1:]
+MADE_FROM_TERMS = ("word-",)
+"""Beginnings of ids that code makes from a term of its own, as ``word`` does."""
+
+
+@dataclass(frozen=True)
+class References:
+    """What an entry of a language file refers to."""
+
+    variables: frozenset[str]
+    messages: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Call:
+    """A use of a message in code; ``complete``: all its values are named there."""
+
+    where: str
+    message_id: str
+    values: frozenset[str]
+    complete: bool
+
+
+@cache
+def entries(language: str) -> tuple[ftl.EntryType, ...]:
+    text = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
+    return tuple(FluentParser().parse(text).body)
+
+
+def walk(node: object) -> Iterator[ftl.BaseNode]:
+    """A node of a language file and all below it."""
+    if isinstance(node, list):
+        for item in node:
+            yield from walk(item)
+    elif isinstance(node, ftl.BaseNode):
+        yield node
+        for item in vars(node).values():
+            yield from walk(item)
+
+
+@cache
+def references(language: str) -> Mapping[str, References]:
+    """Of each message by its id."""
+    messages: dict[str, References] = {}
+    for entry in entries(language):
+        if isinstance(entry, ftl.Message):
+            nodes = list(walk(entry))
+            messages[entry.id.name] = References(
+                frozenset(one.id.name for one in nodes if isinstance(one, ftl.VariableReference)),
+                frozenset(one.id.name for one in nodes if isinstance(one, ftl.MessageReference)),
+            )
+    return messages
+
+
+@cache
+def calls() -> tuple[Call, ...]:
+    paths = [path for package in ("app", "hardware") for path in (ROOT / package).rglob("*.py")]
+    return tuple(call for path in sorted(paths) for call in calls_of(path))
+
+
+def calls_of(path: Path) -> Iterator[Call]:
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Call(func=ast.Name(id="message"), args=[first], keywords=keywords):
+                where = f"{path.relative_to(ROOT)}:{node.lineno}"
+                assert isinstance(first, ast.Constant), f"{where}: an id is written out"
+                names = {keyword.arg for keyword in keywords}
+                values = frozenset(name for name in names if name is not None)
+                yield Call(where, str(first.value), values, None not in names)
+            case ast.Call(func=ast.Name(id="word"), args=[ast.Constant(value=str(term))]):
+                where = f"{path.relative_to(ROOT)}:{node.lineno}"
+                yield Call(where, f"word-{term.replace(' ', '-')}", frozenset(), True)
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_file_parses_and_has_no_id_twice(language: str) -> None:
+    junk = [entry.content for entry in entries(language) if isinstance(entry, ftl.Junk)]
+    assert not junk
+    ids = [entry.id.name for entry in entries(language) if isinstance(entry, ftl.Message)]
+    assert not {one for one in ids if ids.count(one) > 1}
+
+
+def test_every_message_of_the_code_is_in_english() -> None:
+    assert len(calls()) > 1000
+    assert not [
+        f"{call.where}: {call.message_id}"
+        for call in calls()
+        if call.message_id not in references(ENGLISH)
+    ]
+
+
+def test_every_variable_has_a_value_from_each_call() -> None:
+    assert not [
+        f"{call.where}: {call.message_id} lacks {sorted(missing)}"
+        for call in calls()
+        if call.complete
+        and call.message_id in references(ENGLISH)
+        and (missing := references(ENGLISH)[call.message_id].variables - call.values)
+    ]
+
+
+def test_every_value_is_used_by_some_language() -> None:
+    used: dict[str, set[str]] = {
+        message_id: set().union(
+            *(
+                references(language)[message_id].variables
+                for language in languages()
+                if message_id in references(language)
+            )
+        )
+        for message_id in references(ENGLISH)
+    }
+    assert not [
+        f"{call.where}: {call.message_id} has no place for {sorted(unused)}"
+        for call in calls()
+        if call.message_id in used and (unused := call.values - used[call.message_id])
+    ]
+
+
+def test_no_message_is_unused() -> None:
+    used = {call.message_id for call in calls()}
+    used.update(*(one.messages for one in references(ENGLISH).values()))
+    assert not [
+        message_id
+        for message_id in references(ENGLISH)
+        if message_id not in used and not message_id.startswith(MADE_FROM_TERMS)
+    ]
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_language_has_every_message_with_the_same_variables(language: str) -> None:
+    english, other = references(ENGLISH), references(language)
+    assert not english.keys() ^ other.keys()
+    assert not [
+        message_id
+        for message_id, one in english.items()
+        if one.variables != other[message_id].variables
+    ]
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("value", [1, 7, "name"])
+def test_every_message_can_be_rendered(language: str, value: int | str) -> None:
+    bundle = FluentBundle([language], FUNCTIONS, use_isolating=False)
+    bundle.add_resource(FluentResource((FOLDER / f"{language}.ftl").read_text(encoding="utf-8")))
+    failed = {}
+    for message_id, one in references(language).items():
+        pattern = bundle.get_message(message_id).value
+        assert pattern is not None, message_id
+        text, errors = bundle.format_pattern(pattern, dict.fromkeys(one.variables, value))
+        if errors or not str(text).strip():
+            failed[message_id] = errors
+    assert not failed
