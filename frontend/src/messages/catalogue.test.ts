@@ -57,8 +57,8 @@ test("a quantity has the decimal sign of the language and the chosen unit", () =
 
 test("a sentence begins with a capital letter, but not the name of a file", () => {
   const whole = (what: string) => english.render({ message_id: "whole", values: { what } });
-  expect(whole("the arm is still.")).toBe("The arm is still, k = 2.");
-  expect(whole("gauges/plate.json is cut off")).toBe("gauges/plate.json is cut off, k = 2.");
+  expect(whole("the arm is still.")).toBe("The arm is still, k\u00a0=\u00a02.");
+  expect(whole("gauges/plate.json is cut off")).toBe("gauges/plate.json is cut off, k\u00a0=\u00a02.");
 });
 
 test("what is no number is a dash, in both units", () => {
