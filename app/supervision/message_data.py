@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, Field
 from app.messages.message import Message, MessageList, Quantity, Text, text_to_json
 from app.messages.stored import RENDERED, SUFFIX, restore_text
 
-MOST_DEPTH, MOST_PARTS, MOST_CHARACTERS = 8, 64, 1200
+MOST_DEPTH, MOST_PARTS, MOST_CHARACTERS = 20, 160, 1200
 """Of one text: what is nested in one another, how many values, and the signs of all of them."""
 LARGEST = 2**53
 """Of a number: every reader has it exactly."""

@@ -173,7 +173,7 @@ def _fill(
         spread_um,
     )
     if found != len(u_px):
-        raise ValueError(f"the frames do not have {len(u_px)} pixels together")
+        raise ValueError(f"the frames have not {len(u_px)} pixels together")
 
 
 def _constants(camera: Camera, plane: LaserPlane, axis: str) -> Floats:

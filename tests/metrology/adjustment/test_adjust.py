@@ -134,9 +134,9 @@ def test_the_mounting_follows_from_motion_alone() -> None:
 
 def test_turns_about_one_axis_are_refused_and_the_axis_named() -> None:
     axis = np.array([[0.0, 0.0, 1.0]])
-    with pytest.raises(OperationError, match=r"about one axis, \([+-]0.00 [+-]0.00 [+-]1.00\)"):
+    with pytest.raises(OperationError, match=r"about one axis, \([+−]?0.00 [+−]?0.00 [+−]1.00\)"):
         mounting_by_motion(*moving(6, axis, np.random.default_rng(4)), 50.0)
-    with pytest.raises(OperationError, match="poses all alike"):
+    with pytest.raises(OperationError, match="all alike"):
         mounting_by_motion(*moving(6, 0.01 * np.eye(3), np.random.default_rng(5)), 50.0)
 
 
