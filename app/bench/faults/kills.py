@@ -13,12 +13,16 @@ from app.bench.faults.station import StationProcess, View
 from app.errors import OperationError
 from app.formats.recording.reader import open_recording
 from app.formats.recording.stream import read_blocks
+from app.messages.message import Message, Text, text_from_json
+from app.operations.recovery import KILLED
 from app.progress import Progress, no_progress
 
 SCANS = 20
 LONGEST_S = 3.0
 LOST_S = 0.5
 """So much of a scan may be lost at most."""
+SETTLED = ("what-recorded-kept", "no-points-can-made")
+"""Notes of a scan whose cloud is made or cannot be made."""
 KillPoint = tuple[str, int]
 KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
     "flow": (
@@ -107,13 +111,20 @@ def _settle(station: StationProcess, killed: _RunningScan, data: Path, row: Faul
         return killed.seconds
     folder = data / "scans" / scan["id"]
     lost_s = killed.loss_s(scan["frames"], last_joints_ns(folder / "scan.mcap"))
-    whole = (folder / "cloud.ply").is_file() and scan["note"].startswith("The station ended")
-    row.count_try(whole, lost_s > LOST_S, "" if whole else f"{killed.name}: {scan['note']}")
+    note = text_from_json(scan["note"])
+    complete = (folder / "cloud.ply").is_file() and _is_interrupted_by_kill(note)
+    row.count_try(complete, lost_s > LOST_S, "" if complete else f"{killed.name}: {note!s}")
     return lost_s
 
 
 def _with_cloud(scan: View | None) -> View | None:
-    return scan if scan and scan["note"].endswith(("is kept.", "made of it")) else None
+    """The scan once its cloud is made, or is known not to be possible."""
+    note = text_from_json(scan["note"]) if scan else ""
+    return scan if isinstance(note, Message) and note.message_id in SETTLED else None
+
+
+def _is_interrupted_by_kill(note: Text) -> bool:
+    return isinstance(note, Message) and note.values.get("interrupted") == KILLED
 
 
 def last_joints_ns(recording: Path) -> int:
