@@ -28,8 +28,8 @@ def write_real_session(recording: Path, folder: Path) -> Path:
     height, width = read_grey_image(frames[0]).shape
     write_arm(folder / "arm.json", ROBOT)
     write_object(folder / "object.json", BOARD)
-    sheet = {"name": "camera and laser", "serial_number": "", "stripe_axis": "v"}
-    sensor = SensorDatasheet.model_validate({**sheet, "width_px": width, "height_px": height})
+    document = {"name": "camera and laser", "serial_number": "", "stripe_axis": "v"}
+    sensor = SensorDatasheet.model_validate({**document, "width_px": width, "height_px": height})
     write_sensor(folder / "sensor.json", sensor)
     rows = []
     for frame in frames:

@@ -1,4 +1,4 @@
-"""``/metrics`` for Prometheus, collected anew at each scrape in a registry of its own."""
+"""``/metrics`` for Prometheus, collected again at each scrape in a registry of its own."""
 
 import shutil
 import time

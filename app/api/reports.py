@@ -54,7 +54,7 @@ async def verification_report(
 def _calibration(context: Context, record_id: str) -> Folder:
     record = context.store.calibrations.get(record_id)
     if record is None:
-        raise NotFoundError(message("there-no-calibration-2", record_id=record_id))
+        raise NotFoundError(message("there-no-calibration", calibration_id=record_id))
     return record.file.parent
 
 

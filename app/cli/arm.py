@@ -48,12 +48,12 @@ def identify(
 
     began = time.perf_counter()
     with progress_bar("Identifying", not as_json) as progress:
-        sheet, result = identify_folder(folder, output, check, progress)
+        document, result = identify_folder(folder, output, check, progress)
     seconds = time.perf_counter() - began
     for text in result.warnings:
         warn(text)
     if as_json:
-        print_json({**sheet.fields(), "file": str(output), "seconds": seconds})
+        print_json({**document.fields(), "file": str(output), "seconds": seconds})
         return
     print_figures(f"Arm of {folder}", identification_summary(result))
     columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")

@@ -5,29 +5,29 @@ import numpy as np
 from app.formats.results.calibration import CalibrationFile, PosePart, ResidualsPart, Uncertainty
 
 
-def calibration_summary(sheet: CalibrationFile) -> list[tuple[str, str]]:
+def calibration_summary(document: CalibrationFile) -> list[tuple[str, str]]:
     """The verdict and its reasons, uncertainty, residuals, lens and probe matrix."""
     figures: list[tuple[str, str]] = []
-    if sheet.verdict:
-        figures.append(("verdict", sheet.verdict.quality))
-        for finding in sheet.verdict.findings:
+    if document.verdict:
+        figures.append(("verdict", document.verdict.quality))
+        for finding in document.verdict.findings:
             mark = "" if finding.quality in ("good", "neutral") else f"{finding.quality.upper()}: "
             figures.append(("", f"{mark}{finding.text!s} {finding.remedy!s}"))
-    if sheet.uncertainty:
-        figures += _uncertainty_figures(sheet.uncertainty)
-    if sheet.residuals:
-        figures += _residual_figures(sheet.residuals)
-    figures += [_pose_figure(pose) for pose in sheet.poses]
-    k1, k2, p1, p2, k3 = sheet.camera.distortion
+    if document.uncertainty:
+        figures += _uncertainty_figures(document.uncertainty)
+    if document.residuals:
+        figures += _residual_figures(document.residuals)
+    figures += [_pose_figure(pose) for pose in document.poses]
+    k1, k2, p1, p2, k3 = document.camera.distortion
     used = [
         f"{name} {value:+.5f}"
         for name, value in (("k1", k1), ("k2", k2), ("p1", p1), ("p2", p2), ("k3", k3))
         if value
     ]
     figures.append(("lens", ", ".join(used) or "no distortion"))
-    if sheet.condition_number is not None:
-        figures.append(("condition number", f"{sheet.condition_number:.1f} (refused above 50)"))
-    for title, row in zip(("probe matrix", "", ""), sheet.probe_matrix, strict=False):
+    if document.condition_number is not None:
+        figures.append(("condition number", f"{document.condition_number:.1f} (refused above 50)"))
+    for title, row in zip(("probe matrix", "", ""), document.probe_matrix, strict=False):
         figures.append((title, "".join(f"{value:12.6f}" for value in row)))
     return figures
 

@@ -162,7 +162,7 @@ def calibrate(
 
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as progress:
-        sheet, warnings = calibrate_session(
+        document, warnings = calibrate_session(
             session, output, progress, method.value, Limits(good_um, usable_um)
         )
     seconds = time.perf_counter() - began
@@ -170,9 +170,9 @@ def calibrate(
         warn(text)
     if as_json:
         written = {"file": str(output), "seconds": seconds, "warnings": list(map(str, warnings))}
-        print_json({**sheet.fields(), **written})
+        print_json({**document.fields(), **written})
         return
-    print_figures(f"Calibration of {session}", calibration_summary(sheet))
+    print_figures(f"Calibration of {session}", calibration_summary(document))
     print(f"{output} written in {seconds:.2f} s")
 
 

@@ -111,19 +111,22 @@ def sync(
     check_output_path(output, (recording, calibration, arm))
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
     with progress_bar("Looking for the delay", not as_json) as progress:
-        sheet = run(recording, sensor, arm_model, progress)
-        sheet.write(output)
+        document = run(recording, sensor, arm_model, progress)
+        document.write(output)
     if as_json:
-        print_json({**sheet.fields(), "file": str(output)})
+        print_json({**document.fields(), "file": str(output)})
         return
     figures = (
-        ("the arm's stamps are later by", f"{sheet.delay_ms:.3f} ms"),
-        ("standard uncertainty", f"{sheet.standard_uncertainty_ms:.3f} ms (k = 1)"),
-        ("pass", f"{sheet.seconds:.1f} s, {sheet.frames} frames, {sheet.reversals} reversals"),
-        ("speed across the plane", f"{sheet.speed_mm_s:.0f} mm/s rms"),
+        ("the arm's stamps are later by", f"{document.delay_ms:.3f} ms"),
+        ("standard uncertainty", f"{document.standard_uncertainty_ms:.3f} ms (k = 1)"),
+        (
+            "pass",
+            f"{document.seconds:.1f} s, {document.frames} frames, {document.reversals} reversals",
+        ),
+        ("speed across the plane", f"{document.speed_mm_s:.0f} mm/s rms"),
         (
             "points about the plane",
-            f"{sheet.rms_without_um:.0f} µm rms without it, {sheet.rms_um:.0f} µm with it",
+            f"{document.rms_without_um:.0f} µm rms without it, {document.rms_um:.0f} µm with it",
         ),
     )
     print_figures(f"Delay between arm and camera, {recording}", figures)

@@ -34,9 +34,9 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
     Raises:
         OperationError: a file of it cannot be read, or they do not belong together.
     """
-    sheet = CalibrationFile.read(record.file)
-    found = calibration_from_document(sheet)
-    uncertainty = sheet.uncertainty
+    document = CalibrationFile.read(record.file)
+    found = calibration_from_document(document)
+    uncertainty = document.uncertainty
     if uncertainty is None:
         raise OperationError(
             "field-missing", message("uncertainty-missing", file=display_path(record.file))

@@ -16,7 +16,7 @@ NONE = word("none")
 
 def device_name(name: str, serial: str) -> Message:
     """A device by its name and serial number."""
-    return message("serial-number-3", value=name or UNKNOWN, value2=serial or UNKNOWN)
+    return message("name-and-serial-number", name=name or UNKNOWN, serial_number=serial or UNKNOWN)
 
 
 def software_name(version: str) -> Message:

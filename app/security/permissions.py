@@ -106,7 +106,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/verifications/{verification_id}/study"): Rule(
         Right.act, message("rebuilt-verification-every-calibration")
     ),
-    ("POST", "/api/temperature"): Rule(Right.act, message("told-temperature")),
+    ("POST", "/api/temperature"): Rule(Right.act, message("entered-the-temperature")),
     ("GET", "/api/scan"): LOOK,
     ("POST", "/api/scan/start"): Rule(Right.act, message("started-scan")),
     ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),

@@ -62,23 +62,25 @@ def read_settings(path: Path | None) -> Settings:
             not there.
     """
     path = path or Path(DEFAULT_FILE)
-    sheet = read_file(path)
-    station = sheet.station
+    document = read_file(path)
+    station = document.station
     data = Path(station.data).expanduser() if station.data else user_data_folder() / "station"
     return Settings(
         name=station.name,
         data=path.absolute().parent / data,
         hosts=tuple(station.hosts),
-        arm=DeviceSettings(sheet.arm.driver, sheet.arm.model_extra or {}),
-        sensor=DeviceSettings(sheet.sensor.driver, sheet.sensor.model_extra or {}),
-        limits=_limits(path, sheet.limits),
+        arm=DeviceSettings(document.arm.driver, document.arm.model_extra or {}),
+        sensor=DeviceSettings(document.sensor.driver, document.sensor.model_extra or {}),
+        limits=_limits(path, document.limits),
         serving=_serving(path, station),
         address=station.address or "",
         backups=_resolve_path(path, station.backups),
-        mqtt=_mqtt(path, sheet.mqtt),
-        temperature=_resolve_path(path, sheet.temperature.file if sheet.temperature else None),
-        verification=sheet.verification.with_defaults(DEFAULT_LIMITS),
-        due=DueLimits(**sheet.due.model_dump()),
+        mqtt=_mqtt(path, document.mqtt),
+        temperature=_resolve_path(
+            path, document.temperature.file if document.temperature else None
+        ),
+        verification=document.verification.with_defaults(DEFAULT_LIMITS),
+        due=DueLimits(**document.due.model_dump()),
     )
 
 

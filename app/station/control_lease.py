@@ -122,7 +122,7 @@ class Lease:
                 raise OperationError(
                     "control-reason",
                     message("no-reason-given"),
-                    message("one-who-loses-control-told-why"),
+                    message("one-who-loses-control-reads-why"),
                     message("say-few-words-why-you-take"),
                 )
             self._set(Control(person))

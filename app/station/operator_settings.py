@@ -280,7 +280,7 @@ class OperatorSettings:
                     width_px2=info.width_px,
                     height_px2=info.height_px,
                 ),
-                message("clear-them-draw-them-anew"),
+                message("clear-them-draw-them-again"),
             ),
         )
 

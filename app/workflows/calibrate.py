@@ -75,17 +75,17 @@ def calibrate_session(
     check_output_path(output, session.files)
     with prefix_errors(folder):
         if isinstance(session, BoardSession):
-            sheet = _calibrate_on_board(session, method, limits, progress)
+            document = _calibrate_on_board(session, method, limits, progress)
         elif method == "one-pose":
-            sheet = _calibrate_from_one_pose(session, progress)
+            document = _calibrate_from_one_pose(session, progress)
         else:
-            sheet = _calibrate_from_all_poses(session, limits, progress)
-    sheet.write(output)
+            document = _calibrate_from_all_poses(session, limits, progress)
+    document.write(output)
     unused = len(session.poses) - 1 if method == "one-pose" else 0
     if not unused:
-        return sheet, []
+        return document, []
     first = session.poses[0].number
-    return sheet, [message("pose-used-other-one-pose", number=first, unused=unused)]
+    return document, [message("pose-used-other-one-pose", number=first, unused=unused)]
 
 
 def _calibrate_from_one_pose(session: BlockSession, progress: Progress) -> CalibrationFile:

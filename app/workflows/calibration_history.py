@@ -43,7 +43,7 @@ class HistoryEntry:
 
 @dataclass(frozen=True)
 class _FileVersion:
-    """A file as it is now: what was read of it holds until it is written anew."""
+    """A file as it is now: what was read of it holds until it is written again."""
 
     path: Path
     written_ns: int
@@ -92,10 +92,10 @@ def read_history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
 
 @lru_cache(maxsize=CACHE_SIZE)
 def _read_summary(file: _FileVersion) -> _CalibrationSummary:
-    sheet, accepted = CalibrationFile.read(file.path), read_acceptance(file.path.parent)
+    document, accepted = CalibrationFile.read(file.path), read_acceptance(file.path.parent)
     return _CalibrationSummary(
-        sheet.serial_numbers.arm,
-        sheet.serial_numbers.sensor,
+        document.serial_numbers.arm,
+        document.serial_numbers.sensor,
         accepted.good_um if accepted else None,
         accepted.temperature_c if accepted else None,
     )
@@ -124,6 +124,6 @@ def _estimate_drift(before: _FileVersion, now: _FileVersion) -> _DriftEstimate |
     )
 
 
-def _mounting(sheet: CalibrationFile) -> MountedSensor:
-    found = calibration_from_document(sheet)
+def _mounting(document: CalibrationFile) -> MountedSensor:
+    found = calibration_from_document(document)
     return MountedSensor(found.camera, found.plane, found.T_flange_sensor)

@@ -66,10 +66,10 @@ def estimate_recording_delay(
 
 def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
     """Reads ``sync.json``; raises ``OperationError`` where it is of another sensor or arm."""
-    sheet = Sync.read(path)
+    document = Sync.read(path)
     for device, of, known in (
-        ("sensor", sheet.sensor_serial, calibration.serial_numbers.sensor),
-        ("arm", sheet.arm_serial, arm.serial_number),
+        ("sensor", document.sensor_serial, calibration.serial_numbers.sensor),
+        ("arm", document.arm_serial, arm.serial_number),
     ):
         if of and known and of != known:
             raise OperationError(
@@ -78,7 +78,7 @@ def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
                 message("other-files", device=word(device), known=known),
                 message("give-files-belong-together"),
             )
-    return sheet
+    return document
 
 
 def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recording: str) -> Sync:

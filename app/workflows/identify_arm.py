@@ -66,9 +66,9 @@ def identify_folder(
     check_output_path(output, inputs)
     with prefix_errors(folder):
         result = identify(session.arm, session.observations, held_out, progress)
-    sheet = arm_document(result.arm, identification_part(result, inputs, folder, signature))
-    sheet.write(output)
-    return sheet, result
+    document = arm_document(result.arm, identification_part(result, inputs, folder, signature))
+    document.write(output)
+    return document, result
 
 
 def identification_part(

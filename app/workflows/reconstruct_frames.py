@@ -43,7 +43,9 @@ class FrameReconstruction:
                     width_px=width_px,
                     height_px=height_px,
                 ),
-                message("calibration-4", width_px=camera.width_px, height_px=camera.height_px),
+                message(
+                    "calibration-is-for-pixels", width=camera.width_px, height=camera.height_px
+                ),
                 message("give-calibration-sensor-took-recording"),
             )
 

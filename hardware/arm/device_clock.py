@@ -41,7 +41,7 @@ class DeviceClock:
     ``observe`` is told of arrivals, ``stamp`` asks for the mapping. Where a better
     observation moves the mapping back, stamps run at half speed until it is met. When
     a packet comes far earlier than can be, or nothing has arrived on the line for two
-    seconds, one of the clocks has jumped or stood still, and the line begins anew.
+    seconds, one of the clocks has jumped or stood still, and the line begins again.
     """
 
     def __init__(self) -> None:

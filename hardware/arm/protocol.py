@@ -84,7 +84,7 @@ What the host does
 - Missing sequence numbers are counted as ``lost``. A sample that repeats the last
   sequence number is dropped and counted as ``corrupt``.
 - A sequence or a device time that runs backward means that the arm was restarted: the
-  host begins its time mapping anew and goes on.
+  host begins its time mapping again and goes on.
 - Buttons that are already down in the first sample after opening give no press; a
   change of bits from one sample to the next gives a press or a release, with the
   device time of the later sample.

@@ -36,7 +36,7 @@ class ArmSessionPlan:
 
     joints: int = 6
     imperfection_um: float = 250.0
-    """Rms error of the tip over the arm's reach that its papers do not know."""
+    """Rms error of the tip over the arm's reach that its datasheet does not state."""
     seats: int = 8
     points_per_seat: int = 24
     spheres: int = 3
@@ -54,7 +54,7 @@ class ArmSessionPlan:
 
 @dataclass(frozen=True)
 class SimulatedArmSession:
-    """One arm as truly built, its papers, and the rows of its tables."""
+    """One arm as truly built, its datasheet, and the rows of its tables."""
 
     arm: ArmModel
     nominal_arm: ArmModel
@@ -74,7 +74,7 @@ def render_arm_session(
     Args:
         folder: made where it is missing; files of these names are replaced.
         seed: another number, another arm and other places.
-        arm: the arm as its papers have it, drawn at random where not given.
+        arm: the arm as its datasheet has it, drawn at random where not given.
     """
     plan = plan or ArmSessionPlan()
     session = draw_arm_session(seed, plan, arm)

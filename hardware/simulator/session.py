@@ -61,7 +61,7 @@ class SessionPlan:
 
     joints: int = 6
     imperfection_um: float = 0.0
-    """Rms error of the tip over the arm's reach that its papers do not know."""
+    """Rms error of the tip over the arm's reach that its datasheet does not state."""
     wrong_in: ErrorSource = "links"
     """Where these errors are, as of ``kinematics.imperfect``."""
     lighting: str = "pair"
@@ -84,7 +84,7 @@ class SessionPlan:
 
 @dataclass(frozen=True)
 class SimulatedRig:
-    """One arm, sensor and block as they truly are, with the papers that the operator has."""
+    """One arm, sensor and block as they truly are, with the datasheets that the operator has."""
 
     arm: ArmModel
     nominal_arm: ArmModel
@@ -107,11 +107,11 @@ class ScanFrame:
 def draw_rig(
     seed: int, plan: SessionPlan, block: CrenellatedBlock | None = None, arm: ArmModel | None = None
 ) -> SimulatedRig:
-    """A station for a seed; ``block`` (its certificate) and ``arm`` (its papers) may be given."""
+    """A station for a seed; ``block`` and ``arm`` may be given as certified."""
     rng = np.random.default_rng(seed)
     certificate = block or random_block(rng, plan.merlons)
     nominal = arm or random_arm(rng, plan.joints)
-    optics, sheet = draw_sensor(
+    optics, light_plane = draw_sensor(
         certificate,
         rng,
         roll_rad=plan.roll_rad,
@@ -123,7 +123,7 @@ def draw_rig(
         perturb_arm(nominal, plan.imperfection_um, rng, plan.wrong_in),
         nominal,
         optics,
-        sheet,
+        light_plane,
         random_mounting(rng),
         draw_true_block(certificate, plan.certificate_sd_mm, rng),
         certificate,
@@ -162,7 +162,7 @@ def render_session(
         seed: another number, another session.
         plan: what kind of session; see ``SessionPlan``.
         block: the certificate, drawn at random where not given.
-        arm: the arm as its papers have it, drawn at random where not given.
+        arm: the arm as its datasheet has it, drawn at random where not given.
 
     Raises:
         UnreachableError: the arm cannot do the session; take another seed.

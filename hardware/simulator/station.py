@@ -1,7 +1,7 @@
 """The simulated station: ``SimulatedStation`` puts arm, sensor, table, hand and faults together.
 
 Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other, and
-``papers`` is what an operator would be given with the devices.
+``datasheets`` are what an operator would be given with the devices.
 """
 
 from dataclasses import dataclass, field
@@ -63,9 +63,9 @@ class SimulationConfig:
 
     seed: int = 1
     arm: ArmModel = field(default_factory=demo_arm)
-    """As its papers have it."""
+    """As its datasheet has it."""
     imperfection_um: float = 45.0
-    """Rms error of the tip over the arm's whole reach that the papers do not know."""
+    """Rms error of the tip over the arm's whole reach that the datasheets do not state."""
     rate_hz: float = 1000.0
     counts_per_revolution: int = 1 << 22
     line: str = "tcp"
@@ -238,7 +238,7 @@ class SimulatedStation:
 
 def _build(config: SimulationConfig, rng: np.random.Generator) -> tuple[SimulatedRig, Floats]:
     """The rig, and joint angles with the sensor well above the table."""
-    optics, sheet = draw_sensor(
+    optics, light_plane = draw_sensor(
         config.block,
         rng,
         roll_rad=config.roll_rad,
@@ -254,7 +254,7 @@ def _build(config: SimulationConfig, rng: np.random.Generator) -> tuple[Simulate
     home = solve_joints(arm, over_table @ np.linalg.inv(T_flange_sensor), start, rng)
     block = draw_true_block(config.block, config.certificate_sd_mm, rng)
     rig = SimulatedRig(
-        arm, config.arm, optics, sheet, T_flange_sensor, block, config.block, T_arm_obj
+        arm, config.arm, optics, light_plane, T_flange_sensor, block, config.block, T_arm_obj
     )
     return rig, home
 

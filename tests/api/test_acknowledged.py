@@ -65,7 +65,7 @@ def traced(library: Path, data: Path) -> Iterator[Traced]:
 def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> None:
     """Each is looked for in the answers; the first that has it acknowledges it."""
     data = tmp_path / "data"
-    told: dict[tuple[str, int], str] = {}
+    reported: dict[tuple[str, int], str] = {}
     with traced(library, data) as bench:
         station = bench.station
         station.post("/api/flow/start").raise_for_status()
@@ -73,7 +73,7 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
         while True:
             mark, view = bench.ask("GET", "/api/flow")
             if view["step"] in ("touch", "capture"):
-                told.setdefault((view["step"], view["progress"]["done"]), mark)
+                reported.setdefault((view["step"], view["progress"]["done"]), mark)
             elif view["step"] == "review" and view["busy"] is None:
                 break
             if view["busy"] is None:
@@ -81,9 +81,9 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/flow/command", **body)
     (session,) = (data / "sessions").iterdir()
-    trace, marks = bench.trace(), [*told.values()]
-    assert {step for step, done in told if done} == {"touch", "capture"}
-    for n, ((step, done), mark) in enumerate(told.items()):
+    trace, marks = bench.trace(), [*reported.values()]
+    assert {step for step, done in reported if done} == {"touch", "capture"}
+    for n, ((step, done), mark) in enumerate(reported.items()):
         if done:
             by = trace.answer_index(mark)
             assert trace.why_no_row(trace.request_index(marks[n - 1]), by) == ""
@@ -126,7 +126,7 @@ def test_scans_and_backups(library: Path, tmp_path: Path) -> None:
 def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) -> None:
     data = tmp_path / "data"
     prepare(data)
-    told: dict[int, str] = {}
+    reported: dict[int, str] = {}
     with traced(library, data) as bench:
         station = bench.station
         station.post("/api/verify/start").raise_for_status()
@@ -134,17 +134,17 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
         while True:
             mark, view = bench.ask("GET", "/api/verify")
             clouds = view["picture"].get("clouds", []) if view["step"] == "scan" else []
-            told.setdefault(sum(cloud["state"] == "good" for cloud in clouds), mark)
+            reported.setdefault(sum(cloud["state"] == "good" for cloud in clouds), mark)
             if view["step"] == "review" and view["busy"] is None:
                 break
             if view["busy"] is None:
                 station.ask("verify", "let_hand", all=True)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/verify/command", **body)
-    trace, marks = bench.trace(), [*told.values()]
+    trace, marks = bench.trace(), [*reported.values()]
     (session,) = (data / "verifications").iterdir()
     recordings = sorted(session.rglob("*.mcap"))
-    for (number, mark), before in zip([*told.items()][1:], marks, strict=False):
+    for (number, mark), before in zip([*reported.items()][1:], marks, strict=False):
         by = trace.answer_index(mark)
         assert trace.why_no_row(trace.request_index(before), by) == ""
         assert trace.why_not_stored(recordings[number - 1], by) == ""

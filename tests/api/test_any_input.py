@@ -63,10 +63,12 @@ def test_every_route_answers_anything(http: httpx.Client, data: Path) -> None:
             answer = case.call(base_url=str(http.base_url), headers=cookie(http), timeout=30)
             if answer.status_code < 400:
                 return
-            told = f"{case.method} {case.formatted_path}: {answer.status_code} {answer.text[:500]}"
-            assert answer.status_code < 500, told
+            reported = (
+                f"{case.method} {case.formatted_path}: {answer.status_code} {answer.text[:500]}"
+            )
+            assert answer.status_code < 500, reported
             assert_discreet(answer.text, data)
-            assert {"title", "status", "detail"} <= set(json.loads(answer.text)), told
+            assert {"title", "status", "detail"} <= set(json.loads(answer.text)), reported
 
         answers()
         tried += 1

@@ -1,4 +1,4 @@
-"""The papers that a demonstration puts into its data folder."""
+"""The datasheets that a demonstration puts into its data folder."""
 
 from pathlib import Path
 

@@ -140,8 +140,8 @@ def test_a_whole_calibration_by_the_hand(at_setup: Server, tmp_path: Path) -> No
     assert view["step"] == "review", view["findings"]
 
     result = view["picture"]["result"]
-    told = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
-    assert result["verdict"] == "good", told
+    reported = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
+    assert result["verdict"] == "good", reported
     assert 0 < result["total_um"] < 50
     assert len(view["picture"]["points"]) == 27
     poses = view["picture"]["poses"]
@@ -278,8 +278,8 @@ def test_a_whole_calibration_on_the_chessboard_by_the_hand(
     assert view["step"] == "review", view["findings"]
 
     picture, result = view["picture"], view["picture"]["result"]
-    told = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
-    assert result["verdict"] == "good", told
+    reported = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
+    assert result["verdict"] == "good", reported
     assert picture["object"] == {"kind": "board", "inner_corners": [7, 6], "square_mm": 4.5}
     touched = [point["at_mm"] for point in picture["points"]]
     assert len(touched) == 6

@@ -48,12 +48,12 @@ def running(*arguments: str) -> Iterator[Running]:
     ) as process:
         try:
             assert process.stdout is not None
-            told = ""
+            reported = ""
             for line in process.stdout:
-                told += line
+                reported += line
                 if line.startswith("Ready"):
                     break
-            yield process, next(word for word in told.split() if word.startswith("http"))
+            yield process, next(word for word in reported.split() if word.startswith("http"))
         finally:
             process.kill()
 
@@ -197,7 +197,7 @@ def test_a_station_over_tls(tmp_path: Path) -> None:
     ],
 )
 def test_a_certificate_that_will_not_do_is_refused_in_one_line(
-    tmp_path: Path, keys: str, told: str
+    tmp_path: Path, keys: str, reported: str
 ) -> None:
     write_png(tmp_path / "picture.png", np.full((24, 32), 90, np.uint8))
     text = SETTINGS.format(folder=tmp_path, url=NOWHERE)
@@ -205,7 +205,7 @@ def test_a_certificate_that_will_not_do_is_refused_in_one_line(
     config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
     done = run("serve", "--config", config, "--data", data, "--port", "0")
     assert done.returncode == 1
-    assert told in done.stderr
+    assert reported in done.stderr
     assert len(done.stderr.strip().splitlines()) == 1
 
 

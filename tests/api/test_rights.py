@@ -98,8 +98,8 @@ def test_a_route_lets_in_whom_it_should(
 
 
 def is_problem(answer: httpx.Response) -> bool:
-    told = "problem" in answer.headers.get("content-type", "")
-    return told and answer.request.method != "HEAD"
+    reported = "problem" in answer.headers.get("content-type", "")
+    return reported and answer.request.method != "HEAD"
 
 
 @pytest.mark.parametrize("path", [path for _, path in LIVE])

@@ -104,10 +104,10 @@ def test_what_runs_is_told_step_by_step(touching: Server) -> None:
         return dict(report["activity"])
 
     until(lambda: activity()["step"] == 3)
-    told = activity()
-    assert told["kind"] == "calibrating"
-    assert told["steps"] == 7
-    assert told["title"] == touching.flow()["title"]
+    reported = activity()
+    assert reported["kind"] == "calibrating"
+    assert reported["steps"] == 7
+    assert reported["title"] == touching.flow()["title"]
 
 
 def test_metrics_are_for_those_who_have_a_token(server: Server) -> None:
@@ -242,7 +242,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     _, scraper = store.api_tokens.add("Prometheus", person)
     store.audit.note(person, PLANTED["a remote address"], f"hello from {person}")
     (tmp_path / "password").write_text(PLANTED["an MQTT password"])
-    told = {
+    reported = {
         **context.monitoring.settings.effective_settings,
         "sensor": {
             "url": f"rtsp://admin:{PLANTED['a camera password']}@{PLANTED['a remote address']}/1",
@@ -251,7 +251,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     }
     watching = MonitoringSettings(
         mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"),
-        effective_settings=told,
+        effective_settings=reported,
     )
     monkeypatch.setattr(context.monitoring, "settings", watching)
     change = {"done": True, "fault": True, "due": True}
@@ -333,10 +333,10 @@ def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None
     server.http.post("/api/notifications", json=change).raise_for_status()
     at = "2026-01-01T00:00:00Z"
     old = replace(home.checks[0], state="due", text="It is old, says a test.", at=at)
-    told = _notify_due(server.context, set())
+    reported = _notify_due(server.context, set())
     server.context.bus.publish("home", replace(home, checks=(old, *home.checks[1:])))
     for _ in range(3):
-        told = _notify_due(server.context, told)
+        reported = _notify_due(server.context, reported)
     server.context.bus.publish("home", home)
     until(lambda: receiver.taken)
     texts = [json.loads(body)["text"] for _, body in receiver.taken]

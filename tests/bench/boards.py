@@ -2,8 +2,8 @@
 
     python -m tests.bench.boards [SESSIONS] [--arms N]
 
-Sessions of eight pictures of a bent sheet on a robot, with everything that errs drawn anew; and
-of the simulated station's board, pictures rendered, by arms that their papers describe to 20 µm,
+Sessions of eight pictures of a bent sheet on a robot, with everything that errs drawn again; and
+of the simulated station's board, pictures rendered, by arms with datasheets true to 20 µm,
 as is usual, and to 45 µm.
 """
 

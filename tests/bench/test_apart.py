@@ -29,11 +29,11 @@ def test_a_station_that_ends_is_told() -> None:
 def test_a_station_that_does_not_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "PATIENCE_S", 0.1)
     with (
-        pytest.raises(OperationError, match=r"does not start.*nothing came of it in") as told,
+        pytest.raises(OperationError, match=r"does not start.*nothing came of it in") as reported,
         apart.run_in_process(_silent),
     ):
         pass
-    assert "a file" not in told.value.line
+    assert "a file" not in reported.value.line
 
 
 def test_the_memory_of_a_process_is_told() -> None:

@@ -73,10 +73,10 @@ def nudge(by_mm: float, by_deg: float) -> Fault:
 
 def scale_block(share: float) -> Fault:
     def spoilt(session: Draw, _station: SimulatedSetup, _rng: np.random.Generator) -> Draw:
-        papers, state = session.problem.prior, session.start
-        papers = replace(papers, coordinates=papers.coordinates * (1 + share))
+        prior, state = session.problem.prior, session.start
+        prior = replace(prior, coordinates=prior.coordinates * (1 + share))
         state = replace(state, coordinates=state.coordinates * (1 + share))
-        return replace(session, problem=replace(session.problem, prior=papers), start=state)
+        return replace(session, problem=replace(session.problem, prior=prior), start=state)
 
     return spoilt
 

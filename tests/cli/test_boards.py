@@ -57,9 +57,9 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Everything of a session but the arm and where it stood."""
     folder = tmp_path_factory.mktemp("pictures")
     write_object(folder / "object.json", BOARD)
-    sheet = {"name": "camera and laser", "serial_number": "S-7", "stripe_axis": "v"}
-    sheet |= {"width_px": str(SIZE[0]), "height_px": str(SIZE[1])}
-    write_sensor(folder / "sensor.json", SensorDatasheet.model_validate(sheet, strict=False))
+    document = {"name": "camera and laser", "serial_number": "S-7", "stripe_axis": "v"}
+    document |= {"width_px": str(SIZE[0]), "height_px": str(SIZE[1])}
+    write_sensor(folder / "sensor.json", SensorDatasheet.model_validate(document, strict=False))
     (folder / "images").mkdir()
     for k, T in enumerate(POSES):
         write_png(folder / f"images/{k + 1}.png", picture(T, Look(), k))
@@ -133,22 +133,22 @@ def test_a_robots_session_gives_the_same_file_as_any_other(
     assert shown.exit_code == 0, shown.output
     assert "robot's poses" in shown.stdout
     assert "12 contacts lie on the board" in shown.stdout
-    sheet = CalibrationFile.read(out)
-    assert sheet.method == "joint"
-    assert sheet.serial_numbers.sensor == "S-7"
-    assert [pose.number for pose in sheet.poses if pose.used] == list(range(1, 9))
-    assert len(sheet.poses[0].corners_px) == 42
-    assert len(sheet.corners_mm) == 42
-    assert {one.file for one in sheet.inputs} >= {"probing.csv", "images/8.png"}
-    assert sheet.uncertainty is not None
-    assert sheet.uncertainty.map is not None
-    assert sheet.uncertainty.plane is not None
-    assert sheet.residuals is not None
-    assert len(sheet.residuals.contacts_um) == 12
-    assert {point.kind for point in sheet.residuals.worst} == {"contact", "corner", "stripe"}
-    assert sheet.covariance is not None
-    assert sheet.verdict is not None
-    assert "uncertainty" in {finding.code for finding in sheet.verdict.findings}
+    document = CalibrationFile.read(out)
+    assert document.method == "joint"
+    assert document.serial_numbers.sensor == "S-7"
+    assert [pose.number for pose in document.poses if pose.used] == list(range(1, 9))
+    assert len(document.poses[0].corners_px) == 42
+    assert len(document.corners_mm) == 42
+    assert {one.file for one in document.inputs} >= {"probing.csv", "images/8.png"}
+    assert document.uncertainty is not None
+    assert document.uncertainty.map is not None
+    assert document.uncertainty.plane is not None
+    assert document.residuals is not None
+    assert len(document.residuals.contacts_um) == 12
+    assert {point.kind for point in document.residuals.worst} == {"contact", "corner", "stripe"}
+    assert document.covariance is not None
+    assert document.verdict is not None
+    assert "uncertainty" in {finding.code for finding in document.verdict.findings}
     known = read_calibration(out)
     found = known.T_flange_sensor @ inverse(camera_place(known.camera))
     assert np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]) < 0.2
@@ -247,12 +247,12 @@ def findings_of(session: Path) -> dict[str, str]:
 def test_another_boards_certificate_is_refused(
     spoilt: Path, fields: dict[str, object], words: str
 ) -> None:
-    edit_json(spoilt / "object.json", lambda sheet: sheet.update(fields))
+    edit_json(spoilt / "object.json", lambda document: document.update(fields))
     assert words in refused("calibrate", spoilt, "-o", spoilt / "c.json")
 
 
 def test_a_size_slightly_wrong_is_flagged(spoilt: Path) -> None:
-    edit_json(spoilt / "object.json", lambda sheet: sheet.update(square_mm=10.2))
+    edit_json(spoilt / "object.json", lambda document: document.update(square_mm=10.2))
     assert findings_of(spoilt)["board-size"].startswith("bad: By the arm's motion the squares are")
 
 
@@ -305,7 +305,7 @@ def test_poses_in_metres_are_refused(spoilt: Path) -> None:
 
 
 def test_touches_without_a_tip_are_refused(spoilt: Path) -> None:
-    edit_json(spoilt / "arm.json", lambda sheet: sheet.pop("tip"))
+    edit_json(spoilt / "arm.json", lambda document: document.pop("tip"))
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
     assert "12 contacts, and the arm robot has no tip" in said
 
@@ -323,12 +323,12 @@ def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: fl
     out = tmp_path / "calibration.json"
     shown = crenel("calibrate", session, "-o", out)
     assert shown.exit_code == 0, shown.output
-    sheet = CalibrationFile.read(out)
-    assert all(pose.used for pose in sheet.poses)
-    assert np.sqrt(np.mean([pose.off_um**2 for pose in sheet.poses])) < 1e3 * scatter_mm
-    assert 2345 < sheet.camera.matrix[0][0] < 2365
-    assert sheet.verdict is not None
-    codes = {finding.code for finding in sheet.verdict.findings}
+    document = CalibrationFile.read(out)
+    assert all(pose.used for pose in document.poses)
+    assert np.sqrt(np.mean([pose.off_um**2 for pose in document.poses])) < 1e3 * scatter_mm
+    assert 2345 < document.camera.matrix[0][0] < 2365
+    assert document.verdict is not None
+    codes = {finding.code for finding in document.verdict.findings}
     assert ("laser-moved" in codes) == (name == "calib1")
     assert ("board-rocks" in codes) == (name == "calib1")
     assert "more pictures" in shown.stdout or "come to rest" in shown.stdout

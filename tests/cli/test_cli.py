@@ -446,8 +446,8 @@ def test_study_compares_calibrations(tmp_path: Path, scan: dict[str, Path]) -> N
     paths = [scan[name] for name in ("scan.mcap", "calibration.json", "calibration.json")]
     result = crenel("study", *paths, "--arm", scan["arm.json"], "-o", tmp_path / "t.csv", "--json")
     assert result.exit_code == 0, result.stderr
-    told = json.loads(result.stdout)
-    assert told["between_calibrations"][0]["offset_um"] == 0
+    reported = json.loads(result.stdout)
+    assert reported["between_calibrations"][0]["offset_um"] == 0
     assert len((tmp_path / "t.csv").read_text().splitlines()) == 3
     assert crenel("study", scan["scan.mcap"], "--arm", scan["arm.json"]).exit_code == 2
     before = names_in(tmp_path)

@@ -92,8 +92,8 @@ def test_what_belongs_together_is_told(tmp_path: Path, folder: Path) -> None:
 
 def test_points_of_the_fit_are_no_check(tmp_path: Path, folder: Path) -> None:
     before = names_in(tmp_path)
-    told = refused("identify", folder, "-o", tmp_path / "new.json", "--check", folder)
-    assert "other places" in told
+    reported = refused("identify", folder, "-o", tmp_path / "new.json", "--check", folder)
+    assert "other places" in reported
     assert names_in(tmp_path) == before
 
 
@@ -102,7 +102,7 @@ def test_articulation_refuses_points_of_two_places(folder: Path) -> None:
     lines = table.read_text().splitlines()
     mixed = [lines[0], *(f"S1,{line.split(',', 1)[1]}" for line in lines[1:29])]
     table.write_text("\n".join(mixed) + "\n")
-    told = refused("articulation", folder)
-    assert "another place" in told
+    reported = refused("articulation", folder)
+    assert "another place" in reported
     table.write_text(table.read_text().replace(mixed[3].split(",")[2], "nan"))
     assert refused("articulation", folder).count("articulation.csv") == 1

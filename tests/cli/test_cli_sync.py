@@ -74,14 +74,16 @@ def test_the_delay_is_found_and_a_rebuild_takes_it_out(folder: Path) -> None:
     output = folder / "sync.json"
     result = crenel("sync", folder / "scan.mcap", *given(folder), "-o", output, "--json")
     assert result.exit_code == 0, result.output
-    told = json.loads(result.stdout)
-    assert told["delay_ms"] == pytest.approx(DELAY_MS, abs=4 * told["standard_uncertainty_ms"])
-    assert told["standard_uncertainty_ms"] < 0.2
-    assert json.loads(output.read_text())["delay_ms"] == told["delay_ms"]
+    reported = json.loads(result.stdout)
+    assert reported["delay_ms"] == pytest.approx(
+        DELAY_MS, abs=4 * reported["standard_uncertainty_ms"]
+    )
+    assert reported["standard_uncertainty_ms"] < 0.2
+    assert json.loads(output.read_text())["delay_ms"] == reported["delay_ms"]
     without, found = rms_um(folder), rms_um(folder, "--sync", output)
     assert found < 30 < 80 < without
     assert rms_um(folder, "--delay-ms", str(DELAY_MS)) == pytest.approx(found, rel=0.05)
-    assert without == pytest.approx(told["rms_without_um"], rel=0.1)
+    assert without == pytest.approx(reported["rms_without_um"], rel=0.1)
 
 
 def test_a_rebuild_takes_out_what_the_station_took_out(folder: Path) -> None:
@@ -107,8 +109,8 @@ def test_what_does_not_tell_the_delay_is_refused_and_nothing_written(folder: Pat
 def test_a_delay_of_other_devices_is_refused(folder: Path) -> None:
     output = folder / "sync.json"
     assert crenel("sync", folder / "scan.mcap", *given(folder), "-o", output).exit_code == 0
-    sheet = json.loads(output.read_text())
-    output.write_text(json.dumps({**sheet, "arm_serial": "A-2"}))
+    document = json.loads(output.read_text())
+    output.write_text(json.dumps({**document, "arm_serial": "A-2"}))
     line = refused("reconstruct", folder / "scan.mcap", *given(folder), "--sync", output)
     assert "is of arm A-2" in line
     both = ("--sync", output, "--delay-ms", "1")

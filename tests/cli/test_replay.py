@@ -65,12 +65,12 @@ class Telling(Bus):
 
     def __init__(self) -> None:
         super().__init__()
-        self.told: list[ReplayState] = []
+        self.reported: list[ReplayState] = []
 
     def publish(self, topic: str, value: object) -> None:
         assert topic == "replay"
         assert isinstance(value, ReplayState)
-        self.told.append(value)
+        self.reported.append(value)
 
 
 def shown(path: Path, speed: float, bus: Bus | None = None) -> tuple[Shown, float]:
@@ -102,12 +102,12 @@ def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
 def test_how_far_it_is_is_told_as_it_goes(tmp_path: Path) -> None:
     bus = Telling()
     shown(scan(tmp_path / "scan.mcap"), 0.5, bus)
-    first, *_, last = bus.told
+    first, *_, last = bus.reported
     assert (first.recording, first.speed, first.state) == ("scan.mcap", 0.5, "playing")
     assert (first.played_s, first.points) == (0.0, 0)
     assert first.length_s == pytest.approx(0.8)
-    assert 4 <= len(bus.told) <= 12
-    assert [one.points for one in bus.told] == sorted(one.points for one in bus.told)
+    assert 4 <= len(bus.reported) <= 12
+    assert [one.points for one in bus.reported] == sorted(one.points for one in bus.reported)
     assert (last.state, last.points, last.text) == ("ended", 60 * 25, "")
     assert last.points_shown == last.points
     assert last.played_s == pytest.approx(0.69)
@@ -124,9 +124,9 @@ def test_of_a_cut_recording_no_length_is_told_but_that_it_was_cut(tmp_path: Path
         joints_every(writer, 404 * MS, 800 * MS, 4 * MS)
     path.write_bytes(path.read_bytes()[: whole + 99])
     shown(path, 0.0, bus)
-    assert bus.told[0].length_s is None
-    assert bus.told[-1].state == "ended"
-    assert "is cut off" in str(bus.told[-1].text)
+    assert bus.reported[0].length_s is None
+    assert bus.reported[-1].state == "ended"
+    assert "is cut off" in str(bus.reported[-1].text)
 
 
 def test_a_replay_that_fails_says_why(tmp_path: Path) -> None:
@@ -134,8 +134,8 @@ def test_a_replay_that_fails_says_why(tmp_path: Path) -> None:
         joints_every(writer, 0, 800 * MS, 4 * MS)
     bus = Telling()
     shown(tmp_path / "scan.mcap", 0.0, bus)
-    assert bus.told[-1].state == "failed"
-    assert "no frames" in str(bus.told[-1].text)
+    assert bus.reported[-1].state == "failed"
+    assert "no frames" in str(bus.reported[-1].text)
 
 
 def test_arm_and_pictures_come_again_by_the_same_clock(tmp_path: Path) -> None:

@@ -42,9 +42,9 @@ def test_the_calibration_reconstructs_the_true_points(samples: Path, calibrated:
 
 
 def test_the_calibration_carries_what_it_came_from(samples: Path, calibrated: Path) -> None:
-    sheet = CalibrationFile.read(calibrated)
-    assert sheet.serial_numbers.model_dump() == {"arm": "J-1", "object": "B-1", "sensor": "S-1"}
-    assert {one.file for one in sheet.inputs} == {
+    document = CalibrationFile.read(calibrated)
+    assert document.serial_numbers.model_dump() == {"arm": "J-1", "object": "B-1", "sensor": "S-1"}
+    assert {one.file for one in document.inputs} == {
         "arm.json",
         "object.json",
         "sensor.json",
@@ -53,17 +53,17 @@ def test_the_calibration_carries_what_it_came_from(samples: Path, calibrated: Pa
         "images/pose00_ambient.png",
         "images/pose00_laser.png",
     }
-    for one in sheet.inputs:
+    for one in document.inputs:
         content = (samples / "one-pose" / one.file).read_bytes()
         assert one.sha256 == hashlib.sha256(content).hexdigest()
-    assert sheet.verdict is not None
-    assert sheet.uncertainty is not None
-    assert sheet.residuals is not None
-    assert len(sheet.residuals.contacts_um) == 45
-    assert sheet.covariance is not None
-    matrix = np.array(sheet.covariance.matrix)
-    assert matrix.shape == (len(sheet.covariance.parameters),) * 2
-    sheet.write(calibrated.with_name("again.json"))
+    assert document.verdict is not None
+    assert document.uncertainty is not None
+    assert document.residuals is not None
+    assert len(document.residuals.contacts_um) == 45
+    assert document.covariance is not None
+    matrix = np.array(document.covariance.matrix)
+    assert matrix.shape == (len(document.covariance.parameters),) * 2
+    document.write(calibrated.with_name("again.json"))
     assert calibrated.with_name("again.json").read_bytes() == calibrated.read_bytes()
 
 

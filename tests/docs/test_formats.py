@@ -129,11 +129,11 @@ def test_the_calibration_is_read_and_its_fields_are_named(examples: Path) -> Non
     section = PAGE.split("\n## Calibration\n")[1].split("\n## ")[0]
     for name in CalibrationFile.model_fields:
         assert f"`{name}`" in section or f'"{name}"' in section, name
-    sheet = CalibrationFile.read(examples / "calibration.json")
-    assert sheet.verdict is not None
-    text = sheet.verdict.text
+    document = CalibrationFile.read(examples / "calibration.json")
+    assert document.verdict is not None
+    text = document.verdict.text
     assert isinstance(text, Message), "the example's message is none of the language files"
-    assert str(text) == json.loads(sheet.text())["verdict"]["text"]
+    assert str(text) == json.loads(document.text())["verdict"]["text"]
     assert f'"{text!s}"' in section
 
 

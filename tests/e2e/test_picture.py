@@ -79,7 +79,7 @@ def test_the_picture_comes_back_by_itself(
         figures.append(f"drawn again {(first_after(page, back_ms) - back_ms) / 1e3:.2f} s after")
         expect(away).to_have_count(0)
         expect(picture).not_to_have_attribute("data-old", "true")
-    # nothing was loaded anew: what was drawn before the camera went is still known
+    # nothing was loaded again: what was drawn before the camera went is still known
     assert page.evaluate("window.drawn.length") > ROUNDS
     page.close()
     with capsys.disabled():

@@ -48,14 +48,14 @@ def test_the_identified_arm_is_written_with_its_covariance(
     tmp_path: Path, session: SimulatedArmSession
 ) -> None:
     out = tmp_path / "identified.json"
-    sheet, result = identify_folder(tmp_path / "s", out)
-    assert ArmFile.read(out) == sheet
+    document, result = identify_folder(tmp_path / "s", out)
+    assert ArmFile.read(out) == document
     arm = read_arm(out)
     before, after = (
         volumetric_error_um(session.arm, a) for a in (read_arm(tmp_path / "s/arm.json"), arm)
     )
     assert after < before / 10
-    part = sheet.identification
+    part = document.identification
     assert part is not None
     count = len(part.parameters)
     covariance = np.array(part.covariance)
@@ -63,7 +63,7 @@ def test_the_identified_arm_is_written_with_its_covariance(
     sds = [parameter.standard_uncertainty for parameter in part.parameters]
     np.testing.assert_allclose(np.sqrt(np.diag(covariance)), sds, rtol=1e-9)
     angle = next(p for p in part.parameters if p.name == "J2.theta_deg")
-    joint = next(joint for joint in sheet.joints if joint.name == "J2")
+    joint = next(joint for joint in document.joints if joint.name == "J2")
     assert angle.after == pytest.approx(joint.theta_deg, abs=1e-12)
     assert {i.file: i.sha256 for i in part.inputs}["spheres.csv"] == file_sha256(
         tmp_path / "s/spheres.csv"
@@ -79,10 +79,10 @@ def test_a_separate_folder_checks_the_result(tmp_path: Path, session: SimulatedA
     for path, sets in ((check, ("S5", "S6")), (tmp_path / "s", ("S1", "S2", "S3", "S4"))):
         kept = [line for line in lines[1:] if line.startswith(sets)]
         (path / "articulation.csv").write_text("\n".join([lines[0], *kept]) + "\n")
-    sheet, _ = identify_folder(tmp_path / "s", tmp_path / "out.json", check)
-    assert sheet.identification is not None
-    assert sheet.identification.validation.method == "separate"
-    assert sheet.identification.validation.places == 2
+    document, _ = identify_folder(tmp_path / "s", tmp_path / "out.json", check)
+    assert document.identification is not None
+    assert document.identification.validation.method == "separate"
+    assert document.identification.validation.places == 2
 
 
 def test_the_result_never_replaces_what_it_is_made_from(
@@ -161,8 +161,8 @@ def test_a_folder_without_tables_is_refused(tmp_path: Path, session: SimulatedAr
 def test_the_check_tells_half_range_and_two_sigma(
     tmp_path: Path, session: SimulatedArmSession
 ) -> None:
-    by_papers = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))
-    assert worst_verdict(by_papers) == "fail"
+    by_prior = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))
+    assert worst_verdict(by_prior) == "fail"
     identify_folder(tmp_path / "s", tmp_path / "out.json")
     table = tmp_path / "s/articulation.csv"
     limits = ArticulationLimits(half_range_um=60.0, two_sigma_um=60.0)

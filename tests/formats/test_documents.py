@@ -83,11 +83,11 @@ def test_an_object_reads_back(tmp_path: Path) -> None:
 def test_a_sensor_reads_back_and_unknown_fields_are_ignored(tmp_path: Path) -> None:
     path = tmp_path / "sensor.json"
     path.write_text("\ufeff" + json.dumps({**SENSOR, "lens": {"maker": "?"}, "focal_px": 2800}))
-    sheet = read_sensor(path)
-    assert isinstance(sheet, SensorDatasheet)
-    assert (sheet.width_px, sheet.stripe_axis, sheet.focal_px) == (64, "u", 2800.0)
-    write_sensor(path, sheet)
-    assert read_sensor(path) == sheet
+    document = read_sensor(path)
+    assert isinstance(document, SensorDatasheet)
+    assert (document.width_px, document.stripe_axis, document.focal_px) == (64, "u", 2800.0)
+    write_sensor(path, document)
+    assert read_sensor(path) == document
 
 
 def test_the_samples_read(samples: Path) -> None:

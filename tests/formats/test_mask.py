@@ -19,13 +19,13 @@ WIDTH, HEIGHT = 200, 100
 ZONE = [[50.0, -5.0], [120.0, -5.0], [120.0, 110.0], [50.0, 110.0]]
 
 
-def sheet(**change: object) -> dict[str, object]:
+def document(**change: object) -> dict[str, object]:
     fields: dict[str, object] = {"width_px": WIDTH, "height_px": HEIGHT, "zones": [ZONE]}
     return {"format": "crenel/mask", "version": 1, **fields, **change}
 
 
 def written(path: Path, **change: object) -> Path:
-    path.write_text(json.dumps(sheet(**change)))
+    path.write_text(json.dumps(document(**change)))
     return path
 
 
@@ -116,7 +116,7 @@ def test_a_delay_of_other_devices_is_not_used() -> None:
 
 
 def test_a_recording_says_how_its_stripes_were_extracted() -> None:
-    told = json.loads(settings().extraction_text)
-    assert (told["threshold"], told["choice"]) == (12, "first")
-    assert Mask.model_validate(told["mask"]) == settings().mask
+    reported = json.loads(settings().extraction_text)
+    assert (reported["threshold"], reported["choice"]) == (12, "first")
+    assert Mask.model_validate(reported["mask"]) == settings().mask
     assert AUTOMATIC.extraction_text == ""

@@ -56,8 +56,8 @@ def packed(data: bytes) -> bytes:
     return chunk(b"zstd", zstandard.compress(data, 1), len(data), zlib.crc32(data))
 
 
-def station(told: bytes = b"Bracket") -> bytes:
-    pair = text(b"scan_name") + text(told)
+def station(reported: bytes = b"Bracket") -> bytes:
+    pair = text(b"scan_name") + text(reported)
     return record(METADATA, text(STATION_METADATA.encode()) + struct.pack("<I", len(pair)) + pair)
 
 

@@ -233,12 +233,12 @@ def test_a_refused_solve_says_why_and_offers_the_ways_back(
     assert action(view, "retake").primary
     of_picture = Finding("bad", f"Exposure is at fault. {said}", "Raise the exposure.")
     declined = CalibrationOutcome([], [], [], [of_picture], None, fault="exposure")
-    told = build_view(state, make_live(state, arm, block, latest_outcome=declined))
-    assert told.findings == [of_picture]
+    reported = build_view(state, make_live(state, arm, block, latest_outcome=declined))
+    assert reported.findings == [of_picture]
     dim, none = Finding("attention", "It is dim."), Finding("bad", "There is no stripe.")
     declined = CalibrationOutcome([], [], [], [dim, none], None)
-    told = build_view(state_after(*rows), make_live(state, arm, block, latest_outcome=declined))
-    assert told.findings == [none, dim]
+    reported = build_view(state_after(*rows), make_live(state, arm, block, latest_outcome=declined))
+    assert reported.findings == [none, dim]
     state = state_after(*rows, ("solve_refused", refused), ("point_voided", {"index": 3}))
     assert build_view(state, make_live(state, arm, block)).findings == []
 
@@ -316,16 +316,18 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     assert view.picture.shown == 2
     assert [str(pose.note) for pose in view.picture.poses] == ["", "Not usable: focus"]
     assert [pose.state for pose in view.picture.poses] == ["taken", "taken"]
-    told = build_view(state, make_live(state, arm, block, latest_outcome=blurred))
-    assert "cannot be used" in str(told.instruction)
-    assert action(told, "retake").primary
-    assert told.progress is not None
-    assert (told.progress.done, str(told.progress.text)) == (2, "2 of up to 6 poses")
-    assert action(told, "solve").enabled
+    reported = build_view(state, make_live(state, arm, block, latest_outcome=blurred))
+    assert "cannot be used" in str(reported.instruction)
+    assert action(reported, "retake").primary
+    assert reported.progress is not None
+    assert (reported.progress.done, str(reported.progress.text)) == (2, "2 of up to 6 poses")
+    assert action(reported, "solve").enabled
     alone = state_after(start_row("touch"), *contacts, capture_row(outcome=bad))
-    told = build_view(alone, make_live(alone, arm, block, latest_outcome=blurred))
-    assert str(action(told, "solve").why_not) == "No picture shows the object yet. Take one anew."
-    assert action(told, "retake").enabled
+    reported = build_view(alone, make_live(alone, arm, block, latest_outcome=blurred))
+    assert (
+        str(action(reported, "solve").why_not) == "No picture shows the object yet. Take another."
+    )
+    assert action(reported, "retake").enabled
 
 
 def test_few_points_are_told_how_many_more_help(
@@ -340,9 +342,9 @@ def test_few_points_are_told_how_many_more_help(
     view = build_view(state, live)
     assert view.number is not None
     assert view.number.value == pytest.approx(known)
-    told = view.findings[-1]
+    reported = view.findings[-1]
     expected = r"Object known to \d+ µm \(k = 1\); \d+ more on the \w+ face.* brings? \d+ µm\."
-    assert re.fullmatch(expected, str(told.text))
+    assert re.fullmatch(expected, str(reported.text))
 
 
 def place_um(touch: TouchReport) -> float:

@@ -115,27 +115,27 @@ def test_a_calibration_is_compared_with_the_one_in_use(
 ) -> None:
     session = read_session(folder.path)
     result = calibrate_block(joint_inputs(session))
-    sheet = joint_document(result, calibration_origin(session, session.poses, ""))
+    document = joint_document(result, calibration_origin(session, session.poses, ""))
     in_use = InUse("the first", tmp_path / "calibration.json")
 
     def compared(**changes: object) -> Comparison | None:
-        changed = {**json.loads(sheet.model_dump_json()), **changes}
+        changed = {**json.loads(document.model_dump_json()), **changes}
         in_use.file.write_text(json.dumps({"format": "crenel/calibration", "version": 1} | changed))
-        return compare(result, sheet, in_use)
+        return compare(result, document, in_use)
 
     same = compared()
     assert same is not None
     assert same.with_name == "the first"
     assert same.max_um == pytest.approx(0.0, abs=1e-6)
     assert len(same.map) > 20
-    moved = np.array(sheet.probe_matrix)
+    moved = np.array(document.probe_matrix)
     moved[2, 3] += 0.1
     shifted = compared(probe_matrix=moved.tolist())
     assert shifted is not None
     assert shifted.rms_um == pytest.approx(100.0, rel=1e-6)
     assert shifted.max_um == pytest.approx(100.0, rel=1e-6)
     assert {point.moved_um for point in shifted.map} == {100.0}
-    turned = np.array(sheet.probe_matrix)
+    turned = np.array(document.probe_matrix)
     turned[:3, :3] @= cv2.Rodrigues(np.array([0.0, 0.0, 1e-3]))[0]
     tilted = compared(probe_matrix=turned.tolist())
     assert tilted is not None
@@ -144,8 +144,8 @@ def test_a_calibration_is_compared_with_the_one_in_use(
     other = {"arm": "A", "object": "B", "sensor": "another"}
     assert compared(serial_numbers=other) is None
     in_use.file.write_text("damaged")
-    assert compare(result, sheet, in_use) is None
-    assert compare(result, sheet, None) is None
+    assert compare(result, document, in_use) is None
+    assert compare(result, document, None) is None
 
 
 def test_a_refused_solve_leaves_no_calibration_of_before(tmp_path: Path) -> None:

@@ -48,10 +48,10 @@ def board_of(twin: SimulatedStation) -> tuple[Board, Floats]:
 def rendered(board: Board, T_board_sensor: Floats) -> tuple[Renderer, Optics]:
     """A small sensor without noise and blur over a board under even light from afar."""
     optics, _ = draw_sensor(CrenellatedBlock(), width_px=160, height_px=128)
-    sheet = LightPlane((0.0, 1.0, 0.0), 0.0, (0.0, 0.0, 128.0), sigma_mm=0.4)
+    document = LightPlane((0.0, 1.0, 0.0), 0.0, (0.0, 0.0, 128.0), sigma_mm=0.4)
     T = np.asarray(np.linalg.inv(T_board_sensor))
     scene = SimulatedScene((SceneObject("board", board, T),), OVERHEAD)
-    return Renderer(scene, optics, sheet, PLAIN), optics
+    return Renderer(scene, optics, document, PLAIN), optics
 
 
 def black(board: Board, x: Floats, y: Floats) -> np.ndarray:
@@ -157,7 +157,7 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Simulate
     board, T_arm_board = board_of(twin)
     half = np.array([*board.half_pattern_mm, 0.0])
     ends = np.array([[x, y, 0] for x in (-1, 1) for y in (-1, 1)]) * half + board.middle_mm
-    optics, sheet = twin._rig.optics, twin._rig.light_plane
+    optics, document = twin._rig.optics, twin._rig.light_plane
     ways, turns, heights = [], [], []
     for view in range(len(VIEWPOINTS)):
         assert twin.operator.hold_over("board", view)
@@ -167,7 +167,7 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Simulate
         assert uv.min() > 5
         assert np.all(uv < [optics.width_px - 6, optics.height_px - 6])
         middle = T[:3, :3] @ board.middle_mm + T[:3, 3]
-        off = np.array([*corners, middle]) @ sheet.normal - sheet.offset_mm
+        off = np.array([*corners, middle]) @ document.normal - document.offset_mm
         assert off[:4].min() < -2
         assert off[:4].max() > 2
         assert abs(off[4]) < 6

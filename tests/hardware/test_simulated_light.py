@@ -30,9 +30,13 @@ LAMP = (80.0, 0.0, 100.0)
 
 
 def light_of(things: tuple[SceneObject, ...], light: Light) -> Floats:
-    sheet = light_plane_through(np.array([0.0, 1.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, 100.0]))
+    light_plane = light_plane_through(
+        np.array([0.0, 1.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, 100.0])
+    )
     return np.asarray(
-        Renderer(SimulatedScene(things, light), OPTICS, sheet, NOISELESS).room_light(np.eye(4))
+        Renderer(SimulatedScene(things, light), OPTICS, light_plane, NOISELESS).room_light(
+            np.eye(4)
+        )
     )
 
 

@@ -113,10 +113,10 @@ def step_places(image: Floats, line: Floats, reach: int = 7) -> Floats:
 @pytest.mark.parametrize("distortion", LENSES)
 @pytest.mark.parametrize("name", EDGES)
 def test_edges_are_where_geometry_puts_them(name: str, distortion: Lens) -> None:
-    optics, sheet = draw_sensor(BLOCK, distortion=distortion)
+    optics, light_plane = draw_sensor(BLOCK, distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, EXACT).render(T).astype(np.float64)
+    image = Renderer(scene, optics, light_plane, EXACT).render(T).astype(np.float64)
     ends = np.array(EDGES[name], dtype=np.float64)
     points = ends[0] + np.linspace(0, 1, 400)[:, None] * (ends[1] - ends[0])
     off = step_places(image, opencv_pixels(optics, in_sensor(scene, T, points)))
@@ -130,14 +130,14 @@ def test_edges_are_where_geometry_puts_them(name: str, distortion: Lens) -> None
 def test_the_stripe_is_where_geometry_puts_it(
     patch: tuple[float, float, float], distortion: Lens
 ) -> None:
-    optics, sheet = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
+    optics, light_plane = draw_sensor(BLOCK, np.random.default_rng(4), distortion=distortion)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, EXACT).render(T, room=0.0, laser=1.0)
+    image = Renderer(scene, optics, light_plane, EXACT).render(T, room=0.0, laser=1.0)
     light = image.astype(np.float64) - image[5, 5]
     into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
-    normal = into[:3, :3].T @ np.array(sheet.normal)
-    offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
+    normal = into[:3, :3].T @ np.array(light_plane.normal)
+    offset = light_plane.offset_mm - np.array(light_plane.normal) @ into[:3, 3]
     x = np.linspace(patch[0] + 0.4, patch[1] - 0.4, 300)
     y = (offset - normal[0] * x - normal[2] * patch[2]) / normal[1]
     line = opencv_pixels(
@@ -160,13 +160,13 @@ def test_the_stripe_is_where_geometry_puts_it(
 
 
 def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
-    optics, sheet = draw_sensor(BLOCK)
+    optics, light_plane = draw_sensor(BLOCK)
     scene = block_scene()
-    light, _, _ = Renderer(scene, optics, sheet, NOISELESS).laser_light(over_block(scene))
+    light, _, _ = Renderer(scene, optics, light_plane, NOISELESS).laser_light(over_block(scene))
     T = over_block(scene)
     into = np.linalg.inv(T) @ scene.find_object("block").T_arm_obj
-    normal = into[:3, :3].T @ np.array(sheet.normal)
-    offset = sheet.offset_mm - np.array(sheet.normal) @ into[:3, 3]
+    normal = into[:3, :3].T @ np.array(light_plane.normal)
+    offset = light_plane.offset_mm - np.array(light_plane.normal) @ into[:3, 3]
 
     def brightness(x: float, z: float) -> float:
         y = (offset - normal[0] * x - normal[2] * z) / normal[1]
@@ -180,8 +180,8 @@ def test_a_merlon_hides_the_floor_behind_it_from_camera_and_laser() -> None:
 
 
 def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
-    optics, sheet = draw_sensor(BLOCK)
-    renderer = Renderer(block_scene(), optics, sheet, NOISELESS)
+    optics, light_plane = draw_sensor(BLOCK)
+    renderer = Renderer(block_scene(), optics, light_plane, NOISELESS)
     T = over_block(renderer.scene)
     smeared = renderer.room_light(T, SMEARED)
     sharp = renderer.room_light(T)
@@ -193,9 +193,9 @@ def test_a_smeared_picture_is_the_same_picture_less_sharp() -> None:
 
 
 def test_noise_is_as_the_detector_says() -> None:
-    optics, sheet = draw_sensor(BLOCK)
+    optics, light_plane = draw_sensor(BLOCK)
     detector = Detector()
-    renderer = Renderer(block_scene(), optics, sheet, detector)
+    renderer = Renderer(block_scene(), optics, light_plane, detector)
     T = over_block(renderer.scene)
     frames = np.stack([renderer.render(T).astype(np.float64) for _ in range(24)])
     flat = frames[:, 20:60, 20:200]
@@ -219,8 +219,8 @@ def test_speckle_has_its_contrast_and_no_seam(contrast: float) -> None:
 
 
 def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
-    optics, sheet = draw_sensor(BLOCK)
-    renderer = Renderer(block_scene(), optics, sheet, Detector(read_dn=0.0, shot_dn=0.0))
+    optics, light_plane = draw_sensor(BLOCK)
+    renderer = Renderer(block_scene(), optics, light_plane, Detector(read_dn=0.0, shot_dn=0.0))
     T = over_block(renderer.scene)
     first = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
     again = renderer.render(T, room=0.0, laser=0.5).astype(np.int64)
@@ -231,13 +231,13 @@ def test_speckle_stays_while_the_sensor_stays_and_changes_as_it_moves() -> None:
 
 
 def test_too_much_light_saturates() -> None:
-    optics, sheet = draw_sensor(BLOCK)
+    optics, light_plane = draw_sensor(BLOCK)
     scene = block_scene()
     T = over_block(scene)
-    image = Renderer(scene, optics, sheet, Detector()).render(T, room=4.0)
+    image = Renderer(scene, optics, light_plane, Detector()).render(T, room=4.0)
     assert image.max() == 255
     assert np.mean(image == 255) > 0.2
-    deep = Renderer(scene, optics, sheet, Detector(bits=12)).render(T, room=4.0)
+    deep = Renderer(scene, optics, light_plane, Detector(bits=12)).render(T, room=4.0)
     assert deep.dtype == np.uint16
     assert deep.max() == 4095
 
@@ -248,10 +248,10 @@ def test_too_much_light_saturates() -> None:
 def test_stripes_on_other_shapes_lie_on_shape_and_sheet(
     shape: GaugeSphere | FreeformPart | Box,
 ) -> None:
-    optics, sheet = draw_sensor(BLOCK)
+    optics, light_plane = draw_sensor(BLOCK)
     T_arm_sensor = translation(0.0, 0.0, 9.0 if isinstance(shape, GaugeSphere) else 3.0)
     scene = SimulatedScene((SceneObject("part", shape, np.eye(4)),), PLAIN)
-    light, _, _ = Renderer(scene, optics, sheet, NOISELESS).laser_light(T_arm_sensor)
+    light, _, _ = Renderer(scene, optics, light_plane, NOISELESS).laser_light(T_arm_sensor)
     columns = np.flatnonzero(light.max(axis=0) > 0.35)[10:-10:9]
     assert len(columns) > 20
     rows = np.arange(light.shape[0])
@@ -261,8 +261,8 @@ def test_stripes_on_other_shapes_lie_on_shape_and_sheet(
     R, t = optics.T_cam_sensor[:3, :3], optics.T_cam_sensor[:3, 3]
     rays = np.column_stack([directions.reshape(-1, 2), np.ones(len(columns))]) @ R
     eye = -R.T @ t
-    n = np.array(sheet.normal)
-    at = eye + rays * ((sheet.offset_mm - n @ eye) / (rays @ n))[:, None]
+    n = np.array(light_plane.normal)
+    at = eye + rays * ((light_plane.offset_mm - n @ eye) / (rays @ n))[:, None]
     at = at + T_arm_sensor[:3, 3]
     if isinstance(shape, GaugeSphere):
         off = np.linalg.norm(at, axis=1) - shape.radius_mm
@@ -280,8 +280,11 @@ def test_a_ray_that_grazes_a_steep_relief_comes_to_an_end() -> None:
     """Seen from low beside it, steps by secants lead back and forth."""
     steep = FreeformPart(8.0, 8.0, 6.0)
     light = Light(texture=0.0, lamp_mm=(80.0, 20.0, 30.0), lamp_radius_mm=15.0)
-    optics, sheet = draw_sensor(BLOCK, width_px=160, height_px=128)
+    optics, light_plane = draw_sensor(BLOCK, width_px=160, height_px=128)
     image = Renderer(
-        SimulatedScene((SceneObject("part", steep, np.eye(4)),), light), optics, sheet, NOISELESS
+        SimulatedScene((SceneObject("part", steep, np.eye(4)),), light),
+        optics,
+        light_plane,
+        NOISELESS,
     )
     assert image.room_light(translation(0.0, 0.0, 3.0)).max() > 0.2

@@ -1,4 +1,4 @@
-"""The whole simulated station: sensor driver, hand, papers, and that all tell one story."""
+"""The whole simulated station: sensor driver, operator, datasheets, and that all agree."""
 
 import threading
 import time
@@ -66,23 +66,23 @@ class TestTwinSensor(SensorConformance):
     """The simulated sensor is a sensor."""
 
 
-def model_of(paper: object) -> ArmModel:
-    """The arm as its paper has it, to see what an operator's program would compute."""
-    assert isinstance(paper, dict)
+def model_of(datasheet: object) -> ArmModel:
+    """The arm as its datasheet has it, to see what an operator's program would compute."""
+    assert isinstance(datasheet, dict)
     links = tuple(
         ArmLink(
             j["a_mm"], np.radians(j["alpha_deg"]), j["d_mm"], np.radians(j["theta_deg"]), j["sign"]
         )
-        for j in paper["joints"]
+        for j in datasheet["joints"]
     )
-    tip = paper["tip"]
+    tip = datasheet["tip"]
     return ArmModel(links, (tip["x_mm"], tip["y_mm"], tip["z_mm"]), tip["diameter_mm"])
 
 
 def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
-    papers = twin.datasheets()
-    model = model_of(papers["arm.json"])
-    block: dict[str, Any] = papers["object.json"]
+    datasheets = twin.datasheets()
+    model = model_of(datasheets["arm.json"])
+    block: dict[str, Any] = datasheets["object.json"]
     T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
     driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
     driver.open()
@@ -200,16 +200,18 @@ def stripe_in_arm_frame(twin: SimulatedStation, frame: Frame) -> Floats:
     return np.asarray(points @ T_arm_sensor[:3, :3].T + T_arm_sensor[:3, 3])
 
 
-def lit_points(camera: dict[str, Any], sheet: object, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+def lit_points(
+    camera: dict[str, Any], light_plane: object, u: np.ndarray, v: np.ndarray
+) -> np.ndarray:
     """Where the light at pixels came from, in the sensor frame, by OpenCV and a plane."""
     T = np.array(camera["T_cam_sensor"])
     pixels = np.column_stack([u, v]).astype(np.float64).reshape(-1, 1, 2)
     xy = cv2.undistortPoints(pixels, np.array(camera["matrix"]), np.array(camera["distortion"]))
     rays = np.column_stack([xy.reshape(-1, 2), np.ones(len(u))]) @ T[:3, :3]
     eye = -T[:3, :3].T @ T[:3, 3]
-    assert isinstance(sheet, dict)
-    n = np.array(sheet["normal"])
-    return np.asarray(eye + rays * ((sheet["offset_mm"] - n @ eye) / (rays @ n))[:, None])
+    assert isinstance(light_plane, dict)
+    n = np.array(light_plane["normal"])
+    return np.asarray(eye + rays * ((light_plane["offset_mm"] - n @ eye) / (rays @ n))[:, None])
 
 
 def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: SimulatedStation) -> None:
@@ -239,8 +241,8 @@ def test_lost_frames_are_counted_and_leave_a_gap(twin: SimulatedStation) -> None
 
 
 def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> None:
-    papers = twin.datasheets()
-    assert set(papers) == {
+    datasheets = twin.datasheets()
+    assert set(datasheets) == {
         "arm.json",
         "object.json",
         "chessboard.json",
@@ -248,14 +250,14 @@ def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> N
         "plate.nominal.json",
         "sphere.nominal.json",
     }
-    assert all(paper["version"] == 1 for paper in papers.values())
+    assert all(datasheet["version"] == 1 for datasheet in datasheets.values())
     true_block = twin.truth()["block"]
     assert isinstance(true_block, dict)
-    certificate = papers["object.json"]
+    certificate = datasheets["object.json"]
     off = np.array(true_block["edges_x_mm"]) - np.array(certificate["edges_x_mm"])
     assert 0 < np.abs(off).max() < 0.012
-    assert "error" not in str(papers["arm.json"])
-    model, q = model_of(papers["arm.json"]), twin._home
+    assert "error" not in str(datasheets["arm.json"])
+    model, q = model_of(datasheets["arm.json"]), twin._home
     gap = flange_pose(model, q)[:3, 3] - flange_pose(twin._rig.arm, q)[:3, 3]
     assert 0.005 < np.linalg.norm(gap) < 1.0
 

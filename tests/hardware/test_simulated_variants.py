@@ -40,9 +40,9 @@ EVERY_KIND = (
 
 def pictures(light: Light, bits: int) -> list[RawImage]:
     """With the room's light, the laser's, and both, with noise."""
-    optics, sheet = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
+    optics, light_plane = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
     scene = SimulatedScene(EVERY_KIND, light)
-    renderer = Renderer(scene, optics, sheet, Detector(bits=bits), SEED)
+    renderer = Renderer(scene, optics, light_plane, Detector(bits=bits), SEED)
     T = AT @ translation(0.3, -0.2, 7.5)
     return [
         renderer.render(T, 1.0, 0.0, FINE),
@@ -64,9 +64,9 @@ def test_every_variant_renders_the_same_picture(light: Light, bits: int) -> None
 
 def test_every_shape_is_in_the_picture() -> None:
     whole = pictures(Light(), 8)[0]
-    optics, sheet = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
+    optics, light_plane = draw_sensor(CrenellatedBlock(), width_px=320, height_px=256)
     for thing in EVERY_KIND:
         others = tuple(other for other in EVERY_KIND if other is not thing)
-        renderer = Renderer(SimulatedScene(others), optics, sheet, Detector(), SEED)
+        renderer = Renderer(SimulatedScene(others), optics, light_plane, Detector(), SEED)
         without = renderer.render(AT @ translation(0.3, -0.2, 7.5), 1.0, 0.0, FINE)
         assert np.mean(np.abs(whole.astype(np.int64) - without) > 5) > 0.001, thing.name

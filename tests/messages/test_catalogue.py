@@ -101,9 +101,9 @@ def test_a_text_as_a_sentence_and_with_a_capital() -> None:
 
 
 def test_names_from_right_to_left_leave_the_rest_in_its_place() -> None:
-    text = message("serial-number-3", value=HEBREW, value2="12")
+    text = message("name-and-serial-number", name=HEBREW, serial_number="12")
     assert ENGLISH(text) == f"\u2068{HEBREW}\u2069, serial number 12"
-    assert "\u202e" not in ENGLISH(message("serial-number-2", value="a\u202eb"))
+    assert "\u202e" not in ENGLISH(message("serial-number", serial_number="a\u202eb"))
 
 
 def test_a_plain_string_is_the_same_in_every_language() -> None:
@@ -116,7 +116,7 @@ def test_an_unknown_id_is_shown_itself() -> None:
 
 
 def test_a_missing_value_leaves_the_rest() -> None:
-    assert "serial number" in ENGLISH(Message("serial-number-2"))
+    assert "serial number" in ENGLISH(Message("serial-number"))
 
 
 def test_what_a_language_lacks_is_in_english(

@@ -12,7 +12,7 @@ from hardware.simulator.devices.kinematics import ArmModel, flange_poses
 
 
 def nominal_arm(model: ArmModel) -> Arm:
-    """The arm as its papers have it."""
+    """The arm as its datasheet has it."""
     joints = (
         Joint(
             f"J{i + 1}",

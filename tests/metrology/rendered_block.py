@@ -64,10 +64,10 @@ def _optics(
 
 def _make_light_plane(comb: CrenellatedBlock) -> LightPlane:
     middle = (comb.front_y_mm + comb.back_y_mm) / 2
-    sheet = light_plane_through(
+    light_plane = light_plane_through(
         np.array([0.0, 1.0, -0.02]), np.array([0.0, middle, 0.0]), np.array([0.0, middle, 130.0])
     )
-    return replace(sheet, half_angle_rad=0.5)
+    return replace(light_plane, half_angle_rad=0.5)
 
 
 def render_block(

@@ -90,8 +90,8 @@ class RenderedBoards:
 
     def true_points(self, uv_px: Floats) -> Floats:
         """Where the light of pixels (N, 2) truly comes from, flange frame."""
-        sheet = self.twin._rig.light_plane
-        plane = LaserPlane(np.array(sheet.normal), sheet.offset_mm)
+        document = self.twin._rig.light_plane
+        plane = LaserPlane(np.array(document.normal), document.offset_mm)
         points = sensor_points(self.camera(np.eye(4)), plane, uv_px)
         return apply(self.twin._rig.T_flange_sensor, points)
 

@@ -56,18 +56,18 @@ def session(
     normal: Floats = NORMAL,
     offset_mm: float = OFFSET_MM,
 ) -> BoardInputs:
-    """One session of a robot, all errors drawn anew; poses ``T_cam_obj`` a little different."""
+    """One session of a robot, all errors drawn again; poses ``T_cam_obj`` a little different."""
     errors = errors or BoardErrors()
     rng = np.random.default_rng(seed)
-    papers = board_prior(board)
-    sheet = papers.coordinates + papers.sd * rng.normal(0, 1, len(papers.sd))
+    prior = board_prior(board)
+    bend_coordinates = prior.coordinates + prior.sd * rng.normal(0, 1, len(prior.sd))
     seen, flange = [], []
     for k, usual in enumerate(poses):
         turn = Rotation.from_rotvec(rng.normal(0, 0.05, 3)).as_matrix()
         T = rigid(usual[:3, :3] @ turn, usual[:3, 3] + rng.normal(0, 5, 3))
         drift = errors.drift_mm[k] if k < len(errors.drift_mm) else 0.0
         plane = LaserPlane(normal, offset_mm + drift + rng.normal(0, errors.line_mm))
-        seen.append(_simulate_on_surface(rng, k + 1, board, sheet, T, plane, errors))
+        seen.append(_simulate_on_surface(rng, k + 1, board, bend_coordinates, T, plane, errors))
         flange.append(_flange(rng, board, T, errors))
     return BoardInputs(ROBOT, board, tuple(seen), np.array(flange), SIZE)
 
@@ -82,21 +82,21 @@ def simulate_detection(
 ) -> BoardObservation:
     """A flat board as its certificate has it, seen at ``T_cam_obj`` (4, 4)."""
     moved = replace(plane, offset_mm=plane.offset_mm + rng.normal(0, errors.line_mm))
-    sheet = board_prior(board).coordinates
-    return _simulate_on_surface(rng, number, board, sheet, T_cam_obj, moved, errors)
+    bend_coordinates = board_prior(board).coordinates
+    return _simulate_on_surface(rng, number, board, bend_coordinates, T_cam_obj, moved, errors)
 
 
 def _simulate_on_surface(
     rng: np.random.Generator,
     number: int,
     board: Chessboard,
-    sheet: Floats,
+    bend_coordinates: Floats,
     T_cam_obj: Floats,
     plane: LaserPlane,
     errors: BoardErrors,
 ) -> BoardObservation:
     camera = camera_at(T_cam_obj)
-    uv = project(camera, corners_at(board, sheet))
+    uv = project(camera, corners_at(board, bend_coordinates))
     inside = ((uv > 3) & (uv < np.array(SIZE) - 4)).all(axis=1)
     uv = uv[inside] + rng.normal(0, errors.corner_px, (int(inside.sum()), 2))
     covariance = np.tile(np.eye(2) * errors.corner_px**2, (len(uv), 1, 1))
@@ -107,7 +107,7 @@ def _simulate_on_surface(
     v = np.arange(SIZE[1], dtype=np.float64)
 
     def off(u: Floats) -> Floats:
-        points = intersect_surface(board, camera, sheet, np.column_stack([u, v]))
+        points = intersect_surface(board, camera, bend_coordinates, np.column_stack([u, v]))
         along = points[:, 1] - pattern_centre(board)[1]
         return np.asarray(points @ in_obj.normal - in_obj.offset_mm - turned * along)
 

@@ -82,10 +82,10 @@ def test_the_sheets_slopes_are_its_derivatives() -> None:
     rng = np.random.default_rng(0)
     coordinates = rng.normal(0, 1, len(board_prior(BOARD).names))
     at, h = rng.uniform(-20, 80, (6, 2)), 1e-4
-    told = evaluate_surface(BOARD, coordinates, at)
+    reported = evaluate_surface(BOARD, coordinates, at)
     for k, way in enumerate(np.eye(2) * h):
         ahead, behind = (surface_height_mm(BOARD, coordinates, at + s * way) for s in (1, -1))
-        assert (ahead - behind) / (2 * h) == pytest.approx(told.slope[:, k], abs=1e-7)
+        assert (ahead - behind) / (2 * h) == pytest.approx(reported.slope[:, k], abs=1e-7)
 
 
 def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration) -> None:
@@ -94,11 +94,11 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
     camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
     plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
     rng = np.random.default_rng(1)
-    papers = board_prior(BOARD)
-    values = papers.coordinates + rng.normal(0, 0.05, len(papers.names))
+    prior = board_prior(BOARD)
+    values = prior.coordinates + rng.normal(0, 0.05, len(prior.names))
     view = BoardView(BOARD, seen.detection, seen.stripe, np.ones(len(seen.stripe.u), np.bool_))
     view = view.reclassify_stripe(camera, plane, values)
-    told = view.rows(camera, plane, values)
+    reported = view.rows(camera, plane, values)
     scene = SceneModel(camera, plane, BLOCK)
     count = COUNT + 3
     for k in [*range(count + 3), count + 9, count + 30, count + 80, count + 120]:
@@ -118,7 +118,7 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
             scale = max(float(np.abs(slope).max()), 1.0)
             # a line is taken as straight at each point, so its slopes hold to a share
             share = 1e-5 if kind == 0 else 2e-2
-            assert np.abs(slope - told[kind].jacobian[:, k]).max() < share * scale, (k, kind)
+            assert np.abs(slope - reported[kind].jacobian[:, k]).max() < share * scale, (k, kind)
 
 
 def touching(count: int, radius_mm: float) -> Floats:

@@ -76,11 +76,11 @@ def test_a_rocking_board_is_named() -> None:
 
 def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     poor = session(3, BoardErrors(turn_rad=2e-4, shift_mm=0.2))
-    told = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
-    assert told.quality == "bad"
-    assert "robot's poses" in str(told.text)
-    assert "more pictures" in str(told.remedy)
-    assert "--usable-um" in str(told.remedy)
+    reported = calibrate_board(replace(poor, limits=Limits(20.0, 100.0))).findings[0]
+    assert reported.quality == "bad"
+    assert "robot's poses" in str(reported.text)
+    assert "more pictures" in str(reported.remedy)
+    assert "--usable-um" in str(reported.remedy)
     nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
     assert "like these, in all, would do" in str(nearer.remedy)
     assert isinstance(nearer.remedy, Message)
@@ -134,10 +134,10 @@ def test_contacts_that_slipped_are_left_out_and_named(
     given: BoardInputs, rows: tuple[int, ...]
 ) -> None:
     found = calibrate_board(replace(given, contact_readings=slipped(rows, 0.6)))
-    told = {one.code: str(one.text) for one in found.findings}
-    assert f"{12 - len(rows)} contacts lie on the board" in told["contacts"]
+    reported = {one.code: str(one.text) for one in found.findings}
+    assert f"{12 - len(rows)} contacts lie on the board" in reported["contacts"]
     for row in rows:
-        assert f" {row + 1} (board, +" in told["contact-outliers"]
+        assert f" {row + 1} (board, +" in reported["contact-outliers"]
     assert found.contacts is not None
     assert tuple(np.flatnonzero(found.contacts.excluded)) == rows
 
@@ -191,8 +191,8 @@ def test_swapped_poses_are_named_though_their_lines_are_left_out_too() -> None:
     found = calibrate_board(replace(given, readings=readings))
     out = {pose.number for pose in found.poses if not pose.used}
     assert out == {given.observations[0].number, given.observations[1].number}
-    told = [str(one.text) for one in found.findings if one.code == "pose-left-out"]
-    assert {int(text.split()[1].rstrip(":")) for text in told} == out
+    reported = [str(one.text) for one in found.findings if one.code == "pose-left-out"]
+    assert {int(text.split()[1].rstrip(":")) for text in reported} == out
     assert "laser-moved" in {one.code for one in found.findings}
 
 
@@ -250,5 +250,5 @@ def test_the_truth_is_where_it_was_put() -> None:
 
 def test_a_laser_plane_through_the_camera_is_refused() -> None:
     normal = np.array([1.0, 0.1, 0.0]) / np.hypot(1.0, 0.1)
-    told = refusal(session(0, normal=normal, offset_mm=0.5))
-    assert told.code == "laser-through-camera"
+    reported = refusal(session(0, normal=normal, offset_mm=0.5))
+    assert reported.code == "laser-through-camera"

@@ -21,9 +21,9 @@ PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0),
 
 
 def block_of(session: Path) -> Crenellated:
-    sheet = json.loads((session / "object.json").read_text())
-    sheet["edges_x_mm"] = tuple(sheet["edges_x_mm"])
-    return Crenellated(**{k: v for k, v in sheet.items() if k not in ("format", "version")})
+    document = json.loads((session / "object.json").read_text())
+    document["edges_x_mm"] = tuple(document["edges_x_mm"])
+    return Crenellated(**{k: v for k, v in document.items() if k not in ("format", "version")})
 
 
 def picture_of(session: Path, pose: int) -> NDArray[np.uint8]:

@@ -27,7 +27,7 @@ def plain() -> RenderedBlock:
     return render_block(1, merlons=4)
 
 
-def told(picture: RenderedBlock, claimed: Crenellated) -> PlaneShift:
+def reported(picture: RenderedBlock, claimed: Crenellated) -> PlaneShift:
     grey, _ = grey_levels(picture.image)
     found = measure_edges(grey, wireframe(claimed), picture.camera, 0.8, 0.002)
     assert found is not None
@@ -35,7 +35,7 @@ def told(picture: RenderedBlock, claimed: Crenellated) -> PlaneShift:
 
 
 def test_the_block_itself_is_nowhere_shifted(plain: RenderedBlock) -> None:
-    assert told(plain, plain.block).ratio < 4.0
+    assert reported(plain, plain.block).ratio < 4.0
 
 
 @pytest.mark.parametrize(("edge", "by_mm"), [(2, 0.08), (3, -0.08), (5, 0.08)])
@@ -44,7 +44,7 @@ def test_a_side_of_a_merlon_is_told_with_its_amount(
 ) -> None:
     x = list(plain.block.edges_x_mm)
     x[edge] += by_mm
-    shift = told(plain, replace(plain.block, edges_x_mm=tuple(x)))
+    shift = reported(plain, replace(plain.block, edges_x_mm=tuple(x)))
     assert shift.ratio > 6.0
     assert shift.axis == 0
     assert shift.at_mm == pytest.approx(x[edge])

@@ -214,8 +214,8 @@ def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: SimulatedArmSessio
     wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
     refusal = refused(session, collect_observations(session), wrong)
     assert refusal.code == "tip-diameter"
-    (told,) = re.findall(r"has ([\d.]+) mm", str(refusal.why))
-    assert float(told) == pytest.approx(tip.diameter_mm, abs=0.02)
+    (reported,) = re.findall(r"has ([\d.]+) mm", str(refusal.why))
+    assert float(reported) == pytest.approx(tip.diameter_mm, abs=0.02)
 
 
 def test_an_arm_that_hardly_moved_is_refused(session: SimulatedArmSession) -> None:

@@ -28,10 +28,10 @@ SESSIONS = ("one-pose", "many-poses", "metal")
 
 
 def read_arm(path: Path) -> Arm:
-    sheet = json.loads(path.read_text())
+    document = json.loads(path.read_text())
     turn = np.radians
     joints = []
-    for j in sheet["joints"]:
+    for j in document["joints"]:
         e = j.get("error") or dict.fromkeys(
             ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg"), 0
         )
@@ -54,20 +54,20 @@ def read_arm(path: Path) -> Arm:
                 error,
             )
         )
-    tip = sheet["tip"]
+    tip = document["tip"]
     return Arm(
         "arm", "1", tuple(joints), Tip(tip["x_mm"], tip["y_mm"], tip["z_mm"], tip["diameter_mm"])
     )
 
 
 def read_inputs(folder: Path, pose: int = 0) -> OnePoseInputs:
-    sheet = json.loads((folder / "object.json").read_text())
+    document = json.loads((folder / "object.json").read_text())
     keys = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")
     block = Crenellated(
         "b",
         "1",
-        tuple(sheet["edges_x_mm"]),
-        **{key: sheet[key] for key in (*keys, "standard_uncertainty_mm")},
+        tuple(document["edges_x_mm"]),
+        **{key: document[key] for key in (*keys, "standard_uncertainty_mm")},
     )
     with (folder / "probing.csv").open() as file:
         contacts = list(csv.DictReader(file))
@@ -94,10 +94,10 @@ class Truth:
     """Pixels, and where the light that fell there came from."""
 
     def __init__(self, folder: Path) -> None:
-        sheet = json.loads((folder / "truth.json").read_text())
-        self.uv_px = np.array(sheet["pixels"])
-        self.sensor_mm = np.array(sheet["points_sensor_frame_mm"])
-        self.flange_mm = np.array(sheet["points_flange_frame_mm"])
+        document = json.loads((folder / "truth.json").read_text())
+        self.uv_px = np.array(document["pixels"])
+        self.sensor_mm = np.array(document["points_sensor_frame_mm"])
+        self.flange_mm = np.array(document["points_flange_frame_mm"])
 
     def sensor_rms_um(self, found: OnePoseCalibration) -> float:
         points = sensor_points(found.camera, found.plane, self.uv_px)
@@ -216,14 +216,14 @@ def test_any_other_sensor_frame_gives_the_same_points(
 
 
 def test_progress_is_told_from_beginning_to_end(samples: Path) -> None:
-    told: list[tuple[Text, float]] = []
+    reported: list[tuple[Text, float]] = []
     calibrate_one_pose(
-        read_inputs(samples / "metal"), lambda what, share: told.append((what, share))
+        read_inputs(samples / "metal"), lambda what, share: reported.append((what, share))
     )
-    shares = [share for _, share in told]
+    shares = [share for _, share in reported]
     assert shares == sorted(shares)
     assert (shares[0], shares[-1]) == (0.0, 1.0)
-    assert len(told) >= 5
+    assert len(reported) >= 5
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""The chessboard on the simulated table, calibrated by its papers and held against the truth."""
+"""The chessboard on the simulated table, calibrated by its datasheet and held against the truth."""
 
 import numpy as np
 import pytest
@@ -43,8 +43,8 @@ def test_points_are_as_good_as_said(session: RenderedBoards) -> None:
 def test_the_hand_holds_the_sensor_as_the_operator_is_told(session: RenderedBoards) -> None:
     T_cam_sensor = session.twin._rig.optics.T_cam_sensor
     holds = [shot.T_board_sensor @ inverse(T_cam_sensor) for shot in session.shots]
-    for told, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
+    for reported, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
         done = pose_delta(hold, holds[0], session.board)
-        assert abs(done.tilt_right_deg - told.tilt_right_deg) < 8
-        assert abs(done.tilt_back_deg - told.tilt_back_deg) < 8
-        assert abs(done.turn_deg - told.turn_deg) < 8
+        assert abs(done.tilt_right_deg - reported.tilt_right_deg) < 8
+        assert abs(done.tilt_back_deg - reported.tilt_back_deg) < 8
+        assert abs(done.turn_deg - reported.turn_deg) < 8

@@ -53,17 +53,17 @@ def test_the_hash_tells_files_apart(tmp_path: Path) -> None:
 def test_an_unknown_variant_is_refused_with_those_that_run() -> None:
     script = "from app.native.product import CRENEL; print(CRENEL.variant)"
     environment = os.environ | {VARIANT_SETTING: "v1"}
-    told = subprocess.run(
+    reported = subprocess.run(
         [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
     )
-    assert told.stdout == "v1\n"
+    assert reported.stdout == "v1\n"
     environment[VARIANT_SETTING] = "v9"
-    told = subprocess.run(
+    reported = subprocess.run(
         [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False
     )
-    assert told.returncode
-    assert "The variant v9 does not run on this processor" in told.stderr
-    assert "one of: v1" in told.stderr
+    assert reported.returncode
+    assert "The variant v9 does not run on this processor" in reported.stderr
+    assert "one of: v1" in reported.stderr
 
 
 def test_a_compiler_that_fails_is_quoted(tmp_path: Path) -> None:

@@ -80,7 +80,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def text_of(pdf: bytes) -> str:
     document = pypdfium2.PdfDocument(pdf)
     try:
-        text = "\n".join(sheet.get_textpage().get_text_range() for sheet in document)
+        text = "\n".join(page.get_textpage().get_text_range() for page in document)
     finally:
         document.close()
     return " ".join(text.replace("\u00a0", " ").split())
@@ -122,27 +122,27 @@ def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
     result = CliRunner().invoke(cli, asked)
     assert result.exit_code == 0, result.output
     shown = html.unescape(written.read_text(encoding="utf-8"))
-    for told in ('<html lang="de">', "Kalibrierbericht", "Bediener: Anna", "bekannt auf"):
-        assert told in shown, told
+    for reported in ('<html lang="de">', "Kalibrierbericht", "Bediener: Anna", "bekannt auf"):
+        assert reported in shown, reported
     assert "Kalibrierbericht" in text_of(render_report(folder, ".pdf", "de"))
     with pytest.raises(OperationError, match="no language 'xx'"):
         render_report(folder, ".pdf", "xx")
 
 
 def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> None:
-    sheet = CalibrationFile.read(folder / "calibration.json")
-    assert sheet.uncertainty is not None
-    total_um = sheet.uncertainty.total_um
+    record = CalibrationFile.read(folder / "calibration.json")
+    assert record.uncertainty is not None
+    total_um = record.uncertainty.total_um
     shown = html.unescape(render_report(folder, ".html").decode()).replace("\u00a0", " ")
     printed = text_of(render_report(folder, ".pdf"))
     for text in (shown, printed):
-        for told in (
+        for reported in (
             "Anna",
             "Room 2",
             "session-7",
             "20.4 °C",
             "2026-11-21 10:00 UTC",
-            *(number for number in sheet.serial_numbers.model_dump().values()),
+            *(number for number in record.serial_numbers.model_dump().values()),
             "Its certificate",
             "simulated",
             f"{total_um:.1f} µm",
@@ -156,10 +156,10 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             "Approved",
             "Every file has the content that the result was made from.",
         ):
-            assert told in text, told
-    assert all(one.sha256 in shown and one.file in shown for one in sheet.inputs)
-    assert sheet.verdict is not None
-    for finding in sheet.verdict.findings:
+            assert reported in text, reported
+    assert all(one.sha256 in shown and one.file in shown for one in record.inputs)
+    assert record.verdict is not None
+    for finding in record.verdict.findings:
         assert isinstance(finding.text, Message)
         assert join_units(str(finding.text)).replace("\u00a0", " ") in shown
 
@@ -191,7 +191,7 @@ def test_its_pictures_are_in_both_forms(folder: Path) -> None:
         assert f'aria-label="{title}"' in shown
     assert shown.count("data:image/jpeg;base64,") == 2
     document = pypdfium2.PdfDocument(render_report(folder, ".pdf"))
-    kinds = [item.type for sheet in document for item in sheet.get_objects()]
+    kinds = [item.type for page in document for item in page.get_objects()]
     document.close()
     assert kinds.count(pypdfium2.raw.FPDF_PAGEOBJ_IMAGE) == 2
 
@@ -256,8 +256,15 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
         }
     ).write(tmp_path / ARM_CHECK)
     printed = text_of(render_report(tmp_path, ".pdf"))
-    for told in ("Beyond the limit", "71.0 µm", "0.0710 mm", "≤ 60 µm", "Ben", "Not to standard"):
-        assert told in printed, told
+    for reported in (
+        "Beyond the limit",
+        "71.0 µm",
+        "0.0710 mm",
+        "≤ 60 µm",
+        "Ben",
+        "Not to standard",
+    ):
+        assert reported in printed, reported
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
     assert_german(tmp_path, ARM.name)
 
@@ -287,8 +294,15 @@ def test_a_tip_checks_report(tmp_path: Path) -> None:
         }
     ).write(tmp_path / TIP_CHECK)
     printed = text_of(render_report(tmp_path, ".pdf"))
-    for told in ("Fail", "The tip is worn.", "−100.0 µm", "± 20.0 µm", "5.9000 mm", "not stated"):
-        assert told in printed, told
+    for reported in (
+        "Fail",
+        "The tip is worn.",
+        "−100.0 µm",
+        "± 20.0 µm",
+        "5.9000 mm",
+        "not stated",
+    ):
+        assert reported in printed, reported
     assert_german(tmp_path, ARM.name, "The tip is worn.")
 
 
@@ -307,13 +321,21 @@ def test_an_identifications_report(tmp_path: Path) -> None:
     signature = IdentificationProvenance(
         operator="Ben", station="Room 2", simulated=True, temperature_c=21.5
     )
-    sheet, _ = identify_folder(tmp_path, identified, signature=signature)
+    record, _ = identify_folder(tmp_path, identified, signature=signature)
     printed = text_of(render_report(tmp_path, ".pdf"))
-    told = ("Identified", "Ben", "Room 2", "21.5 °C", sheet.serial_number, "k = 1", "unchanged")
-    for words in (*told, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
+    reported = (
+        "Identified",
+        "Ben",
+        "Room 2",
+        "21.5 °C",
+        record.serial_number,
+        "k = 1",
+        "unchanged",
+    )
+    for words in (*reported, "articulation.csv", "ballbars.csv", "Approved", "a demonstration"):
         assert words in printed, words
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
-    assert_german(tmp_path, sheet.name, "Room 2")
+    assert_german(tmp_path, record.name, "Room 2")
     assert "1 in 4 Lagen" in text_of(render_report(tmp_path, ".pdf", "de"))
     (tmp_path / "articulation.csv").write_text(
         (tmp_path / "articulation.csv").read_text().replace("\n", "\n\n", 1)
@@ -333,8 +355,8 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     )
     printed = text_of(render_report(tmp_path, ".pdf"))
     shown = html.unescape(render_report(tmp_path, ".html").decode())
-    for told in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
-        assert told in printed, told
+    for reported in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
+        assert reported in printed, reported
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
     assert "Residuals of Cloud 1 on the gauge" in shown
@@ -371,7 +393,7 @@ def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
     verdict = Verdict("good", "Good", "")
     report = Report("Report", "1", "Room", "", verdict, [filling, pictures])
     document = pypdfium2.PdfDocument(pdf_document(report))
-    pages = [sheet.get_textpage().get_text_range() for sheet in document]
+    pages = [page.get_textpage().get_text_range() for page in document]
     assert next("What it shows" in page for page in pages if "Pictures" in page)
 
 

@@ -245,8 +245,8 @@ def test_readings_that_cannot_be_true_are_told_with_what_to_do() -> None:
     refusal = OperationError(
         "joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable"
     )
-    told = health.readings(3, refusal, 5.0)
-    assert told.quality == "bad"
-    assert str(told.what) == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
-    assert str(told.remedy) == "Check its cable."
+    reported = health.readings(3, refusal, 5.0)
+    assert reported.quality == "bad"
+    assert str(reported.what) == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
+    assert str(reported.remedy) == "Check its cable."
     assert health.readings(3, refusal, 3600.0).quality == "attention"

@@ -8,18 +8,18 @@ def test_what_was_not_read_is_told_by_its_reason_for_an_hour() -> None:
     counts = {"crowded": 12, "long": 3, "strange": 0}
     assert messages({}, None) == []
     assert messages(counts, REPORTED_S + 1.0) == []
-    (told,) = messages(counts, 5.0)
-    assert told.quality == "attention"
-    assert str(told.what) == (
+    (reported,) = messages(counts, 5.0)
+    assert reported.quality == "attention"
+    assert str(reported.what) == (
         "15 messages on the broker were not read: 3 too long, 12 of more stations than are shown."
     )
-    assert told.remedy
+    assert reported.remedy
 
 
 def test_it_is_in_german_too() -> None:
     counts = {"crowded": 1, "long": 2, "strange": 3, "often": 4}
-    (told,) = messages(counts, 5.0)
-    assert renderer("de")(told.what) == (
+    (reported,) = messages(counts, 5.0)
+    assert renderer("de")(reported.what) == (
         "10 Nachrichten auf dem Broker wurden nicht gelesen: 2 zu lang, 3 nicht von der Art einer "
         "Station, 4 schneller, als sie gelesen werden, 1 von mehr Stationen, als gezeigt werden."
     )

@@ -87,8 +87,10 @@ def test_the_same_person_takes_over_without_a_reason_others_need_one() -> None:
     subscription = bus.subscribe()
     lease.take_over(BEN, "she went home")
     assert lease.control == Control(BEN)
-    told = bus._take({}, set(), subscription._after_event).events
-    assert [str(event.text) for event in told] == ["Ben took over control from Anna: she went home"]
+    reported = bus._take({}, set(), subscription._after_event).events
+    assert [str(event.text) for event in reported] == [
+        "Ben took over control from Anna: she went home"
+    ]
 
 
 def test_signing_out_lets_go() -> None:

@@ -27,11 +27,11 @@ def record(text: str, *args: object, level: int = logging.ERROR) -> logging.LogR
 
 
 def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
-    told = escape_unprintable(HOSTILE)
-    assert told.isprintable()
-    assert "\\x1b[31m red" in told
-    assert "\\u2028" in told
-    assert "\\ud800" in told
+    reported = escape_unprintable(HOSTILE)
+    assert reported.isprintable()
+    assert "\\x1b[31m red" in reported
+    assert "\\u2028" in reported
+    assert "\\ud800" in reported
     assert escape_unprintable("µm ″ Prüfkörper") == "µm ″ Prüfkörper"
     assert escape_unprintable("a\nb", "\n") == "a\nb"
 

@@ -44,13 +44,13 @@ def true_calibration(twin: SimulatedStation, folder: Path) -> ScanCalibration:
         CONFIG.height_px,
         np.array(truth["camera"]["distortion"]),
     )
-    sheet = truth["laser_plane"]
+    document = truth["laser_plane"]
     return ScanCalibration(
         id="truth",
         name="truth",
         arm=arm,
         camera=camera,
-        plane=LaserPlane(np.array(sheet["normal"]), sheet["offset_mm"]),
+        plane=LaserPlane(np.array(document["normal"]), document["offset_mm"]),
         T_flange_sensor=np.array(truth["T_flange_sensor"]),
         stripe_axis="u",
         arm_serial=arm.serial_number,

@@ -81,9 +81,9 @@ def test_settings_reach_a_running_scan_and_its_recording(
     assert len(seen[-1].stripe.u) == 0
     recording = open_recording(tmp_path / "scans" / scan_id / "scan.mcap")
     list(recording.records())
-    told = json.loads(recording.station[EXTRACTION])
-    assert told["threshold"] == 250.0
-    assert len(told["mask"]["zones"][0]) == 4
+    reported = json.loads(recording.station[EXTRACTION])
+    assert reported["threshold"] == 250.0
+    assert len(reported["mask"]["zones"][0]) == 4
     assert recording.station["arm_serial"] == "A-1"
     assert kept.settings.threshold == 250.0
 
@@ -179,10 +179,10 @@ def test_pictures_are_recorded_beside_their_stripes(
     assert {picture.stamp_ns for picture in pictures} <= stamps
     # beside its stripe a picture gives no points a second time
     use = calibration()
-    sheet = Calibration(
+    document = Calibration(
         use.camera, use.plane, use.T_flange_sensor, "u", SerialNumbers(arm="A-1", sensor="S-1")
     )
-    rebuilt = reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
+    rebuilt = reconstruct_cloud(folder / "scan.mcap", document, use.arm, tmp_path / "again.ply")
     assert result is not None
     assert rebuilt.points == result.points
 
@@ -197,13 +197,13 @@ def test_the_delay_of_the_settings_is_in_cloud_and_recording(
     scanner.stop()
     folder = tmp_path / "scans" / scan_id
     use = calibration()
-    sheet = Calibration(
+    document = Calibration(
         use.camera, use.plane, use.T_flange_sensor, "u", SerialNumbers(arm="A-1", sensor="S-1")
     )
     live = read_cloud(folder / "cloud.ply").points_mm
-    reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "again.ply")
+    reconstruct_cloud(folder / "scan.mcap", document, use.arm, tmp_path / "again.ply")
     np.testing.assert_allclose(read_cloud(tmp_path / "again.ply").points_mm, live, atol=1e-6)
-    reconstruct_cloud(folder / "scan.mcap", sheet, use.arm, tmp_path / "raw.ply", delay_ns=0)
+    reconstruct_cloud(folder / "scan.mcap", document, use.arm, tmp_path / "raw.ply", delay_ns=0)
     raw = read_cloud(tmp_path / "raw.ply").points_mm
     assert np.abs(raw[: len(live)] - live[: len(raw)]).max() > 0.1
 

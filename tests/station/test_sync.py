@@ -45,12 +45,12 @@ def transport_ms(
     """By how much the arm's stamps are late of themselves: its line takes a while."""
     records = open_recording(recording).records()
     joints = [record for record in records if isinstance(record, JointRecord)][200:-200:20]
-    told = flange_poses(arm, np.array([record.q_rad for record in joints])) @ T_flange_sensor
+    reported = flange_poses(arm, np.array([record.q_rad for record in joints])) @ T_flange_sensor
     lags_ms = np.arange(-1.0, 3.0, 0.05)
     off = []
     for lag_ms in lags_ms:
         true = [twin.sensor_pose(record.stamp_ns - round(1e6 * lag_ms)) for record in joints]
-        off.append(np.median(np.linalg.norm((np.array(true) - told)[:, :3, 3], axis=1)))
+        off.append(np.median(np.linalg.norm((np.array(true) - reported)[:, :3, 3], axis=1)))
     return float(lags_ms[np.argmin(off)])
 
 

@@ -90,7 +90,7 @@ class Room:
         self.viewing.fit(KEY, rectangle, shape)
         until(lambda: not self.viewing.state().busy)
 
-    def told(self) -> list[str]:
+    def reported(self) -> list[str]:
         return [str(event.text) for event in self.bus._events]
 
 
@@ -223,12 +223,12 @@ def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(room: R
     until(lambda: room.whole("table"))
     room.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
     room.fitted(MIDDLE, "plane")
-    assert "no points in the rectangle" in room.told()[-1]
+    assert "no points in the rectangle" in room.reported()[-1]
     room.viewing.look(KEY, from_above())
     room.fitted(MIDDLE, "sphere")
-    assert "No sphere was fitted" in room.told()[-1]
+    assert "No sphere was fitted" in room.reported()[-1]
     room.fitted(MIDDLE, "cylinder")
-    assert "No cylinder was fitted" in room.told()[-1]
+    assert "No cylinder was fitted" in room.reported()[-1]
     with pytest.raises(OperationError, match="not connected"):
         room.viewing.fit("cd" * 16, MIDDLE, "plane")
 
@@ -257,8 +257,8 @@ def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(room: Room) -
     file = scan.folder / "cloud.ply"
     file.write_bytes(file.read_bytes()[:-20_000])
     room.viewing.show(scan)
-    until(lambda: bool(room.told()))
-    assert "Ball cannot be shown" in room.told()[-1]
+    until(lambda: bool(room.reported()))
+    assert "Ball cannot be shown" in room.reported()[-1]
     assert not room.viewing.state().scans
     file.unlink()
     with pytest.raises(OperationError, match="not in the data folder"):

@@ -75,12 +75,12 @@ class Viewer:
 
     def position_mm(self, name: str) -> np.ndarray:
         """Where a node is in its parent; the origin unless told."""
-        told = self.nodes[name].get("SetPositionMessage", {"position": (0.0, 0.0, 0.0)})
-        return 1e3 * np.array(told["position"])
+        reported = self.nodes[name].get("SetPositionMessage", {"position": (0.0, 0.0, 0.0)})
+        return 1e3 * np.array(reported["position"])
 
     def wxyz(self, name: str) -> np.ndarray:
-        told = self.nodes[name].get("SetOrientationMessage", {"wxyz": (1.0, 0.0, 0.0, 0.0)})
-        return np.array(told["wxyz"])
+        reported = self.nodes[name].get("SetOrientationMessage", {"wxyz": (1.0, 0.0, 0.0, 0.0)})
+        return np.array(reported["wxyz"])
 
     def clouds(self) -> dict[str, np.ndarray]:
         """Points (N, 3) of each node of the cloud, in mm of the arm frame."""

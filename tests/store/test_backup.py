@@ -124,7 +124,7 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
     ],
 )
 def test_a_database_without_one_of_its_columns_is_refused(
-    tmp_path: Path, change: str, told: str
+    tmp_path: Path, change: str, reported: str
 ) -> None:
     path = tmp_path / "station.db"
     Database(path).close()
@@ -132,7 +132,7 @@ def test_a_database_without_one_of_its_columns_is_refused(
     changing.execute(change)
     changing.commit()
     changing.close()
-    with pytest.raises(OperationError, match=told):
+    with pytest.raises(OperationError, match=reported):
         Database(path)
 
 

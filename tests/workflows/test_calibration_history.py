@@ -17,10 +17,10 @@ UV = tuple((float(u), float(v)) for u in (10, 20, 30, 40) for v in (15, 24, 33))
 def write(folder: Path, name: str, shift_mm: float, arm: str = "A-1") -> tuple[str, Path]:
     own = folder / name
     own.mkdir()
-    sheet = calibration_file()
-    matrix = np.array(sheet.probe_matrix)
+    document = calibration_file()
+    matrix = np.array(document.probe_matrix)
     matrix[0, 3] += shift_mm
-    serials = sheet.serial_numbers.model_copy(update={"arm": arm})
+    serials = document.serial_numbers.model_copy(update={"arm": arm})
     known = Uncertainty(
         total_um=3.0,
         budget=(BudgetPart(source="stripe", value_um=3.0),),
@@ -39,7 +39,7 @@ def write(folder: Path, name: str, shift_mm: float, arm: str = "A-1") -> tuple[s
         "uncertainty": known,
     }
     path = own / "calibration.json"
-    sheet.model_copy(update=changed).write(path)
+    document.model_copy(update=changed).write(path)
     Acceptance(
         name=name, accepted_at="2026-11-21", calibration_sha256="0", good_um=40, temperature_c=21.0
     ).write(own / ACCEPTANCE)

@@ -63,9 +63,9 @@ SHEET: dict[str, Any] = {
 
 
 def test_a_record_reads_back_as_it_was_written(tmp_path: Path) -> None:
-    sheet = VerificationFile.model_validate(SHEET)
-    write_verification(tmp_path, sheet)
-    assert read_verification(tmp_path) == sheet
+    document = VerificationFile.model_validate(SHEET)
+    write_verification(tmp_path, document)
+    assert read_verification(tmp_path) == document
     fields = json.loads((tmp_path / "verification.json").read_text())
     assert (fields["format"], fields["k"]) == ("crenel/verification", 2)
 

@@ -157,5 +157,5 @@ def _study_state(verification_id: str, context: Context) -> StudyState:
 def _record(verification_id: str, context: Context) -> VerificationRecord:
     record = context.store.verifications.get(verification_id)
     if record is None:
-        raise NotFoundError(message("there-no-verification-2", verification_id=verification_id))
+        raise NotFoundError(message("there-no-verification", record_id=verification_id))
     return record

@@ -2,7 +2,7 @@
 
 viser listens on loopback and answers this server alone (see ``scene_server``); any client
 of it may change the scene. So from browsers only camera
-messages are passed on, decoded and encoded anew; everything else is dropped.
+messages are passed on, decoded and encoded again; everything else is dropped.
 """
 
 import asyncio

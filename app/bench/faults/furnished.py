@@ -19,7 +19,7 @@ SPARE = {
     "sensors": "simulated.json",
     "gauges": "plate.nominal.json",
 }
-"""What is copied to ``spare``: the demonstration writes its own papers anew at each start."""
+"""What is copied to ``spare``: the demonstration writes its own datasheets again at each start."""
 NOTIFIED = {"url": "http://127.0.0.1:9/", "secret": "x", "done": True, "fault": True, "due": True}
 SETTINGS: dict[str, object] = {
     "threshold": None,

@@ -1,4 +1,4 @@
-"""The simulated station as a process, begun anew after each fault: ``python -m`` this, a folder.
+"""The simulated station as a process, begun again after each fault: ``python -m`` this, a folder.
 
 Its hand is four times as quick as the demonstration's, and what the console says is the same.
 """

@@ -175,7 +175,7 @@ def _flange_pose_over(rig: SimulatedRig, rng: np.random.Generator, spread: float
 def _reach_target(
     rig: SimulatedRig, target: Callable[[], Floats], q_rad: Floats, rng: np.random.Generator
 ) -> Floats:
-    """Joint angles for a target that is drawn anew where it is out of reach."""
+    """Joint angles for a target that is drawn again where it is out of reach."""
     for _ in range(TRIES):
         try:
             return solve_joints(rig.arm, target(), q_rad, rng, attempts=12)
@@ -199,9 +199,9 @@ def draw_session(
     noisy: bool = True,
     links: Floats | None = None,
 ) -> Draw:
-    """A session of a station: the arm's links, the block and all noise drawn anew.
+    """A session of a station: the arm's links, the block and all noise drawn again.
 
-    Without noise everything is as the papers have it, for the bound at the truth;
+    Without noise everything is as the datasheets have it, for the bound at the truth;
     ``links`` (6n,) are the errors of one arm that is the same in every session.
     """
     scales = station.setup.scales
@@ -210,8 +210,8 @@ def draw_session(
         sd = share * scales.link_error_sds(station.arm.joint_count)
         links = sd * rng.normal(size=len(sd))
     arm = _with_links(station.arm, links)
-    papers = block_prior(station.certificate)
-    values = papers.coordinates + share * papers.sd * rng.normal(size=len(papers.sd))
+    prior = block_prior(station.certificate)
+    values = prior.coordinates + share * prior.sd * rng.normal(size=len(prior.sd))
     block = with_coordinates(station.certificate, values)
     contact_q = _contact_joints(station, arm, block, share * scales.touch_mm, rng)
     encoders = share * scales.noise * station.arm.encoder_sd_rad
@@ -229,7 +229,7 @@ def draw_session(
         views,
         moves,
         block_contacts(station.arm, station.certificate, station.features, contacts_told, kept),
-        papers,
+        prior,
         station.camera.width_px,
         station.camera.height_px,
     )
@@ -242,7 +242,7 @@ def draw_session(
         links,
         (station.q_rad - told) if noisy else np.zeros(station.q_rad.shape),
     )
-    return Draw(truth, problem, _draw_start(truth, papers.coordinates, rng))
+    return Draw(truth, problem, _draw_start(truth, prior.coordinates, rng))
 
 
 def _with_links(arm: Arm, links: Floats) -> Arm:
@@ -298,7 +298,7 @@ def _simulate_view(
 
 
 def _draw_start(
-    truth: AdjustmentState, by_papers: Floats, rng: np.random.Generator
+    truth: AdjustmentState, by_prior: Floats, rng: np.random.Generator
 ) -> AdjustmentState:
     """Off the truth as a first guess is."""
     matrix = truth.camera.matrix.copy()
@@ -316,7 +316,7 @@ def _draw_start(
         camera=camera,
         T_flange_cam=truth.T_flange_cam @ off[0],
         T_arm_obj=truth.T_arm_obj @ off[1],
-        coordinates=by_papers,
+        coordinates=by_prior,
         links=np.zeros_like(truth.links),
         noise=np.zeros_like(truth.noise),
     )

@@ -1,7 +1,7 @@
 """How soon the program is there: from its start to its first page, and to a calibration.
 
 Every copy works with caches of its own in a temporary folder. Cold, they are empty: Python
-compiles its modules anew, the standard library's too. Copies are measured in turn.
+compiles its modules again, the standard library's too. Copies are measured in turn.
 """
 
 import statistics

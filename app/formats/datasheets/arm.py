@@ -76,13 +76,13 @@ class ArmFile(Document):
 
 def read_any_arm(path: Path) -> Arm | RobotArm:
     """Reads ``arm.json`` of either convention; ``OperationError`` names the file and the field."""
-    sheet = ArmFile.read(path)
-    tip = None if sheet.tip is None else Tip(**sheet.tip.model_dump())
-    if sheet.convention == "pose":
-        return RobotArm(sheet.name, sheet.serial_number, tip)
+    document = ArmFile.read(path)
+    tip = None if document.tip is None else Tip(**document.tip.model_dump())
+    if document.convention == "pose":
+        return RobotArm(document.name, document.serial_number, tip)
     assert tip is not None
-    joints = tuple(_joint(part) for part in sheet.joints)
-    return Arm(name=sheet.name, serial_number=sheet.serial_number, joints=joints, tip=tip)
+    joints = tuple(_joint(part) for part in document.joints)
+    return Arm(name=document.name, serial_number=document.serial_number, joints=joints, tip=tip)
 
 
 def read_arm(path: Path) -> Arm:

@@ -272,14 +272,14 @@ def read_calibration(path: Path) -> Calibration:
     return calibration_from_document(CalibrationFile.read(path))
 
 
-def calibration_from_document(sheet: CalibrationFile) -> Calibration:
+def calibration_from_document(document: CalibrationFile) -> Calibration:
     """What reconstruction needs of a calibration."""
     return Calibration(
-        camera=sheet.camera.model(),
-        plane=LaserPlane(np.array(sheet.laser_plane.normal), sheet.laser_plane.offset_mm),
-        T_flange_sensor=np.array(sheet.probe_matrix),
-        stripe_axis=sheet.stripe_axis,
-        serial_numbers=sheet.serial_numbers,
+        camera=document.camera.model(),
+        plane=LaserPlane(np.array(document.laser_plane.normal), document.laser_plane.offset_mm),
+        T_flange_sensor=np.array(document.probe_matrix),
+        stripe_axis=document.stripe_axis,
+        serial_numbers=document.serial_numbers,
     )
 
 

@@ -161,7 +161,7 @@ def joint_document(result: BlockCalibration, origin: Origin) -> CalibrationFile:
 def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration on a chessboard, made now."""
     contacts = result.contacts
-    sheet = _multi_pose_document(
+    document = _multi_pose_document(
         result,
         origin,
         {}
@@ -173,7 +173,7 @@ def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
         },
     )
     corners = tuple((x, y, z) for x, y, z in result.corners_mm.round(5).tolist())
-    return sheet.model_copy(update={"corners_mm": corners})
+    return document.model_copy(update={"corners_mm": corners})
 
 
 def _multi_pose_document(

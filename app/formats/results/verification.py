@@ -184,10 +184,10 @@ class VerificationFile(Document):
     software: Software
 
 
-def write_verification(folder: Path, sheet: VerificationFile) -> Path:
+def write_verification(folder: Path, document: VerificationFile) -> Path:
     """Writes the record into the verification's folder; raises ``OperationError``."""
     path = folder / VERIFICATION
-    sheet.write(path)
+    document.write(path)
     return path
 
 

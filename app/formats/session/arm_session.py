@@ -1,6 +1,6 @@
 """A folder that tells an arm's own geometry: what was touched, read and checked.
 
-``arm.json``           the arm as its papers have it
+``arm.json``           the arm as its datasheet has it
 ``articulation.csv``   set,q1_deg,…,qN_deg                  the tip in one seat a set, the arm swung
 ``spheres.csv``        sphere,diameter_mm,q1_deg,…          touches of calibrated spheres
 ``ballbars.csv``       bar,position,length_mm,standard_uncertainty_mm,end,q1_deg,…

@@ -186,7 +186,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     tip = picture.tip
     if tip is not None:
         note = message(
-            "papers-u",
+            "expected-by-datasheet-and-expanded-uncertainty",
             expected=quantity(tip.expected_mm, "mm", 3),
             expanded_uncertainty=quantity(tip.expanded_uncertainty_um, "µm"),
         )
@@ -211,10 +211,10 @@ def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
         taken = len(seat.q_rad)
         if state.touching:
             of = touches_wanted(state)
-            return StepProgress(min(taken, of), of, message("points", taken=taken, of=of))
+            return StepProgress(min(taken, of), of, message("points-of", taken=taken, wanted=of))
         swing = swing_deg(seat.q_rad)
         points = (
-            message("points-2", taken=taken, wanted=WANTED)
+            message("points-of", taken=taken, wanted=WANTED)
             if taken < WANTED
             else message("points-3", taken=taken)
         )

@@ -213,7 +213,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         return next(name for name in names if name not in known)
 
     def choose_artefact(self, args: Mapping[str, object], key: str | None) -> None:
-        """What the tip is put to next; the simulated ones have their papers' sizes."""
+        """What the tip is put to next; the simulated ones have the sizes of their certificates."""
         kind, size, hand = args["kind"], args.get("size_mm"), self.station.simulated_operator
         if size is None and hand is not None and kind != "seat":
             size = hand.bar_mm if kind == "bar" else hand.ball_mm

@@ -59,7 +59,7 @@ def _take_seat(guide: ArmGuide, hand: SimulatedOperator, share: float, progress:
             return hand.go_to_bar(position, end, posture)
         return hand.go_to_seat(seat, posture)
 
-    name = message("bars-end", value="AB"[end]) if on_bar else message("seat-2", seat=seat + 1)
+    name = message("bars-end", value="AB"[end]) if on_bar else message("seat-named", name=seat + 1)
     progress(message("hand-goes", name=name), share)
     if not go(0):
         return False

@@ -37,7 +37,7 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
     with guide.lock:
         guide.keep_seats()
     try:
-        sheet, result = identify_folder(
+        document, result = identify_folder(
             folder,
             folder / IDENTIFIED,
             progress=lambda share, text: progress(text, share),
@@ -47,7 +47,7 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
         guide.append("fit_refused", error_payload(error))
         guide.station.bus.event("refused", error.text, "bad")
         return
-    named = {"arm_name": sheet.name, "arm_serial": sheet.serial_number}
+    named = {"arm_name": document.name, "arm_serial": document.serial_number}
     guide.append(SOLVED, {**named, **to_jsonable_python(_payload(result))})
     guide.station.bus.event("step_done", message("arm-identified"), "good")
 

@@ -82,7 +82,7 @@ def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
             message(
                 "another-tip-mounted-another-sphere-touched", diameter=diameter, expected=expected
             ),
-            message("mount-tip-papers-give-spheres-own"),
+            message("mount-tip-of-datasheet-or-give-diameter"),
         ),
         "small": (
             message("worn-has-flat", diameter=diameter, expected=expected),
@@ -93,7 +93,7 @@ def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:
             message("clean-both-check-again"),
         ),
         "bent": (
-            message("tip-sits-where-papers-have-stylus", off=bend),
+            message("tip-sits-off-its-place", off=bend),
             message("screw-home-check-again-change-if"),
         ),
         "scatter": (

@@ -131,7 +131,7 @@ def _restore_pose(guide: CalibrationGuide, args: Args, key: str | None) -> None:
 
 
 def _poses_changed(guide: CalibrationGuide) -> None:
-    """The folder follows; while poses are still taken, the next one is advised anew."""
+    """The folder follows; while poses are still taken, the next one is advised again."""
     guide.folder.keep_images(guide.state.pictures)
     if guide.state.step == "solve" and guide.state.advice is None:
         title = message("working-out-which-pose-would-help")

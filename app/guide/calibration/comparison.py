@@ -14,7 +14,7 @@ from app.metrology.transforms import Floats, apply
 
 def compare(
     result: BlockCalibration | BoardCalibration,
-    sheet: CalibrationFile,
+    document: CalibrationFile,
     in_use: StoredCalibration | None,
 ) -> Comparison | None:
     """How far points of the measuring volume move against the calibration in use.
@@ -28,7 +28,7 @@ def compare(
         before = CalibrationFile.read(in_use.file)
     except OperationError:
         return None
-    was, now = before.serial_numbers, sheet.serial_numbers
+    was, now = before.serial_numbers, document.serial_numbers
     if (was.arm, was.sensor) != (now.arm, now.sensor):
         return None
     old = calibration_from_document(before)

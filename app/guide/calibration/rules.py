@@ -85,14 +85,14 @@ def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     chosen = live.chosen
     if chosen.arm is None or chosen.object is None or chosen.sensor is None:
         names = (("arm", chosen.arm), ("object", chosen.object), ("sensor", chosen.sensor))
-        missing = [name for name, sheet in names if sheet is None]
+        missing = [name for name, document in names if document is None]
         return message("choose-first", things=join([word(name) for name in missing]))
     if live.arm and live.arm.joint_count != chosen.arm.joint_count:
         return message(
-            "connected-arm-has-joints-has-choose-2",
-            joint_count=live.arm.joint_count,
+            "connected-arm-has-joints-has-choose",
+            connected_joints=live.arm.joint_count,
             name=chosen.arm.name,
-            joint_count2=chosen.arm.joint_count,
+            joint_count=chosen.arm.joint_count,
         )
     size = (chosen.sensor.width_px, chosen.sensor.height_px)
     if live.sensor and size != (live.sensor.width_px, live.sensor.height_px):
@@ -124,16 +124,16 @@ def other_devices(live: CalibrationLive) -> list[Finding]:
                 "connected-has-serial-number-chosen-datasheet",
                 name=word(name),
                 serial_number=there.serial_number,
-                serial_number2=sheet.serial_number,
+                serial_number2=document.serial_number,
             ),
             message("choose-datasheet-connect-other", name=word(name)),
         )
-        for name, there, sheet in pairs
+        for name, there, document in pairs
         if there is not None
-        and sheet is not None
+        and document is not None
         and there.serial_number
-        and sheet.serial_number
-        and there.serial_number != sheet.serial_number
+        and document.serial_number
+        and there.serial_number != document.serial_number
     ]
 
 

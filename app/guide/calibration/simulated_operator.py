@@ -173,7 +173,7 @@ def _another_helps(guide: CalibrationGuide) -> bool:
 
 
 def _await(guide: CalibrationGuide, ready: Callable[[], bool], timeout_s: float) -> None:
-    """Waits a little for the station to be ready; what follows judges it anew."""
+    """Waits a little for the station to be ready; what follows judges it again."""
     deadline_s = time.monotonic() + timeout_s
     with guide.changed:
         while guide.hand_running and not ready() and time.monotonic() < deadline_s:

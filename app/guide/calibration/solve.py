@@ -61,15 +61,15 @@ def solve(
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_any_session(folder.path)
-    result, sheet, drawings, touched = _calibrate(session, progress, known, limits, points)
-    sheet.write(folder.calibration)
+    result, document, drawings, touched = _calibrate(session, progress, known, limits, points)
+    document.write(folder.calibration)
     return CalibrationOutcome(
         corners=(),
         outline=(),
         stripe=(),
         findings=[Finding(f.quality, f.text, f.remedy, f.pose) for f in result.findings],
         result=replace(
-            _result(result, sheet, compare(result, sheet, in_use)),
+            _result(result, document, compare(result, document, in_use)),
             shown_pose=_worst_fitting(result).number,
             worst=[_worst(point, drawings, points) for point in result.worst],
             good_um=limits.good_um,
@@ -180,10 +180,10 @@ def _verdict(found: Sequence[metrology.CalibrationFinding]) -> Text:
 
 def _result(
     result: AnyCalibration,
-    sheet: CalibrationFile,
+    document: CalibrationFile,
     comparison: Comparison | None,
 ) -> CalibrationResult:
-    residuals, known = sheet.residuals, result.uncertainty
+    residuals, known = document.residuals, result.uncertainty
     assert residuals is not None
     return CalibrationResult(
         verdict=result.findings[0].quality,

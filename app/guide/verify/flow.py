@@ -93,7 +93,7 @@ def _words(state: VerifyState, live: VerifyLive) -> tuple[Text, Text]:
             title = message("scanning-cloud", number=state.open_cloud.number)
             return title, message("pass-stripe-slowly-over-whole-gauge")
         return TITLES["scan"], message("pass-stripe-slowly-each-pass-cloud", shape=shape)
-    return TITLES["review"], message("what-clouds-show-against-gauges-paper")
+    return TITLES["review"], message("what-clouds-show-against-certificate")
 
 
 def _steps(state: VerifyState) -> list[Step]:
@@ -176,7 +176,9 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
         findings += live.gauges.findings
         if not live.gauges.known:
             text = message("there-no-gauge-data-folder-yet")
-            findings.append(Finding("attention", text, message("put-paper-into-folder-gauges")))
+            findings.append(
+                Finding("attention", text, message("put-certificate-into-folder-gauges"))
+            )
     if state.step == "touch":
         shown = live.trouble.text if live.trouble else ""
         findings += [one for one in _about_touches(live) if not mentions(shown, one.text)]
@@ -213,7 +215,7 @@ def _about_touches(live: VerifyLive) -> list[Finding]:
         Finding(
             "bad",
             message(
-                "touched-sphere-seems-have-diameter-paper",
+                "touched-sphere-seems-to-have-diameter",
                 radius=quantity(2 * touched.radius_mm, "mm", 2),
                 radius2=quantity(2 * touched.nominal.radius_mm, "mm", 2),
             ),

@@ -1,4 +1,4 @@
-"""The gauges of a data folder, from their papers."""
+"""The gauges of a data folder, from their certificates."""
 
 from pathlib import Path
 

@@ -119,15 +119,15 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
         OperationError: a file cannot be read or written; nothing is kept then.
     """
     live, state = guide.live(), guide.state
-    sheet = build_record(guide, live, operator, temperatures)
-    write_verification(guide.folder, sheet)
+    document = build_record(guide, live, operator, temperatures)
+    write_verification(guide.folder, document)
     figures = {
-        "result": sheet.verdict.result,
-        "text": sheet.verdict.text,
-        "shape": sheet.gauge.shape,
-        "gauge": sheet.gauge.name,
-        "clouds": len(sheet.clouds),
-        "touched": sheet.placing is not None,
+        "result": document.verdict.result,
+        "text": document.verdict.text,
+        "shape": document.gauge.shape,
+        "gauge": document.gauge.name,
+        "clouds": len(document.clouds),
+        "touched": document.placing is not None,
         "operator": operator,
     }
     guide.keep(
@@ -135,8 +135,8 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
             state.session_id, state.calibration_id, guide.folder, figures, key, check
         )
     )
-    quality = QUALITY[sheet.verdict.result]
-    guide.station.bus.event("accepted", message("verified", text=sheet.verdict.text), quality)
+    quality = QUALITY[document.verdict.result]
+    guide.station.bus.event("accepted", message("verified", text=document.verdict.text), quality)
 
 
 def build_record(

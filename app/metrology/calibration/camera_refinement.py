@@ -44,7 +44,7 @@ LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
 LENS_TERMS = (((0,), 2.0), ((1,), 3.0), ((2, 3), 5.0))
 OUTLIER_SIGMAS = 4.5
 FEWEST_TO_JUDGE = 12
-# Outliers and factors are judged anew in the first rounds only, so that the rest converge.
+# Outliers and factors are judged again in the first rounds only, so that the rest converge.
 ROUNDS_OF_JUDGING = 6
 
 

@@ -179,7 +179,7 @@ def align_contacts(inputs: OnePoseInputs) -> Alignment:
 def refine_camera(
     detection: ObjectDetection, block: Crenellated, stripe: Stripe
 ) -> tuple[CameraFit, LaserPlaneFit]:
-    """The adjusted camera and plane, the stripe sorted anew with the adjusted camera."""
+    """The adjusted camera and plane, the stripe sorted again with the adjusted camera."""
     laser = fit_laser_plane(detection.camera, block, stripe)
     fit = fit_camera(
         detection.camera,
@@ -307,7 +307,7 @@ def _check(inputs: OnePoseInputs) -> None:
             raise OperationError(
                 "joint-count",
                 message("joint-angles", name=name, count=q.shape[-1]),
-                message("arm-has-joints-2", name=inputs.arm.name, joints=joints),
+                message("arm-has-joints", arm=inputs.arm.name, count=joints),
                 message("check-session-taken-arm"),
             )
         if not np.isfinite(q).all():

@@ -258,7 +258,7 @@ def _least_squares_sphere(points: Floats, start: ShapeParameters) -> ShapeParame
             raise OperationError(
                 "points-fix-no-sphere",
                 message("points-lie-too-small-piece-sphere"),
-                message("centre-radius-cannot-told-apart"),
+                message("centre-radius-cannot-be-separated"),
                 message("scan-more-sphere"),
             )
         change = np.linalg.solve(normal_matrix, -J.T @ (distance - radius_mm))

@@ -167,7 +167,7 @@ def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
         raise OperationError(
             "too-few-touches",
             message("has-touches", shape=shape, count=len(q_rad)),
-            message("least-needed-2", least=least),
+            message("least-needed", least=least),
             message("touch-more-places"),
         )
     return tip_centres(arm, q_rad)

@@ -70,7 +70,7 @@ def check_tip(
         OperationError: as ``fit_probed_sphere``.
     """
     found = fit_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
-    # the touches have the sphere bigger by what the tip is bigger than its papers
+    # the touches have the sphere bigger by what the tip is bigger than in its datasheet
     error_mm = 2 * (found.radius_mm - sphere_diameter_mm / 2)
     sd_mm = float(np.hypot(2 * found.radius_sd_mm, sphere_sd_mm))
     tips = tip_centres(arm, q_rad)

@@ -74,7 +74,7 @@ def build_contacts(
             raise OperationError(
                 "unknown-face",
                 message("contact-unknown-face", number=i + 1, face=face),
-                message("faces", faces=", ".join(FACES)),
+                message("faces-are", names=", ".join(FACES)),
             )
     if tips.shape != (len(features), 3) or not np.all(np.isfinite(tips)):
         raise OperationError(

@@ -1,4 +1,4 @@
-"""The memory in which stripes are extracted: kept, since fetching it anew costs time."""
+"""The memory in which stripes are extracted: kept, since fetching it again costs time."""
 
 import ctypes
 import math

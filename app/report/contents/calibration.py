@@ -75,22 +75,22 @@ def calibration_report(folder: Path) -> Report[Text]:
     Raises:
         OperationError: there is none, or a file that it needs is missing or damaged.
     """
-    sheet = CalibrationFile.read(folder / CALIBRATION)
+    document = CalibrationFile.read(folder / CALIBRATION)
     session = read_any_session(folder)
     accepted = read_acceptance(folder)
-    verdict = sheet.verdict
+    verdict = document.verdict
     quality = verdict.quality if verdict else "neutral"
     text = verdict.text if verdict else message("file-carries-no-verdict")
     sections = [
-        _subject_section(sheet, session, accepted),
-        _results(sheet, session, accepted),
-        signatures(_operator(sheet, accepted)),
-        _findings(sheet),
-        *_pictures(sheet, session, accepted),
-        _tables(sheet, session),
-        _parameters(sheet),
+        _subject_section(document, session, accepted),
+        _results(document, session, accepted),
+        signatures(_operator(document, accepted)),
+        _findings(document),
+        *_pictures(document, session, accepted),
+        _tables(document, session),
+        _parameters(document),
         inputs_section(
-            folder, sheet.inputs, CALIBRATION, accepted.calibration_sha256 if accepted else None
+            folder, document.inputs, CALIBRATION, accepted.calibration_sha256 if accepted else None
         ),
     ]
     return Report(
@@ -98,7 +98,7 @@ def calibration_report(folder: Path) -> Report[Text]:
         number=folder.resolve().name,
         station=(accepted.station if accepted else "")
         or message("laser-stripe-sensor-measuring-arm"),
-        date=format_moment(accepted.accepted_at if accepted else sheet.created_at),
+        date=format_moment(accepted.accepted_at if accepted else document.created_at),
         verdict=Verdict(quality, WORDS[quality], sentence(text)),
         sections=[section for section in sections if section.blocks],
         notes=_notes(accepted),
@@ -111,23 +111,23 @@ def _notes(accepted: Acceptance | None) -> list[Text]:
     return simulation_notes(accepted.simulated)
 
 
-def _operator(sheet: CalibrationFile, accepted: Acceptance | None) -> str:
-    return (accepted.operator if accepted else "") or sheet.operator or ""
+def _operator(document: CalibrationFile, accepted: Acceptance | None) -> str:
+    return (accepted.operator if accepted else "") or document.operator or ""
 
 
 def _subject_section(
-    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
+    document: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> Section[Text]:
     target = session.board if isinstance(session, BoardSession) else session.block
     rows: list[tuple[Text, Text]] = [
-        (message("operator-2"), _operator(sheet, accepted) or UNKNOWN),
-        (message("calibrated"), format_moment(sheet.created_at)),
+        (message("operator-2"), _operator(document, accepted) or UNKNOWN),
+        (message("calibrated"), format_moment(document.created_at)),
         (message("accepted"), format_moment(accepted.accepted_at) if accepted else word("no")),
         (message("temperature"), temperature(accepted.temperature_c if accepted else None)),
-        (message("method"), METHODS.get(sheet.method or "", sheet.method or UNKNOWN)),
+        (message("method"), METHODS.get(document.method or "", document.method or UNKNOWN)),
         (
             message("software"),
-            software_name(sheet.software.version) if sheet.software else UNKNOWN,
+            software_name(document.software.version) if document.software else UNKNOWN,
         ),
         (message("arm-4"), _arm_name(session.arm)),
         (message("sensor-2"), _sensor_name(session.sensor)),
@@ -171,16 +171,16 @@ def _coordinates(target: Crenellated | Chessboard) -> Text:
 
 
 def _results(
-    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
+    document: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> Section[Text]:
-    rows = [*_uncertainty_rows(sheet, accepted), *_residual_rows(sheet, session)]
+    rows = [*_uncertainty_rows(document, accepted), *_residual_rows(document, session)]
     columns = (message("result"), message("value"), message("mm"), "k", message("limit-k-1"))
     table = ReportTable[Text](columns, rows, (46, 14, 18, 5, 25))
-    return Section(message("results"), [table, *_rule(sheet, accepted)])
+    return Section(message("results"), [table, *_rule(document, accepted)])
 
 
-def _uncertainty_rows(sheet: CalibrationFile, accepted: Acceptance | None) -> list[Row]:
-    known = sheet.uncertainty
+def _uncertainty_rows(document: CalibrationFile, accepted: Acceptance | None) -> list[Row]:
+    known = document.uncertainty
     if known is None:
         return []
     total, limits = known.total_um, _limits(accepted)
@@ -195,13 +195,13 @@ def _uncertainty_rows(sheet: CalibrationFile, accepted: Acceptance | None) -> li
             (message("same-offset"), *in_both_units(offset), "1", ""),
         ]
     near, far = known.depth_range_mm
-    depths = message("to-3", near=quantity(near, "", 1), far=quantity(far, "mm", 1))
+    depths = message("from-to", low=quantity(near, "", 1), high=quantity(far, "mm", 1))
     rows.append((message("calibrated-distance-camera"), "", depths, "", ""))
     return rows
 
 
-def _residual_rows(sheet: CalibrationFile, session: BlockSession | BoardSession) -> list[Row]:
-    residuals = sheet.residuals
+def _residual_rows(document: CalibrationFile, session: BlockSession | BoardSession) -> list[Row]:
+    residuals = document.residuals
     if residuals is None:
         return []
     board = isinstance(session, BoardSession)
@@ -229,10 +229,10 @@ def _limits(accepted: Acceptance | None) -> Text:
     return message("good-m-usable-m", good=good, usable=usable)
 
 
-def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock[Text]]:
+def _rule(document: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock[Text]]:
     texts: list[Text] = [message("decision-rule-limits-set-standard-uncertainty")]
-    if sheet.uncertainty is not None:
-        guard = GUARD * sheet.uncertainty.total_um
+    if document.uncertainty is not None:
+        guard = GUARD * document.uncertainty.total_um
         texts.append(
             message(
                 "feature-given-single-scanned-point-iso",
@@ -257,43 +257,43 @@ def _rule(sheet: CalibrationFile, accepted: Acceptance | None) -> list[TextBlock
     return [TextBlock(text) for text in texts]
 
 
-def _findings(sheet: CalibrationFile) -> Section[Text]:
-    findings = sheet.verdict.findings if sheet.verdict else ()
+def _findings(document: CalibrationFile) -> Section[Text]:
+    findings = document.verdict.findings if document.verdict else ()
     rows = [ReportFinding(one.quality, one.text, one.remedy) for one in findings]
     return Section(message("findings"), [Findings(rows)] if rows else [], together=False)
 
 
 def _pictures(
-    sheet: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
+    document: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> list[Section[Text]]:
-    camera, plane = sheet.camera.model(), laser_plane(sheet)
+    camera, plane = document.camera.model(), laser_plane(document)
     sections: list[Section[Text]] = []
     if isinstance(session, BlockSession):
         sections.append(
-            Section(message("residuals-object"), [Pictures([_contact_figure(sheet, session)])])
+            Section(message("residuals-object"), [Pictures([_contact_figure(document, session)])])
         )
     by_number = {pose.number: pose for pose in session.poses}
     images = [
         figures.image_figure(by_number[part.number], part, camera, _fit_basis(session))
-        for part in _worst_poses(sheet)
+        for part in _worst_poses(document)
         if part.number in by_number
     ]
     if images:
-        used = sum(part.used for part in sheet.poses)
+        used = sum(part.used for part in document.poses)
         title = (
             message("residuals-image-worst-poses", count=len(images), used=used)
             if len(images) < used
             else message("residuals-image")
         )
         sections.append(Section(title, [Pictures(images, 3)], together=False))
-    if sheet.uncertainty is not None:
-        over = figures.volume_figure(sheet.uncertainty, camera, plane)
+    if document.uncertainty is not None:
+        over = figures.volume_figure(document.uncertainty, camera, plane)
         if over is not None:
             sections.append(
                 Section(message("uncertainty-over-measuring-volume"), [Pictures([over])])
             )
         limits = (accepted.good_um, accepted.usable_um) if accepted else (None, None)
-        bars = figures.budget_figure(sheet.uncertainty, *limits)
+        bars = figures.budget_figure(document.uncertainty, *limits)
         sections.append(Section(message("error-budget"), [Pictures([bars])]))
     return sections
 
@@ -303,48 +303,48 @@ def _fit_basis(session: BlockSession | BoardSession) -> figures.FitBasis:
     return "corners" if isinstance(session, BoardSession) else "edges"
 
 
-def laser_plane(sheet: CalibrationFile) -> LaserPlane:
+def laser_plane(document: CalibrationFile) -> LaserPlane:
     """The laser's plane in the sensor frame."""
-    return LaserPlane(np.array(sheet.laser_plane.normal), sheet.laser_plane.offset_mm)
+    return LaserPlane(np.array(document.laser_plane.normal), document.laser_plane.offset_mm)
 
 
-def _worst_poses(sheet: CalibrationFile) -> list[PosePart]:
+def _worst_poses(document: CalibrationFile) -> list[PosePart]:
     """Those whose edges fit worst, in the order in which they were captured."""
-    drawn = [pose for pose in sheet.poses if pose.used and pose.corners_at_px]
+    drawn = [pose for pose in document.poses if pose.used and pose.corners_at_px]
     worst = sorted(drawn, key=lambda pose: -pose.edges_rms_px)[:DISPLAYED_POSES]
     return sorted(worst, key=lambda pose: pose.number)
 
 
-def _contact_figure(sheet: CalibrationFile, session: BlockSession) -> tuple[Figure[Text], Text]:
-    residuals_um = sheet.residuals.contacts_um if sheet.residuals is not None else ()
-    outliers = sheet.residuals.contacts_left_out if sheet.residuals is not None else ()
+def _contact_figure(document: CalibrationFile, session: BlockSession) -> tuple[Figure[Text], Text]:
+    residuals_um = document.residuals.contacts_um if document.residuals is not None else ()
+    outliers = document.residuals.contacts_left_out if document.residuals is not None else ()
     count = min(len(residuals_um), len(session.contacts.features))
     return figures.object_figure(
         session.block,
         session.contacts.features[:count],
-        _contact_points(sheet, session.arm, session)[:count],
+        _contact_points(document, session.arm, session)[:count],
         residuals_um[:count],
         outliers,
     )
 
 
-def _contact_points(sheet: CalibrationFile, arm: Arm, session: BlockSession) -> Floats:
+def _contact_points(document: CalibrationFile, arm: Arm, session: BlockSession) -> Floats:
     """(N, 3) the tip's centres in the object's frame."""
-    assert sheet.T_arm_obj is not None
-    T = np.array(sheet.T_arm_obj)
+    assert document.T_arm_obj is not None
+    T = np.array(document.T_arm_obj)
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])
 
 
-def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Section[Text]:
+def _tables(document: CalibrationFile, session: BlockSession | BoardSession) -> Section[Text]:
     tables: list[ReportTable[Text]] = []
-    if sheet.poses:
+    if document.poses:
         rows: list[Row] = [
             (
                 str(pose.number),
                 _pose_outcome(pose),
                 *(_pose_figures(pose) if pose.used else ("–",) * 5),
             )
-            for pose in sheet.poses
+            for pose in document.poses
         ]
         fitted = message("corners-px") if isinstance(session, BoardSession) else message("edges-px")
         columns = (
@@ -357,7 +357,7 @@ def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Sec
             message("object-off-m"),
         )
         tables.append(ReportTable(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
-    if sheet.residuals is not None and sheet.residuals.faces:
+    if document.residuals is not None and document.residuals.faces:
         faces: list[Row] = [
             (
                 capital(word(face.face) if face.face in FACE_WORDS else face.face),
@@ -365,11 +365,11 @@ def _tables(sheet: CalibrationFile, session: BlockSession | BoardSession) -> Sec
                 quantity(face.rms_um, "", 1),
                 quantity(face.form_um, "", 1),
             )
-            for face in sheet.residuals.faces
+            for face in document.residuals.faces
         ]
         heads = (message("face-3"), message("touches-2"), "rms, µm", message("form-max-min-m"))
         tables.append(ReportTable(heads, faces, (30, 20, 20, 30)))
-    touched = sheet.residuals is not None and len(sheet.residuals.contacts_um) > 0
+    touched = document.residuals is not None and len(document.residuals.contacts_um) > 0
     return Section(message("poses-touches") if touched else message("poses-2"), tables)
 
 
@@ -389,8 +389,8 @@ def _pose_figures(pose: PosePart) -> Row:
     )
 
 
-def _parameters(sheet: CalibrationFile) -> Section[Text]:
-    camera, plane = sheet.camera, sheet.laser_plane
+def _parameters(document: CalibrationFile) -> Section[Text]:
+    camera, plane = document.camera, document.laser_plane
     (fx, _, u0), (_, fy, v0), _ = camera.matrix
     x, y, z = (signed(value, "", 6) for value in plane.normal)
     lens = [
@@ -413,7 +413,7 @@ def _parameters(sheet: CalibrationFile) -> Section[Text]:
             message("plane-equation", x=x, y=y, z=z, offset=quantity(plane.offset_mm, "mm", 4)),
         ),
     ]
-    rows = [tuple(quantity(value, "", 7) for value in row) for row in sheet.probe_matrix]
+    rows = [tuple(quantity(value, "", 7) for value in row) for row in document.probe_matrix]
     probe = ReportTable[Text](("x", "y", "z", message("origin-mm")), rows, (1, 1, 1, 1), 0)
     explanation = TextBlock(message("probe-matrix-sensors-frame-arms-last"))
     return Section(message("parameters"), [Facts(facts), TextBlock(""), explanation, probe])

@@ -50,13 +50,13 @@ def identification_report(folder: Path) -> Report[Text]:
     Raises:
         OperationError: there is none, or a file that it needs is missing or damaged.
     """
-    sheet = ArmFile.read(folder / IDENTIFIED)
-    found = sheet.identification
+    document = ArmFile.read(folder / IDENTIFIED)
+    found = document.identification
     if found is None:
         raise OperationError(
             "not-identified",
             message("says-nothing-identification", folder=display_path(folder / IDENTIFIED)),
-            message("arm-papers-have"),
+            message("arm-by-its-datasheet"),
             message("identify-arm-folders-again", arm=ARM),
         )
     inputs = [Input(file=one.file, sha256=one.sha256) for one in found.inputs]
@@ -67,7 +67,7 @@ def identification_report(folder: Path) -> Report[Text]:
         date=format_moment(found.created_at),
         verdict=_verdict(found),
         sections=[
-            Section(message("what-identified"), [Facts(_facts(folder, sheet, found))]),
+            Section(message("what-identified"), [Facts(_facts(folder, document, found))]),
             Section(message("results"), [_results(found), *_explanation(found)]),
             signatures(found.operator),
             Section(message("before-after"), [Pictures([_before_and_after(_pairs(found))])]),
@@ -88,14 +88,14 @@ def _verdict(found: IdentificationPart) -> Verdict[Text]:
     return Verdict("attention" if found.warnings else "good", message("identified"), text)
 
 
-def _facts(folder: Path, sheet: ArmFile, found: IdentificationPart) -> list[tuple[Text, Text]]:
+def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> list[tuple[Text, Text]]:
     return [
         (message("operator-2"), found.operator or UNKNOWN),
         (message("identified"), format_moment(found.created_at)),
         (message("temperature"), temperature(found.temperature_c)),
-        (message("arm-4"), device_name(sheet.name, sheet.serial_number)),
-        (message("axes"), str(len(sheet.joints))),
-        (message("tip"), "" if sheet.tip is None else ball_diameter(sheet.tip.diameter_mm)),
+        (message("arm-4"), device_name(document.name, document.serial_number)),
+        (message("axes"), str(len(document.joints))),
+        (message("tip"), "" if document.tip is None else ball_diameter(document.tip.diameter_mm)),
         *_observation_facts(read_identification_session(folder).observations),
         (message("software"), software_name(found.software.version)),
     ]
@@ -193,7 +193,7 @@ def _parameters(found: IdentificationPart) -> list[Block[Text]]:
             (f"{pair.first}, {pair.second}", signed(pair.coefficient, "", 3))
             for pair in found.correlated
         ]
-        title = message("correlated-told-together-each-alone-less")
+        title = message("correlated-known-together")
         blocks.append(ReportTable((title, message("coefficient")), pairs, (70, 30), 1, small=True))
     return blocks
 

@@ -88,7 +88,7 @@ def _table(check: TipCheckFile) -> ReportTable[Text]:
     limit = at_most(check.limit_um)
     known = plus_minus(micrometres(check.expanded_uncertainty_um))
     rows: list[tuple[Text, ...]] = [
-        (message("diameter-tip-papers"), "", quantity(check.expected_mm, "mm", 4), "", ""),
+        (message("diameter-of-tip-by-datasheet"), "", quantity(check.expected_mm, "mm", 4), "", ""),
         (message("diameter-tip-found"), "", quantity(check.diameter_mm, "mm", 4), known, ""),
         (message("error"), *in_both_units(check.error_um), known, limit),
         (message("largest-distance-touch-sphere"), *in_both_units(check.scatter_um), "", limit),

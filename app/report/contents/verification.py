@@ -85,29 +85,30 @@ def verification_report(folder: Path) -> Report[Text]:
     Raises:
         OperationError: there is none, or a file that it needs is missing or damaged.
     """
-    sheet = read_verification(folder)
-    result = sheet.verdict.result
+    document = read_verification(folder)
+    result = document.verdict.result
     reasons = [
-        ReportFinding(QUALITIES[figure.decision], _reason(figure), "") for figure in sheet.figures
+        ReportFinding(QUALITIES[figure.decision], _reason(figure), "")
+        for figure in document.figures
     ]
-    notes = [ReportFinding[Text]("neutral", note, "") for note in sheet.notes]
+    notes = [ReportFinding[Text]("neutral", note, "") for note in document.notes]
     sections: list[Section[Text]] = [
-        Section(message("what-verified"), [Facts(_facts(sheet))]),
-        Section(message("results"), [_results(sheet), *_rule()]),
-        signatures(sheet.operator),
+        Section(message("what-verified"), [Facts(_facts(document))]),
+        Section(message("results"), [_results(document), *_rule()]),
+        signatures(document.operator),
         Section(message("reasons"), [Findings([*reasons, *notes])], together=False),
-        Section(message("against-limits"), [Pictures([_limit_figure(sheet)])]),
-        *_clouds(sheet),
-        *_maps(folder, sheet),
-        inputs_section(folder, sheet.inputs, VERIFICATION),
+        Section(message("against-limits"), [Pictures([_limit_figure(document)])]),
+        *_clouds(document),
+        *_maps(folder, document),
+        inputs_section(folder, document.inputs, VERIFICATION),
     ]
     return Report(
-        title=message("verification-gauge", shape=sheet.gauge.shape),
-        number=sheet.id,
-        station=sheet.station,
-        date=format_moment(sheet.accepted_at),
-        verdict=Verdict(QUALITIES[result], WORDS[result], sheet.verdict.text),
-        notes=simulation_notes(sheet.simulated),
+        title=message("verification-gauge", shape=document.gauge.shape),
+        number=document.id,
+        station=document.station,
+        date=format_moment(document.accepted_at),
+        verdict=Verdict(QUALITIES[result], WORDS[result], document.verdict.text),
+        notes=simulation_notes(document.simulated),
         sections=sections,
     )
 
@@ -120,16 +121,16 @@ def _reason(figure: FigurePart) -> Text:
     return reason
 
 
-def _facts(sheet: VerificationFile) -> list[tuple[Text, Text]]:
-    gauge, used, serials = sheet.gauge, sheet.calibration, sheet.serial_numbers
+def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
+    gauge, used, serials = document.gauge, document.calibration, document.serial_numbers
     return [
-        (message("operator-2"), sheet.operator or UNKNOWN),
-        (message("begun"), format_moment(sheet.started_at)),
-        (message("accepted"), format_moment(sheet.accepted_at)),
-        (message("temperature"), _temperatures(sheet)),
-        (message("gauge"), _gauge_name(sheet)),
+        (message("operator-2"), document.operator or UNKNOWN),
+        (message("begun"), format_moment(document.started_at)),
+        (message("accepted"), format_moment(document.accepted_at)),
+        (message("temperature"), _temperatures(document)),
+        (message("gauge"), _gauge_name(document)),
         (
-            message("paper"),
+            message("certificate"),
             message(
                 "known-m-k-1-form-m",
                 certificate=message("certificate-2", certificate=gauge.certificate)
@@ -139,26 +140,26 @@ def _facts(sheet: VerificationFile) -> list[tuple[Text, Text]]:
                 form=rounded(gauge.form_um, "µm"),
             ),
         ),
-        (message("arm-4"), message("serial-number-2", value=serials.arm or UNKNOWN)),
-        (message("sensor-2"), message("serial-number-2", value=serials.sensor or UNKNOWN)),
+        (message("arm-4"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
+        (message("sensor-2"), message("serial-number", serial_number=serials.sensor or UNKNOWN)),
         (
             message("calibration"),
             message("point-known-k-1", name=used.name, total=micrometres(used.total_um)),
         ),
-        (message("placed"), _placement_text(sheet.placing)),
-        (message("software"), software_name(sheet.software.version)),
+        (message("placed"), _placement_text(document.placing)),
+        (message("software"), software_name(document.software.version)),
     ]
 
 
-def _temperatures(sheet: VerificationFile) -> Text:
-    start, end = sheet.temperature.start_c, sheet.temperature.end_c
+def _temperatures(document: VerificationFile) -> Text:
+    start, end = document.temperature.start_c, document.temperature.end_c
     if start is None or end is None:
         return temperature(start if start is not None else end)
-    return message("to-4", start=quantity(start, "", 1), end=quantity(end, "°C", 1))
+    return message("from-to", low=quantity(start, "", 1), high=quantity(end, "°C", 1))
 
 
-def _gauge_name(sheet: VerificationFile) -> Text:
-    gauge = sheet.gauge
+def _gauge_name(document: VerificationFile) -> Text:
+    gauge = document.gauge
     name = device_name(gauge.name, gauge.serial_number)
     if gauge.radius_mm is None:
         return name
@@ -176,7 +177,7 @@ def _placement_text(placing: PlacingPart | None) -> Text:
     )
 
 
-def _results(sheet: VerificationFile) -> ReportTable[Text]:
+def _results(document: VerificationFile) -> ReportTable[Text]:
     rows: list[tuple[Text, ...]] = [
         (
             figure.title,
@@ -186,7 +187,7 @@ def _results(sheet: VerificationFile) -> ReportTable[Text]:
             NONE if figure.limit is None else _value(figure.limit, figure.unit),
             DECISIONS[figure.decision],
         )
-        for figure in sheet.figures
+        for figure in document.figures
     ]
     columns = (
         message("figure"),
@@ -210,9 +211,9 @@ def _rule() -> list[TextBlock[Text]]:
     ]
 
 
-def _limit_figure(sheet: VerificationFile) -> tuple[Figure[Text], Text]:
+def _limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
     """Each figure in shares of its limit, with its uncertainty and each cloud's own value."""
-    limited = [figure for figure in sheet.figures if figure.limit is not None]
+    limited = [figure for figure in document.figures if figure.limit is not None]
     figure = Figure[Text](
         520, 24.0 * max(len(limited), 1) + 26, message("figures-against-their-limits")
     )
@@ -256,12 +257,12 @@ CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
 )
 
 
-def _clouds(sheet: VerificationFile) -> list[Section[Text]]:
+def _clouds(document: VerificationFile) -> list[Section[Text]]:
     """Each cloud's figures as a table, and as points over the clouds (paper, Figs. 7-11)."""
     known = [
         (name, title, decimals)
         for name, title, decimals in CLOUD_FIGURES
-        if any(getattr(cloud, name) is not None for cloud in sheet.clouds)
+        if any(getattr(cloud, name) is not None for cloud in document.clouds)
     ]
     rows: list[tuple[Text, ...]] = [
         (
@@ -271,7 +272,7 @@ def _clouds(sheet: VerificationFile) -> list[Section[Text]]:
             quantity(cloud.form_um, decimals=1),
             *(_cell(cloud, name, decimals) for name, _, decimals in known),
         )
-        for cloud in sheet.clouds
+        for cloud in document.clouds
     ]
     columns = (
         message("cloud"),
@@ -282,17 +283,17 @@ def _clouds(sheet: VerificationFile) -> list[Section[Text]]:
     )
     table = ReportTable[Text](columns, rows, (22, 14, 11, 15, *[12] * len(known)))
     sections = [Section[Text](message("clouds-2"), [table], together=False)]
-    if len(sheet.clouds) > 1 and known:
-        plots = [_plot(sheet, name, title) for name, title, _ in known]
+    if len(document.clouds) > 1 and known:
+        plots = [_plot(document, name, title) for name, title, _ in known]
         sections.append(Section(message("over-clouds"), [Pictures(plots, 3)], together=False))
     return sections
 
 
-def _maps(folder: Path, sheet: VerificationFile) -> list[Section[Text]]:
+def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
     """How each cloud lies about its own shape, where the folder has it."""
     maps = [
         (cloud, MapFile.read(path))
-        for cloud in sheet.clouds
+        for cloud in document.clouds
         if (path := (folder / cloud.recording).parent / MAP).is_file()
     ]
     figures = [deviation_figure(cloud.name, cells) for cloud, cells in maps if cells.deviation_um]
@@ -306,8 +307,8 @@ def _cell(cloud: CloudPart, name: str, decimals: int) -> Text:
     return "–" if value is None else quantity(value, decimals=decimals)
 
 
-def _plot(sheet: VerificationFile, name: str, title: Text) -> tuple[Figure[Text], Text]:
-    values = [getattr(cloud, name) for cloud in sheet.clouds]
+def _plot(document: VerificationFile, name: str, title: Text) -> tuple[Figure[Text], Text]:
+    values = [getattr(cloud, name) for cloud in document.clouds]
     known = [float(value) for value in values if value is not None]
     low, high = min([0.0, *known]), max([0.0, *known])
     span = max(high - low, 1e-9) * 1.15

@@ -32,7 +32,9 @@ def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> 
     if info is not None and link.state is LinkState.CONNECTED:
         text = info.name
         if info.serial_number:
-            text = message("serial-number-4", name=info.name, serial_number=info.serial_number)
+            text = message(
+                "name-and-serial-number", name=info.name, serial_number=info.serial_number
+            )
     return DeviceState(
         title,
         link.state.value,

@@ -210,7 +210,7 @@ def _offset_parameters(link: ArmLink, by: Floats) -> ArmLink:
 def perturb_arm(
     arm: ArmModel, rms_um: float, rng: np.random.Generator, wrong_in: ErrorSource = "links"
 ) -> ArmModel:
-    """The arm as it really is, with errors that its papers do not know.
+    """The arm as it really is, with errors that its datasheet does not state.
 
     ``rms_um`` is the rms error of the tip over the arm's joint space that is left
     after the best rigid placement of the whole arm. ``wrong_in``: its links, each with an

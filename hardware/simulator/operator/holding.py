@@ -61,7 +61,7 @@ def sensor_over_board(
 ) -> Floats:
     """``T_board_sensor`` (4, 4) with the pattern's middle looked at in the ``view``-th way.
 
-    Begins anew after the last of ``VIEWPOINTS``.
+    Begins again after the last of ``VIEWPOINTS``.
     """
     wanted = VIEWPOINTS[view % len(VIEWPOINTS)]
     T = _view_at_laser(sight.optics, sight.light_plane) @ translation(0.0, 0.0, -wanted.away_mm)
@@ -72,12 +72,12 @@ def sensor_over_board(
     return np.asarray(middle @ _draw_pose_error(rng) @ np.linalg.inv(T))
 
 
-def _view_at_laser(optics: Optics, sheet: LightPlane) -> Floats:
+def _view_at_laser(optics: Optics, light_plane: LightPlane) -> Floats:
     """``T_sensor_view`` (4, 4): where the camera's axis meets the laser, z towards the camera,
     x along the sensor's."""
     eye, along = optics.centre_mm, optics.T_cam_sensor[2, :3]
-    normal = np.array(sheet.normal)
-    away_mm = (sheet.offset_mm - normal @ eye) / (normal @ along)
+    normal = np.array(light_plane.normal)
+    away_mm = (light_plane.offset_mm - normal @ eye) / (normal @ along)
     x = np.array([1.0, 0.0, 0.0]) - along[0] * along
     x /= np.linalg.norm(x)
     T = np.eye(4)

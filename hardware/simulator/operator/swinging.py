@@ -31,7 +31,7 @@ BARS = ((1, 1.5, 0.1), (2, 0.2, 0.5), (0, -0.9, 0.2), (4, 1.2, -0.3))
 """At which of the seats the bar's middle lies, its turn from there and its rise, in rad."""
 BAR_MM = 300.0
 SPHERE_MM = 25.0
-"""The simulated ball bar's length and the sphere's diameter, as their papers have them."""
+"""The simulated ball bar's length and the sphere's diameter, as their certificates have them."""
 CLEAR_MM, TOUCH_S, TOUCH_STEP = 8.0, 0.4, 0.618
 PLATE_POINTS = (
     (-1, -1),

@@ -51,18 +51,23 @@ class Renderer:
         self,
         scene: SimulatedScene,
         optics: Optics,
-        sheet: LightPlane,
+        light_plane: LightPlane,
         detector: Detector,
         seed: int = 0,
     ) -> None:
-        self.scene, self.optics, self.light_plane, self.detector = scene, optics, sheet, detector
+        self.scene, self.optics, self.light_plane, self.detector = (
+            scene,
+            optics,
+            light_plane,
+            detector,
+        )
         self._rng = np.random.default_rng(seed)
         self._kinds, self._rows = shape_rows(scene)
         self._grain = grain_tile(np.random.default_rng(seed + 1))
         self._speckle = speckle_tile(detector, np.random.default_rng(seed + 2))
         self._lines = sight_lines(optics)
         corner = float(np.arctan(np.linalg.norm(self._lines, axis=2).max()))
-        self._view_rad = max(corner, sheet.half_angle_rad) + SPARE_RAD
+        self._view_rad = max(corner, light_plane.half_angle_rad) + SPARE_RAD
         self._allocate(optics.height_px, optics.width_px)
         self._cast: tuple[Floats, Codes, Image] | None = None
         self._room: tuple[Floats, int, Image] | None = None
@@ -171,14 +176,14 @@ class Renderer:
         if kept is not None and np.array_equal(kept[0], T_arm_sensor):
             return kept[1:]
         kinds, rows, into = self._visible_objects(T_arm_sensor)
-        fan, emitter, sheet, lens = self._light_plane_in_camera
+        fan, emitter, light_plane, lens = self._light_plane_in_camera
         eyes, lamps = ray_bundle(into, rows, np.zeros(3)), ray_bundle(into, rows, emitter)
         shapes = (kinds, rows)
         angles = np.linspace(
             -self.light_plane.half_angle_rad, self.light_plane.half_angle_rad, FAN_RAYS
         )
         landed = np.empty((8 * FAN_RAYS, 5))
-        ray_count = trace_fan(angles, fan, emitter, sheet, lens, *shapes, lamps, landed)
+        ray_count = trace_fan(angles, fan, emitter, light_plane, lens, *shapes, lamps, landed)
         count = band_around(landed[:ray_count], self._laser_codes, self._band)
         marked = self._band.reshape(-1)[:count]
         light = self._laser_light
@@ -189,7 +194,7 @@ class Renderer:
             lattice(55),
             lattice(5),
             emitter,
-            sheet,
+            light_plane,
             *shapes,
             eyes,
             lamps,
@@ -218,19 +223,19 @@ class Renderer:
 
     @cached_property
     def _light_plane_in_camera(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """In the camera's frame: fan's middle and side (2, 3), emitter, sheet (5,), lens (9,)."""
-        T, sheet = self.optics.T_cam_sensor, self.light_plane
-        normal = T[:3, :3] @ np.array(sheet.normal)
-        offset = sheet.offset_mm + float(normal @ T[:3, 3])
-        emitter = T[:3, :3] @ np.array(sheet.emitter_mm) + T[:3, 3]
-        down = np.array([0.0, 0.0, -1.0]) + sheet.normal[2] * np.array(sheet.normal)
+        """In the camera's frame: fan's middle and side (2, 3), emitter, plane (5,), lens (9,)."""
+        T, light_plane = self.optics.T_cam_sensor, self.light_plane
+        normal = T[:3, :3] @ np.array(light_plane.normal)
+        offset = light_plane.offset_mm + float(normal @ T[:3, 3])
+        emitter = T[:3, :3] @ np.array(light_plane.emitter_mm) + T[:3, 3]
+        down = np.array([0.0, 0.0, -1.0]) + light_plane.normal[2] * np.array(light_plane.normal)
         down /= np.linalg.norm(down)
-        side = np.cross(sheet.normal, down)
+        side = np.cross(light_plane.normal, down)
         fan = np.stack([down, side]) @ T[:3, :3].T
         return (
             np.ascontiguousarray(fan),
             emitter,
-            np.array([*normal, offset, sheet.sigma_mm]),
+            np.array([*normal, offset, light_plane.sigma_mm]),
             self.optics.lens,
         )
 

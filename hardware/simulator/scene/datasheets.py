@@ -1,4 +1,4 @@
-"""The operator's papers: what the makers of arm, block, sensor and gauges state of them.
+"""The operator's datasheets: what the makers of arm, block, sensor and gauges state of them.
 
 Plain dictionaries, in the files' own layout; true errors are not in them.
 """
@@ -93,7 +93,7 @@ def board_datasheet(
 
 def sensor_datasheet(
     optics: Optics,
-    sheet: LightPlane,
+    light_plane: LightPlane,
     name: str = "Simulated stripe sensor",
     serial_number: str = "TWIN-S1",
 ) -> JsonObject:
@@ -105,15 +105,15 @@ def sensor_datasheet(
         "serial_number": serial_number,
         "width_px": optics.width_px,
         "height_px": optics.height_px,
-        "stripe_axis": stripe_axis(optics, sheet),
+        "stripe_axis": stripe_axis(optics, light_plane),
         "laser_wavelength_nm": 660,
     }
 
 
-def stripe_axis(optics: Optics, sheet: LightPlane) -> str:
+def stripe_axis(optics: Optics, light_plane: LightPlane) -> str:
     """ "u" where the stripe has one point a column, "v" where it has one a row."""
-    along = np.cross(sheet.normal, [0.0, 0.0, 1.0])
-    middle = np.array(sheet.normal) * sheet.offset_mm
+    along = np.cross(light_plane.normal, [0.0, 0.0, 1.0])
+    middle = np.array(light_plane.normal) * light_plane.offset_mm
     ends = to_pixels(optics, np.stack([middle - 5 * along, middle + 5 * along]))
     du, dv = np.abs(ends[1] - ends[0])
     return "u" if du >= dv else "v"

@@ -80,7 +80,7 @@ def random_block(rng: np.random.Generator, merlons: int | None = None) -> Crenel
 
 
 def demo_arm() -> ArmModel:
-    """A six-axis portable arm by its papers: yaw, shoulder, elbow, a wrist of three."""
+    """A six-axis portable arm by its datasheet: yaw, shoulder, elbow, a wrist of three."""
     return ArmModel(
         (
             ArmLink(0.0, -RIGHT_ANGLE, 320.0, 0.0, 1, _symmetric_limits(np.radians(170.0))),
@@ -192,10 +192,10 @@ def draw_sensor(
     focal = float(fill * 0.5 * np.min([width_px, height_px] / reach))
     optics = replace(optics, fx_px=1000.0 * focal, fy_px=optics.fy_px * focal)
     normal = np.array([0.0, 1.0, -0.016]) + 0.01 * jitter(1.0)
-    sheet = light_plane_through(
+    light_plane = light_plane_through(
         normal, 0.3 * jitter(1.0), np.array([0.0, 0.0, 128.0]) + jitter(2.0)
     )
-    return optics, sheet
+    return optics, light_plane
 
 
 def random_block_pose(rng: np.random.Generator, yaw_rad: float = 0.7) -> Floats:

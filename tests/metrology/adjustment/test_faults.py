@@ -84,19 +84,19 @@ def test_a_wrong_size_of_the_block_is_told_with_its_faces(
     pair: tuple[str, str], by_mm: float
 ) -> None:
     on = station(3, ALL_AROUND)
-    (told,) = said(on, 3, inward(on, dict.fromkeys(pair, by_mm / 2)))
-    assert (told.code, told.quality) == ("size", "attention")
-    assert f"on {pair[0]} and {pair[1]} lie" in str(told.text)
-    assert ("closer together" if by_mm > 0 else "further apart") in str(told.text)
-    off_um = number(told.text, "opening")
+    (reported,) = said(on, 3, inward(on, dict.fromkeys(pair, by_mm / 2)))
+    assert (reported.code, reported.quality) == ("size", "attention")
+    assert f"on {pair[0]} and {pair[1]} lie" in str(reported.text)
+    assert ("closer together" if by_mm > 0 else "further apart") in str(reported.text)
+    off_um = number(reported.text, "opening")
     assert off_um == pytest.approx(1e3 * abs(by_mm), abs=15)
 
 
 @pytest.mark.parametrize(("by_mm", "quality"), [(0.04, "attention"), (0.4, "bad")])
 def test_what_is_wrong_all_around_is_the_tips_diameter(by_mm: float, quality: str) -> None:
     on = station(3, ALL_AROUND)
-    (told,) = said(on, 3, inward(on, dict.fromkeys(ALL_AROUND, by_mm)))
-    assert (told.code, told.quality) == ("tip-diameter", quality)
+    (reported,) = said(on, 3, inward(on, dict.fromkeys(ALL_AROUND, by_mm)))
+    assert (reported.code, reported.quality) == ("tip-diameter", quality)
 
 
 @pytest.mark.parametrize("poses", [1, 6])
@@ -105,10 +105,10 @@ def test_a_tip_off_its_place_is_named_with_where_it_is(
     poses: int, off_mm: tuple[float, float, float]
 ) -> None:
     on = station(poses, ALL_AROUND)
-    (told,) = said(on, 3, touches_on(on).R_arm_flange @ np.array(off_mm))
-    assert told.code == "tip-place"
-    assert told.quality == ("bad" if np.linalg.norm(off_mm) > 0.15 else "attention")
-    named = [number(told.text, axis) for axis in "xyz"]
+    (reported,) = said(on, 3, touches_on(on).R_arm_flange @ np.array(off_mm))
+    assert reported.code == "tip-place"
+    assert reported.quality == ("bad" if np.linalg.norm(off_mm) > 0.15 else "attention")
+    named = [number(reported.text, axis) for axis in "xyz"]
     # the tip is back from where the file has it
     assert np.allclose(named, -np.array(off_mm), atol=0.05)
 
@@ -129,12 +129,12 @@ def test_an_object_moved_after_it_was_touched_is_told_from_the_tip(
     turn = Rotation.from_rotvec(np.radians(turn_deg) * np.array([0.0, 0.6, 0.8])).as_matrix()
     middle = tips_mm.mean(axis=0)
     moved = (tips_mm - middle) @ turn.T + middle + shift_mm * np.array([0.6, 0.0, 0.8])
-    told = said(on, 3, moved - tips_mm)[0]
-    assert told.code == "object-moved"
+    reported = said(on, 3, moved - tips_mm)[0]
+    assert reported.code == "object-moved"
     assert (
-        f"object {shift_mm:.1f}" in str(told.text)
+        f"object {shift_mm:.1f}" in str(reported.text)
         if shift_mm
-        else "object turned by" in str(told.text)
+        else "object turned by" in str(reported.text)
     )
 
 

@@ -117,10 +117,10 @@ def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: BlockInputs, by_mm: f
     tip = inputs.arm.tip
     other = replace(inputs.arm, tip=replace(tip, diameter_mm=tip.diameter_mm + by_mm))
     result = calibrate_block(replace(inputs, arm=other))
-    told = [finding for finding in result.findings if finding.code == "tip-diameter"]
-    assert told
-    assert told[0].remedy
-    stated = re.search(r"a tip of ([0-9.]+) mm \(± ([0-9.]+)\)", str(told[0].text))
+    reported = [finding for finding in result.findings if finding.code == "tip-diameter"]
+    assert reported
+    assert reported[0].remedy
+    stated = re.search(r"a tip of ([0-9.]+) mm \(± ([0-9.]+)\)", str(reported[0].text))
     assert stated
     found_mm, twice_sd_mm = map(float, stated.groups())
     assert found_mm == pytest.approx(tip.diameter_mm, abs=twice_sd_mm)

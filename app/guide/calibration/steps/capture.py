@@ -168,7 +168,7 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         actions=[
             offer(state, live, "another_pose", message("take-another-pose"), primary=more),
             offer(state, live, "solve", message("calibrate"), primary=not (unusable or more)),
-            offer(state, live, "retake", message("take-picture-anew"), primary=unusable),
+            offer(state, live, "retake", message("take-picture-again"), primary=unusable),
             offer(state, live, "back", message("back-points"), {"to": "touch"}),
         ],
     )
@@ -181,7 +181,7 @@ def _solve_instruction(
         return message("could-solved-what-taken-kept")
     if unusable:
         others = "yes" if len(state.pictures) > 1 else "no"
-        return message("picture-cannot-used-take-anew", others=others)
+        return message("picture-cannot-be-used-take-it-again", others=others)
     count = len(state.pictures)
     taken = message("pose-count-one-other-s-taken", count=count)
     planned = _plan_view(state, live)

@@ -51,7 +51,7 @@ def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool
     if stale:
         return message("poses-were-changed-solve-again-undo")
     if state.ended == "accepted":
-        return message("kept-under-records-scan-calibrate-anew")
+        return message("stored-under-records-scan-or-calibrate-again")
     if result.verdict == "bad":
         return message("calibration-should-used-findings-say-what")
     return message("look-numbers-then-accept-calibration-repeat")

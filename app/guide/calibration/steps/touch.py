@@ -36,7 +36,7 @@ def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         instruction=_instruction(faces, selected, done >= wanted, touch),
         picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
-        progress=Progress(done, wanted, message("points-4", done=done, wanted=wanted)),
+        progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
         findings=[*device_findings(live)[:1], *touch.findings, *_advice(touch)],
         actions=_actions(state, live, touch, done >= wanted),
     )
@@ -63,7 +63,7 @@ def _on_board(
     return StepView(
         instruction=instruction,
         picture=ObjectPicture(geometry(board), [face], touch.points),
-        progress=Progress(done, wanted, message("points-4", done=done, wanted=wanted)),
+        progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
         findings=[*device_findings(live)[:1], *touch.findings],
         actions=_actions(state, live, touch, done == 0 or left <= 0),
     )

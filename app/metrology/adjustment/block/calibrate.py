@@ -210,7 +210,7 @@ def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
         moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
     )
     refuse_contradictions(mounting, [pose.number for pose in inputs.observations], "object")
-    papers = block_prior(block)
+    prior = block_prior(block)
     views = tuple(
         _view(pose, block, camera, plane, T)
         for pose, T in zip(inputs.observations, T_cam_obj, strict=True)
@@ -220,7 +220,7 @@ def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
         views,
         moves,
         block_contacts(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
-        papers,
+        prior,
         camera.width_px,
         camera.height_px,
     )
@@ -230,7 +230,7 @@ def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
         plane,
         mounting.T_flange_cam,
         mounting.T_arm_obj,
-        papers.coordinates,
+        prior.coordinates,
         np.zeros(moves.by_links.shape[2]),
         np.zeros((len(problem.views), moves.by_noise.shape[2])),
     )
@@ -336,7 +336,7 @@ def _refuse_unusable(inputs: BlockInputs) -> None:
             raise OperationError(
                 "joint-count",
                 message("joint-angles", name=name, count=q.shape[-1]),
-                message("arm-has-joints-2", name=inputs.arm.name, joints=joints),
+                message("arm-has-joints", arm=inputs.arm.name, count=joints),
                 message("check-session-taken-arm"),
             )
         if not np.isfinite(q).all():

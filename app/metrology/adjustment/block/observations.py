@@ -1,4 +1,4 @@
-"""The crenellated block as the adjustment sees it: its papers, its pictures, its contacts."""
+"""The crenellated block as the adjustment sees it: its certificate, its pictures, its contacts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -52,21 +52,21 @@ def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bund
     Args:
         cameras: a start, one for each view, alike but for their places.
     """
-    papers = board_prior(views[0].board)
+    prior = board_prior(views[0].board)
     none = np.zeros(len(views))
-    found = Bundle(tuple(cameras), papers, none + np.inf, np.diag(np.tile(none, 6)))
+    found = Bundle(tuple(cameras), prior, none + np.inf, np.diag(np.tile(none, 6)))
     for _ in range(ROUNDS):
-        before, found = found, _gauss_newton_step(views, found, papers)
+        before, found = found, _gauss_newton_step(views, found, prior)
         if np.max(np.abs(found.scatter_px - before.scatter_px)) < CONVERGED_PX:
             break
     return found
 
 
-def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPrior) -> Bundle:
-    """One round of Gauss-Newton; the sheet's deviations are told anew."""
-    certified, sd, board = papers.coordinates, at.surface_prior.sd, views[0].board
+def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrior) -> Bundle:
+    """One round of Gauss-Newton; the deviations of its surface are estimated again."""
+    certified, sd, board = prior.coordinates, at.surface_prior.sd, views[0].board
     shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
-    sheet = np.arange(len(COMMON), shared)
+    surface_rows = np.arange(len(COMMON), shared)
     count = shared + len(PER_POSE) * len(views)
     N, g = np.zeros((count, count)), np.zeros(count)
     normed, scatter = [], np.zeros(len(views))
@@ -81,27 +81,27 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, papers: TargetPri
         N += J[kept].T @ J[kept] / scatter[p] ** 2
         g += J[kept].T @ r[kept] / scatter[p] ** 2
         normed.append(r[kept] / scatter[p])
-    prior, pull = camera_prior(at.cameras[0])
-    N[np.ix_(common, common)] += prior[np.ix_(OF_PRIOR, OF_PRIOR)]
+    camera_weight, pull = camera_prior(at.cameras[0])
+    N[np.ix_(common, common)] += camera_weight[np.ix_(OF_PRIOR, OF_PRIOR)]
     g[common] += pull[OF_PRIOR]
-    N[sheet, sheet] += sd**-2.0
-    g[sheet] += (at.surface_prior.coordinates - certified) / sd**2
+    N[surface_rows, surface_rows] += sd**-2.0
+    g[surface_rows] += (at.surface_prior.coordinates - certified) / sd**2
     scale = np.diag(N) ** -0.5
     C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
     step = -C @ g
     # of the sheet's unknowns, what the pictures and not its certificate determined
-    told = float(np.sum(1 - np.diag(C)[sheet] / sd**2))
+    determined_count = float(np.sum(1 - np.diag(C)[surface_rows] / sd**2))
     r = np.concatenate(normed)
-    degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - told, 1)
+    degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - determined_count, 1)
     factor = float(np.sqrt(r @ r / degrees))
-    coordinates = at.surface_prior.coordinates + step[sheet]
-    variances = np.minimum(factor**2 * np.diag(C)[sheet], sd**2)
+    coordinates = at.surface_prior.coordinates + step[surface_rows]
+    variances = np.minimum(factor**2 * np.diag(C)[surface_rows], sd**2)
     return Bundle(
         tuple(_step_camera(camera, step, shared, p) for p, camera in enumerate(at.cameras)),
         replace(
-            papers,
+            prior,
             coordinates=coordinates,
-            sd=_estimate_surface_sd(board, coordinates - certified, variances, papers.sd, sd),
+            sd=_estimate_surface_sd(board, coordinates - certified, variances, prior.sd, sd),
         ),
         np.maximum(factor * scatter, LEAST_SCATTER_PX),
         factor**2 * C[shared:, shared:],
@@ -113,13 +113,13 @@ def _estimate_surface_sd(
 ) -> Floats:
     """Deviations (B,) of the sheet's coordinates: of each group those of its certificate, unless
     the pictures tell that it is worse (Foerstner)."""
-    told = certified.copy()
+    deviations = certified.copy()
     for group in coordinate_groups(board):
         least, now = certified[group], float(sd[group][0])
         determined = float(np.sum(1 - variances[group] / now**2))
         square = float(off[group] @ off[group] + least[0] ** 2)
-        told[group] = np.maximum(least, np.sqrt(square / (determined + 1)))
-    return told
+        deviations[group] = np.maximum(least, np.sqrt(square / (determined + 1)))
+    return deviations
 
 
 def _pose_slice(shared: int, pose: int) -> slice:

@@ -58,7 +58,7 @@ from app.metrology.transforms import Floats, inverse
 
 Progress = Callable[[Text, float], None]
 
-# How far whole lines lie off their plane is told anew until it is told the same within this.
+# How far whole lines lie off their plane is told again until it is told the same within this.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
 
 

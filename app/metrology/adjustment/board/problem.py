@@ -102,13 +102,13 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     if isinstance(arm, RobotArm):
         mounting, noise = _robot_noise(found, mounting, board)
         moves = with_noise(moves, noise, mounting.T_arm_obj, pattern_centre(board))
-    papers = replace(board_prior(board), sd=found.surface_prior.sd)
+    prior = replace(board_prior(board), sd=found.surface_prior.sd)
     problem = AdjustmentProblem(
         numbers,
         tuple(_with_line(view, found, p, lines) for p, view in enumerate(views)),
         moves,
-        _contact_observations(inputs, mounting.T_arm_obj, len(papers.names), noise),
-        papers,
+        _contact_observations(inputs, mounting.T_arm_obj, len(prior.names), noise),
+        prior,
         *inputs.size_px,
     ).without_poses(mounting.contradicts)
     state = AdjustmentState(

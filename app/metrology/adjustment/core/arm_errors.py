@@ -1,7 +1,7 @@
 """How the flange truly stands, beside where the arm's model has it.
 
 Two things move it: errors of the links, the same in every pose (Eq. 3), and the noise
-of the encoders, drawn anew in each. A robot that reports its flange's pose has only the
+of the encoders, drawn again in each. A robot that reports its flange's pose has only the
 second, as an error of the pose itself.
 """
 

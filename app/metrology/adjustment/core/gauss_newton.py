@@ -37,7 +37,7 @@ from app.metrology.transforms import Floats
 # Terms of the lens, each dropped unless it exceeds its deviation so many times: more for
 # those that lenses seldom need, which are tried first.
 LENS_TERMS = (((2, 3), 5.0), ((1,), 3.0), ((0,), 2.0))
-# Points are judged anew after the adjustment, so often at most.
+# Points are judged again after the adjustment, so often at most.
 MOST_REWEIGHTINGS = 4
 # Judgements are alike where so few points changed sides, and weights by so little.
 SAME_POINTS, SAME_WEIGHTS = 0.003, 0.05

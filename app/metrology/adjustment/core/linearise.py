@@ -166,10 +166,10 @@ def prior_information(
     """Source, unknowns, their standard deviations and how far they are off: the certificate,
     the errors of the arm's links, the noise of its readings."""
     problem, at, state = linear.problem, linear.at, linear.state
-    papers, count = problem.prior, len(problem.views)
+    prior, count = problem.prior, len(problem.views)
     noise_sd = np.tile(scales.noise * problem.motion.noise_sd, count)
     return [
-        ("certificate", at.coordinates, papers.sd, state.coordinates - papers.coordinates),
+        ("certificate", at.coordinates, prior.sd, state.coordinates - prior.coordinates),
         ("links", at.links, scales.link_error_sds(len(state.links) // 6), state.links),
         ("encoders", at.noise, noise_sd, state.noise.ravel()),
     ]

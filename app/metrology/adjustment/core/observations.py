@@ -97,7 +97,7 @@ class ContactObservations:
 
 @dataclass(frozen=True)
 class AdjustmentProblem:
-    """All that is to agree: P poses seen, contacts (perhaps none), and the papers."""
+    """All that is to agree: P poses seen, contacts (perhaps none), and the prior."""
 
     numbers: tuple[int, ...]
     views: tuple[PoseView, ...]

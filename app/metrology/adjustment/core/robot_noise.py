@@ -1,6 +1,6 @@
 """By how much a robot's poses and the pictures disagree, and in what way.
 
-The robot is off by a turn and by a shift of its flange, drawn anew in each pose; and
+The robot is off by a turn and by a shift of its flange, drawn again in each pose; and
 pictures and robot may disagree in how the object is tilted while they agree on its place:
 it rocks, or the pictures' errors look like a tilt. The three standard deviations are the
 most likely ones for the poses' residuals (restricted maximum likelihood), which tells how
@@ -22,7 +22,7 @@ USUAL = np.array([0.2e-3, 0.08, 0.1e-3])
 USUAL_LOG_SD = 1.5
 LEAST = np.array([1e-6, 1e-3, 1e-6])
 ROUNDS = 3
-# The noise is told anew with everything else, as a factor on these deviations.
+# The noise is told again with everything else, as a factor on these deviations.
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
 # A pose is astray where chance alone would put one so far off so rarely.

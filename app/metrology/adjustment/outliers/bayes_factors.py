@@ -1,9 +1,9 @@
-"""How likely one fault in all contacts or papers is (a wrong tip, a block that was moved or is
+"""How likely one fault in all contacts or the certificate is (a wrong tip, a block moved or
 another size), against none.
 
 A fault makes the arm look worse than it is: its links' errors and the noise of its readings
 take it up, and it hides in them. So the fault's size is one more unknown, the sizes of links'
-errors and noise are looked at anew with it and without it, and what is compared is how well
+errors and noise are looked at again with it and without it, and what is compared is how well
 the one and the other explain all that was measured (Bayes factor; Kass and Raftery 1995).
 """
 
@@ -30,7 +30,7 @@ NOISE_STEP, MOST_NOISES = 1.5, 6
 @dataclass(frozen=True)
 class FaultHypothesis:
     """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
-    how far the object's coordinates (B,) are off their papers by ``by_papers`` (B, K), for each
+    how far the object's coordinates (B,) are off their prior by ``by_prior`` (B, K), for each
     unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each as
     likely."""
 
@@ -75,13 +75,13 @@ def estimate_faults(
     """Of each suspect by itself, all else taken as linear at the minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in suspects])
-    by_papers = np.hstack([one.by_prior for one in suspects])
+    by_prior = np.hstack([one.by_prior for one in suspects])
     ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
     own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
     none: list[_ConditionalEstimate] = []
     each: list[list[_ConditionalEstimate]] = [[] for _ in suspects]
     for noise in _noise_levels(found):
-        reduced = _reduce_system(found, by, by_papers, replace(scales, noise=noise))
+        reduced = _reduce_system(found, by, by_prior, replace(scales, noise=noise))
         for size in _link_scales(scales):
             prior, sd = size_prior(size), size.link_error_sds(len(start) // 6)
             none.append(_estimate_conditional(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
@@ -130,7 +130,7 @@ def _average_estimates(
 
 
 def _reduce_system(
-    found: AdjustmentResult, by: Floats, by_papers: Floats, scales: Scales
+    found: AdjustmentResult, by: Floats, by_prior: Floats, scales: Scales
 ) -> _ReducedSystem:
     equations = assemble_normal_equations(found.linear, found.weights)
     at, start = equations.linear.at, equations.linear.state.links
@@ -138,7 +138,7 @@ def _reduce_system(
     N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
     links = np.arange(at.count)[at.links]
     others = np.setdiff1d(np.flatnonzero(found.free), links)
-    across, among, pull, log = _hypothesis_terms(found, by, by_papers, scales)
+    across, among, pull, log = _hypothesis_terms(found, by, by_prior, scales)
     # what the data pull the links with, without what holds these back
     pull = np.concatenate([g[links] - start / scales.link_error_sds(len(start) // 6) ** 2, pull])
     scale = 1 / np.sqrt(np.diag(N)[others])
@@ -152,16 +152,16 @@ def _reduce_system(
 
 
 def _hypothesis_terms(
-    found: AdjustmentResult, by: Floats, by_papers: Floats, scales: Scales
+    found: AdjustmentResult, by: Floats, by_prior: Floats, scales: Scales
 ) -> tuple[Floats, Floats, Floats, float]:
     """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
     likely contacts and noise are as they are, without them."""
-    papers, at = found.problem.prior, found.layout
-    weighed = by_papers / papers.sd[:, None] ** 2
+    prior, at = found.problem.prior, found.layout
+    weighed = by_prior / prior.sd[:, None] ** 2
     across = np.zeros((at.count, by.shape[1]))
     across[at.coordinates] = weighed
-    among = by_papers.T @ weighed
-    pull = weighed.T @ (found.state.coordinates - papers.coordinates)
+    among = by_prior.T @ weighed
+    pull = weighed.T @ (found.state.coordinates - prior.coordinates)
     log = _noise_log(found, scales)
     contacts = found.linear.contacts
     if contacts is not None:

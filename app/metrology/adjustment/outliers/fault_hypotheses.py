@@ -1,4 +1,4 @@
-"""What may be wrong with all contacts together, or with the papers: the tip's diameter or its
+"""What may be wrong with all contacts together, or with the certificate: the tip's diameter or its
 place, the object's size from face to face or in all, or that the object was moved before the
 pictures were taken.
 
@@ -143,20 +143,20 @@ def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) ->
 
 
 def _scale_hypothesis(found: AdjustmentResult) -> FaultHypothesis:
-    """The object larger than its papers say, by a share of all its lengths."""
-    papers, contacts = found.problem.prior.coordinates[:, None], found.linear.contacts
+    """The object larger than its certificate says, by a share of all its lengths."""
+    prior, contacts = found.problem.prior.coordinates[:, None], found.linear.contacts
     nothing = np.zeros((0 if contacts is None else len(contacts.residuals_mm), 1))
-    return FaultHypothesis(nothing, -papers, tuple(np.array([sd]) for sd in SHARE_SDS))
+    return FaultHypothesis(nothing, -prior, tuple(np.array([sd]) for sd in SHARE_SDS))
 
 
 def _contact_hypothesis(
     found: AdjustmentResult, by: Floats, sds: tuple[Floats, ...]
 ) -> FaultHypothesis:
     """Of a fault that changes what the contacts (N) are off by ``by`` (N, K)."""
-    touches, papers = found.problem.contacts, found.problem.prior
+    touches, prior = found.problem.contacts, found.problem.prior
     assert touches is not None
     return FaultHypothesis(
-        by[touches.inliers], np.zeros((len(papers.coordinates), by.shape[1])), sds
+        by[touches.inliers], np.zeros((len(prior.coordinates), by.shape[1])), sds
     )
 
 

@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats
 
 # What is astray is so many times as far off as the others usually are.
 OUTLIER_TIMES = 5.0
-# A pose's noise is so many times that of the encoders' papers, too.
+# A pose's noise is so many times that of the encoders' datasheet, too.
 OUTLIER_AT_LEAST = 4.0
 FEWEST_POSES = 4
 # One stray of few draws the others along, so that none stands out: it is told by so many times

@@ -145,13 +145,13 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
                 "bar-length",
                 finding,
                 message(
-                    "spheres-size-given-them-arms-papers",
+                    "spheres-size-by-certificate-or-datasheet",
                     excess=quantity(2e3 * abs(fit.at.radius_excess_mm), "µm"),
                     sign="larger" if fit.at.radius_excess_mm > 0 else "smaller",
                 ),
                 message("check-length-mm-bar-ends", bar=worst),
             )
-        return [message("check-length-unless-arms-papers-far", finding=finding)]
+        return [message("check-length-unless-datasheet-is-as-far-off", finding=finding)]
     return []
 
 

@@ -51,17 +51,19 @@ def check_enough(arm: Arm, observations: ArmObservations) -> None:
         )
     for seat in observations.seats:
         if len(seat.q_rad) < LEAST_SEAT:
-            raise _too_few(message("seat-4", name=seat.name), len(seat.q_rad), LEAST_SEAT)
-        check_swing(message("seat-4", name=seat.name), arm, seat.q_rad)
+            raise _too_few(message("seat-named", name=seat.name), len(seat.q_rad), LEAST_SEAT)
+        check_swing(message("seat-named", name=seat.name), arm, seat.q_rad)
     for sphere in observations.spheres:
         if len(sphere.q_rad) < LEAST_SPHERE:
-            raise _too_few(message("sphere-3", name=sphere.name), len(sphere.q_rad), LEAST_SPHERE)
+            raise _too_few(
+                message("sphere-named", name=sphere.name), len(sphere.q_rad), LEAST_SPHERE
+            )
 
 
 def _too_few(label: Text, points: int, least: int) -> OperationError:
     return OperationError(
         "too-few-points",
-        message("has-points-2", label=label, count=points),
+        message("has-points", label=label, count=points),
         message("least-needed-tell-arms-errors-own", least=least),
         message("take-more-there-delete-rows"),
     )

@@ -128,10 +128,12 @@ def _stack_observations(observations: ArmObservations) -> StackedObservations:
         return len(places) - 1
 
     for seat in observations.seats:
-        groups.append(Group((add(message("seat-4", name=seat.name), None, seat.q_rad),)))
+        groups.append(Group((add(message("seat-named", name=seat.name), None, seat.q_rad),)))
     for sphere in observations.spheres:
         groups.append(
-            Group((add(message("sphere-3", name=sphere.name), sphere.diameter_mm, sphere.q_rad),))
+            Group(
+                (add(message("sphere-named", name=sphere.name), sphere.diameter_mm, sphere.q_rad),)
+            )
         )
     for number, bar in enumerate(observations.bars):
         ends = (

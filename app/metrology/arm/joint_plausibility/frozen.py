@@ -55,14 +55,14 @@ class Encoder:
         self._way = self._turn = self._third = 0.0
 
     def change(self, stamp_ns: int, change_rad: float) -> bool:
-        """Takes a reading that differs; True where its step is known anew."""
+        """Takes a reading that differs; True where its step is known again."""
         self.quiet = self.quiet or (self.equal >= QUIET and not self.frozen)
         self.equal, self.since_ns, self.frozen = 0, stamp_ns, False
         return abs(change_rad) < self.step_rad and self._learn(abs(change_rad))
 
     def watch(self, change_rad: float) -> bool:
         """Learns whether noise shows in the changes from reading to reading; True where the
-        encoder's step is known anew."""
+        encoder's step is known again."""
         way, learnt = self._way, False
         turn = change_rad - way
         third = turn - self._turn
@@ -109,7 +109,7 @@ class Standstill:
         self._before: deque[tuple[int, Sequence[float]]] = deque(maxlen=MOST_KEPT)
 
     def watch(self, stamp_ns: int, q_rad: Sequence[float]) -> bool:
-        """Takes the next reading (n,); True where the encoders' steps are known anew."""
+        """Takes the next reading (n,); True where the encoders' steps are known again."""
         if not self._before:
             for encoder in self.encoders:
                 encoder.since_ns = stamp_ns

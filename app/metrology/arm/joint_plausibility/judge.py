@@ -89,7 +89,7 @@ class PlausibilityFilter(Generic[R]):
         self._set_noise()
 
     def forget_place(self) -> None:
-        """The arm connects anew: its joints may be anywhere, and none has slipped."""
+        """The arm connects again: its joints may be anywhere, and none has slipped."""
         self._reach.forget()
         self._spikes.forget()
 

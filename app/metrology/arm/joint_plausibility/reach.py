@@ -63,7 +63,7 @@ class Reach:
         self._too_far = self._slipped = False
 
     def forget(self) -> None:
-        """The joints may be anywhere, and none has slipped: the arm connects anew."""
+        """The joints may be anywhere, and none has slipped: the arm connects again."""
         self._last = self._aside = None
         self._slipped = False
 

@@ -65,7 +65,7 @@ static double usual_core(const Clipped *c)
     return 0.5 * (lower + upper);
 }
 
-/* Keeps the cores whose track has a length; counts anew, and notes where tracks begin and end. */
+/* Keeps the cores whose track has a length; counts again, and notes where tracks begin and end. */
 static void keep_tracks(Clipped *c)
 {
     int64_t n = 0;
