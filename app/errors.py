@@ -32,7 +32,7 @@ class OperationError(Exception):
         """The error as one line of English text, for logs and the console."""
         what, why, remedy = (str(text).rstrip(".") for text in (self.what, self.why, self.remedy))
         text = f"{what}: {why}" if why else what
-        return f"{text}. {capital(remedy)}." if remedy else f"{text}."
+        return f"{text}. {remedy[0].upper()}{remedy[1:]}." if remedy else f"{text}."
 
     @property
     def reason(self) -> Text:
@@ -53,8 +53,3 @@ def sentence(text: Text) -> Text:
 def reason_sentence(what: Text, why: Text = "") -> Text:
     """What happened and, where it is known, why."""
     return message("what-and-why", what=what, why=why) if why else sentence(what)
-
-
-def capital(text: str) -> str:
-    """With a capital letter, as a sentence begins."""
-    return text[:1].upper() + text[1:]

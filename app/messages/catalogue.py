@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -69,11 +69,13 @@ class Catalogue:
     def __init__(self, language: str) -> None:
         from babel import Locale
         from fluent.runtime import FluentBundle, FluentResource
+        from fluent.runtime.types import fluent_number
 
         text = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
         self._bundle = FluentBundle([language], FUNCTIONS, use_isolating=False)
         self._bundle.add_resource(FluentResource(text))
         self._decimal_point = Locale.parse(language).number_symbols["latn"]["decimal"]
+        self._count = partial(fluent_number, useGrouping=False)
         self._language = language
 
     def render(self, text: Text) -> str:
@@ -99,15 +101,13 @@ class Catalogue:
         return str(words)
 
     def _value(self, value: Value) -> Any:
-        from fluent.runtime.types import fluent_number
-
-        if isinstance(value, str):
-            return isolate_names(value)
-        return (
-            fluent_number(value, useGrouping=False)
-            if isinstance(value, int)
-            else self.render(value)
-        )
+        match value:
+            case str():
+                return isolate_names(value)
+            case int():
+                return self._count(value)
+            case _:
+                return self.render(value)
 
     def _quantity(self, quantity: Quantity) -> str:
         """A number with a true minus sign, and none where nothing is left of it."""
