@@ -13,8 +13,9 @@ import numpy as np
 
 from app.errors import OperationError, sentence
 from app.formats.clouds.points import Points
+from app.formats.recording.decoders import ImageRecord
 from app.formats.recording.joint_samples import JointReader
-from app.formats.recording.reader import ImageRecord, last_stamp_ns, open_recording
+from app.formats.recording.reader import last_stamp_ns, open_recording
 from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, join, message

@@ -2,7 +2,8 @@
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.recording.reader import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC, Recording
+from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC
+from app.formats.recording.reader import Recording
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, word
 from app.metrology.arm.kinematics import Arm

@@ -11,7 +11,7 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points, pack_points
 from app.formats.file_names import display_path
 from app.formats.recording.blocks import Profiles, read_profiles
-from app.formats.recording.reader import StripeRecord
+from app.formats.recording.decoders import StripeRecord
 from app.formats.recording.stream import Block, RecordedFrame
 from app.formats.recording.wire_format import AXIS, HEIGHT, WIDTH
 from app.formats.results.calibration import Calibration

@@ -17,7 +17,7 @@ from mcap.records import Channel, Message, Schema
 from app.errors import OperationError
 from app.formats.recording import wire_format as wire
 from app.formats.recording.blocks import ChunkRecords, read_profiles
-from app.formats.recording.reader import (
+from app.formats.recording.decoders import (
     JOINTS_TOPIC,
     STRIPE_TOPIC,
     Decoders,

@@ -26,7 +26,8 @@ from app.bench.station.subprocess_station import (
     stuck_error,
 )
 from app.bench.station.viewer_client import watch_view
-from app.formats.recording.reader import StripeRecord, open_recording
+from app.formats.recording.decoders import StripeRecord
+from app.formats.recording.reader import open_recording
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane

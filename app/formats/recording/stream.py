@@ -18,19 +18,17 @@ from app.formats.recording.blocks import (
     open_chunk,
     read_profiles,
 )
-from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
-from app.formats.recording.reader import (
+from app.formats.recording.decoders import (
     JOINTS_TOPIC,
     SCHEMAS,
-    STATION_METADATA,
     STRIPE_TOPIC,
     Decoders,
     ImageRecord,
     JointRecord,
-    Recording,
     StripeRecord,
-    check_magic,
 )
+from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
+from app.formats.recording.reader import STATION_METADATA, Recording, check_magic
 from app.metrology.transforms import Floats
 
 LOOSE_BYTES = 1 << 20

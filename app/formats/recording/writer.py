@@ -15,7 +15,8 @@ from foxglove.messages import JointState, JointStates, RawImage, Timestamp
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
 from app.formats.io_errors import convert_io_errors, error_from_os
-from app.formats.recording.reader import IMAGE_TOPIC, JOINTS_TOPIC, STATION_METADATA, STRIPE_TOPIC
+from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC
+from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats

@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 
 from app.errors import sentence
-from app.findings import capital
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.datasheets.target import read_certificate
 from app.formats.results.acceptance import Acceptance, read_acceptance
@@ -16,11 +15,11 @@ from app.formats.session.calibration_session import (
     BoardSession,
     read_any_session,
 )
-from app.messages.message import Message, Text, join, message, quantity, rounded, signed, word
+from app.messages.message import Message, Text, join, message, quantity, rounded, word
 from app.metrology.arm.kinematics import Arm, RobotArm, tip_centres
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 from app.report.content import (
     Facts,
@@ -36,6 +35,7 @@ from app.report.content import (
     signatures,
 )
 from app.report.contents import calibration_figures as figures
+from app.report.contents.calibration_tables import Row, parameter_section, table_section
 from app.report.figure import Figure
 from app.report.formatting import (
     UNKNOWN,
@@ -53,8 +53,6 @@ from app.report.provenance import inputs_section
 
 CALIBRATION = "calibration.json"
 DISPLAYED_POSES = 6
-FACE_WORDS = (*FACES, "board")
-Row = tuple[Text, ...]
 WORDS: dict[Quality, Message] = {
     "good": message("good"),
     "attention": message("usable-attention"),
@@ -87,8 +85,8 @@ def calibration_report(folder: Path) -> Report[Text]:
         signatures(_operator(document, accepted)),
         _findings(document),
         *_pictures(document, session, accepted),
-        _tables(document, session),
-        _parameters(document),
+        table_section(document, session),
+        parameter_section(document),
         inputs_section(
             folder, document.inputs, CALIBRATION, accepted.calibration_sha256 if accepted else None
         ),
@@ -333,87 +331,3 @@ def _contact_points(document: CalibrationFile, arm: Arm, session: BlockSession) 
     assert document.T_arm_obj is not None
     T = np.array(document.T_arm_obj)
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])
-
-
-def _tables(document: CalibrationFile, session: BlockSession | BoardSession) -> Section[Text]:
-    tables: list[ReportTable[Text]] = []
-    if document.poses:
-        rows: list[Row] = [
-            (
-                str(pose.number),
-                _pose_outcome(pose),
-                *(_pose_figures(pose) if pose.used else ("–",) * 5),
-            )
-            for pose in document.poses
-        ]
-        fitted = message("corners-px") if isinstance(session, BoardSession) else message("edges-px")
-        columns = (
-            message("pose-6"),
-            "",
-            fitted,
-            message("points-5"),
-            message("stripe-px"),
-            message("points-5"),
-            message("object-off-m"),
-        )
-        tables.append(ReportTable(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
-    if document.residuals is not None and document.residuals.faces:
-        faces: list[Row] = [
-            (
-                capital(word(face.face) if face.face in FACE_WORDS else face.face),
-                str(face.points),
-                quantity(face.rms_um, "", 1),
-                quantity(face.form_um, "", 1),
-            )
-            for face in document.residuals.faces
-        ]
-        heads = (message("face-3"), message("touches-2"), "rms, µm", message("form-max-min-m"))
-        tables.append(ReportTable(heads, faces, (30, 20, 20, 30)))
-    touched = document.residuals is not None and len(document.residuals.contacts_um) > 0
-    return Section(message("poses-touches") if touched else message("poses-2"), tables)
-
-
-def _pose_outcome(pose: PosePart) -> Text:
-    if not pose.used:
-        return message("left-out-2", reason=pose.reason)
-    return message("used-but-2", reason=pose.reason) if pose.reason else word("used")
-
-
-def _pose_figures(pose: PosePart) -> Row:
-    return (
-        quantity(pose.edges_rms_px, "", 3),
-        str(pose.edge_points),
-        quantity(pose.stripe_rms_px, "", 3) if pose.stripe_points else "–",
-        str(pose.stripe_points),
-        quantity(pose.off_um, "", 1),
-    )
-
-
-def _parameters(document: CalibrationFile) -> Section[Text]:
-    camera, plane = document.camera, document.laser_plane
-    (fx, _, u0), (_, fy, v0), _ = camera.matrix
-    x, y, z = (signed(value, "", 6) for value in plane.normal)
-    lens = [
-        message("named-value", name=name, value=signed(value, "", 6))
-        for name, value in zip(("k1", "k2", "p1", "p2", "k3"), camera.distortion, strict=True)
-        if value
-    ]
-    facts: list[tuple[Text, Text]] = [
-        (
-            message("focal-length"),
-            message("focal-lengths", u=quantity(fx, "", 2), v=quantity(fy, "px", 2)),
-        ),
-        (
-            message("principal-point"),
-            message("principal-point-at", u=quantity(u0, "", 2), v=quantity(v0, "px", 2)),
-        ),
-        (message("distortion"), join(lens, "  ") if lens else message("none-significant")),
-        (
-            message("laser-plane"),
-            message("plane-equation", x=x, y=y, z=z, offset=quantity(plane.offset_mm, "mm", 4)),
-        ),
-    ]
-    rows = [tuple(quantity(value, "", 7) for value in row) for row in document.probe_matrix]
-    probe = ReportTable[Text](("x", "y", "z", message("origin-mm")), rows, (1, 1, 1, 1), 0)
-    explanation = TextBlock(message("probe-matrix-sensors-frame-arms-last"))
-    return Section(message("parameters"), [Facts(facts), TextBlock(""), explanation, probe])

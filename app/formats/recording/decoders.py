@@ -1,0 +1,222 @@
+"""The messages of a recording, decoded: readings of the joints, stripes and pictures."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol, cast
+
+import numpy as np
+from google.protobuf.message import DecodeError
+from mcap.exceptions import McapError
+from mcap.records import Channel, Schema
+from mcap.records import Message as LoggedMessage
+from mcap_protobuf.decoder import DecoderFactory
+
+from app.errors import OperationError
+from app.formats.file_names import display_path
+from app.formats.images import GreyImage, decode_grey
+from app.formats.recording.blocks import MOST_DESCRIBED
+from app.formats.recording.stripe_message import STRIPE_SCHEMA, Stamp, StripeMessage, decode_stripe
+from app.messages.message import Text, message
+from app.messages.validation import exception_text
+from app.metrology.stripe import Stripe
+
+JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
+SCHEMAS = {
+    JOINTS_TOPIC: ("foxglove.JointStates",),
+    IMAGE_TOPIC: ("foxglove.RawImage", "foxglove.CompressedImage"),
+    STRIPE_TOPIC: (STRIPE_SCHEMA,),
+}
+GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
+LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
+"""Bytes of one message, which in memory are many times as many."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointRecord:
+    """One reading of the arm."""
+
+    stamp_ns: int
+    names: tuple[str, ...]
+    q_rad: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ImageRecord:
+    """One frame; the picture is decoded when asked for, on whatever thread asks."""
+
+    stamp_ns: int
+    picture: Callable[[], GreyImage]
+    """Raises ``OperationError`` where the picture cannot be read."""
+
+
+@dataclass(frozen=True, slots=True)
+class StripeRecord:
+    """One frame whose stripe was extracted when it was taken."""
+
+    stamp_ns: int
+    width_px: int
+    height_px: int
+    stripe: Stripe
+
+
+Record = JointRecord | ImageRecord | StripeRecord
+
+
+class _JointState(Protocol):
+    name: str
+    position: float
+
+
+class _StampedMessage(Protocol):
+    timestamp: Stamp
+
+    def HasField(self, name: str) -> bool: ...  # noqa: N802 - of an interface by others
+
+
+class _JointStates(_StampedMessage, Protocol):
+    joints: list[_JointState]
+
+
+class _RawImage(_StampedMessage, Protocol):
+    width: int
+    height: int
+    encoding: str
+    step: int
+    data: bytes
+
+
+class _CompressedImage(_StampedMessage, Protocol):
+    format: str
+    data: bytes
+
+
+class Decoders:
+    """From messages to records, by the schemas that the file itself carries."""
+
+    def __init__(self, path: Path) -> None:
+        self.schemas: dict[int, Schema] = {}
+        self.channels: dict[int, Channel] = {}
+        self._path = path
+        self._factory = DecoderFactory()
+        self._by_channel: dict[int, Callable[[bytes], object]] = {}
+        self._described_bytes = 0
+
+    def learn(self, described: Schema | Channel) -> None:
+        """Takes a schema or channel; raises ``McapError`` where there are too many."""
+        if isinstance(described, Schema):
+            known = described.id in self.schemas and self.schemas[described.id] == described
+            self.schemas[described.id] = described
+            size = len(described.name) + len(described.encoding) + len(described.data)
+        else:
+            known = described.id in self.channels and self.channels[described.id] == described
+            self.channels[described.id] = described
+            size = len(described.topic) + len(described.message_encoding)
+            size += sum(len(key) + len(value) for key, value in described.metadata.items())
+        self._described_bytes += 0 if known else size
+        if self._described_bytes > MOST_DESCRIBED:
+            raise McapError
+
+    def decode(self, logged: LoggedMessage) -> Record | None:
+        """None for topics that the program does not know."""
+        channel = self.channels.get(logged.channel_id)
+        if channel is None or channel.topic not in SCHEMAS:
+            return None
+        decoder = self._by_channel.get(channel.id)
+        if decoder is None:
+            decoder = self._by_channel[channel.id] = self._decoder(channel)
+        named = message(
+            "recording-message-at",
+            path=display_path(self._path),
+            topic=channel.topic,
+            stamp_ns=logged.log_time,
+        )
+        size = len(logged.data)
+        if size > LARGEST_MESSAGE.get(channel.topic, size):
+            raise OperationError(
+                "recording-message-malformed", named, message("message-too-large", size=size)
+            )
+        try:
+            return self._record(channel, decoder(logged.data), logged.log_time, named)
+        except (DecodeError, ValueError) as error:
+            raise OperationError(
+                "recording-message-malformed", named, exception_text(error)
+            ) from error
+
+    def _decoder(self, channel: Channel) -> Callable[[bytes], object]:
+        schema = self.schemas.get(channel.schema_id)
+        decoder = None
+        if schema is not None and schema.name in SCHEMAS[channel.topic]:
+            with suppress(McapError, DecodeError, TypeError):  # a schema that describes nothing
+                decoder = self._factory.decoder_for(channel.message_encoding, schema)
+        if decoder is None:
+            raise OperationError(
+                "recording-of-another-type",
+                message(
+                    "topic-holds",
+                    path=display_path(self._path),
+                    topic=channel.topic,
+                    schema=schema.name if schema else message("without-schema"),
+                    encoding=channel.message_encoding,
+                ),
+                message("protobuf-expected", schemas=", ".join(SCHEMAS[channel.topic])),
+                message("give-recording-as-documented"),
+            )
+        return decoder
+
+    def _record(self, channel: Channel, decoded: object, log_ns: int, named: Text) -> Record:
+        stamp_ns = _stamp_ns(cast(_StampedMessage, decoded), log_ns)
+        if channel.topic == JOINTS_TOPIC:
+            joints = cast(_JointStates, decoded).joints
+            return JointRecord(
+                stamp_ns,
+                tuple(joint.name for joint in joints),
+                tuple(joint.position for joint in joints),
+            )
+        if channel.topic == STRIPE_TOPIC:
+            profile = cast(StripeMessage, decoded)
+            return StripeRecord(
+                stamp_ns, profile.width_px, profile.height_px, decode_stripe(profile)
+            )
+        if self.schemas[channel.schema_id].name == "foxglove.CompressedImage":
+            packed = cast(_CompressedImage, decoded)
+            return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named))
+        raw = cast(_RawImage, decoded)
+        return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
+
+
+def _stamp_ns(stamped: _StampedMessage, log_ns: int) -> int:
+    """The message's own stamp where it has one, else the time it was logged at."""
+    if not stamped.HasField("timestamp"):
+        return log_ns
+    return stamped.timestamp.seconds * 1_000_000_000 + stamped.timestamp.nanos
+
+
+def _raw_picture(raw: _RawImage, named: Text) -> GreyImage:
+    kind = GREY_ENCODINGS.get(raw.encoding)
+    if kind is None:
+        raise OperationError(
+            "image-not-grey",
+            message("image-encoding", name=named, encoding=repr(raw.encoding)),
+            message("grey-encodings-expected", encodings=", ".join(GREY_ENCODINGS)),
+        )
+    pixel = np.dtype(kind).itemsize
+    row = raw.step or raw.width * pixel
+    data = raw.data
+    if raw.width < 1 or raw.height < 1 or row < raw.width * pixel or len(data) < row * raw.height:
+        raise OperationError(
+            "image-cut-off",
+            message(
+                "picture-bytes-do-not-fit",
+                name=named,
+                bytes=len(data),
+                width=raw.width,
+                height=raw.height,
+                row=row,
+            ),
+            message("picture-incomplete"),
+        )
+    rows = np.frombuffer(data, np.uint8, row * raw.height).reshape(raw.height, row)
+    packed = np.ascontiguousarray(rows[:, : raw.width * pixel])
+    return packed if kind is np.uint8 else packed.view("<u2").astype(np.uint16, copy=False)
