@@ -16,13 +16,10 @@ from app.station.devices.link_state import DeviceState, Losses
 from app.station.devices.temperature import Temperature
 
 LOSS_ATTENTION, LOSS_BAD = 0.001, 0.01
-DISK_ATTENTION_GB, DISK_BAD_GB = 10.0, 1.0
 PROCESS_MEMORY_BYTES, MEMORY_FREE_BYTES = 3_000_000_000, 500_000_000
 STALLS_BAD_S = 2.0
-BACKUP_DAYS = 7.0
 READINGS_BAD_S = 600.0
 TEMPERATURE_CHANGE_C = 2.0
-LISTED_RECORDS = 3
 ORDER: dict[Quality, int] = {"bad": 0, "attention": 1, "neutral": 2, "good": 3}
 DeviceKind = Literal["arm", "sensor"]
 
@@ -155,86 +152,6 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
     return HealthItem("clock", message("clock"), "good", message("runs-steadily"), why, "")
 
 
-def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
-    """Whether there is room to record."""
-    quality: Quality = "good"
-    if free_gb < DISK_BAD_GB:
-        quality = "bad"
-    elif free_gb < DISK_ATTENTION_GB:
-        quality = "attention"
-    what = message("free", free=quantity(free_gb, "GB", 1))
-    if megabytes_s:
-        what = message(
-            "free-enough-for-hours",
-            free=quantity(free_gb, "GB", 1),
-            hours=quantity(1000 * free_gb / megabytes_s / 3600, "", 1),
-        )
-    return HealthItem(
-        "disk",
-        message("disk"),
-        quality,
-        what,
-        message("scan-does-start-less-than-0"),
-        "" if quality == "good" else message("delete-scans-under-records-use-larger"),
-    )
-
-
-def folder(trouble: Text) -> HealthItem:
-    """Whether records can be written."""
-    return HealthItem(
-        "folder",
-        message("data-folder"),
-        "bad" if trouble else "good",
-        message("cannot-written", trouble=trouble) if trouble else message("can-written"),
-        message("recordings-calibrations-journal-kept-there"),
-        message("check-folders-owner-whether-disk-mounted") if trouble else "",
-    )
-
-
-def database(size_mb: float, trouble: str) -> HealthItem:
-    """Whether the database is whole."""
-    return HealthItem(
-        "database",
-        message("database"),
-        "bad" if trouble else "good",
-        message("damaged", trouble=trouble)
-        if trouble
-        else message("whole", size_mb=quantity(size_mb, "MB", 1)),
-        message("holds-journal-every-step-accounts-what"),
-        message("stop-station-keep-copy-data-folder") if trouble else "",
-    )
-
-
-def records(unreadable: Sequence[Text]) -> HealthItem:
-    """Whether all that is stored can be read; ``unreadable``: a sentence for each that cannot."""
-    listed, more = list(unreadable[:LISTED_RECORDS]), len(unreadable) - LISTED_RECORDS
-    if more > 0:
-        listed.append(message("and-more-records", count=more))
-    return HealthItem(
-        "records",
-        message("records"),
-        "bad" if listed else "good",
-        join(listed, " ") if listed else message("all-kept-can-read"),
-        message("what-cannot-read-set-aside-everything"),
-        message("put-file-back-last-backup-leave") if listed else "",
-    )
-
-
-def recordings(damaged: Sequence[Text]) -> HealthItem:
-    """Whether what was recorded is there as it was recorded."""
-    what = message("all-there-they-were-recorded")
-    if damaged:
-        what = message("recordings-damaged", first=damaged[0], more=len(damaged) - 1)
-    return HealthItem(
-        "recordings",
-        message("recordings"),
-        "bad" if damaged else "good",
-        what,
-        message("scan-can-made-again-recording-verification"),
-        message("bring-back-last-backup-delete-under") if damaged else "",
-    )
-
-
 def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
     """Whether browsers are answered without a hitch."""
     why = message("held-up-live-numbers-stand-press")
@@ -297,26 +214,6 @@ def log_errors(count: int) -> HealthItem:
         message("error-there-something-program-did-foresee"),
         message("look-them-below-send-support-bundle") if count else "",
     )
-
-
-def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> HealthItem:
-    """Whether the station could be set up again from a copy."""
-    why = message("disk-fails-takes-every-calibration-scan")
-    remedy = message("make-one-below-crenel-backup")
-    if trouble:
-        return HealthItem("backup", message("backup"), "bad", trouble, why, remedy)
-    if days is None:
-        return HealthItem(
-            "backup", message("backup"), "attention", message("there-none-yet"), why, remedy
-        )
-    what = message("last-days-old", days=quantity(days, "", 1), place=place)
-    if days > BACKUP_DAYS:
-        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
-    if same_disk:
-        what = message("last-days-old-same-disk", days=quantity(days, "", 1), place=place)
-        remedy = message("name-folder-another-disk-backups-station")
-        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
-    return HealthItem("backup", message("backup"), "good", what, why, "")
 
 
 def temperature(now: Temperature, change_c: float | None) -> HealthItem:

@@ -12,7 +12,7 @@ from typing import TypeVar, cast
 from app.errors import OperationError
 from app.formats.software import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
-from app.monitoring import health
+from app.monitoring import health, storage_health
 from app.monitoring import health_topics as health_messages
 from app.monitoring.health import DeviceKind, Health, HealthItem
 from app.monitoring.system_info import memory, versions, writable
@@ -101,24 +101,26 @@ class HealthChecker:
         free_gb = shutil.disk_usage(self._context.store.folder).free / 1e9
         load = self._context.scanner.load()
         pace = load.bytes_written / 1e6 / max(load.seconds, 1.0) if load else None
-        return [health.disk(free_gb, pace)]
+        return [storage_health.disk(free_gb, pace)]
 
     def _folder(self) -> list[HealthItem]:
         scans = self._context.store.folder / "scans"
-        return [health.folder(self._every(RECORDS_EVERY_S, "folder", lambda: writable(scans)))]
+        return [
+            storage_health.folder(self._every(RECORDS_EVERY_S, "folder", lambda: writable(scans)))
+        ]
 
     def _database(self) -> list[HealthItem]:
         store = self._context.store
         damage = self._every(DATABASE_EVERY_S, "database", store.check)
-        return [health.database((store.folder / "station.db").stat().st_size / 1e6, damage)]
+        return [storage_health.database((store.folder / "station.db").stat().st_size / 1e6, damage)]
 
     def _records(self) -> list[HealthItem]:
         aside = self._every(DATABASE_EVERY_S, "records", lambda: list_unreadable(self._context))
-        return [health.records(aside)]
+        return [storage_health.records(aside)]
 
     def _recordings(self) -> list[HealthItem]:
         damaged = self._context.recovery.find_damage
-        return [health.recordings(self._every(DATABASE_EVERY_S, "damaged", damaged))]
+        return [storage_health.recordings(self._every(DATABASE_EVERY_S, "damaged", damaged))]
 
     def _backup(self) -> list[HealthItem]:
         backups = self._context.monitoring.backups
@@ -126,7 +128,7 @@ class HealthChecker:
         last = backups.last
         days = None if last is None else age_days(last.at, datetime.now(UTC))
         place = "" if last is None else display_backup(last.folder)
-        return [health.backup(days, place, backups.same_disk, backups.trouble)]
+        return [storage_health.backup(days, place, backups.same_disk, backups.trouble)]
 
     def _clock(self) -> list[HealthItem]:
         clock = self._context.monitoring.clock

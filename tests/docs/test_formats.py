@@ -21,8 +21,8 @@ from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_certificate, read_object
 from app.formats.images import write_png
 from app.formats.json_document import Document
-from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.decoders import SCHEMAS
+from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
 from app.formats.results.calibration import CalibrationFile, read_calibration
 from app.formats.results.delay import Sync

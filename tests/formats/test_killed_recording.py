@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from app.formats.clouds.files import read_cloud
-from app.formats.recording.reader import open_recording
 from app.formats.recording.decoders import JointRecord, StripeRecord
+from app.formats.recording.reader import open_recording
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, little_calibration
 

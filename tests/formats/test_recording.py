@@ -20,9 +20,9 @@ from hypothesis import strategies as st
 from mcap.reader import make_reader
 
 from app.errors import OperationError
+from app.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
 from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
-from app.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
 from app.formats.recording.stripe_message import encode_stripe, stripe_descriptors
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.stripe import Stripe

@@ -13,7 +13,7 @@ import pytest
 from app.errors import OperationError
 from app.messages.catalogue import translator
 from app.messages.message import MessageList, message, quantity
-from app.monitoring import health
+from app.monitoring import health, storage_health
 from app.monitoring.log_store import FILE, FILE_BYTES, LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
 from app.monitoring.system_info import Memory, WallClock, memory, writable
@@ -220,10 +220,10 @@ def test_the_host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
     items = [
-        health.disk(100.0, None),
-        health.disk(0.5, 20.0),
+        storage_health.disk(100.0, None),
+        storage_health.disk(0.5, 20.0),
         health.memory_use(Memory(100, 4_000_000_000)),
-        health.backup(None, "", False, ""),
+        storage_health.backup(None, "", False, ""),
     ]
     whole = health.summarise_health(items, "now")
     assert whole.quality == "bad"
@@ -232,8 +232,8 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
         assert item.what
         assert item.why
         assert bool(item.remedy) == (item.quality in ("bad", "attention"))
-    assert health.backup(1.0, "x", True, "").quality == "attention"
-    assert health.backup(1.0, "x", False, "").quality == "good"
+    assert storage_health.backup(1.0, "x", True, "").quality == "attention"
+    assert storage_health.backup(1.0, "x", False, "").quality == "good"
     assert health.clock(0, 0.0, 2.0).quality == "bad"
     assert health.clock(1, 9.0, 0.0).quality == "attention"
     assert health.broker("b", False, "refused", 5.0, False).quality == "attention"

@@ -5,8 +5,8 @@ import sys
 import time
 from pathlib import Path
 
-from app.formats.recording.reader import open_recording
 from app.formats.recording.decoders import JointRecord, StripeRecord
+from app.formats.recording.reader import open_recording
 
 ROOT = Path(__file__).resolve().parents[2]
 SCAN = """

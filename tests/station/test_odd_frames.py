@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.recording.reader import open_recording
 from app.formats.recording.decoders import StripeRecord
+from app.formats.recording.reader import open_recording
 from app.station.devices.rig import Rig
 from app.station.scan.scanner import Scanner
 from tests.station.conftest import HEIGHT, WIDTH, Bench, until

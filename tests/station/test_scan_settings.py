@@ -9,8 +9,8 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
-from app.formats.recording.reader import EXTRACTION, open_recording
 from app.formats.recording.decoders import ImageRecord, StripeRecord
+from app.formats.recording.reader import EXTRACTION, open_recording
 from app.formats.results.calibration import Calibration, SerialNumbers
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.station.bus import Bus

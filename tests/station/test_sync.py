@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.recording.reader import open_recording
 from app.formats.recording.decoders import JointRecord
+from app.formats.recording.reader import open_recording
 from app.formats.results.calibration import Calibration, SerialNumbers
 from app.formats.results.delay import Sync
 from app.metrology.arm.kinematics import Arm, flange_poses

@@ -1,0 +1,111 @@
+"""The health of what is stored: disk, folders, database, records, recordings and backups."""
+
+from collections.abc import Sequence
+
+from app.findings import Quality
+from app.messages.message import Text, join, message, quantity
+from app.monitoring.health import HealthItem
+
+DISK_ATTENTION_GB, DISK_BAD_GB = 10.0, 1.0
+BACKUP_DAYS = 7.0
+LISTED_RECORDS = 3
+
+
+def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
+    """Whether there is room to record."""
+    quality: Quality = "good"
+    if free_gb < DISK_BAD_GB:
+        quality = "bad"
+    elif free_gb < DISK_ATTENTION_GB:
+        quality = "attention"
+    what = message("free", free=quantity(free_gb, "GB", 1))
+    if megabytes_s:
+        what = message(
+            "free-enough-for-hours",
+            free=quantity(free_gb, "GB", 1),
+            hours=quantity(1000 * free_gb / megabytes_s / 3600, "", 1),
+        )
+    return HealthItem(
+        "disk",
+        message("disk"),
+        quality,
+        what,
+        message("scan-does-start-less-than-0"),
+        "" if quality == "good" else message("delete-scans-under-records-use-larger"),
+    )
+
+
+def folder(trouble: Text) -> HealthItem:
+    """Whether records can be written."""
+    return HealthItem(
+        "folder",
+        message("data-folder"),
+        "bad" if trouble else "good",
+        message("cannot-written", trouble=trouble) if trouble else message("can-written"),
+        message("recordings-calibrations-journal-kept-there"),
+        message("check-folders-owner-whether-disk-mounted") if trouble else "",
+    )
+
+
+def database(size_mb: float, trouble: str) -> HealthItem:
+    """Whether the database is whole."""
+    return HealthItem(
+        "database",
+        message("database"),
+        "bad" if trouble else "good",
+        message("damaged", trouble=trouble)
+        if trouble
+        else message("whole", size_mb=quantity(size_mb, "MB", 1)),
+        message("holds-journal-every-step-accounts-what"),
+        message("stop-station-keep-copy-data-folder") if trouble else "",
+    )
+
+
+def records(unreadable: Sequence[Text]) -> HealthItem:
+    """Whether all that is stored can be read; ``unreadable``: a sentence for each that cannot."""
+    listed, more = list(unreadable[:LISTED_RECORDS]), len(unreadable) - LISTED_RECORDS
+    if more > 0:
+        listed.append(message("and-more-records", count=more))
+    return HealthItem(
+        "records",
+        message("records"),
+        "bad" if listed else "good",
+        join(listed, " ") if listed else message("all-kept-can-read"),
+        message("what-cannot-read-set-aside-everything"),
+        message("put-file-back-last-backup-leave") if listed else "",
+    )
+
+
+def recordings(damaged: Sequence[Text]) -> HealthItem:
+    """Whether what was recorded is there as it was recorded."""
+    what = message("all-there-they-were-recorded")
+    if damaged:
+        what = message("recordings-damaged", first=damaged[0], more=len(damaged) - 1)
+    return HealthItem(
+        "recordings",
+        message("recordings"),
+        "bad" if damaged else "good",
+        what,
+        message("scan-can-made-again-recording-verification"),
+        message("bring-back-last-backup-delete-under") if damaged else "",
+    )
+
+
+def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> HealthItem:
+    """Whether the station could be set up again from a copy."""
+    why = message("disk-fails-takes-every-calibration-scan")
+    remedy = message("make-one-below-crenel-backup")
+    if trouble:
+        return HealthItem("backup", message("backup"), "bad", trouble, why, remedy)
+    if days is None:
+        return HealthItem(
+            "backup", message("backup"), "attention", message("there-none-yet"), why, remedy
+        )
+    what = message("last-days-old", days=quantity(days, "", 1), place=place)
+    if days > BACKUP_DAYS:
+        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
+    if same_disk:
+        what = message("last-days-old-same-disk", days=quantity(days, "", 1), place=place)
+        remedy = message("name-folder-another-disk-backups-station")
+        return HealthItem("backup", message("backup"), "attention", what, why, remedy)
+    return HealthItem("backup", message("backup"), "good", what, why, "")
