@@ -289,8 +289,11 @@ def test_a_spoilt_calibration_is_refused(tmp_path: Path, spoil: Any, said: str) 
         read_calibration(path)
 
 
+ENGLISH = "A scanned point is known to 23 µm (k = 1) in the flange frame; up to 50 µm is good."
+
+
 def judged_file() -> CalibrationFile:
-    text = message("scanned-point-known-k-1-flange", total=quantity(23.1, "µm"))
+    text = message("point-known-good", total=quantity(23.1, "µm"), good=quantity(50.0, "µm"))
     return calibration_file().model_copy(
         update={
             "verdict": VerdictPart(
@@ -308,8 +311,8 @@ def test_a_sentence_is_english_with_its_message_next_to_it(tmp_path: Path) -> No
     judged.write(path)
     verdict = json.loads(path.read_text())["verdict"]
     for part in (verdict, *verdict["findings"]):
-        assert part["text"] == "A scanned point is known to 23 µm (k = 1) in the flange frame"
-        assert part["text_message"]["message_id"] == "scanned-point-known-k-1-flange"
+        assert part["text"] == ENGLISH
+        assert part["text_message"]["message_id"] == "point-known-good"
     assert "reason_message" not in json.loads(path.read_text())["poses"][0]
     assert CalibrationFile.read(path) == judged
 
@@ -325,7 +328,7 @@ def test_a_sentence_without_a_known_message_stays_english(tmp_path: Path) -> Non
     edit_json(path, older)
     verdict = CalibrationFile.read(path).verdict
     assert verdict is not None
-    assert verdict.text == "A scanned point is known to 23 µm (k = 1) in the flange frame"
+    assert verdict.text == ENGLISH
     assert verdict.findings[0].text == verdict.text
 
 

@@ -117,7 +117,7 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "reported"),
     [
         ("DROP TABLE verification", "table verification has no"),
         ("ALTER TABLE scan RENAME COLUMN frames TO other", "table scan has no frames"),
