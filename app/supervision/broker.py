@@ -96,6 +96,7 @@ class Broker:
             try:
                 await self._connection()
             except (aiomqtt.MqttError, OperationError, OSError, ssl.SSLError, ValueError) as error:
+                _end_if_cancelled()
                 text = error.text if isinstance(error, OperationError) else str(error)
                 if self._state.connected:
                     log.warning(message("log-broker-lost", reason=text))
@@ -224,7 +225,8 @@ def _end_if_cancelled() -> None:
     """Ends the running task where it was cancelled while the client waited for an answer.
 
     The client waits with ``asyncio.wait_for``, which up to Python 3.11 forgets a cancellation
-    that comes together with the answer.
+    that comes together with the answer; and its error, where the broker does not answer as it
+    leaves, takes the place of the cancellation.
     """
     task = asyncio.current_task()
     if task is not None and task.cancelling():

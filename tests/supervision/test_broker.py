@@ -86,7 +86,8 @@ def watching(
             await look(watch)
         finally:
             running.cancel()
-            await asyncio.gather(running, return_exceptions=True)
+            await asyncio.wait({running}, timeout=PATIENCE_S)
+            assert running.cancelled()
 
     asyncio.run(run())
 

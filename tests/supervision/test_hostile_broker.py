@@ -156,6 +156,16 @@ def test_a_broker_that_answers_nothing_holds_nothing_up() -> None:
         watching(port, look)
 
 
+def test_it_ends_while_a_broker_answers_nothing() -> None:
+    with speaking(b"") as (port, held):
+
+        async def look(watch: Watch) -> None:
+            await watch.until(lambda: held)
+            await asyncio.sleep(0.5)  # connected, and waiting for the answer to its presence
+
+        watching(port, look)
+
+
 def test_what_was_never_asked_for_ends_the_connection() -> None:
     """Messages of the third quality of service, which would be kept until they are released."""
     exactly_once = b"\x34\x09\x00\x04spam\x00\x01x"
