@@ -13,16 +13,24 @@ from fastapi import APIRouter, WebSocket
 from pydantic import TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.auth import current_user
-from app.api.authorization import current_visitor, wait_for_sign_out
+from app.api.access.auth import current_user
+from app.api.access.authorization import current_visitor, wait_for_sign_out
 from app.operations.context import Context, context_of
 from app.security.permissions import MESSAGES, has_right
-from app.station.bus import Event, Subscription, Updates
+from app.station.bus import Subscription, Updates
 from app.station.preview.preview import PreviewImage
 from app.station.scan.state import ScanState
 from app.store.login_sessions import Principal
 from app.wire.encoding import encode_json
-from app.wire.schema import Heartbeat, LiveRequest, PreviewRequest, StationsRequest
+from app.wire.live_messages import (
+    BeatMessage,
+    EventMessage,
+    Heartbeat,
+    HelloMessage,
+    LiveRequest,
+    PreviewRequest,
+    StationsRequest,
+)
 
 router = APIRouter()
 log = logging.getLogger(__name__)
@@ -80,8 +88,8 @@ class _Tab:
         self._set_preview(False)
 
     async def _send(self) -> None:
-        hello = {"station": self._context.station, "you": current_user(self._visitor)}
-        await self._text({"type": "hello", **hello})
+        hello = HelloMessage(self._context.station, current_user(self._visitor))
+        await self._text(hello)
         beat_at = time.monotonic() + BEAT_S
         while True:
             left_s = beat_at - time.monotonic()
@@ -91,7 +99,7 @@ class _Tab:
             except TimeoutError:
                 pass
             if time.monotonic() >= beat_at:
-                await self._text({"type": "beat"})
+                await self._text(BeatMessage())
                 beat_at = time.monotonic() + BEAT_S
 
     async def _pass_on(self, updates: Updates) -> None:
@@ -104,7 +112,7 @@ class _Tab:
             shown = self._context.scan_state(value) if isinstance(value, ScanState) else value
             await self._topic(name, shown)
         for event in updates.events:
-            await self._text(_message(event))
+            await self._text(EventMessage(event.id, event.kind, event.quality, event.text))
 
     async def _topic(self, name: str, value: object) -> None:
         """Leaves a topic out that cannot be sent; the others go on."""
@@ -156,13 +164,3 @@ class _Tab:
             self._context.preview.add_viewer()
         else:
             self._context.preview.remove_viewer()
-
-
-def _message(event: Event) -> dict[str, object]:
-    return {
-        "type": "event",
-        "id": event.id,
-        "kind": event.kind,
-        "quality": event.quality,
-        "text": event.text,
-    }

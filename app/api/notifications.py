@@ -7,7 +7,7 @@ from fastapi import APIRouter, Request
 from pydantic import Field
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.authorization import TheVisitor
+from app.api.access.authorization import TheVisitor
 from app.api.problems import NotFoundError
 from app.errors import OperationError
 from app.messages.message import Text, message

@@ -187,7 +187,7 @@ class MonitoringServices:
         )
         self.webhook.offer(notice)
         if kind != "test":
-            self._bus.publish("told", readable(notice))
+            self._bus.publish("notice", readable(notice))
 
     def close(self) -> None:
         """The log last of all."""

@@ -7,27 +7,9 @@ from contextlib import AbstractAsyncContextManager, asynccontextmanager
 
 from fastapi import Depends, FastAPI
 
-from app.api import (
-    accounts,
-    auth,
-    calibrations,
-    health,
-    live,
-    metrics,
-    notifications,
-    problems,
-    records,
-    reports,
-    scan,
-    scene,
-    settings,
-)
-from app.api.authorization import authorise
-from app.api.files import client
-from app.api.sessions import arm
-from app.api.sessions import calibration as flow
-from app.api.sessions import verification as verify
-from app.api.viewer import proxy as viewer
+from app.api import problems
+from app.api.access.authorization import authorise
+from app.api.routers import ROUTERS
 from app.formats.software import SOFTWARE
 from app.operations.context import Context
 from app.operations.publishers import observe
@@ -56,26 +38,8 @@ def build_app(parts: StationParts) -> FastAPI:
     )
     app.state.context = context
     problems.install(app)
-    for room in (
-        auth,
-        accounts,
-        flow,
-        arm,
-        verify,
-        calibrations,
-        scan,
-        settings,
-        records,
-        reports,
-        health,
-        notifications,
-        metrics,
-        scene,
-        live,
-        viewer,
-        client,
-    ):
-        app.include_router(room.router)
+    for router in ROUTERS:
+        app.include_router(router)
     app.add_middleware(Guard, hosts=parts.hosts)
     app.add_middleware(AnonymousQueue)
     return app

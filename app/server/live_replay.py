@@ -5,9 +5,7 @@ import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
@@ -25,6 +23,7 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, rigid
 from app.station.bus import Bus
 from app.station.view3d.scene import Scene
+from app.wire.schema import ReplayPhase, ReplayState
 from app.workflows.reconstruct import reconstruct_into
 from hardware.clock import now_ns
 from hardware.interfaces import ArmInfo, SensorInfo
@@ -37,26 +36,7 @@ DEPTH_MM = (-50.0, 50.0)
 
 
 TOPIC = "replay"
-State = Literal["playing", "ended", "failed"]
 PUBLISH_PERIOD_S = 0.2
-
-
-@dataclass(frozen=True)
-class ReplayState:
-    """How far a replay is, as the browser shows it."""
-
-    recording: str
-    speed: float
-    """1 as it was taken; 0 as fast as it can be read."""
-    played_s: float
-    """Of the recording's own time."""
-    length_s: float | None
-    """None for a recording that was cut off."""
-    points: int
-    points_shown: int
-    state: State
-    text: Text
-    """What became of it, once it has ended."""
 
 
 class Replay:
@@ -168,7 +148,7 @@ class Replay:
             yield piece, stamp_ns
 
     def _publish_state(
-        self, scene: Scene, bus: Bus, at_ns: int, state: State = "playing", text: Text = ""
+        self, scene: Scene, bus: Bus, at_ns: int, state: ReplayPhase = "playing", text: Text = ""
     ) -> None:
         """Publishes how far it is, some times a second."""
         now = time.monotonic()

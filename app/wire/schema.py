@@ -1,6 +1,6 @@
-"""What the server sends and takes; field for field the shapes of frontend/src/api."""
+"""What the server sends and takes; the browser's types are generated from it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -16,6 +16,7 @@ from app.metrology.fitting.shape import ShapeName
 from app.metrology.stripe import PeakChoice
 from app.station.scan import state as scan_state
 from app.station.view3d.cloud_colouring import Measure
+from app.workflows.verification_study import StudyFile
 
 
 class RequestBody(BaseModel):
@@ -88,34 +89,6 @@ class SettingsChange(RequestBody):
     record_pictures: bool
 
 
-class PreviewRequest(RequestBody):
-    type: Literal["preview"]
-    on: bool
-
-
-class StationsRequest(RequestBody):
-    """Whether this tab shows what other stations do."""
-
-    type: Literal["stations"]
-    on: bool
-
-
-class PreviewAck(RequestBody):
-    type: Literal["preview_ack"]
-    seq: int
-
-
-class Heartbeat(RequestBody):
-    """Every few seconds, so that whoever has control keeps it."""
-
-    type: Literal["beat"]
-
-
-LiveRequest = Annotated[
-    PreviewRequest | PreviewAck | StationsRequest | Heartbeat, Field(discriminator="type")
-]
-
-
 @dataclass(frozen=True)
 class ProblemMessages:
     """The texts of a problem as data, for whoever puts them into another language."""
@@ -144,6 +117,27 @@ class ScanStatus(scan_state.ScanState):
     """The station's scan state, and whether the twin's hand is at it."""
 
     hand_running: bool
+
+
+ReplayPhase = Literal["playing", "ended", "failed"]
+
+
+@dataclass(frozen=True)
+class ReplayState:
+    """How far a replay is, as the browser shows it."""
+
+    recording: str
+    speed: float
+    """1 as it was taken; 0 as fast as it can be read."""
+    played_s: float
+    """Of the recording's own time."""
+    length_s: float | None
+    """None for a recording that was cut off."""
+    points: int
+    points_shown: int
+    state: ReplayPhase
+    text: Text
+    """What became of it, once it has ended."""
 
 
 @dataclass(frozen=True)
@@ -341,5 +335,4 @@ class StudyState:
     fraction: float | None
     accepted: int
     """How many calibrations there are by now."""
-    study: Mapping[str, object] | None
-    """``study.json``."""
+    study: StudyFile | None

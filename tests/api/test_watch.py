@@ -18,7 +18,7 @@ from prometheus_client import REGISTRY
 from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
-from app.api.authorization import cookie_for
+from app.api.access.authorization import cookie_for
 from app.api.health import BUNDLING
 from app.errors import sentence
 from app.messages.message import message
@@ -312,7 +312,7 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     kinds = [json.loads(body)["kind"] for _, body in receiver.taken]
     # those of one moment go side by side, in any order
     assert (kinds[0], set(kinds[1:])) == ("test", {"fault", "done"})
-    assert topics(server, {"told"})["told"]["text"] == "A scan of a test is saved"
+    assert topics(server, {"notice"})["notice"]["text"] == "A scan of a test is saved"
 
     kept = server.http.post("/api/notifications", json={**change, "secret": None}).json()
     assert kept["has_secret"]

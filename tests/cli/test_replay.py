@@ -13,8 +13,9 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.datasheets.arm import write_arm
 from app.formats.recording.writer import RecordingWriter
-from app.server.live_replay import Replay, ReplayState
+from app.server.live_replay import Replay
 from app.station.bus import Bus
+from app.wire.schema import ReplayState
 from hardware.clock import now_ns
 from hardware.interfaces import JointSample
 from tests.entering import client

@@ -27,7 +27,14 @@ LAYERS: dict[str, set[str]] = {
     "app.supervision": {"app.station", "app.formats"},
     "app.report": {"app.workflows", "app.formats", "app.metrology"},
     "app.settings": {"app.guide", "app.supervision", "app.formats", "app.metrology"},
-    "app.wire": {"app.guide", "app.station", "app.formats", "app.metrology"},
+    "app.wire": {
+        "app.guide",
+        "app.supervision",
+        "app.workflows",
+        "app.station",
+        "app.formats",
+        "app.metrology",
+    },
     "app.operations": {
         "app.wire",
         "app.settings",

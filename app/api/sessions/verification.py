@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Request
 from starlette.responses import Response
 
-from app.api.authorization import TheVisitor
+from app.api.access.authorization import TheVisitor
 from app.api.files.file_response import send_file
 from app.api.problems import NotFoundError
 from app.errors import OperationError
@@ -149,7 +149,7 @@ def _study_state(verification_id: str, context: Context) -> StudyState:
     if not path.is_file():
         return StudyState(running, text, fraction, accepted, None)
     try:
-        return StudyState(running, text, fraction, accepted, StudyFile.read(path).fields())
+        return StudyState(running, text, fraction, accepted, StudyFile.read(path))
     except OperationError:
         return StudyState(running, text, fraction, accepted, None)
 

@@ -20,7 +20,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
-from app.api.authorization import wait_for_sign_out
+from app.api.access.authorization import wait_for_sign_out
 from app.api.problems import NotFoundError
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message

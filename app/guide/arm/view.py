@@ -1,4 +1,4 @@
-"""What the browser is shown of an arm session; field for field the shapes of armTypes.ts."""
+"""What the browser is shown of an arm session."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

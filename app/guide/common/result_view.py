@@ -1,4 +1,4 @@
-"""What the browser is shown of a calibration's result; field for field of resultTypes.ts."""
+"""What the browser is shown of a calibration's result."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

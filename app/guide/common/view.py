@@ -1,4 +1,4 @@
-"""What the browser is shown of a guided flow; field for field the shapes of flowTypes.ts."""
+"""What the browser is shown of a guided flow."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

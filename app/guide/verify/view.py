@@ -1,4 +1,4 @@
-"""What the browser is shown of a verification; field for field the shapes of verifyTypes.ts."""
+"""What the browser is shown of a verification."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,7 @@
 import { useState } from "react";
-
-import { type Account, ROLES, type Role } from "../api/accessTypes";
 import { addAccount, changeAccount, removeAccount } from "../api/session";
+import type { Role } from "../api/types";
+import type { AccountSummary } from "../api/wire";
 import look from "../parts/Control.module.css";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
@@ -12,11 +12,12 @@ import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Access.module.css";
+import { ROLES } from "./roles";
 import { useReread } from "./useReread";
 
 /** Everybody's account, and a new one. */
 export function Accounts() {
-  const { list, reread } = useReread<Account>("/api/accounts");
+  const { list, reread } = useReread<AccountSummary>("/api/accounts");
   return (
     <section className={styles.section} aria-label={t("ui-accounts")}>
       <h1 className={styles.title}>{t("ui-accounts")}</h1>
@@ -30,7 +31,7 @@ export function Accounts() {
   );
 }
 
-function AccountRow({ account, onChange }: { account: Account; onChange: () => Promise<void> }) {
+function AccountRow({ account, onChange }: { account: AccountSummary; onChange: () => Promise<void> }) {
   const own = useLive((s) => s.session?.you?.name === account.name);
   const [asking, setAsking] = useState(false);
   const [password, setPassword] = useState<string | null>(null);

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { AuditEntry } from "../api/accessTypes";
+import type { AuditEntry } from "../api/wire";
 import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";

@@ -1,7 +1,6 @@
 import { useState } from "react";
-
-import type { Wall } from "../api/accessTypes";
 import { addKioskLink, removeKioskLink } from "../api/session";
+import type { KioskLinkSummary } from "../api/wire";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
@@ -13,7 +12,7 @@ import { useReread } from "./useReread";
 
 /** Links for kiosk displays, which give a full view and allow no action. */
 export function KioskLinks() {
-  const { list, reread } = useReread<Wall>("/api/walls");
+  const { list, reread } = useReread<KioskLinkSummary>("/api/walls");
   const [name, setName] = useState("");
   const [address, setAddress] = useState("");
   const add = async () => {

@@ -1,8 +1,8 @@
 import { t } from "../state/language";
 import { getState, setState } from "../state/store";
-import type { ArmView } from "./armTypes";
 import { done, newKey } from "./commands";
 import { post, postOnce } from "./http";
+import type { ArmView } from "./wire";
 
 function put(view: ArmView | null): void {
   if (view) setState({ arm: view });

@@ -1,11 +1,8 @@
+import { clearBanner, notify } from "../state/banner";
 import { t } from "../state/language";
-import { clearNotice, notify } from "../state/notices";
 import { getState, putFlow, setState } from "../state/store";
-import type { Session } from "./accessTypes";
-import type { FlowCommand, FlowView } from "./flowTypes";
 import { NoAnswer, post, postOnce, Refused } from "./http";
-import type { ScanState } from "./scanTypes";
-import type { Problem } from "./types";
+import type { FlowCommand, FlowView, Problem, ScanStatus, SignInState } from "./wire";
 
 /** 128 random bits; also on plain http, where randomUUID does not exist. */
 export function newKey(): string {
@@ -21,7 +18,7 @@ function notifyOfProblem(problem: Problem): void {
   });
 }
 
-function signedOut(session: Session | null): Session | null {
+function signedOut(session: SignInState | null): SignInState | null {
   return session && { ...session, you: null };
 }
 
@@ -44,7 +41,7 @@ export function notifyOfError(error: unknown, whatWas: string): void {
 export async function done(act: () => Promise<unknown>, whatWas: string): Promise<boolean> {
   try {
     await act();
-    clearNotice();
+    clearBanner();
     return true;
   } catch (error) {
     notifyOfError(error, whatWas);
@@ -56,7 +53,7 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
   const command: FlowCommand = { name, args, rev: getState().flow?.rev ?? 0, key: newKey() };
   try {
     const view = await postOnce<FlowView>("/api/flow/command", command);
-    clearNotice();
+    clearBanner();
     if (view) putFlow(view);
   } catch (error) {
     if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
@@ -71,7 +68,7 @@ export async function sendFlow(name: string, args: Record<string, unknown>): Pro
 export async function startFlow(): Promise<void> {
   try {
     const view = await post<FlowView>("/api/flow/start");
-    clearNotice();
+    clearBanner();
     if (view) putFlow(view);
   } catch (error) {
     notifyOfError(error, t("ui-the-calibration-was-not-started"));
@@ -80,7 +77,7 @@ export async function startFlow(): Promise<void> {
 
 async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
   await done(async () => {
-    const scan = await post<ScanState>(path, body);
+    const scan = await post<ScanStatus>(path, body);
     if (scan && "state" in scan) setState({ scan });
   }, whatWas);
 }

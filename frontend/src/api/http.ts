@@ -1,7 +1,7 @@
 import type { Text } from "../messages/text";
 import { render, t } from "../state/language";
 import { localized } from "../state/localized";
-import type { Problem } from "./types";
+import type { Problem } from "./wire";
 
 /** The station refused, for a reason. */
 export class Refused extends Error {

@@ -1,12 +1,12 @@
+import { noteReturn, notify } from "../state/banner";
 import { t } from "../state/language";
-import { noteReturn, notify } from "../state/notices";
 import { playFor } from "../state/sounds";
 import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
-import type { Session, You } from "./accessTypes";
-import type { LiveMessage, LiveRequest } from "./liveTypes";
 import { previewInterest, showPreview } from "./preview";
 import { readSession } from "./session";
 import { stationsInterest } from "./stations";
+import type { LiveMessage, LiveRequest } from "./types";
+import type { CurrentUser, SignInState } from "./wire";
 
 const SILENCE_MS = 2500;
 /** Whoever has control keeps it so. */
@@ -81,7 +81,7 @@ function onText(text: string): void {
   }
 }
 
-function signedIn(you: You): Session | null {
+function signedIn(you: CurrentUser | null): SignInState | null {
   const { session } = getState();
   return session && { ...session, you };
 }

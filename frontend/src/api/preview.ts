@@ -1,6 +1,6 @@
 import { localized } from "../state/localized";
-import type { PreviewHeader } from "./deviceTypes";
 import { Interest } from "./interest";
+import type { PreviewHeader } from "./wire";
 
 export interface Preview {
   header: PreviewHeader;

@@ -1,9 +1,10 @@
+import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
-import { clearNotice } from "../state/notices";
 import { setState } from "../state/store";
-import type { Account, Control, Role, Session, Wall } from "./accessTypes";
 import { done, notifyOfError } from "./commands";
 import { drop, get, NoAnswer, post } from "./http";
+import type { Role } from "./types";
+import type { AccountSummary, Control, KioskLinkSummary, SignInState } from "./wire";
 
 const AGAIN_MS = 1000;
 
@@ -20,8 +21,8 @@ export async function startSession(): Promise<void> {
   const link = fragment();
   if (link) {
     try {
-      put(await post<Session>(`/api/session/${link.way}`, { code: link.value }));
-      return clearNotice();
+      put(await post<SignInState>(`/api/session/${link.way}`, { code: link.value }));
+      return clearBanner();
     } catch (error) {
       notifyOfError(error, t("ui-the-link-could-not-be-opened"));
     }
@@ -33,7 +34,7 @@ export async function startSession(): Promise<void> {
 export async function readSession(): Promise<void> {
   for (;;) {
     try {
-      return put(await get<Session>("/api/session"));
+      return put(await get<SignInState>("/api/session"));
     } catch (error) {
       if (!(error instanceof NoAnswer)) throw error;
       await new Promise((resolve) => setTimeout(resolve, AGAIN_MS));
@@ -41,28 +42,28 @@ export async function readSession(): Promise<void> {
   }
 }
 
-function put(session: Session | null): void {
+function put(session: SignInState | null): void {
   if (session) setState({ session });
 }
 
 export const signIn = (name: string, password: string) =>
-  done(async () => put(await post<Session>("/api/session", { name, password })), t("ui-you-were-not-signed-in"));
+  done(async () => put(await post<SignInState>("/api/session", { name, password })), t("ui-you-were-not-signed-in"));
 
 export const enterByCode = (code: string) =>
-  done(async () => put(await post<Session>("/api/session/code", { code })), t("ui-you-were-not-signed-in"));
+  done(async () => put(await post<SignInState>("/api/session/code", { code })), t("ui-you-were-not-signed-in"));
 
 export const makeAdmin = (code: string, name: string, password: string) =>
   done(
-    async () => put(await post<Session>("/api/session/admin", { code, name, password })),
+    async () => put(await post<SignInState>("/api/session/admin", { code, name, password })),
     t("ui-the-account-was-not-created"),
   );
 
 export const signOut = () =>
-  done(async () => put(await drop<Session>("/api/session")), t("ui-you-may-still-be-signed-in"));
+  done(async () => put(await drop<SignInState>("/api/session")), t("ui-you-may-still-be-signed-in"));
 
 export const changePassword = (old: string, fresh: string) =>
   done(
-    async () => put(await post<Session>("/api/session/password", { old, new: fresh })),
+    async () => put(await post<SignInState>("/api/session/password", { old, new: fresh })),
     t("ui-the-password-was-not-changed"),
   );
 
@@ -80,13 +81,13 @@ export const takeControl = (reason: string) => control("take", { reason }, t("ui
 
 export const addAccount = (name: string, role: Role, password: string) =>
   done(
-    async () => void (await post<Account>("/api/accounts", { name, role, password })),
+    async () => void (await post<AccountSummary>("/api/accounts", { name, role, password })),
     t("ui-the-account-was-not-created"),
   );
 
 export const changeAccount = (name: string, change: { role?: Role; password?: string }) =>
   done(
-    async () => void (await post<Account>(`/api/account?name=${encodeURIComponent(name)}`, change)),
+    async () => void (await post<AccountSummary>(`/api/account?name=${encodeURIComponent(name)}`, change)),
     t("ui-the-account-was-not-changed"),
   );
 
@@ -100,7 +101,7 @@ export const removeAccount = (name: string) =>
 export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {
-    const link = await post<Wall>("/api/walls", { name });
+    const link = await post<KioskLinkSummary>("/api/walls", { name });
     if (link?.token) address = `${window.location.origin}/#wall=${link.token}`;
   }, t("ui-the-link-was-not-created"));
   return address;

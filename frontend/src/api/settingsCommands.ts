@@ -2,7 +2,7 @@ import { t } from "../state/language";
 import { getState, setState } from "../state/store";
 import { done } from "./commands";
 import { get, post } from "./http";
-import type { StationSettings } from "./settingsTypes";
+import type { StationSettings } from "./wire";
 
 type Changeable = Omit<StationSettings, "delay" | "finding_delay" | "findings">;
 

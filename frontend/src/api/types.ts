@@ -1,66 +1,41 @@
-/** What all of the station's answers are made of. The Python side of each shape is named in tests/api/test_types.py. */
+/** Parts of the generated types by names of their own, and the messages of the live connection. */
 
-import type { FlowView } from "./flowTypes";
+import type {
+  BeatMessage,
+  BlockGeometry,
+  BoardGeometry,
+  CurrentUser,
+  EventMessage,
+  Finding,
+  FittedShape,
+  FlowView,
+  Heartbeat,
+  HelloMessage,
+  PreviewAck,
+  PreviewRequest,
+  StationsRequest,
+  Topics,
+  Validity,
+  Region as ViewRegion,
+  ViewState,
+} from "./wire";
 
-export type Quality = "good" | "attention" | "bad" | "neutral";
-
-/** A number that the operator watches: value and unit, never one without the other. */
-export interface LiveNumber {
-  label: string;
-  value: number | null;
-  unit: string;
-  decimals: number;
-  quality: Quality;
-  /** e.g. "limit 50 µm" */
-  note: string;
-}
-
-export interface Finding {
-  quality: Quality;
-  /** One sentence, with the number and the limit. */
-  text: string;
-  /** What to do; may be empty. */
-  remedy: string;
-  /** The pose that it is about, where it is about one. */
-  pose: number | null;
-}
-
-/** One thing the operator may do now. The client posts `name` and `args` as they are. */
-export interface Action {
-  name: string;
-  label: string;
-  args: Record<string, unknown>;
-  primary: boolean;
-  enabled: boolean;
-  /** Why it is not possible now; displayed next to the disabled button. */
-  why_not: string;
-  /** A question to put before a destructive act; empty: no question. */
-  confirm: string;
-}
-
-export interface Step {
-  id: string;
-  title: string;
-  state: "done" | "current" | "todo" | "stale";
-}
-
+export type Quality = Finding["quality"];
+export type Role = CurrentUser["role"];
+export type WorkPage = Validity["page"];
+export type Picture = FlowView["picture"];
+/** What the sensor is calibrated on. */
+export type ObjectGeometry = BlockGeometry | BoardGeometry;
+export type Measure = ViewState["measure"];
+export type ShapeName = FittedShape["shape"];
+/** Shares of the 3D view, 0 to 1 from its left and from its top. */
+export type Region = Pick<ViewRegion, "left" | "top" | "right" | "bottom">;
 export type Vec3 = [number, number, number];
 
-export interface ChoiceOption {
-  id: string;
-  label: string;
-  detail: string;
-}
+type TopicMessage = { [Name in keyof Topics]: { type: "topic"; name: Name; value: Topics[Name] } }[keyof Topics];
 
-/** RFC 9457 */
-export interface Problem {
-  type: string;
-  title: string;
-  status: number;
-  detail: string;
-  /** machine-readable name */
-  code: string;
-  remedy: string;
-  /** with 409 of a stale flow command */
-  view?: FlowView;
-}
+/** Server to client over /api/live (JSON text frames). */
+export type LiveMessage = HelloMessage | TopicMessage | EventMessage | BeatMessage;
+
+/** Client to server over /api/live. */
+export type LiveRequest = Heartbeat | PreviewRequest | PreviewAck | StationsRequest;

@@ -3,7 +3,7 @@ import { localized } from "../state/localized";
 import { getState, setState } from "../state/store";
 import { done, newKey, notifyOfError } from "./commands";
 import { post, postOnce } from "./http";
-import type { StudyState, VerifyView } from "./verifyTypes";
+import type { StudyState, VerifyView } from "./wire";
 
 function put(view: VerifyView | null): void {
   if (view) setState({ verify: view });

@@ -1,7 +1,7 @@
 import { t } from "../state/language";
 import { done } from "./commands";
 import { drop, post } from "./http";
-import type { Measure, Region, ShapeName } from "./viewTypes";
+import type { Measure, Region, ShapeName } from "./types";
 
 /* What these change comes over the live connection: an answer that comes late is older than that. */
 

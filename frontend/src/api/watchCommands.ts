@@ -1,14 +1,14 @@
+import { clearBanner } from "../state/banner";
 import { t } from "../state/language";
 import { localized } from "../state/localized";
-import { clearNotice } from "../state/notices";
 import { notifyOfError } from "./commands";
 import { drop, get, post } from "./http";
-import type { BackupState, Notifications, Scraper } from "./watchTypes";
+import type { ApiTokenSummary, BackupState, Notifications } from "./wire";
 
 async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
   try {
     const answer = await act();
-    clearNotice();
+    clearBanner();
     return localized(answer);
   } catch (error) {
     notifyOfError(error, whatWas);
@@ -37,7 +37,7 @@ export const readNotifications = () =>
   done(() => get<Notifications>("/api/notifications"), t("ui-result-test-message-unknown"));
 
 export const addMetricsToken = (name: string) =>
-  done(() => post<Scraper>("/api/scrapers", { name }), t("ui-the-token-was-not-created"));
+  done(() => post<ApiTokenSummary>("/api/scrapers", { name }), t("ui-the-token-was-not-created"));
 
 export const removeMetricsToken = (id: string) =>
   done(() => drop(`/api/scrapers/${id}`), t("ui-the-token-may-still-be-valid"));

@@ -1,5 +1,5 @@
 import { sendArm } from "../api/armCommands";
-import type { ArmView } from "../api/armTypes";
+import type { ArmView } from "../api/wire";
 import { StepDots } from "../flow/StepDots";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";

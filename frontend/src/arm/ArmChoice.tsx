@@ -1,5 +1,5 @@
 import { sendArm } from "../api/armCommands";
-import type { ChoiceOption } from "../api/types";
+import type { ChoiceOption } from "../api/wire";
 import look from "../parts/Control.module.css";
 import styles from "../parts/Field.module.css";
 import { isolated } from "../state/isolated";

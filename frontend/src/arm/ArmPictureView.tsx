@@ -1,4 +1,4 @@
-import type { ArmView } from "../api/armTypes";
+import type { ArmView } from "../api/wire";
 import styles from "./ArmPictureView.module.css";
 import { History } from "./History";
 import { JointBars } from "./JointBars";

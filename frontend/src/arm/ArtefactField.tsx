@@ -1,7 +1,7 @@
 import type { FocusEvent, FormEvent } from "react";
 
 import { sendArm } from "../api/armCommands";
-import type { Artefact } from "../api/armTypes";
+import type { Artefact } from "../api/wire";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,4 +1,4 @@
-import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
+import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
 import { quantity } from "../messages/text";
 import { moment } from "../parts/format";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";

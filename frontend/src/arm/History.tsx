@@ -1,4 +1,4 @@
-import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
+import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
 import { EmptyState } from "../parts/EmptyState";
 import rows from "../parts/List.module.css";
 import { t } from "../state/language";

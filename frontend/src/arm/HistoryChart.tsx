@@ -1,4 +1,4 @@
-import type { ArmCheckSummary } from "../api/armTypes";
+import type { ArmCheckSummary } from "../api/wire";
 import { TimeChart } from "../parts/TimeChart";
 import { t } from "../state/language";
 

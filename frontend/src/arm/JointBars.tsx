@@ -1,4 +1,4 @@
-import type { JointSwing } from "../api/armTypes";
+import type { JointSwing } from "../api/wire";
 import { figures } from "../parts/format";
 import { word } from "../state/language";
 import styles from "./JointBars.module.css";

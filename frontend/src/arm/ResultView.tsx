@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { ArmResult } from "../api/armTypes";
+import type { ArmResult } from "../api/wire";
 import { quantity, signedQuantity } from "../messages/text";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";

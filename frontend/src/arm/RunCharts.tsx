@@ -1,4 +1,4 @@
-import type { ArmPicture } from "../api/armTypes";
+import type { ArmPicture } from "../api/wire";
 import { quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
 import { t } from "../state/language";

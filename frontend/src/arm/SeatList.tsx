@@ -1,4 +1,4 @@
-import type { SeatLine } from "../api/armTypes";
+import type { SeatLine } from "../api/wire";
 import { EmptyState } from "../parts/EmptyState";
 import { measured } from "../parts/lengths";
 import { isolated } from "../state/isolated";

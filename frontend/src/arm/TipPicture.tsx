@@ -1,5 +1,4 @@
-import type { ArmPicture } from "../api/armTypes";
-import type { FigureLine } from "../api/verifyTypes";
+import type { ArmPicture, FigureLine } from "../api/wire";
 import { t } from "../state/language";
 import { FigureBars } from "../verify/FigureBars";
 import { TouchView } from "../verify/TouchView";

@@ -1,8 +1,8 @@
 import { type KeyboardEvent, useRef } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { BlockGeometry, BoardGeometry, Choice, ObjectGeometry } from "../api/flowTypes";
-import type { ChoiceOption } from "../api/types";
+import type { ObjectGeometry } from "../api/types";
+import type { BlockGeometry, BoardGeometry, Choice, ChoiceOption } from "../api/wire";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { CheckIcon } from "../parts/icons";
 import { lengthFigures, measured, unitOf } from "../parts/lengths";

@@ -1,4 +1,4 @@
-import type { DeviceLine } from "../api/flowTypes";
+import type { DeviceLine } from "../api/wire";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./DevicesPicture.module.css";

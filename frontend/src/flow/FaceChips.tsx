@@ -1,4 +1,4 @@
-import type { FaceProgress } from "../api/flowTypes";
+import type { FaceProgress } from "../api/wire";
 import { CheckIcon } from "../parts/icons";
 import { measured } from "../parts/lengths";
 import { t } from "../state/language";

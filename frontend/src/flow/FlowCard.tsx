@@ -1,6 +1,5 @@
 import { sendFlow } from "../api/commands";
-import type { Devices } from "../api/deviceTypes";
-import type { FlowView } from "../api/flowTypes";
+import type { Devices, FlowView } from "../api/wire";
 import { mentions, type Text } from "../messages/text";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { sendFlow } from "../api/commands";
-import type { FaceProgress, ObjectGeometry, Picture, TouchedPoint } from "../api/flowTypes";
-import type { Vec3 } from "../api/types";
+import type { ObjectGeometry, Picture, Vec3 } from "../api/types";
+import type { FaceProgress, TouchedPoint } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import { scaleEnd } from "../object/residuals";

@@ -1,4 +1,4 @@
-import type { Picture } from "../api/flowTypes";
+import type { Picture } from "../api/types";
 import { ResultPicture } from "../result/ResultPicture";
 import { CameraPicture } from "./CameraPicture";
 import { ChoicesPicture } from "./ChoicesPicture";

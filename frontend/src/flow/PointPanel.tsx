@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 
 import { sendFlow } from "../api/commands";
-import type { TouchedPoint } from "../api/flowTypes";
+import type { TouchedPoint } from "../api/wire";
 import { BOARD_FACE } from "../object/board";
 import { CloseIcon } from "../parts/icons";
 import { signedLength, unitOf } from "../parts/lengths";

@@ -1,4 +1,4 @@
-import type { FlowView } from "../api/flowTypes";
+import type { FlowView } from "../api/wire";
 import { t } from "../state/language";
 import styles from "./StepDots.module.css";
 

@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { Picture } from "../api/flowTypes";
+import type { Picture } from "../api/types";
 import { PoseView } from "../image/PoseView";
 import { useLook } from "../state/useLook";
 

@@ -1,36 +1,36 @@
 import { answerForControl } from "../api/session";
-import type { Finding } from "../api/types";
+import type { Finding } from "../api/wire";
 import { age } from "../parts/format";
 import { CloseIcon } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
+import { dismiss } from "../state/banner";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
-import { dismiss } from "../state/notices";
 import { usePage } from "../state/router";
-import { type Notice, useLive } from "../state/store";
+import { type BannerMessage, useLive } from "../state/store";
 import styles from "./Banners.module.css";
 
 /** What must be read now: a lost connection, a lost device, a refusal, a stop. */
 export function Banners() {
-  const notice = useLive((s) => s.notice);
+  const banner = useLive((s) => s.banner);
   const connection = useLive((s) => s.connection);
   const page = usePage();
   const onCard = useLive(
-    (s) => page === "calibrate" && s.notice !== null && isOnCard(s.notice, s.flow?.findings ?? []),
+    (s) => page === "calibrate" && s.banner !== null && isOnCard(s.banner, s.flow?.findings ?? []),
   );
   return (
     <div className={styles.banners}>
       {connection !== "live" && <LostBanner first={connection === "connecting"} />}
       {connection === "live" && <LostDevices />}
       {connection === "live" && <ControlRequest />}
-      {notice && !onCard && <NoticeBanner key={notice.id} notice={notice} />}
+      {banner && !onCard && <MessageBanner key={banner.id} banner={banner} />}
     </div>
   );
 }
 
 /** The card has the same text, with its remedy. */
-function isOnCard({ title }: Notice, findings: readonly Finding[]): boolean {
+function isOnCard({ title }: BannerMessage, findings: readonly Finding[]): boolean {
   return findings.some(({ text }) => text === title);
 }
 
@@ -91,16 +91,16 @@ function LostDevices() {
   ));
 }
 
-function NoticeBanner({ notice }: { notice: Notice }) {
+function MessageBanner({ banner }: { banner: BannerMessage }) {
   return (
-    <div className={styles.banner} data-quality={notice.quality} role={notice.quality === "bad" ? "alert" : "status"}>
-      <QualityMark quality={notice.quality} />
+    <div className={styles.banner} data-quality={banner.quality} role={banner.quality === "bad" ? "alert" : "status"}>
+      <QualityMark quality={banner.quality} />
       <div className={styles.words}>
-        <strong>{notice.title}</strong>
-        {notice.detail && <span>{notice.detail}</span>}
-        {notice.remedy && <span className={styles.remedy}>{notice.remedy}</span>}
+        <strong>{banner.title}</strong>
+        {banner.detail && <span>{banner.detail}</span>}
+        {banner.remedy && <span className={styles.remedy}>{banner.remedy}</span>}
       </div>
-      <button type="button" className={styles.close} aria-label={t("ui-dismiss")} onClick={() => dismiss(notice.id)}>
+      <button type="button" className={styles.close} aria-label={t("ui-dismiss")} onClick={() => dismiss(banner.id)}>
         <CloseIcon />
       </button>
     </div>

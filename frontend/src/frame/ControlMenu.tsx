@@ -1,9 +1,8 @@
 import { Popover } from "@mantine/core";
 import { useState } from "react";
-
-import type { Control, You } from "../api/accessTypes";
-import { ROLES } from "../api/accessTypes";
+import { ROLES } from "../access/roles";
 import { askForControl, releaseControl, signOut, takeControl } from "../api/session";
+import type { Control, CurrentUser } from "../api/wire";
 import look from "../parts/Control.module.css";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
@@ -60,7 +59,7 @@ export function ControlMenu() {
 }
 
 interface WhoseProps {
-  you: You;
+  you: CurrentUser;
   control: Control | null;
   whose: "free" | "yours" | "theirs";
 }

@@ -3,8 +3,8 @@ import { useState } from "react";
 import { changePassword } from "../api/session";
 import { PressButton } from "../parts/PressButton";
 import { TextField } from "../parts/TextField";
+import { notify } from "../state/banner";
 import { t } from "../state/language";
-import { notify } from "../state/notices";
 
 /** A new password of one's own; a press opens it. */
 export function PasswordForm() {

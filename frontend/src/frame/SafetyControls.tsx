@@ -1,5 +1,5 @@
 import { setLaser, stopAll } from "../api/commands";
-import type { Devices } from "../api/deviceTypes";
+import type { Devices } from "../api/wire";
 import { LaserIcon, StopIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { useLive } from "../state/store";

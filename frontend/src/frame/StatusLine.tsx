@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import type { DeviceState } from "../api/deviceTypes";
+import type { DeviceState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { age, days } from "../parts/format";
 import { useSilence } from "../state/freshness";

@@ -1,5 +1,4 @@
-import type { FlowView } from "../api/flowTypes";
-import type { Step } from "../api/types";
+import type { FlowView, Step } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { CheckIcon, StaleIcon } from "../parts/icons";
 import { t } from "../state/language";

@@ -1,4 +1,4 @@
-import type { Health, HealthItem } from "../api/watchTypes";
+import type { Health, HealthItem } from "../api/wire";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./Health.module.css";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { useReread } from "../access/useReread";
-import type { LogLine } from "../api/watchTypes";
+import type { LogLine } from "../api/wire";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";

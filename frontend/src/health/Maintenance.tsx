@@ -1,5 +1,5 @@
 import { startBackup } from "../api/watchCommands";
-import type { BackupState } from "../api/watchTypes";
+import type { BackupState } from "../api/wire";
 import { quantity } from "../messages/text";
 import { Download } from "../parts/Download";
 import { moment } from "../parts/format";

@@ -3,7 +3,7 @@ import { useState } from "react";
 import styles from "../access/Access.module.css";
 import { useReread } from "../access/useReread";
 import { addMetricsToken, removeMetricsToken } from "../api/watchCommands";
-import type { Scraper } from "../api/watchTypes";
+import type { ApiTokenSummary } from "../api/wire";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
@@ -13,7 +13,7 @@ import { t } from "../state/language";
 
 /** Tokens by which programs read the metrics. */
 export function MetricsTokens() {
-  const { list, reread } = useReread<Scraper>("/api/scrapers");
+  const { list, reread } = useReread<ApiTokenSummary>("/api/scrapers");
   const [name, setName] = useState("");
   const [token, setToken] = useState("");
   const add = async () => {

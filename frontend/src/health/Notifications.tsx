@@ -2,7 +2,7 @@ import { useCallback, useEffect, useState } from "react";
 
 import { get } from "../api/http";
 import { changeNotifications, readNotifications, tryNotifications } from "../api/watchCommands";
-import type { Notifications as NotificationSettings } from "../api/watchTypes";
+import type { Notifications as NotificationSettings } from "../api/wire";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { TextField } from "../parts/TextField";

@@ -1,4 +1,4 @@
-import type { Validity } from "../api/homeTypes";
+import type { Validity } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";

@@ -1,7 +1,7 @@
 import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useEffect, useRef, useState } from "react";
-import type { Aid, PreviewHeader } from "../api/deviceTypes";
 import { type Preview, watchPreview } from "../api/preview";
+import type { CaptureAid, PreviewHeader } from "../api/wire";
 import { newFindings } from "../parts/findings";
 import { age, figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
@@ -211,7 +211,7 @@ function Panel({ header, old_s, line, rate }: PanelProps) {
 }
 
 /** How to aim, in large letters. */
-function Aims({ aids }: { aids: Aid[] }) {
+function Aims({ aids }: { aids: CaptureAid[] }) {
   const aiming = aids.filter(({ words }) => words);
   if (aiming.length === 0) return null;
   return (

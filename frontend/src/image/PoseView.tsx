@@ -1,5 +1,5 @@
 import { sendFlow } from "../api/commands";
-import type { PosePicture, WorstPoint } from "../api/resultTypes";
+import type { PosePicture, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
@@ -14,7 +14,7 @@ interface PoseViewProps {
   onShow: (number: number) => void;
   /** Draws each corner's residual, enlarged. */
   residuals?: boolean;
-  worst?: WorstPoint[];
+  worst?: WorstPointLine[];
   /** What was measured in the pictures, once poses are solved: corners or edges. */
   part?: PlainId;
 }

@@ -1,13 +1,13 @@
 import { useElementSize } from "@mantine/hooks";
 import { type CSSProperties, useState } from "react";
-import type { ImageCorner, ImageMark, WorstPoint } from "../api/resultTypes";
 import type { Vec3 } from "../api/types";
+import type { ImageAnnotation, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";
 import { measured } from "../parts/lengths";
 import { cornerName } from "../result/names";
 import { t } from "../state/language";
-import { COLOURS, type Overlay, spacing_px } from "./overlay";
+import { COLOURS, type Overlay, type OverlayCorner, spacing_px } from "./overlay";
 import styles from "./StillImage.module.css";
 
 interface StillImageProps extends Overlay {
@@ -15,16 +15,16 @@ interface StillImageProps extends Overlay {
   width_px: number;
   height_px: number;
   /** In a picture that was declined: what shows why. */
-  marks?: ImageMark[];
+  marks?: ImageAnnotation[];
   /** Of a result: u, v of points of the stripe, and how far each lies off. */
   stripe_off?: Vec3[];
   /** Draws the residuals of corners and stripe as arrows, enlarged. */
   residuals?: boolean;
   /** Of the points that fit worst, those in this picture: named in place. */
-  worst?: WorstPoint[];
+  worst?: WorstPointLine[];
 }
 
-const MARKS: Record<ImageMark["kind"], { colour: string; title: PlainId }> = {
+const MARKS: Record<ImageAnnotation["kind"], { colour: string; title: PlainId }> = {
   disagrees: { colour: "#ff9f43", title: "ui-misplaced-edges" },
   outside: { colour: "#d0a2ff", title: "ui-out-of-the-frame" },
   clipped: { colour: "#ff5a5f", title: "ui-overexposed" },
@@ -35,7 +35,7 @@ const MARKS: Record<ImageMark["kind"], { colour: string; title: PlainId }> = {
 const BEYOND = 0.35;
 /** A label's height on the screen, whatever the picture's size. */
 const LABEL_PX = 15;
-const KINDS = Object.keys(MARKS) as ImageMark["kind"][];
+const KINDS = Object.keys(MARKS) as ImageAnnotation["kind"][];
 
 /** How many times residuals (px) are enlarged, so that the largest is well visible and covers little. */
 function enlargement(residuals_px: number[], longest_px: number): number {
@@ -49,7 +49,7 @@ interface Enlarged {
   stripe: number;
 }
 
-function enlarged(corners: ImageCorner[], stripe_off: Vec3[], width_px: number): Enlarged {
+function enlarged(corners: OverlayCorner[], stripe_off: Vec3[], width_px: number): Enlarged {
   const longest_px = width_px / 18;
   return {
     corners: enlargement(
@@ -64,7 +64,7 @@ function enlarged(corners: ImageCorner[], stripe_off: Vec3[], width_px: number):
 }
 
 /** The picture's frame, widened to what of the object lies beyond it. */
-function frameOf(marks: ImageMark[], width_px: number, height_px: number): string {
+function frameOf(marks: ImageAnnotation[], width_px: number, height_px: number): string {
   const beyond = marks.filter(({ kind }) => kind !== "segment" && kind !== "clipped");
   const range = (ends: number[], size: number): [number, number] => [
     Math.max(-BEYOND * size, Math.min(-0.5, ...ends)),
@@ -176,7 +176,7 @@ export function StillImage(props: StillImageProps) {
 }
 
 /** The points that fit worst, each with its residual beside it, none over another. */
-function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: number; size: number }) {
+function Worst({ worst, width_px, size }: { worst: WorstPointLine[]; width_px: number; size: number }) {
   const spots = worst.flatMap(({ at_px }, index) =>
     at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : [],
   );
@@ -199,7 +199,7 @@ function Worst({ worst, width_px, size }: { worst: WorstPoint[]; width_px: numbe
   );
 }
 
-function Legend({ marks }: { marks: ImageMark[] }) {
+function Legend({ marks }: { marks: ImageAnnotation[] }) {
   const kinds = KINDS.filter((kind) => marks.some((mark) => mark.kind === kind));
   return kinds.map((kind) => (
     <span key={kind} className={styles.legend}>

@@ -1,10 +1,12 @@
-import type { Band } from "../api/deviceTypes";
-import type { ImageCorner } from "../api/resultTypes";
+import type { Band, DetectedCorner, ImageCorner } from "../api/wire";
 import { quantity } from "../messages/text";
 import { t } from "../state/language";
 
+/** The error is known of the corners of a result. */
+export type OverlayCorner = DetectedCorner & Partial<ImageCorner>;
+
 export interface Overlay {
-  corners: ImageCorner[];
+  corners: OverlayCorner[];
   outline: [number, number, number, number][];
   stripe: [number, number][];
 }
@@ -20,7 +22,7 @@ export const COLOURS = {
 };
 
 /** About how far the corners lie apart: of their box, a square to each. */
-export function spacing_px(corners: ImageCorner[]): number {
+export function spacing_px(corners: OverlayCorner[]): number {
   if (corners.length < 2) return Infinity;
   const range = (places: number[]) => Math.max(...places) - Math.min(...places);
   const [wide, tall] = [range(corners.map(({ u }) => u)), range(corners.map(({ v }) => v))];

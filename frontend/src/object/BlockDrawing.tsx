@@ -1,6 +1,6 @@
 import { useMemo } from "react";
 
-import type { BlockGeometry } from "../api/flowTypes";
+import type { BlockGeometry } from "../api/wire";
 import styles from "./BlockDrawing.module.css";
 import { type Patch, visiblePatches } from "./block";
 import { pathOf, type View } from "./view";

@@ -1,4 +1,4 @@
-import type { BoardGeometry } from "../api/flowTypes";
+import type { BoardGeometry } from "../api/wire";
 import styles from "./BoardDrawing.module.css";
 import { BOARD_FACE, blackSquares, narrowSides, printedSide } from "./board";
 import { pathOf, type View } from "./view";

@@ -1,5 +1,5 @@
-import type { BlockGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
+import type { BlockGeometry } from "../api/wire";
 import { t } from "../state/language";
 import { isVisible } from "./block";
 import styles from "./Illustration.module.css";

@@ -1,7 +1,7 @@
 import { useElementSize } from "@mantine/hooks";
 import { type ReactNode, useMemo } from "react";
 
-import type { ObjectGeometry } from "../api/flowTypes";
+import type { ObjectGeometry } from "../api/types";
 import { BlockDrawing } from "./BlockDrawing";
 import { BoardDrawing } from "./BoardDrawing";
 import styles from "./ObjectDrawing.module.css";

@@ -1,7 +1,7 @@
 import type { KeyboardEvent } from "react";
 
-import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
-import type { Vec3 } from "../api/types";
+import type { ObjectGeometry, Vec3 } from "../api/types";
+import type { TouchedPoint } from "../api/wire";
 import { signedLength } from "../parts/lengths";
 import { t, word } from "../state/language";
 import { labelSides, type Side } from "./labelSides";

@@ -1,5 +1,5 @@
-import type { BlockGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
+import type { BlockGeometry } from "../api/wire";
 import { along, dot } from "./vector";
 
 /** One flat part of the block's surface. */

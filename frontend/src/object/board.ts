@@ -1,5 +1,5 @@
-import type { BoardGeometry } from "../api/flowTypes";
 import type { Vec3 } from "../api/types";
+import type { BoardGeometry } from "../api/wire";
 
 /** In squares: what is drawn of white around the pattern, and how thick the plate is drawn. */
 const RIM = 1;

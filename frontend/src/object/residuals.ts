@@ -1,4 +1,4 @@
-import type { TouchedPoint } from "../api/flowTypes";
+import type { TouchedPoint } from "../api/wire";
 import { roundEnd } from "../parts/lengths";
 
 /** Blue for nothing through violet to orange for the scale's end: distinguishable for every eye. */

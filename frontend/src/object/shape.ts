@@ -1,5 +1,4 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { Vec3 } from "../api/types";
+import type { ObjectGeometry, Vec3 } from "../api/types";
 import * as block from "./block";
 import { BOARD_FACE, boardFootprint, boardHalfSize, boardMiddle } from "./board";
 import { dot } from "./vector";

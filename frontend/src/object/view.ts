@@ -1,5 +1,4 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { Vec3 } from "../api/types";
+import type { ObjectGeometry, Vec3 } from "../api/types";
 import { BOARD_FACE } from "./board";
 import { halfSize, middle } from "./shape";
 import { dot } from "./vector";

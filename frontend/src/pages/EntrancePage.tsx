@@ -1,7 +1,6 @@
 import { type FormEvent, type ReactNode, useState } from "react";
-
-import type { Session } from "../api/accessTypes";
 import { enterByCode, makeAdmin, signIn } from "../api/session";
+import type { SignInState } from "../api/wire";
 import { ChooseLanguage } from "../parts/ChooseLanguage";
 import { Mark } from "../parts/icons";
 import { PressButton } from "../parts/PressButton";
@@ -13,7 +12,7 @@ import { useLive } from "../state/store";
 import styles from "./EntrancePage.module.css";
 
 /** Where somebody who is not signed in comes to: one form, for the one way in. */
-export function EntrancePage({ session }: { session: Session }) {
+export function EntrancePage({ session }: { session: SignInState }) {
   return (
     <main className={styles.page}>
       <div className={styles.card}>
@@ -25,7 +24,7 @@ export function EntrancePage({ session }: { session: Session }) {
           </div>
         </div>
         <Way session={session} />
-        <Notice />
+        <EntranceMessage />
         <ChooseLanguage id="entrance-language" />
       </div>
     </main>
@@ -33,7 +32,7 @@ export function EntrancePage({ session }: { session: Session }) {
 }
 
 /** The form that suits; a demonstration can be entered by its code and by an account. */
-function Way({ session }: { session: Session }) {
+function Way({ session }: { session: SignInState }) {
   const [byName, setByName] = useState(!session.by_code);
   if (session.first_start) return <FirstAdmin />;
   if (!session.by_code) return <SignIn />;
@@ -48,15 +47,15 @@ function Way({ session }: { session: Session }) {
 }
 
 /** What was wrong with the last try. */
-function Notice() {
-  const notice = useLive((s) => s.notice);
-  if (!notice) return null;
+function EntranceMessage() {
+  const banner = useLive((s) => s.banner);
+  if (!banner) return null;
   return (
-    <div className={styles.notice} role="alert">
-      <QualityMark quality={notice.quality} />
+    <div className={styles.banner} role="alert">
+      <QualityMark quality={banner.quality} />
       <div>
-        <strong>{notice.title}</strong>
-        {notice.remedy && <div>{notice.remedy}.</div>}
+        <strong>{banner.title}</strong>
+        {banner.remedy && <div>{banner.remedy}.</div>}
       </div>
     </div>
   );

@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useState } from "react";
 
 import { get } from "../api/http";
-import type { HealthView } from "../api/watchTypes";
+import type { HealthView } from "../api/wire";
 import { Banners } from "../frame/Banners";
 import { Checks } from "../health/Checks";
 import { LogList } from "../health/LogList";

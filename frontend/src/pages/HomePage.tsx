@@ -1,4 +1,4 @@
-import type { CalibrationSummary, Home } from "../api/homeTypes";
+import type { CalibrationSummary, Home } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { TemperatureField } from "../home/TemperatureField";
 import { ValidityList } from "../home/ValidityList";

@@ -1,9 +1,13 @@
 import type { ReactNode } from "react";
 
-import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/armTypes";
-import type { CalibrationSummary } from "../api/homeTypes";
-import type { ScanSummary } from "../api/scanTypes";
-import type { VerificationSummary } from "../api/verifyTypes";
+import type {
+  ArmCheckSummary,
+  CalibrationSummary,
+  IdentificationSummary,
+  ScanSummary,
+  TipCheckSummary,
+  VerificationSummary,
+} from "../api/wire";
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { Banners } from "../frame/Banners";
 import rows from "../parts/List.module.css";

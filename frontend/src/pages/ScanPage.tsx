@@ -1,6 +1,5 @@
 import { setSimulatedOperator, startScan, stopScan } from "../api/commands";
-import type { ScanState } from "../api/scanTypes";
-import type { Action } from "../api/types";
+import type { Action, ScanStatus } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { NextStep } from "../home/NextStep";
 import type { PlainId } from "../messages/text";
@@ -15,7 +14,7 @@ import { ScanPicture } from "../scan/ScanPicture";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 
-const WORDS: Record<ScanState["state"], { title: PlainId; text: PlainId }> = {
+const WORDS: Record<ScanStatus["state"], { title: PlainId; text: PlainId }> = {
   idle: { title: "ui-ready-to-scan", text: "ui-start-then-move-stripe-slowly-over" },
   running: { title: "ui-scanning", text: "ui-move-stripe-slowly-over-part" },
   stopping: { title: "ui-stopping", text: "ui-saving-the-cloud" },
@@ -65,7 +64,7 @@ export function ScanPage() {
   );
 }
 
-function displayedShare(scan: ScanState): string {
+function displayedShare(scan: ScanStatus): string {
   return scan.points_shown < scan.points ? t("ui-view-contains-only-some-them") : "";
 }
 
@@ -73,7 +72,7 @@ function action(name: string, label: string, primary: boolean, why_not = ""): Ac
   return { name, label, args: {}, primary, enabled: why_not === "", why_not, confirm: "" };
 }
 
-function actionsOf(scan: ScanState, hasOperator: boolean): Action[] {
+function actionsOf(scan: ScanStatus, hasOperator: boolean): Action[] {
   const running = scan.state === "running";
   const main = running
     ? action("stop", t("ui-stop-the-scan"), true)

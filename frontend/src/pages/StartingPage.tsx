@@ -1,7 +1,6 @@
 import { useEffect, useState } from "react";
-
-import type { Readiness } from "../api/accessTypes";
 import { get } from "../api/http";
+import type { Readiness } from "../api/wire";
 import layout from "../frame/Layout.module.css";
 import bar from "../frame/TopBar.module.css";
 import { Illustration } from "../object/Illustration";

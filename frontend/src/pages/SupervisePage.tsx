@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 
 import { watchStations } from "../api/stations";
 import type { Quality } from "../api/types";
-import type { StationReport, StationShown } from "../api/watchTypes";
+import type { RemoteStation, StationReport } from "../api/wire";
 import { age } from "../parts/format";
 import { Mark } from "../parts/icons";
 import { QualityMark } from "../parts/QualityMark";
@@ -71,7 +71,7 @@ export function SupervisePage() {
   );
 }
 
-function own(report: StationReport, live: boolean, silent_s: number): StationShown {
+function own(report: StationReport, live: boolean, silent_s: number): RemoteStation {
   return {
     id: report.station,
     name: report.name,
@@ -94,7 +94,7 @@ function alarmsOf(report: StationReport): Sum {
 }
 
 /** How many want somebody; of all of them. */
-function sumOf(report: StationReport, others: StationShown[]): Sum {
+function sumOf(report: StationReport, others: RemoteStation[]): Sum {
   const qualities = [worst(report), ...others.map((one) => stationState(one).quality)];
   const count = (quality: Quality) => qualities.filter((one) => one === quality).length;
   if (count("bad"))

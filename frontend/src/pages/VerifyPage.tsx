@@ -1,6 +1,5 @@
 import { startVerify } from "../api/verifyCommands";
-import type { VerificationRecord } from "../api/verifyFiles";
-import type { VerificationSummary, VerifyView } from "../api/verifyTypes";
+import type { VerificationFile, VerificationSummary, VerifyView } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
@@ -46,7 +45,7 @@ function Records({ opened, running }: { opened: string | null; running: boolean 
   const grown = useLive((s) => s.verify?.session_id ?? "");
   const { list } = useList<VerificationSummary>("/api/verifications", `${grown} ${running}`);
   const summary = list?.find(({ id }) => id === opened) ?? list?.[0];
-  const { file, failed } = useFile<VerificationRecord>(summary ? `/api/verifications/${summary.id}` : "");
+  const { file, failed } = useFile<VerificationFile>(summary ? `/api/verifications/${summary.id}` : "");
   const active = useLive((s) => s.home?.calibration ?? null);
   if (list && !summary) return <First calibrated={active !== null} />;
   const current = summary && summary.id === list?.[0]?.id && summary.calibration_id === active?.id;

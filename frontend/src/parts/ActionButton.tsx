@@ -1,6 +1,6 @@
 import { useState } from "react";
 
-import type { Action } from "../api/types";
+import type { Action } from "../api/wire";
 import { PressButton } from "./PressButton";
 import { Question } from "./Question";
 

@@ -1,6 +1,6 @@
 import { type ReactNode, useId } from "react";
 
-import type { Action } from "../api/types";
+import type { Action } from "../api/wire";
 import { ActionButton } from "./ActionButton";
 import styles from "./Actions.module.css";
 

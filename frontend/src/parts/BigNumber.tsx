@@ -1,4 +1,4 @@
-import type { LiveNumber } from "../api/types";
+import type { LiveNumber } from "../api/wire";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import styles from "./BigNumber.module.css";

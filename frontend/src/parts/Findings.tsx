@@ -1,4 +1,4 @@
-import type { Finding } from "../api/types";
+import type { Finding } from "../api/wire";
 import { t } from "../state/language";
 import { lookAtPose, useLive } from "../state/store";
 import styles from "./Findings.module.css";

@@ -1,6 +1,6 @@
 import { Modal } from "@mantine/core";
 
-import type { Action } from "../api/types";
+import type { Action } from "../api/wire";
 import { t } from "../state/language";
 import { PressButton } from "./PressButton";
 import styles from "./Question.module.css";

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import type { Action, Finding } from "../api/types";
+import type { Action, Finding } from "../api/wire";
 import { message, quantity, type Text } from "../messages/text";
 import { localized } from "../state/localized";
 import { newFindings } from "./findings";

@@ -1,4 +1,4 @@
-import type { Action, Finding } from "../api/types";
+import type { Action, Finding } from "../api/wire";
 import { mentions, type Text } from "../messages/text";
 import { asSent } from "../state/localized";
 

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import type { CalibrationPoint } from "../api/recordTypes";
+import type { CalibrationPoint } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
 import { Segments } from "../parts/Segments";

@@ -1,4 +1,4 @@
-import type { RecordedCalibration } from "../api/recordTypes";
+import type { RecordedCalibration } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";

@@ -1,6 +1,4 @@
-import type { CalibrationSummary } from "../api/homeTypes";
-import type { ScanSummary } from "../api/scanTypes";
-import type { VerificationSummary } from "../api/verifyTypes";
+import type { CalibrationSummary, ScanSummary, VerificationSummary } from "../api/wire";
 import { Download } from "../parts/Download";
 import { daysAgo, duration, moment } from "../parts/format";
 import { measured } from "../parts/lengths";

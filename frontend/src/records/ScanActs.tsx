@@ -1,8 +1,6 @@
 import { useState } from "react";
-
-import type { ScanSummary } from "../api/scanTypes";
-import type { Action } from "../api/types";
 import { deleteScan, renameScan } from "../api/viewCommands";
+import type { Action, ScanSummary } from "../api/wire";
 import look from "../parts/Control.module.css";
 import { PressButton } from "../parts/PressButton";
 import { Question } from "../parts/Question";

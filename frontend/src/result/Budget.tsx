@@ -1,4 +1,4 @@
-import type { BudgetRow, CalibrationResult } from "../api/resultTypes";
+import type { BudgetLine, CalibrationResult } from "../api/wire";
 import { quantity } from "../messages/text";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { t } from "../state/language";
@@ -30,7 +30,7 @@ export function Budget({ result }: { result: CalibrationResult }) {
   );
 }
 
-function Row({ row, largest, total = false }: { row: BudgetRow; largest: number; total?: boolean }) {
+function Row({ row, largest, total = false }: { row: BudgetLine; largest: number; total?: boolean }) {
   return (
     <div className={styles.row} data-total={total || undefined}>
       <span className={styles.source}>{row.source}</span>

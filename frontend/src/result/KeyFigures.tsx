@@ -1,5 +1,5 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { CalibrationResult } from "../api/resultTypes";
+import type { ObjectGeometry } from "../api/types";
+import type { CalibrationResult } from "../api/wire";
 import { figures } from "../parts/format";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { Readouts } from "../parts/Readouts";

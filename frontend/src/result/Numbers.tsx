@@ -1,5 +1,5 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { CalibrationResult, PosePicture } from "../api/resultTypes";
+import type { ObjectGeometry } from "../api/types";
+import type { CalibrationResult, PosePicture } from "../api/wire";
 import { CopyCsv } from "../parts/CopyCsv";
 import { DataTable } from "../parts/DataTable";
 import { asSent } from "../state/localized";

@@ -1,5 +1,5 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { PosePicture } from "../api/resultTypes";
+import type { ObjectGeometry } from "../api/types";
+import type { PosePicture } from "../api/wire";
 import { ExcludeButton } from "../image/PoseView";
 import table from "../parts/DataTable.module.css";
 import { figures } from "../parts/format";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
-import type { ObjectGeometry, TouchedPoint } from "../api/flowTypes";
-import type { WorstPoint } from "../api/resultTypes";
+import type { ObjectGeometry } from "../api/types";
+import type { TouchedPoint, WorstPointLine } from "../api/wire";
 import styles from "../flow/ObjectPicture.module.css";
 import { PointPanel } from "../flow/PointPanel";
 import { ResidualLegend } from "../flow/ResidualLegend";
@@ -13,7 +13,7 @@ import { t } from "../state/language";
 interface ResidualObjectProps {
   object: ObjectGeometry;
   points: TouchedPoint[];
-  worst: WorstPoint[];
+  worst: WorstPointLine[];
 }
 
 /** How far each touch lies off its face; the object turns to the face that is tapped. */

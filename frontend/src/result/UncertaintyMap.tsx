@@ -1,5 +1,5 @@
 import { useState } from "react";
-import type { CalibrationResult } from "../api/resultTypes";
+import type { CalibrationResult } from "../api/wire";
 import { quantity } from "../messages/text";
 import { lengthFigures, measured } from "../parts/lengths";
 import { Segments } from "../parts/Segments";

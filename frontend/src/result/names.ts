@@ -1,4 +1,4 @@
-import type { ObjectGeometry } from "../api/flowTypes";
+import type { ObjectGeometry } from "../api/types";
 import type { PlainId, Text } from "../messages/text";
 import { render } from "../state/language";
 

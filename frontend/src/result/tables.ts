@@ -1,5 +1,5 @@
-import type { ObjectGeometry } from "../api/flowTypes";
-import type { CalibrationResult, PoseRow, WorstPoint } from "../api/resultTypes";
+import type { ObjectGeometry } from "../api/types";
+import type { CalibrationResult, PoseRow, WorstPointLine } from "../api/wire";
 import { message, type PlainId, quantity } from "../messages/text";
 import type { Cell, TableData } from "../parts/table";
 import { wordText } from "../state/language";
@@ -10,7 +10,7 @@ const KINDS = {
   corner: "ui-corner",
   contact: "ui-contact",
   stripe: "ui-stripe-lowercase",
-} as const satisfies Record<WorstPoint["kind"], PlainId>;
+} as const satisfies Record<WorstPointLine["kind"], PlainId>;
 const DISTORTION = ["k1", "k2", "p1", "p2", "k3"];
 
 /** All figures of a result, as displayed or as sent. */

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
-
+import type { Measure } from "../api/types";
 import { colourBy } from "../api/viewCommands";
-import type { Legend, Measure } from "../api/viewTypes";
+import type { Legend } from "../api/wire";
 import { fieldFigures, fromTyped, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { UnitInput } from "../parts/UnitInput";

@@ -1,4 +1,4 @@
-import type { Distance } from "../api/viewTypes";
+import type { Distance } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { lengthFigures, unitOf } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";

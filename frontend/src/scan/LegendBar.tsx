@@ -1,4 +1,4 @@
-import type { Legend } from "../api/viewTypes";
+import type { Legend } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { figures } from "../parts/format";
 import { inUnit, unitOf } from "../parts/lengths";

@@ -1,6 +1,7 @@
 import type { ReactNode } from "react";
+import type { ShapeName } from "../api/types";
 import { colourBy, removeFit } from "../api/viewCommands";
-import type { Figure, Fitted, ShapeName } from "../api/viewTypes";
+import type { FittedShape, ShapeParameter } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../parts/icons";
@@ -53,14 +54,14 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
   );
 }
 
-function FitCard({ fitted, last }: { fitted: Fitted; last: boolean }) {
+function FitCard({ fitted, last }: { fitted: FittedShape; last: boolean }) {
   const barred = useBarred() !== "";
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
   const label = t(NAMES[fitted.shape]);
   // of a plane its form is asked for first, of round shapes their diameter
   const flat = fitted.shape === "plane";
   const [first, ...rest] = fitted.figures;
-  const main: Figure | undefined = flat ? formOf(fitted) : first;
+  const main: ShapeParameter | undefined = flat ? formOf(fitted) : first;
   const others = flat ? fitted.figures : rest;
   return (
     <article className={styles.fit}>
@@ -128,14 +129,14 @@ function Row({ label, children }: { label: string; children: ReactNode }) {
   );
 }
 
-function Known({ figure }: { figure: Figure }) {
+function Known({ figure }: { figure: ShapeParameter }) {
   if (figure.uncertainty === null) return null;
   return <span className={styles.known}>± {small(figure.uncertainty, figure.uncertainty_unit)}</span>;
 }
 
 const FORM = "ui-form-highest-to-lowest";
 
-function formOf({ form_um }: Fitted): Figure {
+function formOf({ form_um }: FittedShape): ShapeParameter {
   const decimals = form_um < 10 ? 1 : 0;
   return { label: t(FORM), value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
 }

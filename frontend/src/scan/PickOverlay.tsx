@@ -1,5 +1,5 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
-import type { Region, ShapeName } from "../api/viewTypes";
+import type { Region, ShapeName } from "../api/types";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { t } from "../state/language";

@@ -1,4 +1,4 @@
-import type { ReplayState } from "../api/scanTypes";
+import type { ReplayState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";

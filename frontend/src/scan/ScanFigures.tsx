@@ -1,4 +1,4 @@
-import type { ScanState } from "../api/scanTypes";
+import type { ScanStatus } from "../api/wire";
 import { duration, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";
@@ -7,7 +7,7 @@ import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";
 
 /** How fast, how long, and what was lost. */
-export function ScanFigures({ scan }: { scan: ScanState }) {
+export function ScanFigures({ scan }: { scan: ScanStatus }) {
   const live = useLive((s) => s.connection === "live");
   return (
     <dl className={styles.figures} data-stale={!live || undefined}>
@@ -30,7 +30,7 @@ export function ScanFigures({ scan }: { scan: ScanState }) {
   );
 }
 
-function tooFast({ blur_mm, blur_limit_mm }: ScanState): boolean {
+function tooFast({ blur_mm, blur_limit_mm }: ScanStatus): boolean {
   return blur_mm !== null && blur_limit_mm !== null && blur_mm > blur_limit_mm;
 }
 

@@ -1,15 +1,15 @@
 import { type ReactNode, useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
+import type { Region, ShapeName } from "../api/types";
 import { fitShape } from "../api/viewCommands";
-import type { Region, ShapeName } from "../api/viewTypes";
 import { LiveCamera } from "../image/LiveCamera";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon, ScanIcon } from "../parts/icons";
+import { notify } from "../state/banner";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
-import { notify } from "../state/notices";
 import { getState, useLive } from "../state/store";
 import { CloudView } from "./CloudView";
 import { ColourPanel } from "./ColourPanel";

@@ -1,6 +1,5 @@
-import type { ScanSummary } from "../api/scanTypes";
 import { showScan } from "../api/viewCommands";
-import type { ShownScan } from "../api/viewTypes";
+import type { ScanSummary, VisibleScan } from "../api/wire";
 import { quantity } from "../messages/text";
 import { moment } from "../parts/format";
 import { ScanActs } from "../records/ScanActs";
@@ -34,7 +33,7 @@ export function ScansPanel() {
   );
 }
 
-function ScanLine({ scan, displayed }: { scan: ScanSummary; displayed: ShownScan | undefined }) {
+function ScanLine({ scan, displayed }: { scan: ScanSummary; displayed: VisibleScan | undefined }) {
   const barred = useBarred() !== "";
   return (
     <li className={styles.line}>
@@ -57,7 +56,7 @@ function ScanLine({ scan, displayed }: { scan: ScanSummary; displayed: ShownScan
   );
 }
 
-function detailOf(scan: ScanSummary, displayed: ShownScan | undefined): string {
+function detailOf(scan: ScanSummary, displayed: VisibleScan | undefined): string {
   if (displayed && displayed.loaded < 1) return t("ui-loading-share", { share: quantity(100 * displayed.loaded, "%") });
   return `${moment(scan.started_at)} · ${t("ui-n-points", { n: scan.points })}`;
 }

@@ -1,4 +1,4 @@
-import type { Legend } from "../api/viewTypes";
+import type { Legend } from "../api/wire";
 import { figures } from "../parts/format";
 import { t } from "../state/language";
 import { decimalsOf, MEASURES } from "./LegendBar";

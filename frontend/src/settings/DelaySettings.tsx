@@ -1,5 +1,5 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
-import type { Delay, StationSettings } from "../api/settingsTypes";
+import type { Delay, StationSettings } from "../api/wire";
 import { quantity } from "../messages/text";
 import fields from "../parts/Field.module.css";
 import { signed } from "../parts/format";

@@ -1,5 +1,5 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
-import type { StationSettings } from "../api/settingsTypes";
+import type { StationSettings } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";

@@ -1,7 +1,7 @@
 import { type FormEvent, type ReactNode, useId } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
-import type { StationSettings } from "../api/settingsTypes";
+import type { StationSettings } from "../api/wire";
 import fields from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,4 +1,4 @@
-import type { StationSettings } from "../api/settingsTypes";
+import type { StationSettings } from "../api/wire";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
-import type { StationSettings } from "../api/settingsTypes";
+import type { StationSettings } from "../api/wire";
 
 export type Zone = [number, number][];
 

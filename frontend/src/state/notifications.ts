@@ -1,12 +1,12 @@
 import { useSyncExternalStore } from "react";
-import type { Told } from "../api/watchTypes";
+import type { Notice } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { t } from "./language";
 import { localized } from "./localized";
 import { getState, subscribe } from "./store";
 
 const KEY = "crenel-telling";
-const TITLES: Record<Told["kind"], PlainId> = {
+const TITLES: Record<Notice["kind"], PlainId> = {
   done: "ui-done",
   fault: "ui-fault",
   due: "ui-due",
@@ -49,7 +49,7 @@ export function useNotificationState(): NotificationState {
 /** Shows each notice once; the one that a new connection begins with is an old one. */
 export function startNotifications(): void {
   subscribe(() => {
-    const { told: notice, connection, report } = getState();
+    const { notice, connection, report } = getState();
     if (connection !== "live" || !report) return;
     const key = notice ? `${notice.instance} ${notice.number}` : "";
     if (last === null || key === last) {

@@ -1,12 +1,12 @@
 import { beforeEach, expect, test, vi } from "vitest";
 
-import type { FlowView } from "../api/flowTypes";
-import { clearNotice, noteReturn, notify } from "./notices";
+import type { FlowView } from "../api/wire";
+import { clearBanner, noteReturn, notify } from "./banner";
 import { getState, lookAtPose, putFlow, setState, subscribe } from "./store";
 
 const view = (session_id: string, rev: number) => ({ session_id, rev }) as FlowView;
 
-beforeEach(() => setState({ flow: null, notice: null }));
+beforeEach(() => setState({ flow: null, banner: null }));
 
 test("an older view of the same session is dropped, one of another is not", () => {
   putFlow(view("a", 5));
@@ -29,18 +29,18 @@ test("listeners are called on each change, until they leave", () => {
   expect(listener).toHaveBeenCalledTimes(1);
 });
 
-test("a notice stays until it is dismissed, or for its time", () => {
+test("a banner stays until it is dismissed, or for its time", () => {
   vi.useFakeTimers();
   notify({ quality: "bad", title: "No answer", untilHeard: true });
-  expect(getState().notice).toMatchObject({ title: "No answer", detail: "", remedy: "" });
+  expect(getState().banner).toMatchObject({ title: "No answer", detail: "", remedy: "" });
   noteReturn();
-  expect(getState().notice?.quality).toBe("neutral");
+  expect(getState().banner?.quality).toBe("neutral");
   vi.advanceTimersByTime(9000);
-  expect(getState().notice).toBeNull();
+  expect(getState().banner).toBeNull();
   notify({ quality: "bad", title: "It stays" });
   noteReturn();
-  expect(getState().notice?.title).toBe("It stays");
-  clearNotice();
-  expect(getState().notice).toBeNull();
+  expect(getState().banner?.title).toBe("It stays");
+  clearBanner();
+  expect(getState().banner).toBeNull();
   vi.useRealTimers();
 });

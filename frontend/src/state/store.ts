@@ -1,16 +1,23 @@
 import { useSyncExternalStore } from "react";
 
-import type { Control, Session } from "../api/accessTypes";
-import type { ArmView } from "../api/armTypes";
-import type { Devices } from "../api/deviceTypes";
-import type { FlowView } from "../api/flowTypes";
-import type { Home, Station } from "../api/homeTypes";
-import type { ReplayState, ScanState } from "../api/scanTypes";
-import type { StationSettings } from "../api/settingsTypes";
 import type { Quality } from "../api/types";
-import type { VerifyView } from "../api/verifyTypes";
-import type { ViewState } from "../api/viewTypes";
-import type { StationReport, StationShown, Told } from "../api/watchTypes";
+import type {
+  ArmView,
+  Control,
+  Devices,
+  FlowView,
+  Home,
+  Notice,
+  RemoteStation,
+  ReplayState,
+  ScanStatus,
+  SignInState,
+  StationInfo,
+  StationReport,
+  StationSettings,
+  VerifyView,
+  ViewState,
+} from "../api/wire";
 import { localized } from "./localized";
 
 export type Connection = "connecting" | "live" | "lost";
@@ -24,7 +31,7 @@ export interface StationEvent {
 }
 
 /** A message to the operator that stays until it is dismissed, or for a time. */
-export interface Notice {
+export interface BannerMessage {
   id: number;
   quality: Quality;
   title: string;
@@ -39,12 +46,12 @@ export interface LiveState {
   /** performance.now() of the newest sign of life, 0 before the first. */
   heardAt: number;
   /** Not known before the station's first answer. */
-  session: Session | null;
+  session: SignInState | null;
   control: Control | null;
-  station: Station | null;
+  station: StationInfo | null;
   devices: Devices | null;
   flow: FlowView | null;
-  scan: ScanState | null;
+  scan: ScanStatus | null;
   settings: StationSettings | null;
   /** Of a station that shows a recording again. */
   replay: ReplayState | null;
@@ -57,15 +64,15 @@ export interface LiveState {
   /** Of this station, as others see it. */
   report: StationReport | null;
   /** All others that the broker knows. */
-  stations: StationShown[] | null;
+  stations: RemoteStation[] | null;
   /** performance.now() of their arrival: they come only when something of them has changed. */
   stationsAt: number;
   /** The last notification. */
-  told: Told | null;
+  notice: Notice | null;
   event: StationEvent | null;
   /** The pose that was last asked for, by a finding or a figure that names it. */
   look: { pose: number } | null;
-  notice: Notice | null;
+  banner: BannerMessage | null;
 }
 
 let state: LiveState = {
@@ -87,10 +94,10 @@ let state: LiveState = {
   report: null,
   stations: null,
   stationsAt: 0,
-  told: null,
+  notice: null,
   event: null,
   look: null,
-  notice: null,
+  banner: null,
 };
 
 const listeners = new Set<() => void>();

@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
-import type { Alarm, StationReport } from "../api/watchTypes";
+import type { Alarm, StationReport } from "../api/wire";
 import { QualityMark } from "../parts/QualityMark";
 import { CloudView } from "../scan/CloudView";
 import { t } from "../state/language";

@@ -1,6 +1,6 @@
 import { useDeferredValue, useEffect, useState } from "react";
 
-import type { StationReport, StationShown } from "../api/watchTypes";
+import type { RemoteStation, StationReport } from "../api/wire";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";
@@ -12,7 +12,7 @@ import { doing, type Fact, facts, KINDS, stationState } from "./stationFacts";
 const CARDS = 48;
 
 interface Cards {
-  stations: StationShown[];
+  stations: RemoteStation[];
   /** performance.now() of when they were as they say. */
   at: number;
   kiosk: boolean;
@@ -58,11 +58,11 @@ function useSince(at: number, on: boolean): number {
   return Math.max(now - at, 0) / 1000;
 }
 
-function rank(station: StationShown): number {
+function rank(station: RemoteStation): number {
   return { bad: 0, attention: 1, good: 2, neutral: 3 }[stationState(station).quality];
 }
 
-function Card({ station, at, kiosk }: { station: StationShown; at: number; kiosk: boolean }) {
+function Card({ station, at, kiosk }: { station: RemoteStation; at: number; kiosk: boolean }) {
   const lost = station.state === "lost";
   const { words, quality } = stationState(station, useSince(at, lost));
   const { report } = station;
@@ -90,7 +90,7 @@ function isRelevant(fact: Fact): boolean {
   return fact.id !== "disk" || fact.quality !== "neutral";
 }
 
-function Inside({ report, station }: { report: StationReport; station: StationShown }) {
+function Inside({ report, station }: { report: StationReport; station: RemoteStation }) {
   const live = station.state === "live";
   const { title, number, unit, note } = doing(report);
   const alarm = report.alarms[0]?.text;

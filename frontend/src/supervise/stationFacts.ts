@@ -1,5 +1,5 @@
 import type { Quality } from "../api/types";
-import type { CalibrationReport, DeviceReport, StationReport, StationShown } from "../api/watchTypes";
+import type { CalibrationReport, DeviceReport, RemoteStation, StationReport } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { age, days, daysAgo, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
@@ -112,7 +112,7 @@ function verificationFact({ verification }: StationReport): Fact {
 }
 
 /** How a station is, in one word and one colour. */
-export function stationState(station: StationShown, more_s = 0): { words: string; quality: Quality } {
+export function stationState(station: RemoteStation, more_s = 0): { words: string; quality: Quality } {
   switch (station.state) {
     case "lost":
       return {

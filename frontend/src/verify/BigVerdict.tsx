@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 
-import type { VerdictLine, VerificationSummary } from "../api/verifyTypes";
+import type { VerdictLine, VerificationSummary } from "../api/wire";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";

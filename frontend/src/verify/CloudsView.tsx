@@ -1,5 +1,5 @@
 import { sendVerify } from "../api/verifyCommands";
-import type { CloudLine, VerifyPicture } from "../api/verifyTypes";
+import type { CloudLine, VerifyPicture } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";

@@ -1,7 +1,6 @@
 import { useState } from "react";
-import type { MapFile } from "../api/verifyFiles";
+import type { CloudLine, MapFile } from "../api/wire";
 
-import type { CloudLine } from "../api/verifyTypes";
 import { quantity } from "../messages/text";
 import { Chips } from "../parts/Chips";
 import { lengthFigures, measured } from "../parts/lengths";

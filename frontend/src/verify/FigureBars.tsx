@@ -1,4 +1,4 @@
-import type { FigureLine } from "../api/verifyTypes";
+import type { FigureLine } from "../api/wire";
 import { quantity } from "../messages/text";
 import { measured } from "../parts/lengths";
 import { QualityMark } from "../parts/QualityMark";

@@ -1,5 +1,5 @@
 import { sendVerify } from "../api/verifyCommands";
-import type { GaugeOption } from "../api/verifyTypes";
+import type { GaugeOption } from "../api/wire";
 import choice from "../flow/ChoicesPicture.module.css";
 import { EmptyState } from "../parts/EmptyState";
 import { CheckIcon } from "../parts/icons";

@@ -1,4 +1,4 @@
-import type { VerificationSummary } from "../api/verifyTypes";
+import type { VerificationSummary } from "../api/wire";
 import { moment } from "../parts/format";
 import { QualityMark } from "../parts/QualityMark";
 import { isolated } from "../state/isolated";

@@ -1,4 +1,4 @@
-import type { VerificationRecord } from "../api/verifyFiles";
+import type { VerificationFile } from "../api/wire";
 import { EmptyState } from "../parts/EmptyState";
 import { t } from "../state/language";
 import { asSent } from "../state/localized";
@@ -6,7 +6,7 @@ import { ResultTabs } from "./ResultTabs";
 import { displayedRecord } from "./verification";
 
 /** A verification of before, looked at again. */
-export function RecordView({ record, failed }: { record: VerificationRecord | null; failed: boolean }) {
+export function RecordView({ record, failed }: { record: VerificationFile | null; failed: boolean }) {
   if (failed)
     return <EmptyState title={t("ui-this-record-cannot-be-loaded")} text={t("ui-file-missing-data-folder-changed")} />;
   return (

@@ -1,9 +1,7 @@
 import { useEffect, useState } from "react";
-
 import { get } from "../api/http";
 import { makeStudy } from "../api/verifyCommands";
-import type { StudyFile } from "../api/verifyFiles";
-import type { StudyState } from "../api/verifyTypes";
+import type { StudyFile, StudyState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { rampColour } from "../object/residuals";
 import { CopyCsv } from "../parts/CopyCsv";

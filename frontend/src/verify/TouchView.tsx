@@ -1,5 +1,5 @@
 import { useElementSize } from "@mantine/hooks";
-import type { TouchLine } from "../api/verifyTypes";
+import type { TouchLine } from "../api/wire";
 import legend from "../flow/ResidualLegend.module.css";
 import { quantity } from "../messages/text";
 import { labelSides } from "../object/labelSides";

@@ -1,5 +1,5 @@
 import { sendVerify } from "../api/verifyCommands";
-import type { VerifyView } from "../api/verifyTypes";
+import type { VerifyView } from "../api/wire";
 import { StepDots } from "../flow/StepDots";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";

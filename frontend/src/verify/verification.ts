@@ -1,6 +1,5 @@
 import type { Quality } from "../api/types";
-import type { VerificationRecord } from "../api/verifyFiles";
-import type { CloudLine, FigureLine, VerdictLine, VerifyPicture } from "../api/verifyTypes";
+import type { CloudLine, FigureLine, VerdictLine, VerificationFile, VerifyPicture } from "../api/wire";
 import { message, type PlainId, quantity, type Text } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
 import type { TableData } from "../parts/table";
@@ -54,7 +53,7 @@ export function displayedOf(picture: VerifyPicture): DisplayedVerification {
   };
 }
 
-export function displayedRecord(record: VerificationRecord): DisplayedVerification {
+export function displayedRecord(record: VerificationFile): DisplayedVerification {
   const clouds = record.clouds.map((cloud) => {
     const number = Number(/cloud-(\d+)/.exec(cloud.recording)?.[1] ?? 0);
     return { ...NOTHING, ...cloud, number, map_url: `/api/verifications/${record.id}/cloud/${number}/map` };

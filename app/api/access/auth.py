@@ -4,7 +4,7 @@ from http import HTTPStatus
 
 from fastapi import APIRouter, Request, Response
 
-from app.api.authorization import (
+from app.api.access.authorization import (
     ThePerson,
     TheVisitor,
     address_of,

@@ -5,8 +5,8 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.auth import ROLE_NAMES
-from app.api.authorization import TheVisitor
+from app.api.access.auth import ROLE_NAMES
+from app.api.access.authorization import TheVisitor
 from app.api.problems import NotFoundError
 from app.messages.catalogue import ENGLISH, translator
 from app.messages.message import Text, join, message

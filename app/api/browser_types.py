@@ -1,0 +1,142 @@
+"""The shapes of everything that crosses between server and browser, as one JSON schema.
+
+``python -m app.api.browser_types`` writes it to ``frontend/src/api``, where the client's build
+makes TypeScript of it.
+"""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from fastapi.routing import APIRoute
+from pydantic import TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaMode
+from pydantic_core import core_schema
+
+from app.api.routers import ROUTERS
+from app.formats.json_document import DocumentPart
+from app.formats.results.verification import VerificationFile
+from app.messages.message import Message, MessageList, Quantity
+from app.messages.stored import SUFFIX
+from app.station.preview.preview import PreviewHeader
+from app.wire.live_messages import BeatMessage, EventMessage, HelloMessage, LiveRequest, Topics
+from app.wire.schema import Problem, ProblemMessages, RecordedCalibration
+from app.workflows.measure_gauge import MapFile
+
+FILE = Path(__file__).parents[2] / "frontend/src/api/wire.schema.json"
+TEXTS = {kind.__name__ for kind in (Message, MessageList, Quantity)}
+BESIDE_ROUTES: tuple[Any, ...] = (
+    Topics,
+    HelloMessage,
+    EventMessage,
+    BeatMessage,
+    LiveRequest,
+    PreviewHeader,
+    Problem,
+    RecordedCalibration,
+)
+"""What is sent and is not the declared answer of a route."""
+PROBLEM_MESSAGES = f"#/$defs/{ProblemMessages.__name__}"
+FILES: tuple[Any, ...] = (VerificationFile, MapFile)
+"""The station's own files that are sent as they are."""
+Schema = dict[str, Any]
+
+
+class _BrowserSchema(GenerateJsonSchema):
+    """No titles of fields: the client would make a type of each."""
+
+    def field_title_should_be_set(self, schema: core_schema.CoreSchema | Any) -> bool:
+        return False
+
+
+def make_schema() -> Schema:
+    """JSON schema (draft 7) with a definition of each shape, by the name of its class.
+
+    Texts are strings in it, as the client has put them into words where they arrive.
+    """
+    # what a model takes, and not what a serialiser of its own makes of it
+    wanted: list[tuple[int, JsonSchemaMode, TypeAdapter[Any]]] = [
+        (number, "validation", TypeAdapter(shape))
+        for number, shape in enumerate((*_shapes_of_routes(), *BESIDE_ROUTES, *FILES))
+    ]
+    schemas, shared = TypeAdapter.json_schemas(wanted, schema_generator=_BrowserSchema)
+    found: Schema = shared["$defs"]
+    # a shape that nothing else refers to stands in its own place, under its title
+    for schema in schemas.values():
+        if "title" in schema and "$ref" not in schema:
+            found.setdefault(schema["title"], schema)
+    without_none = {Problem.__name__, *(part.__name__ for part in _subclasses(DocumentPart))}
+    requests = {name for name in found if found[name].get("additionalProperties") is False}
+    unsent = {*TEXTS, ProblemMessages.__name__}
+    shapes = {name: _simplify(found[name]) for name in sorted(found) if name not in unsent}
+    for name, shape in shapes.items():
+        shape.pop("title", None)
+        if name not in requests:
+            # a default is sent too, but in files and problems what is None is left out
+            shape["required"] = [
+                field
+                for field, one in shape["properties"].items()
+                if name not in without_none or one.get("default", "") is not None
+            ]
+    return {
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {name: {"$ref": f"#/$defs/{name}"} for name in shapes},
+        "$defs": shapes,
+    }
+
+
+def _shapes_of_routes() -> Iterator[Any]:
+    """What the routes answer, and what their requests hold."""
+    for route in (one for router in ROUTERS for one in router.routes):
+        if isinstance(route, APIRoute):
+            if route.response_model is not None:
+                yield route.response_model
+            yield from (one.field_info.annotation for one in route.dependant.body_params)
+
+
+def _subclasses(kind: type) -> Iterator[type]:
+    subclasses: list[type] = kind.__subclasses__()
+    for part in subclasses:
+        yield part
+        yield from _subclasses(part)
+
+
+def _simplify(schema: Any) -> Any:
+    """Texts as strings, arrays of fixed length as draft 7 has them, no messages beside texts."""
+    if isinstance(schema, list):
+        return [_simplify(one) for one in schema]
+    if not isinstance(schema, dict):
+        return schema
+    simple = {key: _simplify(value) for key, value in schema.items()}
+    if "prefixItems" in simple:
+        simple["items"] = simple.pop("prefixItems")
+    if isinstance(simple.get("anyOf"), list):
+        simple = _without_texts(simple)
+    if isinstance(simple.get("properties"), dict):
+        simple["properties"] = {
+            name: one
+            for name, one in simple["properties"].items()
+            if not name.endswith(SUFFIX)
+            and one.get("$ref") != f"#/$defs/{ProblemMessages.__name__}"
+        }
+    return simple
+
+
+def _without_texts(union: Schema) -> Schema:
+    """A union without the kinds of text: what arrives is a string."""
+    left = [one for one in union["anyOf"] if one.get("$ref", "").rpartition("/")[2] not in TEXTS]
+    if len(left) == 1:
+        return {**{key: value for key, value in union.items() if key != "anyOf"}, **left[0]}
+    return {**union, "anyOf": left}
+
+
+def render_schema() -> str:
+    """The file's text."""
+    return json.dumps(make_schema(), indent=1, ensure_ascii=False) + "\n"
+
+
+if __name__ == "__main__":
+    FILE.write_text(render_schema(), encoding="utf-8")

@@ -1,0 +1,103 @@
+"""What goes over the live connection to a browser tab, beside the pictures of the preview: what
+the server sends, and what a tab may ask for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.findings import Quality
+from app.guide.arm.view import ArmView
+from app.guide.common.view import FlowView
+from app.guide.verify.view import VerifyView
+from app.messages.message import Text
+from app.station.control_lease import Control
+from app.station.devices.rig import Devices
+from app.station.operator_settings import StationSettings
+from app.station.view3d.view_controller import ViewState
+from app.supervision.messages import StationReport
+from app.supervision.notifications import Notice
+from app.supervision.remote_stations import RemoteStation
+from app.wire.schema import (
+    CurrentUser,
+    Home,
+    ReplayState,
+    RequestBody,
+    ScanStatus,
+    StationInfo,
+)
+
+
+@dataclass(frozen=True)
+class Topics:
+    """By its name the value of each topic; a tab is sent the newest one of each."""
+
+    control: Control
+    devices: Devices
+    flow: FlowView
+    scan: ScanStatus
+    settings: StationSettings
+    replay: ReplayState
+    home: Home
+    arm: ArmView
+    verify: VerifyView
+    view: ViewState
+    stations: Sequence[RemoteStation]
+    report: StationReport
+    notice: Notice
+
+
+@dataclass(frozen=True)
+class HelloMessage:
+    """The first message of a connection."""
+
+    station: StationInfo
+    you: CurrentUser | None
+    type: Literal["hello"] = "hello"
+
+
+@dataclass(frozen=True)
+class EventMessage:
+    """Something that happened, for a note on the screen or a sound."""
+
+    id: int
+    kind: str
+    quality: Quality
+    text: Text
+    type: Literal["event"] = "event"
+
+
+@dataclass(frozen=True)
+class BeatMessage:
+    """Nothing new; the connection lives."""
+
+    type: Literal["beat"] = "beat"
+
+
+class PreviewRequest(RequestBody):
+    type: Literal["preview"]
+    on: bool
+
+
+class StationsRequest(RequestBody):
+    """Whether this tab shows what other stations do."""
+
+    type: Literal["stations"]
+    on: bool
+
+
+class PreviewAck(RequestBody):
+    type: Literal["preview_ack"]
+    seq: int
+
+
+class Heartbeat(RequestBody):
+    """Every few seconds, so that whoever has control keeps it."""
+
+    type: Literal["beat"]
+
+
+LiveRequest = Annotated[
+    PreviewRequest | PreviewAck | StationsRequest | Heartbeat, Field(discriminator="type")
+]

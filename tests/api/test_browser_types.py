@@ -1,0 +1,76 @@
+"""What goes to browsers is as the schema says that their types are made of."""
+
+import json
+from dataclasses import fields
+from typing import Any
+
+import pytest
+from jsonschema import Draft7Validator
+from websockets.sync.client import connect
+
+from app.api import browser_types
+from app.messages.message import text_from_json
+from app.wire.live_messages import Topics
+from tests.api.conftest import Server
+
+PATIENCE_S = 20.0
+OF_A_STATION = {"control", "devices", "flow", "scan", "settings", "home", "view", "report"}
+"""Topics that every station has from its start."""
+SCHEMA: dict[str, Any] = json.loads(browser_types.FILE.read_text(encoding="utf-8"))
+
+
+def in_words(data: Any) -> Any:
+    """The same with texts where the data of texts were, as the client shows them."""
+    if isinstance(data, list):
+        return [in_words(one) for one in data]
+    if not isinstance(data, dict):
+        return data
+    try:
+        return str(text_from_json(data))
+    except ValueError:
+        return {name: in_words(one) for name, one in data.items()}
+
+
+def validate(shape: str, value: object) -> None:
+    Draft7Validator({**SCHEMA, "$ref": f"#/$defs/{shape}"}).validate(in_words(value))
+
+
+def test_the_schema_is_of_this_program() -> None:
+    """``python -m app.api.browser_types`` writes it anew."""
+    assert browser_types.make_schema() == SCHEMA
+
+
+def test_all_that_a_connection_begins_with(server: Server) -> None:
+    topics: dict[str, Any] = {}
+    with connect(server.live, additional_headers=server.cookie) as socket:
+        validate("HelloMessage", json.loads(socket.recv(PATIENCE_S)))
+        while not set(topics) >= OF_A_STATION:
+            message = json.loads(socket.recv(PATIENCE_S))
+            if message["type"] == "topic":
+                topics[message["name"]] = message["value"]
+    known = {field.name for field in fields(Topics)}
+    assert set(topics) <= known
+    for name, value in topics.items():
+        shape = SCHEMA["$defs"]["Topics"]["properties"][name]
+        Draft7Validator({**SCHEMA, **shape}).validate(in_words(value))
+
+
+@pytest.mark.parametrize(
+    ("path", "shape"),
+    [
+        ("/api/session", "SignInState"),
+        ("/api/home", "Home"),
+        ("/api/health", "HealthView"),
+        ("/api/notifications", "Notifications"),
+    ],
+)
+def test_answers(server: Server, path: str, shape: str) -> None:
+    validate(shape, server.http.get(path).raise_for_status().json())
+
+
+def test_a_refusal(server: Server) -> None:
+    validate("Problem", server.http.get("/api/scans/none/cloud").json())
+
+
+def test_another_shape_is_noticed(server: Server) -> None:
+    assert not Draft7Validator({**SCHEMA, "$ref": "#/$defs/Home"}).is_valid({"station": 1})
