@@ -3,13 +3,12 @@
 import re
 from collections.abc import Callable
 from functools import cache, partial
-from pathlib import Path
 from typing import Any
 
 from app.messages.isolated import isolate_names
+from app.messages.language_file import FOLDER, LanguageFile
 from app.messages.message import Message, MessageList, Quantity, Text, Value
 
-FOLDER = Path(__file__).parent
 ENGLISH = "en"
 MINUS, PLUS = "−", "+"
 TIGHT = frozenset(("", "°", "′", "″"))
@@ -68,12 +67,11 @@ class Catalogue:
 
     def __init__(self, language: str) -> None:
         from babel import Locale
-        from fluent.runtime import FluentBundle, FluentResource
+        from fluent.runtime import FluentBundle
         from fluent.runtime.types import fluent_number
 
-        text = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
         self._bundle = FluentBundle([language], FUNCTIONS, use_isolating=False)
-        self._bundle.add_resource(FluentResource(text))
+        self._file = LanguageFile(language, self._bundle)
         self._decimal_point = Locale.parse(language).number_symbols["latn"]["decimal"]
         self._count = partial(fluent_number, useGrouping=False)
         self._language = language
@@ -91,7 +89,7 @@ class Catalogue:
                 return self._message(text)
 
     def _message(self, text: Message) -> str:
-        if not self._bundle.has_message(text.message_id):
+        if not self._file.load(text.message_id):
             return text.message_id if self._language == ENGLISH else in_english(text)
         pattern = self._bundle.get_message(text.message_id).value
         if pattern is None:

@@ -6,12 +6,11 @@ In a JSON object, the English of a field ``text`` stands in ``text``, its data i
 
 import json
 import math
-import re
 from collections.abc import Mapping
-from functools import cache
 from typing import Any, get_args
 
-from app.messages.catalogue import ENGLISH, FOLDER
+from app.messages.catalogue import ENGLISH
+from app.messages.language_file import read_sources
 from app.messages.message import (
     Message,
     MessageList,
@@ -28,7 +27,6 @@ LONGEST_DATA = 4000
 """Characters of JSON in a database."""
 RENDERED = (Message, MessageList, Quantity)
 UNITS = frozenset(get_args(Unit))
-_ID = re.compile(r"^([a-zA-Z][\w-]*) *=", re.M)
 
 
 def restore_text(english: str, data: object) -> Text:
@@ -84,15 +82,10 @@ def _has_objects(items: list[Any]) -> bool:
 def _is_usable(text: Text | int) -> bool:
     match text:
         case Message(message_id, values):
-            return message_id in _ids() and all(map(_is_usable, values.values()))
+            return message_id in read_sources(ENGLISH) and all(map(_is_usable, values.values()))
         case MessageList(items):
             return all(map(_is_usable, items))
         case Quantity(value, unit, decimals):
             known = unit in UNITS and 0 <= decimals <= MOST_DECIMALS
             return known and math.isfinite(value)
     return True
-
-
-@cache
-def _ids() -> frozenset[str]:
-    return frozenset(_ID.findall((FOLDER / f"{ENGLISH}.ftl").read_text(encoding="utf-8")))

@@ -9,7 +9,8 @@ from fluent.syntax.ast import Message as Entry
 from fluent.syntax.ast import VariableReference
 from fluent.syntax.visitor import Visitor
 
-from app.messages.catalogue import FOLDER, languages, renderer
+from app.messages.catalogue import languages, renderer
+from app.messages.language_file import FOLDER
 from app.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
 

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from app.messages.catalogue import in_english, languages, renderer
+from app.messages.catalogue import Catalogue, in_english, languages, renderer
+from app.messages.language_file import read_sources
 from app.messages.message import (
     Message,
     MessageList,
@@ -125,7 +126,9 @@ def test_what_a_language_lacks_is_in_english(
     (tmp_path / "en.ftl").write_text("here = here\nsize = { $size } wide\n")
     (tmp_path / "fr.ftl").write_text("here = ici\n")
     monkeypatch.setattr("app.messages.catalogue.FOLDER", tmp_path)
+    monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
     renderer.cache_clear()
+    read_sources.cache_clear()
     try:
         assert languages() == ("en", "fr")
         french = renderer("fr")
@@ -133,6 +136,22 @@ def test_what_a_language_lacks_is_in_english(
         assert french(message("size", size=quantity(2, "mm"))) == "2 mm wide"
     finally:
         renderer.cache_clear()
+        read_sources.cache_clear()
+
+
+def test_messages_that_refer_to_each_other_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "en.ftl").write_text("first = 1 { second }\nsecond = 2 { third }\nthird = 3\n")
+    monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
+    read_sources.cache_clear()
+    try:
+        assert Catalogue("en").render(message("first")) == "1 2 3"
+        (tmp_path / "en.ftl").write_text("first = 1 { second }\nsecond = 2 { first }\n")
+        read_sources.cache_clear()
+        assert Catalogue("en").render(message("second")).startswith("2 1")
+    finally:
+        read_sources.cache_clear()
 
 
 def test_an_unknown_language_is_an_error() -> None:
