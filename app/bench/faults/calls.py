@@ -9,6 +9,8 @@ from pathlib import Path
 from app.errors import OperationError
 from app.native.build import BuildError, build_plain
 
+UNAVAILABLE = "bench-untried"
+"""The code of the error where the library cannot be used."""
 CODE = Path(__file__).parent / "c" / "disk_calls.c"
 
 
@@ -37,4 +39,4 @@ def preload_environment(folder: Path, library: Path, **files: Path) -> dict[str,
 
 
 def _unavailable_error(why: str) -> OperationError:
-    return OperationError("bench-untried", "A full disk at every call was not tried", why)
+    return OperationError(UNAVAILABLE, "A full disk at every call was not tried", why)

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from app.bench.faults import damage, disk, floods, kills
+from app.bench.faults.calls import UNAVAILABLE
 from app.bench.faults.row import FaultRow
 from app.bench.station.subprocess_station import convert_connection_errors
 from app.errors import OperationError
@@ -46,8 +47,11 @@ KINDS = (
 def run(names: list[str], seed: int = 0, progress: Progress = no_progress) -> list[FaultRow]:
     """Tries the kinds of these names, or whose names begin so; all for none.
 
+    A kind that cannot be tried in this installation has a row that says so.
+
     Raises:
-        Refusal: there is no such kind, or a station does not go on.
+        OperationError: there is no such kind, the only kind cannot be tried here, or a station
+            does not go on.
     """
     known = [kind.name for kind in KINDS]
     if unknown := [name for name in names if not any(_has(kind, name) for kind in known)]:
@@ -59,7 +63,12 @@ def run(names: list[str], seed: int = 0, progress: Progress = no_progress) -> li
     with tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder, convert_connection_errors():
         for number, kind in enumerate(chosen):
             share = partial(_share, progress, number, len(chosen))
-            rows += kind.attempt(Path(folder) / kind.name / "data", seed, share)
+            try:
+                rows += kind.attempt(Path(folder) / kind.name / "data", seed, share)
+            except OperationError as error:
+                if error.code != UNAVAILABLE or len(chosen) == 1:
+                    raise
+                rows.append(FaultRow(kind.name, notes=[str(error.line)]))
     return rows
 
 

@@ -1,0 +1,39 @@
+"""The run over all kinds of faults goes on where one cannot be tried."""
+
+from pathlib import Path
+
+import pytest
+
+from app.bench.faults import calls, disk, everything
+from app.bench.faults.everything import FaultKind
+from app.bench.faults.row import FaultRow
+from app.errors import OperationError
+
+DISK = FaultKind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)])
+OTHER = FaultKind("other", lambda data, seed, tell: [FaultRow("other", 1, 1)])
+
+
+@pytest.fixture(autouse=True)
+def installed_copy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The C source of the preloaded library is in a checkout alone."""
+    monkeypatch.setattr(calls, "CODE", tmp_path / "none.c")
+    monkeypatch.setattr(everything, "KINDS", (DISK, OTHER))
+
+
+def test_a_kind_that_cannot_be_tried_has_a_row_that_says_so() -> None:
+    untried, tried = everything.run([])
+    assert (untried.kind, untried.tries) == ("disk", 0)
+    assert "checkout of the sources" in untried.notes[0]
+    assert tried == FaultRow("other", 1, 1)
+
+
+def test_where_it_is_the_only_one_it_is_an_error() -> None:
+    with pytest.raises(OperationError) as raised:
+        everything.run(["disk"])
+    assert raised.value.code == calls.UNAVAILABLE
+
+
+def test_an_unknown_kind_is_an_error() -> None:
+    with pytest.raises(OperationError) as raised:
+        everything.run(["discs"])
+    assert "there are: disk, other" in raised.value.line
