@@ -16,7 +16,7 @@ from app.metrology.arm.kinematics import RobotArm
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, rigid
 
-# Printed on a sheet; its squares were not measured more closely than a ruler does.
+# Printed on paper; its squares were not measured more closely than a ruler does.
 BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)
 ROBOT = RobotArm("industrial robot", "")  # nothing was touched: it has no tip
 

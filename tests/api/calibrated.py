@@ -1,4 +1,4 @@
-"""A calibration in use that did not have to be made: what nature knows of the twin."""
+"""A calibration in use that did not have to be made: the simulation's true values."""
 
 from typing import Any
 
@@ -6,10 +6,10 @@ from app.bench.faults.served import accept_truth
 
 
 def use_truth(server: Any, name: str) -> str:
-    """Accepts a true calibration of the server's twin under this session's name.
+    """Accepts a true calibration of the server's simulation under this session's name.
 
-    ``server`` has the twin, the data folder and the context of one.
+    ``server`` has the simulation, the data folder and the context of one.
     """
-    accept_truth(server.context.store, server.twin, name)
+    accept_truth(server.context.store, server.simulation, name)
     server.context.guide._on_closed()  # the station works with it from now on
     return name

@@ -1,4 +1,4 @@
-"""A real server on the twin, which the tests of this package share."""
+"""A real server on the simulated station, which the tests of this package share."""
 
 import socket
 import threading
@@ -34,12 +34,12 @@ def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
 
 @dataclass
 class Server:
-    """A running server, its context, and its twin."""
+    """A running server, its context, and its simulation."""
 
     port: int
     data: Path
     context: Context
-    twin: SimulatedStation
+    simulation: SimulatedStation
     http: httpx.Client
     application: FastAPI
 
@@ -86,10 +86,10 @@ class Server:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     data = tmp_path_factory.mktemp("station")
-    with SimulatedStation(SimulationConfig(pace=3.0)) as twin, socket.socket() as listening:
+    with SimulatedStation(SimulationConfig(pace=3.0)) as simulation, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(station_parts(twin, data))
+        app = build_app(station_parts(simulation, data))
         running = make_server(app)
         thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]})
         thread.start()
@@ -100,7 +100,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
             enter(http, app.state.context.authenticator.code)
             context = app.state.context
-            yield Server(port, data, context, twin, http, app)
+            yield Server(port, data, context, simulation, http, app)
             # the live connection's newest topics, and the events that it still has
             latest = context.bus._take({}, {"preview"}, 0)
             sent.value(to_jsonable_python(latest.topics, inf_nan_mode="null"))

@@ -23,19 +23,19 @@ CONTEXT.set_forkserver_preload(
 
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
-    """In the process: the demonstration, with a hand in a hurry."""
+    """In the process: the demonstration, with a fast simulated operator."""
     from app.server.application import build_app
     from app.server.demo import station_parts
     from app.server.listener import make_server
     from hardware.simulator.station import SimulatedStation, SimulationConfig
 
-    with SimulatedStation(SimulationConfig(pace=4.0)) as twin, socket.socket() as listening:
+    with SimulatedStation(SimulationConfig(pace=4.0)) as simulation, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        app = build_app(station_parts(twin, data))
+        app = build_app(station_parts(simulation, data))
         context = app.state.context
         if calibrated and context.store.calibrations.active() is None:
-            use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")
+            use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "truth")
         server = make_server(app)
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
         thread.start()

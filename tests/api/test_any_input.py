@@ -1,4 +1,4 @@
-"""Whatever is sent: the server answers in its own words, tells no secrets, and lives on."""
+"""Whatever is sent: the server answers in its own words, reveals no secrets, and lives on."""
 
 import contextlib
 import json
@@ -98,7 +98,7 @@ def test_the_live_connection_takes_anything(http: httpx.Client, sent: bytes | st
 def test_the_3d_view_takes_anything(http: httpx.Client, sent: list[bytes | str]) -> None:
     address = f"ws://{http.base_url.netloc.decode()}/viewer/"
     subprotocols = [PROTOCOL]
-    for _ in range(2):  # and whoever comes after has it, too
+    for _ in range(2):  # and the next client has it, too
         with connect(address, additional_headers=cookie(http), subprotocols=subprotocols) as view:
             view.recv(timeout=20)
             for message in sent:

@@ -58,7 +58,7 @@ def session(server: Server) -> Callable[[str], View]:
     return begin
 
 
-def test_a_check_by_the_hand_is_judged_and_recorded(
+def test_a_check_by_the_simulated_operator_is_judged_and_recorded(
     server: Server, session: Callable[[str], View]
 ) -> None:
     before = len(server.http.get("/api/arm/checks").json())
@@ -120,7 +120,7 @@ def test_an_old_view_and_a_repeated_key_do_nothing(
     assert stale.json()["code"] == "stale-view"
 
 
-def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> None:
+def test_stop_ends_the_simulated_operator(server: Server, session: Callable[[str], View]) -> None:
     session("check")
     do(server, "let_hand")
     wait(server, lambda view: view["step"] == "swing")
@@ -129,15 +129,15 @@ def test_stop_ends_the_hand(server: Server, session: Callable[[str], View]) -> N
     assert view["step"] == "swing"
 
 
-def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
+def test_the_simulated_operator_takes_a_ball_bar_and_a_sphere(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
+    monkeypatch.setattr(server.simulation.operator.planner, "pace", 12.0)
     view = session("identify")
     chosen = do(server, "choose_artefact", kind="sphere")
     assert chosen["artefact"] == {
         "kind": "sphere",
-        "size_mm": server.twin.operator.ball_mm,
+        "size_mm": server.simulation.operator.ball_mm,
         "standard_uncertainty_mm": 0.0,
     }
     do(server, "let_hand")
@@ -162,19 +162,19 @@ def test_a_ball_bar_and_a_sphere_are_taken_by_the_hand(
     arm = read_arm(folder / "arm.json")
     found = read_observations(folder, arm)
     assert (len(found.seats), len(found.spheres), len(found.bars)) == (0, 1, 1)
-    assert found.bars[0].length_mm == server.twin.operator.bar_mm
+    assert found.bars[0].length_mm == server.simulation.operator.bar_mm
     do(server, "end")
 
 
 def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
+    monkeypatch.setattr(server.simulation.operator.planner, "pace", 12.0)
     session("identify")
     assert command(server, "fit").status_code == 422
     # where a busy machine takes too few points, the fit is refused, and asks for more places
     for _ in range(4):
-        view = fitted_by_the_hand(server)
+        view = fit_by_operator(server)
         if view["step"] == "result":
             break
     assert view["step"] == "result", view["findings"]
@@ -188,7 +188,7 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
     assert "Operator: Demo" in report
     assert "Every file has the content that the result was made from." in report
-    arms, true = server.data / "arms", server.twin._rig.arm
+    arms, true = server.data / "arms", server.simulation._rig.arm
     was = volumetric_error_um(true, read_arm(arms / "simulated.json"))
     before = (arms / "simulated.json").read_bytes()
     do(server, "save")
@@ -208,8 +208,8 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     do(server, "end")
 
 
-def fitted_by_the_hand(server: Server) -> View:
-    """The hand takes what is wanted, six places first and then one more; the arm is fitted."""
+def fit_by_operator(server: Server) -> View:
+    """The simulated operator takes six places first and then one more; the arm is fitted."""
     do(server, "let_hand")
     wait(server, lambda view: view["busy"] is None)
     do(server, "fit")
@@ -219,20 +219,20 @@ def fitted_by_the_hand(server: Server) -> View:
 def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     server: Server, session: Callable[[str], View], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(server.twin.operator.planner, "pace", 12.0)
+    monkeypatch.setattr(server.simulation.operator.planner, "pace", 12.0)
     before = len(server.http.get("/api/arm/tips").json())
     view = session("tip")
-    assert view["artefact"]["size_mm"] == server.twin.operator.ball_mm
+    assert view["artefact"]["size_mm"] == server.simulation.operator.ball_mm
     assert command(server, "choose_artefact", kind="seat").status_code == 422
     do(server, "set_limit", limit_um=200)
     # a wrong sphere reads as a wrong tip, and the next step says so
     do(server, "choose_artefact", kind="sphere", size_mm=24.0)
-    view = checked_by_the_hand(server)
+    view = check_by_operator(server)
     assert "another tip is mounted" in english(view["findings"][-1]["text"])
     home = server.http.get("/api/home").json()
     assert (home["next"]["page"], english(home["next"]["label"])) == ("arm", "Check the tip again")
     do(server, "again")
-    view = checked_by_the_hand(server)
+    view = check_by_operator(server)
     tip = view["picture"]["tip"]
     assert (tip["decision"], tip["limit_um"]) == ("pass", 200)
     assert tip["diameter_mm"] == pytest.approx(3.0, abs=0.15)
@@ -249,6 +249,6 @@ def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     do(server, "end")
 
 
-def checked_by_the_hand(server: Server) -> View:
+def check_by_operator(server: Server) -> View:
     do(server, "let_hand")
     return wait(server, lambda view: view["step"] == "result" and view["busy"] is None, 60.0)

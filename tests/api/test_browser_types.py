@@ -36,7 +36,7 @@ def validate(shape: str, value: object) -> None:
 
 
 def test_the_schema_is_of_this_program() -> None:
-    """``python -m app.api.browser_types`` writes it anew."""
+    """``python -m app.api.browser_types`` writes it again."""
     assert browser_types.make_schema() == SCHEMA
 
 

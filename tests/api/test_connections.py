@@ -108,7 +108,7 @@ def test_a_crowd_that_asks_nothing_leaves_its_places_to_others(
         assert left, "a few may wait"
 
 
-def test_a_crowd_does_not_take_the_place_of_whoever_is_signed_in(
+def test_a_crowd_does_not_take_the_place_of_a_signed_in_user(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(connections, "MOST_OF_ONE", 20)
@@ -128,7 +128,7 @@ def test_a_crowd_does_not_take_the_place_of_whoever_is_signed_in(
             assert own.recv(1000).startswith(b"HTTP/1.1 204")
 
 
-def test_an_idle_connection_of_whoever_is_signed_in_outlives_a_crowd_of_new_ones(
+def test_an_idle_connection_of_a_signed_in_user_outlives_a_crowd_of_new_ones(
     server: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(connections, "MOST_OF_ONE", 20)

@@ -15,16 +15,16 @@ from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 
 def test_block_and_board_stand_side_by_side(tmp_path: Path) -> None:
-    twin = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
-    write_datasheets(twin, tmp_path)
+    simulation = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
+    write_datasheets(simulation, tmp_path)
     assert isinstance(read_object(tmp_path / "objects/simulated.json"), Crenellated)
     board = read_object(tmp_path / "objects/chessboard.json")
     assert isinstance(board, Chessboard)
     assert (board.name, board.serial_number) == ("Simulated chessboard", "TWIN-C1")
-    assert board.inner_corners == twin.config.board.inner_corners
-    assert board.square_mm == twin.config.board.square_x_mm
-    assert board.standard_uncertainty_mm == twin.config.certificate_sd_mm
-    assert read_arm(tmp_path / "arms/simulated.json").name == twin.config.arm.name
+    assert board.inner_corners == simulation.config.board.inner_corners
+    assert board.square_mm == simulation.config.board.square_x_mm
+    assert board.standard_uncertainty_mm == simulation.config.certificate_sd_mm
+    assert read_arm(tmp_path / "arms/simulated.json").name == simulation.config.arm.name
     assert read_sensor(tmp_path / "sensors/simulated.json").width_px == 640
     gauges = {path.name for path in (tmp_path / "gauges").iterdir()}
     assert gauges == {"plate.nominal.json", "sphere.nominal.json"}
@@ -34,8 +34,8 @@ def test_a_folder_that_cannot_be_written_is_refused_with_the_option_for_another(
     tmp_path: Path,
 ) -> None:
     (tmp_path / "file").touch()
-    twin = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
+    simulation = SimulatedStation(SimulationConfig(width_px=640, height_px=512))
     with pytest.raises(OperationError) as refused:
-        write_datasheets(twin, tmp_path / "file" / "data")
+        write_datasheets(simulation, tmp_path / "file" / "data")
     assert refused.value.code == "data-folder-unwritable"
     assert "--data" in str(refused.value.remedy)

@@ -111,7 +111,7 @@ def test_a_person_at_a_wrong_name_reads_plain_words(server: Server) -> None:
     assert answer.text.startswith("This station does not answer to the name 'evil.example'.")
 
 
-def test_what_is_sent_by_whoever_comes_is_small(server: Server) -> None:
+def test_what_a_stranger_sends_is_small(server: Server) -> None:
     headers = {"content-type": "application/json"}
 
     def much() -> Iterator[bytes]:
@@ -174,7 +174,7 @@ def fill(database: Database) -> None:
             connection.execute(rows, ("x" * 4000,))
 
 
-def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
+def test_a_full_disk_is_reported_and_keeps_nobody_from_stop(server: Server) -> None:
     """SQLite itself says that the disk is full: its file may grow no further."""
     server.wait(lambda view: view["busy"] is None)
     if server.flow()["running"]:
@@ -194,7 +194,7 @@ def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
             answer = server.http.post("/api/walls", json={"name": "w" * 60})
         assert answer.status_code == 507
         assert answer.json()["detail"] == "This was not saved: the station's disk is full."
-        for _ in range(300):  # small rows have room for a while
+        for _ in range(300):  # small rows still fit for a while
             answer = server.http.post("/api/flow/start")
             if answer.status_code == 200:
                 answer = server.command("abandon")
@@ -207,8 +207,8 @@ def test_a_full_disk_is_told_and_keeps_nobody_from_stop(server: Server) -> None:
     assert server.http.post("/api/flow/start").json()["running"]
     server.do("confirm_devices")
     server.do("abandon")
-    for wall in server.http.get("/api/walls").json():
-        server.http.delete(f"/api/walls/{wall['id']}").raise_for_status()
+    for kiosk in server.http.get("/api/walls").json():
+        server.http.delete(f"/api/walls/{kiosk['id']}").raise_for_status()
 
 
 def test_every_page_states_what_it_may_load(server: Server) -> None:
@@ -255,7 +255,7 @@ def test_errors_are_problems_in_words(
     assert "Traceback" not in answer.text
 
 
-def test_what_fails_unexpectedly_tells_no_insides(
+def test_what_fails_unexpectedly_reveals_no_insides(
     server: Server, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     def broken() -> list[object]:

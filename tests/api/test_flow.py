@@ -1,4 +1,4 @@
-"""The guided calibration over HTTP, on the twin: done once, done in order, lost never."""
+"""The guided calibration over HTTP, simulated: done once, done in order, lost never."""
 
 import json
 import math
@@ -19,7 +19,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, is_enabled
 
-# A whole calibration by the hand, on a machine with other work.
+# A whole calibration by the simulated operator, on a machine with other work.
 PATIENCE_S = 240.0
 
 
@@ -62,11 +62,11 @@ def test_the_same_place_is_no_second_point(touching: Server) -> None:
 
 
 def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> None:
-    hand = touching.twin.operator
+    simulated_operator = touching.simulation.operator
     for index in (0, 1):
-        assert hand.touch("crest", index)
+        assert simulated_operator.touch("crest", index)
         touching.wait(partial(has_points, index + 1), 10.0)
-    press = touching.twin.device.press
+    press = touching.simulation.device.press
     press(Button.UNDO, True, now_ns())
     press(Button.UNDO, False, now_ns() + 50_000_000)
     touching.wait(lambda view: points(view) == [0], 10.0)
@@ -86,7 +86,7 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
 
 def test_a_point_in_motion_is_declined_and_said(touching: Server) -> None:
     with ThreadPoolExecutor(1) as elsewhere:
-        moving = elsewhere.submit(touching.twin.operator.hold_over, "block")
+        moving = elsewhere.submit(touching.simulation.operator.hold_over, "block")
         touching.wait(lambda view: not is_enabled(view, "take_point"), 10.0)
         answer = touching.command("take_point")
         moving.result(30.0)
@@ -119,7 +119,7 @@ def test_starting_twice_resumes_the_open_session(touching: Server) -> None:
     assert again["rev"] == before["rev"]
 
 
-def test_the_hand_stops_when_told(touching: Server) -> None:
+def test_the_simulated_operator_stops_on_command(touching: Server) -> None:
     touching.do("let_hand")
     touching.wait(lambda view: len(points(view)) >= 2, 20.0)
     # stopping needs no fresh view
@@ -132,7 +132,7 @@ def test_the_hand_stops_when_told(touching: Server) -> None:
     assert view["step"] == "touch"
 
 
-def test_a_whole_calibration_by_the_hand(at_setup: Server, tmp_path: Path) -> None:
+def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_path: Path) -> None:
     server, http = at_setup, at_setup.http
     server.do("let_hand", all=True)
     server.wait(lambda view: view["busy"] is None, PATIENCE_S)
@@ -224,16 +224,16 @@ def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     """A new picture by the arm's button, then back to the points, the picture kept."""
     assert server.do("retake")["step"] == "capture"
     server.wait(lambda view: is_enabled(view, "capture"))
-    server.twin.device.press(Button.PRIMARY, True, now_ns())
-    server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.simulation.device.press(Button.PRIMARY, True, now_ns())
+    server.simulation.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
     server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
     server.do("solve")
     server.wait(lambda view: view["step"] == "review")
     server.do("back", to="touch")
     server.do("confirm_touch")
     server.wait(lambda view: is_enabled(view, "confirm_place"))
-    server.twin.device.press(Button.PRIMARY, True, now_ns())
-    server.twin.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
+    server.simulation.device.press(Button.PRIMARY, True, now_ns())
+    server.simulation.device.press(Button.PRIMARY, False, now_ns() + 50_000_000)
     server.wait(lambda view: view["step"] == "capture")
     view = server.do("keep_picture")
     assert view["step"] == "solve"
@@ -264,7 +264,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     assert f"element vertex {scans[0]['points']}".encode() in cloud[:500]
 
 
-def test_a_whole_calibration_on_the_chessboard_by_the_hand(
+def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     at_setup: Server, tmp_path: Path
 ) -> None:
     """Touched first, then the planned views, then those that help most."""

@@ -66,7 +66,7 @@ def test_what_one_tab_does_the_other_sees(touching: Server) -> None:
         assert english(received["value"]["instruction"]).startswith("Touch the front face")
 
 
-def test_an_event_is_numbered_and_told_once(server: Server) -> None:
+def test_an_event_is_numbered_and_sent_once(server: Server) -> None:
     with (
         connect(server.live, additional_headers=server.cookie) as one,
         connect(server.live, additional_headers=server.cookie) as other,

@@ -1,4 +1,4 @@
-"""The server as a process: killed, doubled, told to end."""
+"""The server as a process: killed, started twice, asked to end."""
 
 import json
 import os
@@ -67,7 +67,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> None:
     with demo(tmp_path) as (process, address), client(address) as http:
         http.post("/api/flow/start").raise_for_status()
-        view = start_hand(http)
+        view = start_operator(http)
         deadline = time.monotonic() + START_S
         while view["step"] != "touch" or len(view["picture"]["points"]) < 6:
             assert time.monotonic() < deadline
@@ -99,7 +99,7 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
     check.close()
 
 
-def start_hand(http: httpx.Client) -> dict[str, Any]:
+def start_operator(http: httpx.Client) -> dict[str, Any]:
     view = http.get("/api/flow").json()
     asked = {"name": "let_hand", "args": {"all": True}, "rev": view["rev"], "key": "k"}
     answer = http.post("/api/flow/command", json=asked)
@@ -136,8 +136,8 @@ path = "{folder}"
 
 def test_a_station_on_real_drivers(tmp_path: Path) -> None:
     write_png(tmp_path / "picture.png", np.full((240, 320), 90, np.uint8))
-    with SimulatedStation() as twin:
-        text = SETTINGS.format(folder=tmp_path, url=twin.arm_url)
+    with SimulatedStation() as simulation:
+        text = SETTINGS.format(folder=tmp_path, url=simulation.arm_url)
         (tmp_path / "station.toml").write_text(text)
         config, data = str(tmp_path / "station.toml"), str(tmp_path / "data")
         asked = running("serve", "--config", config, "--data", data, "--port", "0")

@@ -1,4 +1,4 @@
-"""Every route and every message, for everyone who may come: nobody, a wall screen, each role."""
+"""Every route and every message, for everyone who may come: nobody, a kiosk, each role."""
 
 import itertools
 import re
@@ -16,11 +16,11 @@ from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
 from app.store.accounts import Role
 from tests.api.conftest import Server
 
-WHO = ("nobody", "wall", "viewer", "operator", "admin")
+WHO = ("nobody", "kiosk", "viewer", "operator", "admin")
 MAY = {
-    Right.enter: {"nobody", "wall", "viewer", "operator", "admin"},
-    Right.look: {"wall", "viewer", "operator", "admin"},
-    Right.scrape: {"wall", "viewer", "operator", "admin"},
+    Right.enter: {"nobody", "kiosk", "viewer", "operator", "admin"},
+    Right.look: {"kiosk", "viewer", "operator", "admin"},
+    Right.scrape: {"kiosk", "viewer", "operator", "admin"},
     Right.be: {"viewer", "operator", "admin"},
     Right.operate: {"operator", "admin"},
     Right.act: {"operator", "admin"},
@@ -36,12 +36,12 @@ def tokens(server: Server) -> Iterator[dict[str, str]]:
     store = server.context.store
     for name in ("viewer", "operator", "admin"):
         store.accounts.add(f"the {name}", Role[name], None)
-    wall, token = store.login_sessions.add_kiosk_link("the wall", "the admin")
+    kiosk, token = store.login_sessions.add_kiosk_link("the kiosk", "the admin")
     people = {
         n: store.login_sessions.begin(f"the {n}", "test") for n in ("viewer", "operator", "admin")
     }
-    yield {"nobody": "", "wall": token, **people}
-    store.login_sessions.remove_kiosk_link(wall.id)
+    yield {"nobody": "", "kiosk": token, **people}
+    store.login_sessions.remove_kiosk_link(kiosk.id)
     for name in ("viewer", "operator", "admin"):
         store.accounts.remove(f"the {name}")
     server.http.post("/api/control/take", json={"reason": "the test is over"}).raise_for_status()

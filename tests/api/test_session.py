@@ -1,4 +1,4 @@
-"""Signing in and out, control, accounts and wall screens, as browsers do it."""
+"""Signing in and out, control, accounts and kiosk links, as browsers do it."""
 
 import time
 from collections.abc import Iterator
@@ -64,7 +64,7 @@ def test_a_sign_in_that_has_ended_is_not_good_for_who_kept_the_cookie(
 
 
 @pytest.mark.parametrize("name", ["Anna", "Nobody", "", "Demo", "' OR 1=1 --"])
-def test_a_wrong_password_is_told_alike_for_everyone(
+def test_a_wrong_password_is_answered_alike_for_everyone(
     server: Server, people: None, name: str
 ) -> None:
     with browser(server) as http:
@@ -208,7 +208,7 @@ def test_an_account_of_any_name_is_changed_and_removed(server: Server, name: str
     assert admin.delete("/api/account", params=asked).status_code == 404
 
 
-def test_whoever_loses_the_account_loses_control_at_once(server: Server, people: None) -> None:
+def test_a_user_who_loses_the_account_loses_control_at_once(server: Server, people: None) -> None:
     def holder() -> str | None:
         person = server.context.lease.control.holder
         return person.name if person else None
@@ -246,7 +246,7 @@ def test_the_last_administrator_stays(server: Server) -> None:
     assert server.http.delete("/api/account?name=Ada").status_code == 204
 
 
-def test_a_wall_screen_shows_and_does_nothing(server: Server) -> None:
+def test_a_kiosk_shows_and_does_nothing(server: Server) -> None:
     made = server.http.post("/api/walls", json={"name": "Hall 3"}).json()
     with browser(server) as screen:
         assert screen.post("/api/session/wall", json={"code": "guess"}).status_code == 401

@@ -1,4 +1,4 @@
-"""Requests of strangers wait for one another; whoever is signed in waits for none of them."""
+"""Requests of strangers wait for one another; a signed-in user waits for none of them."""
 
 import asyncio
 
@@ -70,7 +70,7 @@ def test_a_signed_in_browser_passes_strangers_that_are_many() -> None:
     asyncio.run(passing())
 
 
-def test_whoever_sends_slowly_or_goes_away_has_no_place() -> None:
+def test_a_client_that_sends_slowly_or_goes_away_has_no_place() -> None:
     async def passing() -> None:
         application = Application()
         application.opened.set()

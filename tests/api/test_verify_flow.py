@@ -1,4 +1,4 @@
-"""The guided verification over HTTP, on the twin: each cloud once, none lost, judged and kept."""
+"""The guided verification over HTTP, simulated: each cloud once, none lost, judged and kept."""
 
 import contextlib
 import hashlib
@@ -77,7 +77,7 @@ class Desk:
     def cloud(self, part: str) -> View:
         """Scans one cloud over a part of the table, and waits for what it shows."""
         number = len(self.do("begin_cloud")["picture"]["clouds"])
-        assert self.server.twin.operator.scan_part(part)
+        assert self.server.simulation.operator.scan_part(part)
         self.do("finish_cloud")
         return self.wait(
             lambda view: (
@@ -104,7 +104,9 @@ def desk(server: Server, calibration: str) -> Iterator[Desk]:
         desk.do("abandon")
 
 
-def test_a_plate_is_verified_by_the_hand_and_kept(desk: Desk, calibration: str) -> None:
+def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
+    desk: Desk, calibration: str
+) -> None:
     server = desk.server
     desk.start("plate")
     desk.do("back")
@@ -186,7 +188,7 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
     assert "5" in refusal(desk.command("confirm_touch"))
     desk.do("skip_touch")
     desk.do("begin_cloud")
-    assert desk.server.twin.operator.scan_part("plate")
+    assert desk.server.simulation.operator.scan_part("plate")
     desk.server.http.post("/api/stop").raise_for_status()
     view = desk.wait(
         lambda view: view["busy"] is None and view["picture"]["clouds"][0]["state"] == "refused"
@@ -208,7 +210,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
         taken = len(desk.view()["picture"]["touches"])
         if taken == 4:
             break
-        assert server.twin.operator.touch_gauge("plate", taken + 10 * (attempt - taken))
+        assert server.simulation.operator.touch_gauge("plate", taken + 10 * (attempt - taken))
         with contextlib.suppress(AssertionError):
             desk.wait(partial(has_touches, taken + 1), 2.0)
     view = desk.view()
@@ -216,7 +218,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     assert view["picture"]["touches"][3]["x_mm"] is not None
     again = desk.command("touch")
     assert again.status_code == 422
-    press = server.twin.device.press
+    press = server.simulation.device.press
     press(Button.UNDO, True, now_ns())
     press(Button.UNDO, False, now_ns() + 50_000_000)
     view = desk.wait(lambda view: len(view["picture"]["touches"]) == 3)
@@ -230,7 +232,7 @@ def test_touches_come_from_the_button_and_are_taken_back(desk: Desk) -> None:
     assert [step["state"] for step in view["steps"]] == ["current", "stale", "todo", "todo"]
 
 
-def test_another_calibration_meanwhile_is_told_in_one_sentence(desk: Desk) -> None:
+def test_another_calibration_meanwhile_is_reported_in_one_sentence(desk: Desk) -> None:
     desk.start("plate")
     desk.do("skip_touch")
     use_truth(desk.server, f"meanwhile-{uuid.uuid4().hex[:6]}")
@@ -243,7 +245,7 @@ def test_another_calibration_meanwhile_is_told_in_one_sentence(desk: Desk) -> No
     assert enabled(view, "confirm_gauge")
 
 
-def test_a_broken_paper_is_named_beside_the_others(desk: Desk) -> None:
+def test_a_broken_nominal_is_named_beside_the_others(desk: Desk) -> None:
     broken = desk.server.data / "gauges" / "broken.nominal.json"
     broken.write_text('{"format": "crenel/nominal", "version": 1, "shape": "sphere"}')
     try:
@@ -269,12 +271,12 @@ def refusal(answer: httpx.Response) -> str:
 
 def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Path) -> None:
     """What is on the disk at that moment is all that a next server has."""
-    server, hand = desk.server, desk.server.twin.operator
+    server, simulated_operator = desk.server, desk.server.simulation.operator
     desk.start("plate")
     desk.do("skip_touch")
     session = desk.do("begin_cloud")["session_id"]
     with ThreadPoolExecutor(1) as elsewhere:
-        moving = elsewhere.submit(hand.scan_part, "plate")
+        moving = elsewhere.submit(simulated_operator.scan_part, "plate")
         time.sleep(2.5)
         left = tmp_path / "left"
         shutil.copytree(server.data, left)
@@ -282,7 +284,7 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     desk.do("finish_cloud")
 
     store, bus = Store(left), Bus()
-    rig, scene = Rig(bus, server.twin.sensor, server.twin.sensor, left), Scene()  # type: ignore[arg-type]
+    rig, scene = Rig(bus, server.simulation.sensor, server.simulation.sensor, left), Scene()  # type: ignore[arg-type]
     scanner = Scanner(bus, rig, scene, left / "scans")
     jobs = Jobs(bus)
     try:

@@ -97,7 +97,7 @@ def test_what_is_repeated_is_warned_of_once(
     assert levels == ["WARNING", "INFO", "INFO", "INFO", "INFO", "WARNING"]
 
 
-def test_what_runs_is_told_step_by_step(touching: Server) -> None:
+def test_what_runs_is_reported_step_by_step(touching: Server) -> None:
     def activity() -> dict[str, object]:
         report = topics(touching, {"report"})["report"]
         assert isinstance(report, dict)
@@ -238,8 +238,8 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     person = PLANTED["a person"]
     store.accounts.add(person, Role.operator, "three unrelated words")
     cookie = store.login_sessions.begin(person, "a browser")
-    _, wall = store.login_sessions.add_kiosk_link("Hall", person)
-    _, scraper = store.api_tokens.add("Prometheus", person)
+    _, kiosk = store.login_sessions.add_kiosk_link("Hall", person)
+    _, api_token = store.api_tokens.add("Prometheus", person)
     store.audit.note(person, PLANTED["a remote address"], f"hello from {person}")
     (tmp_path / "password").write_text(PLANTED["an MQTT password"])
     reported = {
@@ -263,11 +263,11 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     code = context.authenticator.code or ""
     hashed = store._database.read("SELECT password FROM account WHERE name = ?", person)
     key = f"-----BEGIN PRIVATE KEY-----\n{PLANTED['a private key']}\n-----END PRIVATE KEY-----"
-    more = {"cookie": cookie, "wall": wall, "scraper": scraper, "code": code}
+    more = {"cookie": cookie, "kiosk": kiosk, "api token": api_token, "code": code}
     for words in (*PLANTED.values(), *more.values(), key, hashed[0]["password"]):
         log.warning("somebody said %s to %s", words, person)
     log.warning("password=%s", "another-one-nobody-knows")
-    log.warning("open http://station/#wall=%s", wall)
+    log.warning("open http://station/#wall=%s", kiosk)
     until(lambda: server.http.get("/api/logs", params={"words": "#wall="}).json())
 
     answer = server.http.get("/api/support.zip")
@@ -326,7 +326,7 @@ def test_notifications_go_where_the_administrator_says(server: Server, receiver:
     assert server.http.post("/api/notifications/test").json()["code"] == "no-webhook"
 
 
-def test_what_comes_due_is_told_once(server: Server, receiver: Receiver) -> None:
+def test_what_comes_due_is_notified_once(server: Server, receiver: Receiver) -> None:
     home = server.context.bus.latest("home")
     assert isinstance(home, Home)
     change = {"url": receiver.url, "secret": "", "done": False, "fault": False, "due": True}

@@ -5,7 +5,7 @@
 Simulated sessions of blocks, arms and cameras drawn at random, and the sample sessions
 where their folder is given. Each is calibrated; the truth's pixels are rebuilt and
 compared with where their light fell. Beside it in the same run: the same corners by
-Faugeras' linear method alone, as the paper has it. The samples also by all their poses
+Faugeras' linear method alone, as in the article. The samples also by all their poses
 in the joint adjustment.
 """
 

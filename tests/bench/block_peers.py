@@ -28,7 +28,7 @@ from app.metrology.targets.crenellated_block import corners
 from app.metrology.transforms import Floats, apply, inverse, rigid, rigid_fit
 from app.workflows.calibrate import joint_inputs
 from tests.bench.board_measures import PeerCalibration, move_camera, plane_through, solve_pose
-from tests.bench.hand_eye import K1_ONLY, hand_eyes
+from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
 
 SAMPLES = ("one-pose", "many-poses", "metal")
 HALF_WINDOW_PX = 4
@@ -105,7 +105,7 @@ def mountings(
         return
     turn = Rotation.from_matrix(each[:, :3, :3]).mean().as_matrix()
     yield "contacts, mean of poses", rigid(turn, each[:, :3, 3].mean(axis=0))
-    yield from hand_eyes(T_arm_flange, T_cam_obj)
+    yield from hand_eye_methods(T_arm_flange, T_cam_obj)
 
 
 def errors_um(solved: PeerCalibration, folder: Path) -> tuple[float, float]:

@@ -49,7 +49,7 @@ def flat(camera: Camera, uv_px: Floats) -> Floats:
 class PeerCalibration:
     """What a calibration found: camera and laser plane in a sensor frame of its choice.
 
-    ``corners_mm`` are the board's corners and ``sheet`` brings pixels onto it, for a camera
+    ``corners_mm`` are the board's corners and ``board_surface`` brings pixels onto it, for a camera
     placed in the board's frame: flat, unless the calibration found out how it is bent.
     """
 
@@ -126,7 +126,7 @@ def _scatter_mm(solved: PeerCalibration, frames: Sequence[BoardFrame], points_mm
 
 
 def line_on_board(solved: PeerCalibration, frame: BoardFrame) -> Floats:
-    """(K, 3) where the line's points near the pattern lie on the sheet, sensor frame."""
+    """(K, 3) where the line's points near the pattern lie on the board, sensor frame."""
     camera = board_from(solved, frame)
     points = solved.board_surface(camera, frame.stripe_px[frame.near_pattern()])
     return apply(inverse(camera_pose_of(solved.camera)) @ camera_pose_of(camera), points)

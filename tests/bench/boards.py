@@ -2,7 +2,7 @@
 
     python -m tests.bench.boards [SESSIONS] [--arms N]
 
-Sessions of eight pictures of a bent sheet on a robot, with everything that errs drawn again; and
+Sessions of eight pictures of a bent board on a robot, with everything that errs drawn again; and
 of the simulated station's board, pictures rendered, by arms with datasheets true to 20 µm,
 as is usual, and to 45 µm.
 """

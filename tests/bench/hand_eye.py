@@ -22,7 +22,7 @@ ROBOT_WORLD = {
 K1_ONLY = cv2.CALIB_FIX_K2 | cv2.CALIB_FIX_K3 | cv2.CALIB_ZERO_TANGENT_DIST
 
 
-def hand_eyes(
+def hand_eye_methods(
     T_arm_flange: Sequence[Floats], T_cam_obj: Sequence[Floats]
 ) -> Iterator[tuple[str, Floats]]:
     """``T_flange_cam`` (4, 4) by every method of OpenCV, with its name."""

@@ -52,7 +52,7 @@ from tests.bench.board_measures import (
     plane_through,
     solve_pose,
 )
-from tests.bench.hand_eye import K1_ONLY, hand_eyes
+from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
 from tests.real_sessions import write_real_session
 
 CRENEL = "Crenel"
@@ -132,7 +132,7 @@ def calibrate_opencv(
         T_arm_flange = [frame.T_arm_flange for frame in frames]
         start = PeerCalibration("", camera, np.eye(4), points, NO_PLANE)
         start = with_plane(start, frames)
-        for name, T_flange_cam in hand_eyes(T_arm_flange, T_cam_obj):
+        for name, T_flange_cam in hand_eye_methods(T_arm_flange, T_cam_obj):
             yield replace(start, name=f"{what}, {terms}, {name}", T_flange_sensor=T_flange_cam)
 
 
@@ -145,7 +145,7 @@ def with_plane(solved: PeerCalibration, frames: Sequence[BoardFrame]) -> PeerCal
 def calibrate_least_squares(
     what: str, start: PeerCalibration, frames: Sequence[BoardFrame]
 ) -> PeerCalibration:
-    """Camera with k1, mounting and board together by the pixels; the arm's poses as told."""
+    """Camera with k1, mounting and board together by the pixels; the arm's poses as reported."""
     camera = start.camera
     T_obj = frames[0].T_arm_flange @ start.T_flange_sensor
     T_obj = T_obj @ solve_pose(camera, start.corners_mm[frames[0].corner], frames[0].uv_px)

@@ -18,7 +18,7 @@ def _silent(pipe: Connection) -> None:
     pipe.recv()
 
 
-def test_a_station_that_ends_is_told() -> None:
+def test_a_station_that_ends_is_reported() -> None:
     with (
         pytest.raises(OperationError, match="the station under test does not answer"),
         apart.run_in_process(_gone) as (pipe, _),
@@ -26,7 +26,7 @@ def test_a_station_that_ends_is_told() -> None:
         list(iter(pipe.recv, None))
 
 
-def test_a_station_that_does_not_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_station_that_does_not_start_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "PATIENCE_S", 0.1)
     with (
         pytest.raises(OperationError, match=r"does not start.*nothing came of it in") as reported,
@@ -36,6 +36,6 @@ def test_a_station_that_does_not_start_is_told(monkeypatch: pytest.MonkeyPatch) 
     assert "a file" not in reported.value.line
 
 
-def test_the_memory_of_a_process_is_told() -> None:
+def test_the_memory_of_a_process_is_reported() -> None:
     assert apart.memory_mb(os.getpid()) > 10
     assert math.isnan(apart.memory_mb(1 << 30))

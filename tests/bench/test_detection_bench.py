@@ -54,7 +54,7 @@ def test_shadows_that_run_along_hidden_sides_are_no_wrong_size() -> None:
     assert search_image(draw_degraded_image(5031), 5031).outcome == "right"
 
 
-def test_a_narrow_merlon_s_wrong_side_is_told_amid_tool_marks() -> None:
+def test_a_narrow_merlon_s_wrong_side_is_found_amid_tool_marks() -> None:
     assert not search_wrong_certificate(draw_degraded_image(5111), 5111).accepted
 
 

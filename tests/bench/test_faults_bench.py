@@ -5,7 +5,7 @@ from app.bench.faults.devices import FAILURES, run, table
 STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
 
 
-def test_failing_devices_are_told_of_and_come_back_and_nothing_is_lost() -> None:
+def test_failing_devices_are_reported_and_come_back_and_nothing_is_lost() -> None:
     found = run()
     assert [(row.step, row.failure) for row in found] == [
         (step, failure.name) for step in STEPS for failure in FAILURES

@@ -9,8 +9,8 @@ from app.bench.faults.everything import FaultKind
 from app.bench.faults.row import FaultRow
 from app.errors import OperationError
 
-DISK = FaultKind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)])
-OTHER = FaultKind("other", lambda data, seed, tell: [FaultRow("other", 1, 1)])
+DISK = FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)])
+OTHER = FaultKind("other", lambda data, seed, report: [FaultRow("other", 1, 1)])
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from app.bench.stripe.real_lines import local_noise_px, run
 from app.errors import OperationError
 
 
-def test_noise_is_told_and_a_curve_is_not() -> None:
+def test_noise_is_estimated_without_the_curve() -> None:
     u = np.arange(2000.0)
     curve = 500 + 1e-4 * (u - 900) ** 2
     assert local_noise_px((u, curve), 2000) < 1e-6

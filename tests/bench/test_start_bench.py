@@ -69,7 +69,7 @@ def test_a_table_has_each_copy_beside_the_others() -> None:
     assert columns(copies) == ("measure", "this", "against")
 
 
-def test_a_command_that_fails_is_told_with_its_last_line(tmp_path: Path) -> None:
+def test_a_command_that_fails_is_reported_with_its_last_line(tmp_path: Path) -> None:
     executable = script(tmp_path, "#!/bin/sh\necho no such session >&2\nexit 1\n")
     with pytest.raises(OperationError, match="crenel calibrate failed: no such session"):
         find_copy("this", executable).seconds(tmp_path, "calibrate")

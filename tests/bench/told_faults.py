@@ -1,10 +1,10 @@
-"""How often a fault in all contacts, or in the block's certificate, is told as what it is.
+"""How often a fault in all contacts, or in the block's certificate, is identified correctly.
 
     python -m tests.bench.told_faults [--draws 40]
 
 Sessions of random stations (six poses, forty touches on four faces) are drawn without pictures,
 as ``crenel bench calibration`` does, with arms of three qualities; each is given one fault.
-Counted is how often it is told by its name, and how often as something else.
+Counted is how often it is identified, and how often taken for another one.
 """
 
 import argparse
@@ -125,7 +125,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--draws", type=int, default=40)
     draws = parser.parse_args().draws
-    print(f"{'told as what it is, and as something else':<42}" + "".join(f"{a:>14}" for a in ARMS))
+    print(f"{'identified, and taken for another one':<42}" + "".join(f"{a:>14}" for a in ARMS))
     for name, (code, fault) in FAULTS.items():
         line = f"{name:<42}"
         for scales in ARMS.values():

@@ -103,7 +103,7 @@ def test_extract_writes_the_columns_of_the_contract(tmp_path: Path, stripe_pictu
     assert str(out) in result.stdout
 
 
-def test_extract_tells_several_pictures_apart(tmp_path: Path, stripe_picture: Path) -> None:
+def test_extract_distinguishes_several_pictures(tmp_path: Path, stripe_picture: Path) -> None:
     other = tmp_path / "other.png"
     other.write_bytes(stripe_picture.read_bytes())
     out = tmp_path / "out.csv"
@@ -252,7 +252,7 @@ def test_verify_a_sphere(tmp_path: Path) -> None:
     assert found["centre_error_um"] == pytest.approx(30, abs=0.1)
 
 
-def test_verify_without_a_nominal_tells_the_form(tmp_path: Path) -> None:
+def test_verify_without_a_nominal_reports_the_form(tmp_path: Path) -> None:
     result = crenel("verify", "plane", write_plane(tmp_path / "a.ply"), "--json")
     (found,) = json.loads(result.stdout)["clouds"]
     assert found["rms_um"] == pytest.approx(10, abs=1)
@@ -365,7 +365,7 @@ def test_a_real_process_refuses_on_one_line_with_status_one(tmp_path: Path) -> N
     assert error == "crenel: none.png: there is no such file or folder. Check the path.\n"
 
 
-def test_a_disk_that_takes_no_more_is_told(tmp_path: Path, scan: dict[str, Path]) -> None:
+def test_a_disk_that_takes_no_more_is_reported(tmp_path: Path, scan: dict[str, Path]) -> None:
     before = names_in(tmp_path)
     limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)); "
     with process(*reconstruct_arguments(scan), cwd=tmp_path, first=limit) as run:

@@ -20,7 +20,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path / "s"
 
 
-def test_identify_writes_the_arm_and_tells_before_and_after(tmp_path: Path, folder: Path) -> None:
+def test_identify_writes_the_arm_and_shows_before_and_after(tmp_path: Path, folder: Path) -> None:
     out = tmp_path / "new.json"
     result = crenel("identify", folder, "-o", out)
     assert result.exit_code == 0, result.output
@@ -51,7 +51,9 @@ def test_identify_refuses_on_one_line_and_writes_nothing(tmp_path: Path, folder:
     assert names_in(tmp_path) == before
 
 
-def test_without_a_bar_the_scale_is_told(tmp_path: Path, folder: Path) -> None:
+def test_without_a_bar_the_scale_is_reported_as_not_observable(
+    tmp_path: Path, folder: Path
+) -> None:
     (folder / "ballbars.csv").unlink()
     result = crenel("identify", folder, "-o", tmp_path / "new.json")
     assert result.exit_code == 0, result.output
@@ -79,7 +81,7 @@ def test_wrong_usage(folder: Path) -> None:
     assert crenel("articulation", folder, "--limit-um", "-3").exit_code == 2
 
 
-def test_what_belongs_together_is_told(tmp_path: Path, folder: Path) -> None:
+def test_correlated_parameters_are_named(tmp_path: Path, folder: Path) -> None:
     out = tmp_path / "new.json"
     shown = crenel("identify", folder, "-o", out)
     assert "Correlated" in shown.stdout

@@ -24,14 +24,14 @@ DELAY_MS = 12.0
 
 
 def q_of(seconds: float) -> Floats:
-    """Of a hand that goes over a plate in waves."""
+    """Of a manual pass over a plate in waves."""
     waves = [0.012 * np.sin(5 * seconds), 0.05 * np.sin(6 * seconds), 0.02 * np.sin(1.3 * seconds)]
     waves += [0.01 * np.sin(2 * seconds), 0.0, 0.0]
     return np.asarray(np.deg2rad(POSE_DEG) + np.array(waves))
 
 
 def pass_over_a_plate(path: Path, station: dict[str, str] | None = None) -> None:
-    """Frames of a plane that stands across the laser's sheet; the arm's stamps late."""
+    """Frames of a plane that stands across the light plane; the arm's stamps late."""
     use, rng = little_calibration(), np.random.default_rng(3)
     there = flange_pose(ARM, q_of(0.0)) @ use.T_flange_sensor
     normal = there[:3, :3] @ np.array([0.0, 0.9, 0.43589])
@@ -94,7 +94,7 @@ def test_a_rebuild_takes_out_what_the_station_took_out(folder: Path) -> None:
     assert rms_um(folder, scan="odd.mcap") > 80
 
 
-def test_what_does_not_tell_the_delay_is_refused_and_nothing_written(folder: Path) -> None:
+def test_what_does_not_show_the_delay_is_refused_and_nothing_written(folder: Path) -> None:
     with RecordingWriter(folder / "one-way.mcap", NAMES) as writer:
         for ms in range(0, 2000, 2):
             writer.joints(ms * MS, q_of(ms / 1e3))

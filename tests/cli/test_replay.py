@@ -61,7 +61,7 @@ def scan(path: Path, images: bool = False) -> Path:
     return path
 
 
-class Telling(Bus):
+class RecordingBus(Bus):
     """Keeps all that is published."""
 
     def __init__(self) -> None:
@@ -100,8 +100,8 @@ def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
     assert len(scene.points) == 1
 
 
-def test_how_far_it_is_is_told_as_it_goes(tmp_path: Path) -> None:
-    bus = Telling()
+def test_progress_is_published_during_the_replay(tmp_path: Path) -> None:
+    bus = RecordingBus()
     shown(scan(tmp_path / "scan.mcap"), 0.5, bus)
     first, *_, last = bus.reported
     assert (first.recording, first.speed, first.state) == ("scan.mcap", 0.5, "playing")
@@ -114,8 +114,8 @@ def test_how_far_it_is_is_told_as_it_goes(tmp_path: Path) -> None:
     assert last.played_s == pytest.approx(0.69)
 
 
-def test_of_a_cut_recording_no_length_is_told_but_that_it_was_cut(tmp_path: Path) -> None:
-    path, bus = tmp_path / "scan.mcap", Telling()
+def test_a_cut_recording_has_no_length_and_is_reported_as_cut(tmp_path: Path) -> None:
+    path, bus = tmp_path / "scan.mcap", RecordingBus()
     with RecordingWriter(path, NAMES) as writer:
         joints_every(writer, 0, 400 * MS, 4 * MS)
         for stamp in STAMPS[:20]:
@@ -133,7 +133,7 @@ def test_of_a_cut_recording_no_length_is_told_but_that_it_was_cut(tmp_path: Path
 def test_a_replay_that_fails_says_why(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         joints_every(writer, 0, 800 * MS, 4 * MS)
-    bus = Telling()
+    bus = RecordingBus()
     shown(tmp_path / "scan.mcap", 0.0, bus)
     assert bus.reported[-1].state == "failed"
     assert "no frames" in str(bus.reported[-1].text)

@@ -27,7 +27,7 @@ def test_a_folder_in_use_is_backed_up_and_can_be_opened(tmp_path: Path) -> None:
     store.close()
 
 
-def test_a_forgotten_password_is_given_anew_beside_a_station_that_runs(tmp_path: Path) -> None:
+def test_a_forgotten_password_is_replaced_beside_a_station_that_runs(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.accounts.add("Ada", Role.admin, "a password that is lost")
     cookie = store.login_sessions.begin("Ada", "a browser")

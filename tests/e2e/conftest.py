@@ -94,7 +94,7 @@ class Demo:
 
     @property
     def complaints(self) -> list[str]:
-        """What went wrong by its log: not what it tells the operator, as of a device that a busy
+        """What went wrong by its log: not messages to the operator, as of a device that a busy
         machine kept waiting, nor that it was held up itself for a moment."""
         found, skipping = [], False
         for line in self.errors:

@@ -15,13 +15,13 @@ from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 def serve(data: Path) -> None:
     listening = listen("127.0.0.1", 0, 1)
-    with SimulatedStation(SimulationConfig(laser_switch=False)) as twin:
+    with SimulatedStation(SimulationConfig(laser_switch=False)) as simulation:
 
         def turn(*_: object) -> None:
-            twin.faults.camera_lost = not twin.faults.camera_lost
+            simulation.faults.camera_lost = not simulation.faults.camera_lost
 
         signal.signal(signal.SIGUSR1, turn)
-        parts = station_parts(twin, data)
+        parts = station_parts(simulation, data)
         run(Plan("Failing", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 
 

@@ -1,4 +1,4 @@
-"""A newcomer's path through the demo, in a real browser: calibrated by the hand, then scanning."""
+"""A newcomer's path through the demo, in a real browser: a simulated calibration, then scanning."""
 
 import re
 import time
@@ -17,7 +17,7 @@ from tests.e2e.conftest import Demo
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
 PATIENCE_S = 120
-"""How long one step by the hand may take on a busy machine."""
+"""How long one step of the simulated operator may take on a busy machine."""
 
 
 class Visit:
@@ -114,7 +114,7 @@ def calibrate(visit: Visit) -> None:
             expect(page.get_by_text("The arm's main button takes a point.")).to_be_visible()
         page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(1500)
-        visit.look(f"{step}-by-the-hand")
+        visit.look(f"{step}-by-the-operator")
     take_poses(visit)
     page.wait_for_timeout(500)
     visit.look("review")
@@ -132,7 +132,7 @@ def calibrate(visit: Visit) -> None:
 
 
 def verify(visit: Visit) -> None:
-    """The calibration leads on to the gauge, which the hand touches and scans."""
+    """The calibration leads on to the gauge, which the simulated operator touches and scans."""
     page = visit.page
     page.get_by_role("button", name="Verify", exact=True).click()
     visit.look("verify")
@@ -147,7 +147,7 @@ def verify(visit: Visit) -> None:
         visit.look(f"verify-{step}")
         page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(3000)
-        visit.look(f"verify-{step}-by-the-hand")
+        visit.look(f"verify-{step}-by-the-operator")
     visit.wait_until(
         "the verdict",
         "/api/verify",
@@ -204,10 +204,10 @@ def lost_devices(view: dict[str, Any]) -> bool:
 
 
 def take_poses(visit: Visit) -> None:
-    """The hand goes on, pose after pose as it is advised, until the result is there."""
+    """The simulated operator takes pose after pose as advised, until the result is there."""
     poses: set[int] = set()
     for _ in range(30):
-        visit.wait_until("the hand", "/api/flow", lambda view: view["busy"] is None)
+        visit.wait_until("the simulated operator", "/api/flow", lambda view: view["busy"] is None)
         view = visit.ask("/api/flow")
         if view["step"] == "review":
             assert len(poses) >= 3
@@ -218,7 +218,7 @@ def take_poses(visit: Visit) -> None:
             visit.look(f"pose-{len(poses) + 1}")
         visit.page.get_by_role("button", name="Let the simulated operator do it").click()
         visit.page.wait_for_timeout(500)
-    raise AssertionError("the hand never came to the result")
+    raise AssertionError("the simulated operator never came to the result")
 
 
 def scan(visit: Visit, folder: Path) -> None:

@@ -1,4 +1,4 @@
-"""Two people and a wall screen at one station, each in a browser of their own."""
+"""Two people and a kiosk at one station, each in a browser of their own."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ def page_of(browser: Browser, width: int, height: int) -> Page:
     return browser.new_context(viewport={"width": width, "height": height}).new_page()
 
 
-def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures: Path) -> None:
+def test_control_passes_from_person_to_person(browser: Browser, demo: Demo, pictures: Path) -> None:
     admin = page_of(browser, 1440, 900)
     admin.goto(demo.address)
     admin.get_by_label("Code").fill("a wrong one")
@@ -29,7 +29,7 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
     expect(admin.get_by_text("Anna", exact=True)).to_be_visible()
     admin.get_by_label("New link").fill("Hall 3")
     admin.get_by_role("button", name="Create link").click()
-    wall_link = admin.locator("code").inner_text()
+    kiosk_link = admin.locator("code").inner_text()
     admin.screenshot(path=pictures / "people-2-accounts.png")
     admin.get_by_role("link", name="Calibrate").click()
     admin.get_by_role("button", name="Start calibration").click()
@@ -58,16 +58,16 @@ def test_control_passes_from_hand_to_hand(browser: Browser, demo: Demo, pictures
     expect(anna.get_by_text("Step 2 of 7").first).to_be_visible()
     expect(admin.get_by_text("Step 2 of 7").first).to_be_visible()
 
-    wall = page_of(browser, 1920, 1080)
-    wall.goto(wall_link)
-    expect(wall.get_by_text("Anna", exact=True)).to_be_visible()
-    expect(wall.get_by_role("button", name="STOP")).to_have_count(0)
-    assert wall.evaluate("fetch('/api/stop', {method: 'POST'}).then(a => a.status)") == 403
-    wall.screenshot(path=pictures / "people-5-wall.png")
+    kiosk = page_of(browser, 1920, 1080)
+    kiosk.goto(kiosk_link)
+    expect(kiosk.get_by_text("Anna", exact=True)).to_be_visible()
+    expect(kiosk.get_by_role("button", name="STOP")).to_have_count(0)
+    assert kiosk.evaluate("fetch('/api/stop', {method: 'POST'}).then(a => a.status)") == 403
+    kiosk.screenshot(path=pictures / "people-5-kiosk.png")
 
     anna.get_by_role("button", name="Control: you").click()
     anna.get_by_role("button", name="Sign out").click()
     expect(anna.get_by_role("button", name="Sign in", exact=True)).to_be_visible()
     expect(admin.get_by_role("button", name="Control: nobody")).to_be_visible()
-    for page in (admin, anna, wall):
+    for page in (admin, anna, kiosk):
         page.context.close()

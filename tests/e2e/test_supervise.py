@@ -1,4 +1,4 @@
-"""A wall screen, several stations by a real broker, the Health page, and the station's end."""
+"""A kiosk, several stations by a real broker, the Health page, and the station's end."""
 
 import asyncio
 import json
@@ -67,7 +67,7 @@ def admin(browser: Browser, station: Demo) -> Iterator[Page]:
 
 
 @pytest.fixture(scope="module")
-def wall(browser: Browser, admin: Page) -> Iterator[Page]:
+def kiosk(browser: Browser, admin: Page) -> Iterator[Page]:
     admin.get_by_role("link", name="People").click()
     admin.get_by_label("New link").fill("Hall 3")
     admin.get_by_role("button", name="Create link").click()
@@ -83,21 +83,21 @@ def page_of(browser: Browser, width: int, height: int) -> Page:
     return browser.new_context(viewport={"width": width, "height": height}).new_page()
 
 
-def test_a_wall_shows_every_station_and_which_is_lost(
+def test_a_kiosk_shows_every_station_and_which_is_lost(
     broker: Mosquitto, request: pytest.FixtureRequest, pictures: Path
 ) -> None:
     words = [sys.executable, "-m", "tests.supervision.publishing", str(broker.port), "hall-3"]
     with subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL) as other:
         try:
-            wall: Page = request.getfixturevalue("wall")
-            expect(wall.get_by_role("heading", name="All stations")).to_be_visible(timeout=15_000)
-            expect(wall.get_by_role("heading", name="Demonstration")).to_be_visible()
-            card = wall.get_by_role("listitem").filter(has_text="Hall-3")
+            kiosk: Page = request.getfixturevalue("kiosk")
+            expect(kiosk.get_by_role("heading", name="All stations")).to_be_visible(timeout=15_000)
+            expect(kiosk.get_by_role("heading", name="Demonstration")).to_be_visible()
+            card = kiosk.get_by_role("listitem").filter(has_text="Hall-3")
             expect(card.get_by_text("live", exact=True)).to_be_visible()
             other.send_signal(signal.SIGSTOP)
             expect(card.get_by_text("lost for")).to_be_visible(timeout=5000)
-            wall.screenshot(path=pictures / "supervise-1-lost.png")
-            assert wall.evaluate("fetch('/api/logs').then(a => a.status)") == 403
+            kiosk.screenshot(path=pictures / "supervise-1-lost.png")
+            assert kiosk.evaluate("fetch('/api/logs').then(a => a.status)") == 403
         finally:
             other.kill()
 
@@ -164,17 +164,17 @@ def ask(page: Page, path: str, body: str = "{}") -> int:
 
 
 def test_it_ends_in_order_while_it_scans_and_is_watched(
-    station: Demo, broker: Mosquitto, admin: Page, wall: Page, pictures: Path
+    station: Demo, broker: Mosquitto, admin: Page, kiosk: Page, pictures: Path
 ) -> None:
     """Asked to end, with live sockets and a 3D view open, a scan running and recording."""
-    wall.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
-    wall.get_by_role("button", name="This station").click()
+    kiosk.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
+    kiosk.get_by_role("button", name="This station").click()
     assert ask(admin, "scan/start") == 200
     assert ask(admin, "scan/hand", '{"on": true}') == 200
-    expect(wall.get_by_text("points/s")).to_be_visible()
-    expect(wall.get_by_text("laser is on")).to_be_visible()
-    wall.wait_for_timeout(1500)
-    wall.screenshot(path=pictures / "supervise-2-scanning.png")
+    expect(kiosk.get_by_text("points/s")).to_be_visible()
+    expect(kiosk.get_by_text("laser is on")).to_be_visible()
+    kiosk.wait_for_timeout(1500)
+    kiosk.screenshot(path=pictures / "supervise-2-scanning.png")
     began_s = time.monotonic()
     station.process.send_signal(signal.SIGTERM)
     status = station.process.wait(20)
@@ -183,8 +183,8 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     assert took_s < 10.0
     assert status in (0, 128 + signal.SIGTERM, -signal.SIGTERM)
     assert retained(broker, "presence")["state"] == "off"
-    expect(wall.get_by_text("no contact for")).to_be_visible(timeout=30_000)
-    wall.screenshot(path=pictures / "supervise-3-ended.png")
+    expect(kiosk.get_by_text("no contact for")).to_be_visible(timeout=30_000)
+    kiosk.screenshot(path=pictures / "supervise-3-ended.png")
     store = Store(station.data)
     scan, *_ = store.scans.all()
     recording = open_recording(scan.folder / "scan.mcap")

@@ -16,12 +16,12 @@ from tests.api.calibrated import use_truth
 
 def serve(data: Path, broker_port: int) -> None:
     listening = listen("127.0.0.1", 0, 1)
-    with SimulatedStation() as twin:
-        parts = station_parts(twin, data)
+    with SimulatedStation() as simulation:
+        parts = station_parts(simulation, data)
         store = Store(data)
         guide = SimpleNamespace(_on_closed=lambda: None)
         context = SimpleNamespace(store=store, guide=guide)
-        use_truth(SimpleNamespace(twin=twin, data=data, context=context), "truth")
+        use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "truth")
         store.close()
         watching = replace(parts.monitoring, mqtt=BrokerSettings("127.0.0.1", broker_port))
         parts = replace(parts, monitoring=watching)

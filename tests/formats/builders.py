@@ -124,7 +124,7 @@ def stripe_points() -> tuple[Floats, Floats]:
 
 
 def q_at(stamp_ns: int) -> Floats:
-    """The angles of a hand that moves all joints evenly."""
+    """The angles while all joints move evenly."""
     return np.asarray(np.deg2rad(POSE_DEG) + 1e-10 * stamp_ns * np.arange(1, 7))
 
 

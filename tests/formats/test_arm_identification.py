@@ -1,4 +1,4 @@
-"""Folders that tell an arm's geometry, as files: read, identified, written, and refused."""
+"""Folders for an arm's identification, as files: read, identified, written, and refused."""
 
 import json
 from collections.abc import Callable
@@ -158,7 +158,7 @@ def test_a_folder_without_tables_is_refused(tmp_path: Path, session: SimulatedAr
     assert caught.value.code == "no-observations"
 
 
-def test_the_check_tells_half_range_and_two_sigma(
+def test_the_check_reports_half_range_and_two_sigma(
     tmp_path: Path, session: SimulatedArmSession
 ) -> None:
     by_prior = check_table(tmp_path / "s", None, ArticulationLimits(half_range_um=60.0))

@@ -82,7 +82,7 @@ def test_places_that_take_no_file_are_refused(tmp_path: Path, name: str) -> None
 
 
 @pytest.mark.parametrize("number", [errno.ENOENT, errno.EACCES, errno.EROFS, errno.EIO])
-def test_errors_of_the_system_are_told_in_words(number: int) -> None:
+def test_errors_of_the_system_are_reported_in_words(number: int) -> None:
     with (
         pytest.raises(OperationError, match=r"some\.file: .") as refused,
         convert_io_errors("some.file"),

@@ -92,7 +92,7 @@ def test_a_cut_cloud_is_refused(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"c{suffix}"
     written(path)
     whole = path.read_bytes()
-    if suffix == ".xyz":  # whose last line alone tells
+    if suffix == ".xyz":  # only its last line shows the damage
         path.write_bytes(whole[: whole.rindex(b" ") - 20])
     else:
         path.write_bytes(whole[: len(whole) // 2])

@@ -81,7 +81,7 @@ def test_any_order_of_properties_and_bytes(tmp_path: Path, order: str) -> None:
     lines = [
         "ply",
         f"format binary_{'little' if order == '<' else 'big'}_endian 1.0",
-        "comment made by hand",
+        "comment made manually",
         "element camera 2",
         "property short a",
         "property double b",

@@ -120,7 +120,7 @@ def test_a_text_cloud_that_announces_more_than_any_disk_holds(tmp_path: Path) ->
 
 
 def test_a_picture_larger_than_can_be_read(tmp_path: Path) -> None:
-    """A whole PNG of 60,000 x 60,000 black pixels, which takes no room in the file."""
+    """A whole PNG of 60,000 x 60,000 black pixels, which takes no space in the file."""
 
     def chunk(kind: bytes, body: bytes) -> bytes:
         return (

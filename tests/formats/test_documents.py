@@ -301,7 +301,7 @@ def judged_file() -> CalibrationFile:
                 text=text,
                 findings=(FindingPart(quality="good", code="uncertainty", text=text),),
             ),
-            "poses": (PosePart(number=1, used=False, reason="left out by hand"),),
+            "poses": (PosePart(number=1, used=False, reason="left out manually"),),
         }
     )
 

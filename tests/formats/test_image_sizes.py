@@ -1,4 +1,4 @@
-"""How large a picture is told to be, and that none is decoded that is too large."""
+"""The size that a header announces, and that no picture is decoded that is too large."""
 
 import struct
 import time
@@ -68,7 +68,9 @@ def test_a_picture_that_is_too_large_is_refused_by_its_size(name: str) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("colour", [False, True])
 @pytest.mark.parametrize("shape", [(1, 1), (30, 41), (257, 1000)])
-def test_headers_tell_what_decoding_finds(kind: str, colour: bool, shape: tuple[int, int]) -> None:
+def test_headers_announce_what_decoding_finds(
+    kind: str, colour: bool, shape: tuple[int, int]
+) -> None:
     picture = np.random.default_rng(0).integers(0, 255, (*shape, 3) if colour else shape)
     done, encoded = cv2.imencode(f".{kind}", picture.astype(np.uint8))
     assert done
@@ -121,6 +123,6 @@ STARTS = [*LARGE.values(), tiff(3, 3), png(3, 3), b"P5 3 3 255\n", b"\xff\xd8\xf
 
 @given(st.sampled_from(STARTS), st.integers(0, 80), st.binary(max_size=200))
 @example(b"II+\x00\x08\x00\x00\x00\x10\x00\x00\x00\x00\x00\x00\x80", 16, b"")
-def test_any_header_is_told_or_not(start: bytes, kept: int, rest: bytes) -> None:
+def test_any_header_announces_a_size_or_none(start: bytes, kept: int, rest: bytes) -> None:
     announced = announced_size(start[:kept] + rest)
     assert announced is None or announced.pixels >= 0

@@ -102,7 +102,7 @@ def test_settings_survive_a_restart(tmp_path: Path) -> None:
     assert again.read().stripe == StripeSettings(12.0, 2.5, choice="first")
 
 
-def test_spoilt_settings_are_automatic_and_told(tmp_path: Path) -> None:
+def test_spoilt_settings_are_automatic_and_reported(tmp_path: Path) -> None:
     (tmp_path / "scan_settings.json").write_text("{")
     store = SettingsStore(tmp_path)
     assert store.read() == AUTOMATIC

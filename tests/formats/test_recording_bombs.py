@@ -67,10 +67,10 @@ def schema(number: int, data: bytes) -> bytes:
 
 
 BOMBS: dict[str, Callable[[], bytes]] = {
-    "zstd that tells its size": lambda: zstd(LARGE, LARGE),
+    "zstd that announces its size": lambda: zstd(LARGE, LARGE),
     "zstd of a smaller chunk": lambda: zstd(LARGE, 1000),
-    "zstd that tells no size": lambda: zstd(LARGE, LARGEST_CHUNK, known=False),
-    "lz4 that tells its size": lambda: lz4_zeros(LARGE, LARGE),
+    "zstd that announces no size": lambda: zstd(LARGE, LARGEST_CHUNK, known=False),
+    "lz4 that announces its size": lambda: lz4_zeros(LARGE, LARGE),
     "lz4 of a smaller chunk": lambda: lz4_zeros(LARGE, 1000),
     "announced alone": lambda: chunk(b"", b"", 1 << 62),
     "a chunk of zeros": lambda: packed(bytes(LARGEST_CHUNK)),
@@ -115,7 +115,7 @@ def test_a_bomb_is_damage_to_both_readers(
 
 @pytest.mark.usefixtures("frugal")
 @pytest.mark.parametrize("sparse", [False, True])
-def test_what_a_recording_tells_is_read_from_its_beginning_alone(
+def test_a_recordings_metadata_is_read_from_its_beginning_alone(
     sparse: bool, tmp_path: Path
 ) -> None:
     path = tmp_path / "scan.mcap"

@@ -136,11 +136,13 @@ class InProcess:
 class AnyCommands(RuleBasedStateMachine):
     """One data folder: commands, and restarts of the station on it."""
 
-    def __init__(self, twin: SimulatedStation, template: Path) -> None:
+    def __init__(self, simulation: SimulatedStation, template: Path) -> None:
         super().__init__()
         self.data = Path(tempfile.mkdtemp(prefix="any-"))
         shutil.copytree(template, self.data, dirs_exist_ok=True)
-        self.parts: StationParts = replace(station_parts(twin, self.data), simulated_operator=None)
+        self.parts: StationParts = replace(
+            station_parts(simulation, self.data), simulated_operator=None
+        )
 
     @initialize(at=st.fixed_dictionaries({kind: st.sampled_from(AT[kind]) for kind in AT}))
     def begin(self, at: dict[str, Rows]) -> None:
@@ -201,7 +203,7 @@ class AnyCommands(RuleBasedStateMachine):
 
 
 def seed(store: Store, kind: str, rows: Rows) -> None:
-    """A session as its guide would have left it, with the sheets in its folder."""
+    """A session as its guide would have left it, with the datasheets in its folder."""
     session_id = f"seeded-{kind}"
     store.journal.begin_session(session_id, kind)
     for row_kind, payload in rows:
@@ -218,17 +220,19 @@ def answered(answer: httpx.Response, asked: object) -> None:
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation() as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as simulation:
+        yield simulation
 
 
 @pytest.fixture(scope="module")
-def template(twin: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def template(simulation: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A data folder with a calibration in use and a gauge."""
     data = tmp_path_factory.mktemp("template")
-    context = build_app(replace(station_parts(twin, data), simulated_operator=None)).state.context
-    use_truth(SimpleNamespace(twin=twin, data=data, context=context), "true")
+    context = build_app(
+        replace(station_parts(simulation, data), simulated_operator=None)
+    ).state.context
+    use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "true")
     (data / "gauges").mkdir(exist_ok=True)
     (data / "gauges" / "plate.json").write_text(json.dumps(PLATE))
     close_context(context)
@@ -237,12 +241,12 @@ def template(twin: SimulatedStation, tmp_path_factory: pytest.TempPathFactory) -
     return data
 
 
-def test_any_commands(twin: SimulatedStation, template: Path) -> None:
+def test_any_commands(simulation: SimulatedStation, template: Path) -> None:
     long = settings().max_examples > settings.get_profile("default").max_examples
 
     class OfThisStation(AnyCommands):
         def __init__(self) -> None:
-            super().__init__(twin, template)
+            super().__init__(simulation, template)
 
     run_state_machine_as_test(
         OfThisStation,

@@ -201,7 +201,7 @@ def test_a_bar_has_two_ends_and_half_of_one_is_not_used(arm: Arm, tmp_path: Path
     assert str(build_view(state, live).picture.seats[1].note) == "length −50 µm"
 
 
-def test_a_sphere_is_touched_by_the_button_and_told_by_its_distances(arm: Arm) -> None:
+def test_a_sphere_is_touched_by_the_button_and_fitted_by_its_distances(arm: Arm) -> None:
     ball = tip_centres(arm, REST_RAD[None])[0] - np.array([0.0, 0.0, 30.0])
     radius_mm = (20.0 + arm.tip.diameter_mm) / 2
     rng = np.random.default_rng(2)

@@ -26,7 +26,7 @@ from tests.guide.builders import (
     state_after,
 )
 
-BOARD = Chessboard("sheet 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
+BOARD = Chessboard("board 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
 SEEN: dict[str, object] = {"corners": [{"name": "0,0", "u": 5.0, "v": 5.0, "residual_px": 0.1}]}
 NOTHING: dict[str, object] = {"corners": []}
 
@@ -94,7 +94,7 @@ def test_touches_of_a_board_are_judged_by_the_plane_through_them(
     assert [one.outlier for one in view.picture.points] == [False] * WANTED + [True]
     assert "Point 7 is +1000 µm off the plane" in str(view.findings[0].text)
     assert any(one.name == "void_point" and one.args == {"index": 6} for one in view.actions)
-    # a sheet that bends by half a millimetre has slipped no point
+    # a board that bends by half a millimetre has slipped no point
     bent = Chessboard("bent", "", (7, 6), 10.0, 0.05, 0.6)
     assert not build_view(state, make_live(state, arm, bent)).findings
 
@@ -132,7 +132,7 @@ def test_a_view_that_was_set_aside_is_asked_for_again() -> None:
     assert wanted(*three, ("retaken", {})) == 2
 
 
-def test_a_planned_view_looks_as_it_is_told() -> None:
+def test_a_planned_view_looks_as_described() -> None:
     """Tilted to the right, the camera is nearer to the board's right side, which looks larger."""
     size = (1280, 1024)
 
@@ -167,7 +167,7 @@ def test_a_board_fills_the_picture_and_tilts_as_it_shows(
     corners: tuple[int, int], size: tuple[int, int], upright: bool
 ) -> None:
     """Whichever way the stripe runs: what is right in the picture is right."""
-    board = Chessboard("sheet", "", corners, 10.0, 0.05, 0.05)
+    board = Chessboard("board", "", corners, 10.0, 0.05, 0.05)
 
     def ends(view: PoseDelta) -> np.ndarray:
         return np.array(first_outline(board, *size, upright, view))[:4].reshape(-1, 2)

@@ -92,7 +92,7 @@ def states(contacts: list[tuple[str, dict[str, object]]]) -> dict[str, Calibrati
 @pytest.mark.parametrize("still", [True, False])
 @pytest.mark.parametrize("connected", [True, False])
 @pytest.mark.parametrize("step", STEPS)
-def test_every_step_tells_what_to_do_and_why_not(
+def test_every_step_says_what_to_do_and_why_not(
     step: str,
     connected: bool,
     still: bool,
@@ -166,7 +166,7 @@ def test_a_point_on_a_wrong_face_is_offered_for_removal_and_blocks(
     assert action(view, "void_point").enabled
 
 
-def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
+def test_another_arm_or_sensor_than_chosen_is_reported_before_it_matters(
     arm: Arm, block: Crenellated
 ) -> None:
     state = state_after(start_row("setup"))
@@ -188,7 +188,7 @@ def test_another_arm_or_sensor_than_chosen_is_told_before_it_matters(
     assert str(why_not) == "Choose first: arm, object, sensor."
 
 
-def test_the_live_picture_is_told_of_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
+def test_the_live_picture_is_described_once_and_in_sentences(arm: Arm, block: Crenellated) -> None:
     state = state_after(start_row("place"))
     dark = (Finding("attention", "the picture is dark", "open the iris"),) * 2
     live = make_live(state, arm, block, corners_detected=0, picture_findings=dark)
@@ -330,7 +330,7 @@ def test_every_pose_is_listed_and_a_refused_one_says_why(
     assert action(reported, "retake").enabled
 
 
-def test_few_points_are_told_how_many_more_help(
+def test_with_few_points_it_is_shown_how_many_more_help(
     arm: Arm, block: Crenellated, contacts: list[tuple[str, dict[str, object]]]
 ) -> None:
     some = [*contacts[:5], *contacts[9:14], *contacts[18:23]]
@@ -392,12 +392,17 @@ def test_what_makes_no_sense_here_is_declined_with_a_reason(
 def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: Crenellated) -> None:
     state = state_after(start_row("touch"), point_row("crest", np.zeros(6)))
     busy: CalibrationLive = make_live(
-        state, arm, block, busy=Busy("The hand at work", 0.3), hand_running=True, has_hand=True
+        state,
+        arm,
+        block,
+        busy=Busy("The simulated operator at work", 0.3),
+        hand_running=True,
+        has_hand=True,
     )
     view = build_view(state, busy)
     assert action(view, "stop_hand").enabled
     assert not action(view, "undo").enabled
-    assert "The hand at work" in str(action(view, "undo").why_not)
+    assert "The simulated operator at work" in str(action(view, "undo").why_not)
 
 
 def test_an_outcome_comes_back_from_the_journal_as_it_was() -> None:

@@ -115,7 +115,7 @@ def test_an_age_is_said_as_people_do(days: float, said: str) -> None:
     assert str(duration(days)) == said
 
 
-def test_whoever_begins_to_touch_is_told_of_the_tip() -> None:
+def test_the_state_of_the_tip_is_shown_before_touching() -> None:
     worn = lines(replace(ALL, tip=done(0.1, "failed", "The tip is worn.")))["tip"]
     assert tip_finding(lines(ALL)["tip"]).quality == "good"
     assert (tip_finding(worn).quality, "worn" in str(tip_finding(worn).text)) == ("bad", True)

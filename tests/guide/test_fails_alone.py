@@ -1,4 +1,4 @@
-"""What fails in one check, or in one part of the support bundle, is told in its place alone."""
+"""What fails in one check or one part of the support bundle is reported in its place alone."""
 
 import io
 import json
@@ -26,14 +26,14 @@ ADDRESSES = ("http://[", "http://a[b]/", "http://x:99999999/", "http://x\u202e/"
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation() as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as simulation:
+        yield simulation
 
 
 @pytest.fixture
-def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(twin, tmp_path), simulated_operator=None)
+def parts(simulation: SimulatedStation, tmp_path: Path) -> StationParts:
+    return replace(station_parts(simulation, tmp_path), simulated_operator=None)
 
 
 @pytest.fixture
@@ -131,9 +131,9 @@ def test_odd_rows_and_endless_logs_are_bundled(context: Context) -> None:
 
 @pytest.mark.parametrize("total_um", ["-1e308", "1e308", "-1", "1e999", "NaN", '"many"'])
 def test_figures_that_no_calibration_has_are_set_aside(
-    twin: SimulatedStation, parts: StationParts, context: Context, total_um: str
+    simulation: SimulatedStation, parts: StationParts, context: Context, total_um: str
 ) -> None:
-    use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
     (record,) = context.store.calibrations.all()
     figures = json.dumps({"verdict": "good", **dict.fromkeys(("arm_serial", "object_serial"), "")})
     figures = f'{figures[:-1]}, "sensor_serial": "", "total_um": {total_um}}}'

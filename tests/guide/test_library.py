@@ -10,7 +10,7 @@ from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 
-BOARD = Chessboard("sheet 7", "", (7, 6), 10.0, 0.05)
+BOARD = Chessboard("board 7", "", (7, 6), 10.0, 0.05)
 
 
 def library_with(folder: Path, **objects: Crenellated | Chessboard) -> DatasheetLibrary:
@@ -20,7 +20,7 @@ def library_with(folder: Path, **objects: Crenellated | Chessboard) -> Datasheet
     return read_library(folder)
 
 
-def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_told(
+def test_blocks_and_chessboards_can_be_chosen_and_damaged_files_are_named(
     tmp_path: Path, block: Crenellated
 ) -> None:
     library_with(tmp_path, block=block, board=BOARD)

@@ -1,4 +1,4 @@
-"""What cannot be read at a start is set aside and told; everything else is served."""
+"""What cannot be read at a start is set aside and reported; everything else is served."""
 
 import json
 from collections.abc import Iterator
@@ -29,14 +29,14 @@ PAGE_BYTES = 4096
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation() as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation() as simulation:
+        yield simulation
 
 
 @pytest.fixture
-def parts(twin: SimulatedStation, tmp_path: Path) -> StationParts:
-    return replace(station_parts(twin, tmp_path), simulated_operator=None)
+def parts(simulation: SimulatedStation, tmp_path: Path) -> StationParts:
+    return replace(station_parts(simulation, tmp_path), simulated_operator=None)
 
 
 def closed(context: Context) -> None:
@@ -77,11 +77,11 @@ def test_a_session_with_a_bad_row_is_set_aside(
     ],
 )
 def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
-    twin: SimulatedStation, parts: StationParts, change: str
+    simulation: SimulatedStation, parts: StationParts, change: str
 ) -> None:
     context = open_context(parts)
     try:
-        use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+        use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
         context.store.scans.add(
             ScanRecord("one", "One", parts.data / "scans/one", utc_now(), 7, 3, 1.0, "true")
         )
@@ -99,11 +99,11 @@ def test_damaged_rows_do_not_keep_health_and_home_from_being_shown(
 
 
 def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
-    twin: SimulatedStation, parts: StationParts
+    simulation: SimulatedStation, parts: StationParts
 ) -> None:
     context = open_context(parts)
     try:
-        use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+        use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
         file = context.store.calibrations.all()[0].file
         whole = file.read_text()
         assert context.scanner.trouble is None
@@ -121,9 +121,9 @@ def test_a_calibration_that_is_emptied_while_in_use_is_not_scanned_with(
         closed(context)
 
 
-def test_a_cut_calibration_is_not_valid(twin: SimulatedStation, parts: StationParts) -> None:
+def test_a_cut_calibration_is_not_valid(simulation: SimulatedStation, parts: StationParts) -> None:
     context = open_context(parts)
-    use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
     file = context.store.calibrations.all()[0].file
     closed(context)
     file.write_text(file.read_text()[:200])
@@ -141,10 +141,10 @@ def test_a_cut_calibration_is_not_valid(twin: SimulatedStation, parts: StationPa
 
 
 def test_a_calibration_whose_files_go_while_the_station_runs_is_not_valid(
-    twin: SimulatedStation, parts: StationParts
+    simulation: SimulatedStation, parts: StationParts
 ) -> None:
     context = open_context(parts)
-    use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
     file = context.store.calibrations.all()[0].file
     try:
         assert build_home(context).checks[0].state == "valid"
@@ -174,10 +174,10 @@ def test_an_empty_database_beside_sessions_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_damaged_page_of_the_database_is_said_to_be_one(
-    twin: SimulatedStation, parts: StationParts
+    simulation: SimulatedStation, parts: StationParts
 ) -> None:
     context = open_context(parts)
-    use_truth(SimpleNamespace(twin=twin, data=parts.data, context=context), "true")
+    use_truth(SimpleNamespace(simulation=simulation, data=parts.data, context=context), "true")
     context.guide.start()
     closed(context)
     database = parts.data / "station.db"

@@ -1,4 +1,4 @@
-"""From a session's folder to the result that is shown, on sessions that the twin renders."""
+"""From a session's folder to the result that is shown, on sessions that the simulation renders."""
 
 import json
 import shutil

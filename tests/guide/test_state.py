@@ -148,7 +148,7 @@ def test_a_pose_taken_back_brings_its_result_back_with_it() -> None:
     assert gone.outcome is None
 
 
-def test_a_picture_taken_anew_is_not_offered_again() -> None:
+def test_a_retaken_picture_is_not_offered_again() -> None:
     rows = [start_row("capture"), capture_row(), ("retaken", {}), capture_row()]
     state = state_after(*rows, ("pose_restored", {"number": 1}))
     assert [picture.number for picture in state.listed] == [2]

@@ -89,7 +89,7 @@ def test_points_that_agree_have_small_residuals_and_their_place(
     assert np.array(places) == pytest.approx(np.array(expected), abs=1e-4)
 
 
-def test_a_point_on_another_face_is_told_with_the_face_it_lies_on(
+def test_a_point_on_another_face_is_named_with_the_face_it_misses(
     arm: Arm, block: Crenellated
 ) -> None:
     rows = [start_row("touch")]

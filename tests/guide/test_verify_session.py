@@ -187,7 +187,7 @@ def test_a_figure_fails_or_stays_undecided_by_its_uncertainty() -> None:
     assert "520 µm, beyond the limit of 20 µm" in str(verdict.reasons[0])
 
 
-def test_a_sphere_is_judged_by_its_paper_and_its_touched_centre() -> None:
+def test_a_sphere_is_judged_by_its_nominal_and_its_touched_centre() -> None:
     covariance = np.diag([1e-6, 1e-6, 4e-6, 1e-6]).tolist()
     values = fit(radius_mm=9.98, centre_mm=[0.03, 0.0, 0.04], covariance=covariance)
     one = GaugeFit.model_validate({**values, "normal": None, "offset_mm": None})

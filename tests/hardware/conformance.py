@@ -31,7 +31,7 @@ LONG_S = 10.0
 
 
 class ArmBench(ABC):
-    """An arm driver with a device that does as told."""
+    """An arm driver with a device that the test controls."""
 
     @abstractmethod
     def driver(self) -> ArmDriver:
@@ -59,7 +59,7 @@ class ArmBench(ABC):
 
 
 class SensorBench(ABC):
-    """A sensor driver with a device that does as told."""
+    """A sensor driver with a device that the test controls."""
 
     @abstractmethod
     def driver(self) -> SensorDriver:

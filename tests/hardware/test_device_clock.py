@@ -80,7 +80,7 @@ def test_steady_sampling_stays_steady() -> None:
     assert np.abs(steps_us - 5000).max() < 40
 
 
-def test_a_restart_maps_anew_and_still_increases() -> None:
+def test_a_restart_maps_again_and_still_increases() -> None:
     clock = DeviceClock()
     rng = np.random.default_rng(6)
     before, after = sampled(8, 1000), sampled(8, 1010)

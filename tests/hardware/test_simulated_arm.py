@@ -26,7 +26,7 @@ from tests.hardware.conformance import (
 REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 
-class TwinArmBench(ArmBench):
+class SimulatedArmBench(ArmBench):
     def __init__(self, line: DevicePort, rate_hz: float = 500.0) -> None:
         self.line, self.faults = line, Faults()
         self.motion = Motion(REST)
@@ -60,21 +60,21 @@ class TwinArmBench(ArmBench):
 
 
 @pytest.fixture(params=["tcp", "pty"])
-def bench(request: pytest.FixtureRequest) -> Iterator[TwinArmBench]:
+def bench(request: pytest.FixtureRequest) -> Iterator[SimulatedArmBench]:
     if request.param == "pty" and not hasattr(os, "openpty"):
         pytest.skip("there are no pseudo-terminals on this system")
-    made = TwinArmBench(PtyPort() if request.param == "pty" else TcpPort("127.0.0.1", 0))
+    made = SimulatedArmBench(PtyPort() if request.param == "pty" else TcpPort("127.0.0.1", 0))
     yield made
     made.device.stop()
 
 
-class TestTwinArm(ArmConformance):
+class TestSimulatedArm(ArmConformance):
     """Over TCP and over a pseudo-terminal."""
 
 
 @pytest.fixture
-def tcp_bench() -> Iterator[TwinArmBench]:
-    made = TwinArmBench(TcpPort("127.0.0.1", 0), 1000.0)
+def tcp_bench() -> Iterator[SimulatedArmBench]:
+    made = SimulatedArmBench(TcpPort("127.0.0.1", 0), 1000.0)
     yield made
     made.device.stop()
 
@@ -91,7 +91,7 @@ def test_packets_are_the_published_examples() -> None:
     assert hello.endswith(bytes.fromhex("37 1B D7 04"))
 
 
-def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: TwinArmBench) -> None:
+def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: SimulatedArmBench) -> None:
     driver = tcp_bench.driver()
     info = driver.open()
     assert (info.joint_count, info.rate_hz) == (6, 1000.0)
@@ -108,7 +108,7 @@ def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: TwinArmBe
     assert np.abs(read[-1] - REST - 1).max() < 1e-4
 
 
-def test_rest_shows_encoder_noise_and_no_more(tcp_bench: TwinArmBench) -> None:
+def test_rest_shows_encoder_noise_and_no_more(tcp_bench: SimulatedArmBench) -> None:
     driver = tcp_bench.driver()
     driver.open()
     samples = select_samples(read_until(driver, lambda got: len(got) > 1500))
@@ -120,7 +120,7 @@ def test_rest_shows_encoder_noise_and_no_more(tcp_bench: TwinArmBench) -> None:
     assert np.allclose(q / step, np.rint(q / step), atol=1e-6)
 
 
-def test_faults_are_seen_as_what_they_are(tcp_bench: TwinArmBench) -> None:
+def test_faults_are_seen_as_what_they_are(tcp_bench: SimulatedArmBench) -> None:
     driver, faults = tcp_bench.driver(), tcp_bench.faults
     driver.open()
     faults.drop_rate = 0.2
@@ -137,7 +137,7 @@ def test_faults_are_seen_as_what_they_are(tcp_bench: TwinArmBench) -> None:
     driver.close()
 
 
-def test_late_packets_come_late_and_none_is_missing(tcp_bench: TwinArmBench) -> None:
+def test_late_packets_come_late_and_none_is_missing(tcp_bench: SimulatedArmBench) -> None:
     driver, faults = tcp_bench.driver(), tcp_bench.faults
     driver.open()
     faults.late_rate, faults.late_s = 0.01, 0.15
@@ -149,7 +149,7 @@ def test_late_packets_come_late_and_none_is_missing(tcp_bench: TwinArmBench) -> 
     driver.close()
 
 
-def test_a_press_is_where_and_when_it_was_made(tcp_bench: TwinArmBench) -> None:
+def test_a_press_is_where_and_when_it_was_made(tcp_bench: SimulatedArmBench) -> None:
     driver = tcp_bench.driver()
     driver.open()
     at = now_ns() + 50_000_000
@@ -162,7 +162,7 @@ def test_a_press_is_where_and_when_it_was_made(tcp_bench: TwinArmBench) -> None:
     assert abs(pressed.stamp_ns - at) < 20_000_000
 
 
-def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: TwinArmBench) -> None:
+def test_a_client_that_does_not_read_holds_up_nobody(tcp_bench: SimulatedArmBench) -> None:
     sleeper, reader = tcp_bench.driver(), tcp_bench.driver()
     sleeper.open()
     reader.open()

@@ -1,4 +1,4 @@
-"""The chessboard on the simulated table: its picture, the laser's line on it, and the hand."""
+"""The chessboard on the simulated table: its picture, the laser's line on it, and the operator."""
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -33,14 +33,14 @@ FINE = 24
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation(SMALL) as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation(SMALL) as simulation:
+        yield simulation
 
 
-def board_of(twin: SimulatedStation) -> tuple[Board, Floats]:
+def board_of(simulation: SimulatedStation) -> tuple[Board, Floats]:
     """The board as it truly is, and where."""
-    thing = twin._scene.find_object("board")
+    thing = simulation._scene.find_object("board")
     assert isinstance(thing.shape, Board)
     return thing.shape, thing.T_arm_obj
 
@@ -113,55 +113,59 @@ def test_the_lasers_line_is_as_much_dimmer_on_black() -> None:
 
 
 def test_pictures_of_the_block_do_not_trace_the_board() -> None:
-    twin = SimulatedStation(SMALL)
-    kinds, _, _ = twin._renderer()._visible_objects(twin._rig.T_arm_obj)
-    assert len(kinds) < len(twin._scene.objects) - 2
+    simulation = SimulatedStation(SMALL)
+    kinds, _, _ = simulation._renderer()._visible_objects(simulation._rig.T_arm_obj)
+    assert len(kinds) < len(simulation._scene.objects) - 2
     assert 4 not in kinds
 
 
 def test_the_board_is_made_after_its_certificate() -> None:
     sizes = []
     for seed in range(40):
-        twin = SimulatedStation(replace(SMALL, seed=seed, certificate_sd_mm=0.005))
-        board, _ = board_of(twin)
+        simulation = SimulatedStation(replace(SMALL, seed=seed, certificate_sd_mm=0.005))
+        board, _ = board_of(simulation)
         columns, rows = board.inner_corners
-        paper = twin.datasheets()["chessboard.json"]
-        assert (paper["inner_corners"], paper["square_mm"]) == ([columns, rows], 4.5)
+        datasheet = simulation.datasheets()["chessboard.json"]
+        assert (datasheet["inner_corners"], datasheet["square_mm"]) == ([columns, rows], 4.5)
         sizes.append((board.square_x_mm - 4.5) * (columns - 1))
         sizes.append((board.square_y_mm - 4.5) * (rows - 1))
     assert np.std(sizes) == pytest.approx(0.005, rel=0.3)
 
 
-def test_the_hand_touches_places_all_over_the_printed_side(twin: SimulatedStation) -> None:
-    board, T = board_of(twin)
-    driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
+def test_the_simulated_operator_touches_places_all_over_the_printed_side(
+    simulation: SimulatedStation,
+) -> None:
+    board, T = board_of(simulation)
+    driver = from_options({"url": simulation.arm_url, "timeout_s": 5.0})
     driver.open()
     spots = []
     for index in range(5):
         with ThreadPoolExecutor() as pool:
-            touched = pool.submit(twin.operator.touch, "board", index)
+            touched = pool.submit(simulation.operator.touch, "board", index)
             records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             pressed_ns = next(r.stamp_ns for r in records if not hasattr(r, "joints_rad"))
             assert touched.result(LONG_S)
-        tip = tip_centre(twin._rig.arm, twin._motion.at(pressed_ns))
+        tip = tip_centre(simulation._rig.arm, simulation._motion.at(pressed_ns))
         spots.append((tip - T[:3, 3]) @ T[:3, :3])
     driver.close()
     places = np.array(spots)
-    assert places[:, 2] == pytest.approx(twin._rig.arm.tip_diameter_mm / 2, abs=0.03)
+    assert places[:, 2] == pytest.approx(simulation._rig.arm.tip_diameter_mm / 2, abs=0.03)
     assert np.all(np.abs(places[:, :2] - board.middle_mm[:2]) < board.half_pattern_mm)
     assert np.all(np.ptp(places[:, :2], axis=0) > board.half_pattern_mm / 2)
-    assert twin.operator.touch("crest", 0)
+    assert simulation.operator.touch("crest", 0)
 
 
-def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: SimulatedStation) -> None:
-    board, T_arm_board = board_of(twin)
+def test_every_view_has_the_whole_pattern_and_the_laser_across_it(
+    simulation: SimulatedStation,
+) -> None:
+    board, T_arm_board = board_of(simulation)
     half = np.array([*board.half_pattern_mm, 0.0])
     ends = np.array([[x, y, 0] for x in (-1, 1) for y in (-1, 1)]) * half + board.middle_mm
-    optics, document = twin._rig.optics, twin._rig.light_plane
+    optics, document = simulation._rig.optics, simulation._rig.light_plane
     ways, turns, heights = [], [], []
     for view in range(len(VIEWPOINTS)):
-        assert twin.operator.hold_over("board", view)
-        T = np.linalg.inv(twin.sensor_pose(now_ns())) @ T_arm_board
+        assert simulation.operator.hold_over("board", view)
+        T = np.linalg.inv(simulation.sensor_pose(now_ns())) @ T_arm_board
         corners = ends @ T[:3, :3].T + T[:3, 3]
         uv = to_pixels(optics, corners)
         assert uv.min() > 5
@@ -181,7 +185,7 @@ def test_every_view_has_the_whole_pattern_and_the_laser_across_it(twin: Simulate
     assert np.ptp(heights) > 12
 
 
-def test_the_sensor_is_held_over_block_and_board_only(twin: SimulatedStation) -> None:
+def test_the_sensor_is_held_over_block_and_board_only(simulation: SimulatedStation) -> None:
     for name in ("shell", "teapot"):
         with pytest.raises(KeyError, match=name):
-            twin.operator.hold_over(name)
+            simulation.operator.hold_over(name)

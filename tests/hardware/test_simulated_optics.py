@@ -245,7 +245,7 @@ def test_too_much_light_saturates() -> None:
 @pytest.mark.parametrize(
     "shape", [GaugeSphere(12.7), FreeformPart(), Box((-20, -15, -5), (20, 15, 0))]
 )
-def test_stripes_on_other_shapes_lie_on_shape_and_sheet(
+def test_stripes_on_other_shapes_lie_on_shape_and_light_plane(
     shape: GaugeSphere | FreeformPart | Box,
 ) -> None:
     optics, light_plane = draw_sensor(BLOCK)

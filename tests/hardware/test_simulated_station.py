@@ -30,39 +30,39 @@ from tests.hardware.conformance import (
 SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 
 
-class TwinSensorBench(SensorBench):
-    def __init__(self, twin: SimulatedStation) -> None:
-        self._twin = twin
+class SimulatedSensorBench(SensorBench):
+    def __init__(self, simulation: SimulatedStation) -> None:
+        self._simulation = simulation
 
     def driver(self) -> SensorDriver:
-        return self._twin.sensor()
+        return self._simulation.sensor()
 
     def unplug(self) -> None:
-        self._twin.faults.camera_lost = True
+        self._simulation.faults.camera_lost = True
 
     def plug_in(self) -> None:
-        self._twin.faults.camera_lost = False
+        self._simulation.faults.camera_lost = False
 
 
 @pytest.fixture(scope="module")
 def station() -> Iterator[SimulatedStation]:
-    with SimulatedStation(SMALL) as twin:
-        yield twin
+    with SimulatedStation(SMALL) as simulation:
+        yield simulation
 
 
 @pytest.fixture
-def twin(station: SimulatedStation) -> SimulatedStation:
+def simulation(station: SimulatedStation) -> SimulatedStation:
     station.faults.clear()
     station.lighting.room, station.lighting.room_with_laser = 1.0, False
     return station
 
 
 @pytest.fixture
-def bench(twin: SimulatedStation) -> TwinSensorBench:
-    return TwinSensorBench(twin)
+def bench(simulation: SimulatedStation) -> SimulatedSensorBench:
+    return SimulatedSensorBench(simulation)
 
 
-class TestTwinSensor(SensorConformance):
+class TestSimulatedSensor(SensorConformance):
     """The simulated sensor is a sensor."""
 
 
@@ -79,17 +79,17 @@ def model_of(datasheet: object) -> ArmModel:
     return ArmModel(links, (tip["x_mm"], tip["y_mm"], tip["z_mm"]), tip["diameter_mm"])
 
 
-def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
-    datasheets = twin.datasheets()
+def test_a_touch_is_a_contact_with_a_press(simulation: SimulatedStation) -> None:
+    datasheets = simulation.datasheets()
     model = model_of(datasheets["arm.json"])
     block: dict[str, Any] = datasheets["object.json"]
-    T_obj_arm = np.linalg.inv(np.array(twin.truth()["T_arm_obj"]))
-    driver = from_options({"url": twin.arm_url, "timeout_s": 5.0})
+    T_obj_arm = np.linalg.inv(np.array(simulation.truth()["T_arm_obj"]))
+    driver = from_options({"url": simulation.arm_url, "timeout_s": 5.0})
     driver.open()
     heights = []
     for index in range(3):
         with ThreadPoolExecutor() as pool:
-            touched = pool.submit(twin.operator.touch, "crest", index)
+            touched = pool.submit(simulation.operator.touch, "crest", index)
             records = read_until(driver, lambda got: len(button_edges(got)) == 2)
             assert touched.result(LONG_S)
         assert button_edges(records) == [(Button.PRIMARY, True), (Button.PRIMARY, False)]
@@ -107,22 +107,22 @@ def test_a_touch_is_a_contact_with_a_press(twin: SimulatedStation) -> None:
 
 
 @pytest.mark.parametrize("face", ["floor", "front", "back", "left", "right"])
-def test_the_hand_reaches_every_face(twin: SimulatedStation, face: str) -> None:
-    assert face in twin.operator.faces
-    assert twin.operator.touch(face, 0)
-    assert not twin.operator.state.busy
+def test_the_simulated_operator_reaches_every_face(simulation: SimulatedStation, face: str) -> None:
+    assert face in simulation.operator.faces
+    assert simulation.operator.touch(face, 0)
+    assert not simulation.operator.state.busy
 
 
-def test_an_unknown_face_or_part_is_refused(twin: SimulatedStation) -> None:
+def test_an_unknown_face_or_part_is_refused(simulation: SimulatedStation) -> None:
     with pytest.raises(KeyError, match=r"can touch crest.* board"):
-        twin.operator.touch("roof", 0)
+        simulation.operator.touch("roof", 0)
     with pytest.raises(KeyError, match="plate"):
-        twin.operator.scan_part("teapot")
+        simulation.operator.scan_part("teapot")
 
 
-def test_the_sensor_is_held_over_the_block(twin: SimulatedStation) -> None:
-    assert twin.operator.hold_over("block")
-    driver = twin.sensor()
+def test_the_sensor_is_held_over_the_block(simulation: SimulatedStation) -> None:
+    assert simulation.operator.hold_over("block")
+    driver = simulation.sensor()
     driver.open()
     ambient = [next_frame(driver) for _ in range(3)][-1].image
     driver.set_laser(True)
@@ -138,10 +138,10 @@ def test_the_sensor_is_held_over_the_block(twin: SimulatedStation) -> None:
     assert np.median(laser.image) < 10
 
 
-def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> None:
-    driver = twin.sensor()
+def test_light_follows_the_exposure_and_the_lamps(simulation: SimulatedStation) -> None:
+    driver = simulation.sensor()
     driver.open()
-    assert twin.operator.hold_over("block")
+    assert simulation.operator.hold_over("block")
 
     def level() -> float:
         [next_frame(driver) for _ in range(2)]
@@ -150,9 +150,9 @@ def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> Non
     nominal = level()
     driver.set_exposure_us(Detector().nominal_exposure_us / 2)
     assert level() == pytest.approx(nominal / 2, rel=0.1)
-    twin.lighting.room = 0.0
+    simulation.lighting.room = 0.0
     assert level() < 5
-    twin.lighting.room, twin.lighting.room_with_laser = 1.0, True
+    simulation.lighting.room, simulation.lighting.room_with_laser = 1.0, True
     driver.set_laser(True)
     both = [next_frame(driver) for _ in range(3)][-1].image
     assert np.percentile(both, 90) > 50
@@ -160,20 +160,20 @@ def test_light_follows_the_exposure_and_the_lamps(twin: SimulatedStation) -> Non
     driver.close()
 
 
-def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: SimulatedStation) -> None:
-    """The sheet's line on the plate, from frame and true pose, lies in the plate's plane."""
-    driver = twin.sensor()
+def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(simulation: SimulatedStation) -> None:
+    """The laser's line on the plate, from frame and true pose, lies in the plate's plane."""
+    driver = simulation.sensor()
     driver.open()
     driver.set_laser(True)
-    plate = twin._scene.find_object("plate").T_arm_obj
+    plate = simulation._scene.find_object("plate").T_arm_obj
     on_plate: list[Floats] = []
     deadline = time.monotonic() + 6 * LONG_S
     while len(on_plate) < 8:
         assert time.monotonic() < deadline, f"{len(on_plate)} frames of the plate"
         with ThreadPoolExecutor() as pool:
-            sweep = pool.submit(twin.operator.scan_part, "plate")
+            sweep = pool.submit(simulation.operator.scan_part, "plate")
             while not sweep.done():
-                points = stripe_in_arm_frame(twin, next_frame(driver))
+                points = stripe_in_arm_frame(simulation, next_frame(driver))
                 points = (points - plate[:3, 3]) @ plate[:3, :3]
                 if len(points) and np.all(np.abs(points[:, :2]) < [29.0, 19.0]):
                     on_plate.append(np.median(points, axis=0))
@@ -183,9 +183,9 @@ def test_a_frame_shows_the_arm_as_it_was_at_its_stamp(twin: SimulatedStation) ->
     assert np.abs(places[:, 2]).max() < 0.02
 
 
-def stripe_in_arm_frame(twin: SimulatedStation, frame: Frame) -> Floats:
+def stripe_in_arm_frame(simulation: SimulatedStation, frame: Frame) -> Floats:
     """(N, 3) where the bright part of a frame's stripe truly was; N may be 0."""
-    T_arm_sensor = twin.sensor_pose(frame.mid_exposure_ns)
+    T_arm_sensor = simulation.sensor_pose(frame.mid_exposure_ns)
     light = frame.image.astype(np.float64) - Detector().dark_dn
     columns = np.flatnonzero(light.max(axis=0) > 90)[::11]
     if len(columns) == 0:
@@ -193,7 +193,7 @@ def stripe_in_arm_frame(twin: SimulatedStation, frame: Frame) -> Floats:
     rows = np.clip(light.argmax(axis=0)[columns], 4, len(light) - 5)
     window = np.stack([light[rows + k, columns] for k in range(-4, 5)])
     centre = rows + (np.arange(-4, 5)[:, None] * window).sum(axis=0) / window.sum(axis=0)
-    truth = twin.truth()
+    truth = simulation.truth()
     camera = truth["camera"]
     assert isinstance(camera, dict)
     points = lit_points(camera, truth["laser_plane"], columns, centre)
@@ -214,34 +214,34 @@ def lit_points(
     return np.asarray(eye + rays * ((light_plane["offset_mm"] - n @ eye) / (rays @ n))[:, None])
 
 
-def test_a_cancelled_move_ends_soon_and_the_next_one_works(twin: SimulatedStation) -> None:
+def test_a_cancelled_move_ends_soon_and_the_next_one_works(simulation: SimulatedStation) -> None:
     results: list[bool] = []
-    hand = threading.Thread(target=lambda: results.append(twin.operator.scan_part("shell")))
-    hand.start()
+    move = threading.Thread(target=lambda: results.append(simulation.operator.scan_part("shell")))
+    move.start()
     deadline = time.monotonic() + LONG_S
-    while twin.operator.state.progress < 0.1 and time.monotonic() < deadline:
+    while simulation.operator.state.progress < 0.1 and time.monotonic() < deadline:
         time.sleep(0.01)
-    assert twin.operator.state.activity == "scanning the shell"
-    twin.operator.cancel()
-    hand.join(LONG_S)
+    assert simulation.operator.state.activity == "scanning the shell"
+    simulation.operator.cancel()
+    move.join(LONG_S)
     assert results == [False]
-    rest = twin.sensor_pose(now_ns())
+    rest = simulation.sensor_pose(now_ns())
     time.sleep(0.05)
-    assert np.array_equal(twin.sensor_pose(now_ns()), rest)
-    assert twin.operator.touch("crest", 1)
+    assert np.array_equal(simulation.sensor_pose(now_ns()), rest)
+    assert simulation.operator.touch("crest", 1)
 
 
-def test_lost_frames_are_counted_and_leave_a_gap(twin: SimulatedStation) -> None:
-    driver = twin.sensor()
+def test_lost_frames_are_counted_and_leave_a_gap(simulation: SimulatedStation) -> None:
+    driver = simulation.sensor()
     driver.open()
-    twin.faults.frame_drop_rate = 0.5
+    simulation.faults.frame_drop_rate = 0.5
     sequence = [next_frame(driver).sequence for _ in range(12)]
     assert driver.health.lost == sequence[-1] - len(sequence) + 1 > 0
     driver.close()
 
 
-def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> None:
-    datasheets = twin.datasheets()
+def test_datasheets_are_whole_and_do_not_know_the_truth(simulation: SimulatedStation) -> None:
+    datasheets = simulation.datasheets()
     assert set(datasheets) == {
         "arm.json",
         "object.json",
@@ -251,18 +251,18 @@ def test_papers_are_whole_and_do_not_know_the_truth(twin: SimulatedStation) -> N
         "sphere.nominal.json",
     }
     assert all(datasheet["version"] == 1 for datasheet in datasheets.values())
-    true_block = twin.truth()["block"]
+    true_block = simulation.truth()["block"]
     assert isinstance(true_block, dict)
     certificate = datasheets["object.json"]
     off = np.array(true_block["edges_x_mm"]) - np.array(certificate["edges_x_mm"])
     assert 0 < np.abs(off).max() < 0.012
     assert "error" not in str(datasheets["arm.json"])
-    model, q = model_of(datasheets["arm.json"]), twin._home
-    gap = flange_pose(model, q)[:3, 3] - flange_pose(twin._rig.arm, q)[:3, 3]
+    model, q = model_of(datasheets["arm.json"]), simulation._home
+    gap = flange_pose(model, q)[:3, 3] - flange_pose(simulation._rig.arm, q)[:3, 3]
     assert 0.005 < np.linalg.norm(gap) < 1.0
 
 
-def test_a_station_ends_when_told_and_frees_its_port() -> None:
+def test_a_stopped_station_frees_its_port() -> None:
     first = SimulatedStation(SMALL).start()
     port = int(first.arm_url.rsplit(":", 1)[1])
     first.stop()

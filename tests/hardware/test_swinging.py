@@ -1,4 +1,4 @@
-"""The hand's swing: the tip stays in its seat while the arm goes round it."""
+"""The simulated operator's swing: the tip stays in its seat while the arm goes round it."""
 
 import numpy as np
 import pytest

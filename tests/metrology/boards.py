@@ -1,6 +1,6 @@
 """Rendered chessboards crossed by a laser line, with the truth that made them.
 
-The renderer shares nothing with the program: rays are cast at the sheet, colours looked up.
+The renderer shares nothing with the program: rays are cast at the board, colours looked up.
 """
 
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Pictures of a block by the twin's ray caster, which shares no code with what is tested."""
+"""Pictures of a block by the simulation's ray caster, which shares no code with what is tested."""
 
 from dataclasses import dataclass, replace
 
@@ -31,7 +31,7 @@ class RenderedBlock:
 
 
 def certificate(comb: CrenellatedBlock) -> Crenellated:
-    """The certificate of a twin's block."""
+    """The certificate of a simulated block."""
     return Crenellated(
         "rendered",
         "R-1",

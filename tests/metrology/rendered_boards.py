@@ -41,29 +41,31 @@ class BoardShot:
 
 
 class RenderedBoards:
-    """A twin that is not started, as nothing moves: poses are reached and pictures rendered."""
+    """A simulation that is not started, as nothing moves: poses are reached, pictures rendered."""
 
     def __init__(self, folder: Path, config: SimulationConfig) -> None:
-        self.twin = SimulatedStation(config)
+        self.simulation = SimulatedStation(config)
         self._rng = np.random.default_rng(config.seed + 500)
-        self._renderer = self.twin._renderer()
-        for name, paper in self.twin.datasheets().items():
-            (folder / name).write_text(json.dumps(paper))
+        self._renderer = self.simulation._renderer()
+        for name, datasheet in self.simulation.datasheets().items():
+            (folder / name).write_text(json.dumps(datasheet))
         self.arm = read_arm(folder / "arm.json")
         board = read_object(folder / "chessboard.json")
         assert isinstance(board, Chessboard)
         self.board = board
-        self.axis = str(self.twin.datasheets()["sensor.json"]["stripe_axis"])
+        self.axis = str(self.simulation.datasheets()["sensor.json"]["stripe_axis"])
         self.shots = [self._shot(view) for view in range(COUNT)]
 
     def _shot(self, view: int) -> BoardShot:
-        rig, thing = self.twin._rig, self.twin._scene.find_object("board")
+        rig, thing = self.simulation._rig, self.simulation._scene.find_object("board")
         assert isinstance(thing.shape, Board)
         T_board_sensor = sensor_over_board(
-            thing.shape, self.twin.operator._sensor_mount, view, self._rng
+            thing.shape, self.simulation.operator._sensor_mount, view, self._rng
         )
         T = thing.T_arm_obj @ T_board_sensor
-        q = solve_joints(rig.arm, T @ inverse(rig.T_flange_sensor), self.twin._home, self._rng)
+        q = solve_joints(
+            rig.arm, T @ inverse(rig.T_flange_sensor), self.simulation._home, self._rng
+        )
         noise = self._rng.normal(0.0, rig.arm.encoder_sd_rad, len(q))
         pictures = (self._renderer.render(T, 1.0, 0.0), self._renderer.render(T, 0.0, 1.0))
         return BoardShot(*pictures, q + noise, T_board_sensor)
@@ -78,22 +80,22 @@ class RenderedBoards:
     @cached_property
     def calibration(self) -> BoardCalibration:
         readings = np.array([shot.reading_rad for shot in self.shots])
-        size = (self.twin.config.width_px, self.twin.config.height_px)
+        size = (self.simulation.config.width_px, self.simulation.config.height_px)
         return calibrate_board(BoardInputs(self.arm, self.board, self.detections, readings, size))
 
     def camera(self, T_frame_sensor: Floats) -> Camera:
         """The true camera, placed in a frame."""
-        optics = self.twin._rig.optics
+        optics = self.simulation._rig.optics
         T = optics.T_cam_sensor @ inverse(T_frame_sensor)
         size = (optics.width_px, optics.height_px)
         return Camera(optics.matrix, T[:3, :3], T[:3, 3], *size, np.array(optics.distortion))
 
     def true_points(self, uv_px: Floats) -> Floats:
         """Where the light of pixels (N, 2) truly comes from, flange frame."""
-        document = self.twin._rig.light_plane
+        document = self.simulation._rig.light_plane
         plane = LaserPlane(np.array(document.normal), document.offset_mm)
         points = sensor_points(self.camera(np.eye(4)), plane, uv_px)
-        return apply(self.twin._rig.T_flange_sensor, points)
+        return apply(self.simulation._rig.T_flange_sensor, points)
 
 
 def errors_um(session: RenderedBoards) -> Floats:

@@ -1,4 +1,4 @@
-"""The arm's parameters as a vector: exact derivatives, and which of them can be told."""
+"""The arm's parameters as a vector: exact derivatives, and which of them can be estimated."""
 
 from dataclasses import replace
 
@@ -125,7 +125,7 @@ def test_as_many_parameters_move_as_a_chain_has(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
-def test_parallel_axes_are_told_by_an_error_term(name: str) -> None:
+def test_parallel_axes_are_described_by_an_error_term(name: str) -> None:
     model = LAYOUTS[name]
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
     moved, _ = chosen(nominal_arm(model), collect_observations(session))
@@ -146,7 +146,7 @@ def test_without_a_length_the_longest_link_holds_the_scale() -> None:
     assert [parameter_names(nominal_arm(model))[i] for i, r in choice.fixed.items() if r == "scale"]
 
 
-def test_a_tip_on_the_last_axis_tells_nothing_of_that_joint() -> None:
+def test_a_tip_on_the_last_axis_shows_nothing_of_that_joint() -> None:
     model = replace(LAYOUTS["elbow"], tip_mm=(0.0, 0.0, 150.0))
     session = draw_arm_session(4, replace(SMALL, imperfection_um=0.0), model)
     moved, _ = chosen(nominal_arm(model), collect_observations(session))
@@ -154,7 +154,7 @@ def test_a_tip_on_the_last_axis_tells_nothing_of_that_joint() -> None:
     assert len(moved & {"J5.a_mm", "J5.alpha_rad", "J5.d_mm", "J5.theta_rad"}) == 2
 
 
-def test_joints_that_stand_still_tell_nothing_of_their_links() -> None:
+def test_joints_that_stand_still_show_nothing_of_their_links() -> None:
     model = LAYOUTS["elbow"]
     session = collect_observations(draw_arm_session(1, replace(SMALL, imperfection_um=0.0), model))
     stiff = []

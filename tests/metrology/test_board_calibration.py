@@ -78,7 +78,7 @@ def test_reconstructed_points_are_as_good_as_said(found: BoardCalibration) -> No
     assert known.total_um < 150
 
 
-def test_the_sheets_slopes_are_its_derivatives() -> None:
+def test_the_surfaces_slopes_are_its_derivatives() -> None:
     rng = np.random.default_rng(0)
     coordinates = rng.normal(0, 1, len(board_prior(BOARD).names))
     at, h = rng.uniform(-20, 80, (6, 2)), 1e-4
@@ -89,7 +89,7 @@ def test_the_sheets_slopes_are_its_derivatives() -> None:
 
 
 def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration) -> None:
-    """Against differences, for every parameter, on a bent sheet."""
+    """Against differences, for every parameter, on a bent board."""
     seen, T = given.observations[6], POSES[6]
     camera = Camera(K, T[:3, :3], T[:3, 3], 640, 512, np.array([K1, 0.1, 1e-3, -1e-3, 0]))
     plane = LaserPlane(T[:3, :3].T @ NORMAL, float(OFFSET_MM - NORMAL @ T[:3, 3]))
@@ -224,7 +224,7 @@ def test_real_pictures(real: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line_mm", "least_mm", "most_mm"), [(0.005, 0.004, 0.03), (0.2, 0.1, 0.4)]
 )
-def test_a_steady_laser_is_told_from_an_unsteady_one(
+def test_a_steady_laser_is_distinguished_from_an_unsteady_one(
     line_mm: float, least_mm: float, most_mm: float
 ) -> None:
     """Both are far from what is usual, which is thought of only where little is seen."""

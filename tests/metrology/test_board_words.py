@@ -48,7 +48,7 @@ def test_claims_are_kept(errors: BoardErrors) -> None:
     assert 0.7 < claimed / observed < 1.5
 
 
-def test_a_robots_noise_is_told_from_a_rocking_board() -> None:
+def test_a_robots_noise_is_distinguished_from_a_rocking_board() -> None:
     poses = POSES * 3
     inputs = session(1, BoardErrors(tilt_rad=2e-3), poses=poses)
     camera, T = board_camera(inputs.observations, PAPER_BOARD, inputs.size_px)

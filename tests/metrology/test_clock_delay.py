@@ -19,7 +19,7 @@ NORMAL = np.array([0.02, -0.03, 1.0]) / np.linalg.norm([0.02, -0.03, 1.0])
 
 
 def up_and_down(t: Floats) -> Floats:
-    """(T, 6) x, y, z (mm) and turns (rad) of a hand that goes over a plate in waves."""
+    """(T, 6) x, y, z (mm) and turns (rad) of a manual pass over a plate in waves."""
     waves = 8 * np.sin(5 * t) + 0.5 * np.sin(11 * t)
     turns = (0.05 * np.sin(3 * t), 0.03 * np.sin(2 * t + 1), 0.02 * np.cos(1.3 * t))
     return np.column_stack([0 * t, 15 * np.sin(1.3 * t), waves, *turns])
@@ -27,7 +27,7 @@ def up_and_down(t: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class Setting:
-    """A pass by what can be told of it; the sensor looks down its z at z = -100 mm."""
+    """A pass by its settings; the sensor looks down its z at z = -100 mm."""
 
     path: Path = up_and_down
     delay_ms: float = 4.0
@@ -142,7 +142,9 @@ def moved(across: Path, along_mm: float = 30.0) -> Path:
         (Setting(seconds=0.9), "pass-too-short"),
     ],
 )
-def test_a_pass_that_cannot_tell_it_is_refused_in_words(setting: Setting, code: str) -> None:
+def test_a_pass_that_does_not_show_the_delay_is_refused_in_words(
+    setting: Setting, code: str
+) -> None:
     with pytest.raises(OperationError) as refused:
         estimate_delay(passed(setting))
     assert refused.value.code == code

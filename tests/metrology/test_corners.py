@@ -1,4 +1,4 @@
-"""The object found, named and measured in pictures that the twin renders."""
+"""The object found, named and measured in pictures that the simulation renders."""
 
 from dataclasses import replace
 from typing import Any

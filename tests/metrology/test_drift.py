@@ -1,4 +1,4 @@
-"""What moved between two calibrations, told by their points."""
+"""What moved between two calibrations, estimated from their points."""
 
 from dataclasses import replace
 
@@ -26,7 +26,7 @@ def test_a_sensor_that_stayed_did_not_move(mounted: MountedSensor) -> None:
     assert found.sensor_arcsec == pytest.approx(0, abs=1e-2)
 
 
-def test_a_shift_and_a_turn_are_told_apart(mounted: MountedSensor) -> None:
+def test_a_shift_and_a_turn_are_distinguished(mounted: MountedSensor) -> None:
     T = mounted.T_flange_sensor
     shifted = replace(mounted, T_flange_sensor=rigid(np.eye(3), np.array([0.03, 0, 0.04])) @ T)
     found = measure_drift(mounted, shifted, UV)
@@ -42,7 +42,7 @@ def test_a_shift_and_a_turn_are_told_apart(mounted: MountedSensor) -> None:
     assert found.sensor_arcsec == pytest.approx(60, rel=1e-6)
 
 
-def test_a_plane_that_tilts_is_told_in_seconds_of_arc(mounted: MountedSensor) -> None:
+def test_a_plane_that_tilts_is_reported_in_seconds_of_arc(mounted: MountedSensor) -> None:
     plane = mounted.plane
     along = np.cross(plane.normal, [1.0, 0.0, 0.0])
     tilt = rotation_from_vector(along / np.linalg.norm(along) * 30 / ARCSEC)
@@ -52,5 +52,5 @@ def test_a_plane_that_tilts_is_told_in_seconds_of_arc(mounted: MountedSensor) ->
     assert found.plane_arcsec == pytest.approx(30, rel=1e-6)
 
 
-def test_too_few_common_points_tell_nothing(mounted: MountedSensor) -> None:
+def test_too_few_common_points_give_no_drift(mounted: MountedSensor) -> None:
     assert measure_drift(mounted, mounted, UV[:5]) is None

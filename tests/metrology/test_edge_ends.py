@@ -1,4 +1,4 @@
-"""Where edges end tells of a wrong size; a thing that lies over one end does not."""
+"""Where edges end shows a wrong size; a thing that lies over one end does not."""
 
 from dataclasses import replace
 
@@ -57,7 +57,7 @@ def test_a_block_that_is_as_its_certificate_says(shown: RenderedBlock) -> None:
 
 @pytest.mark.parametrize("edge", [0, 1, 4, 7])
 @pytest.mark.parametrize("by_mm", [-1.4, -0.9, 0.9, 1.4])
-def test_the_size_that_is_wrong_is_told_and_by_how_much(
+def test_the_size_that_is_wrong_is_named_and_by_how_much(
     shown: RenderedBlock, edge: int, by_mm: float
 ) -> None:
     grey = shown.image.astype(float)
@@ -71,8 +71,8 @@ def test_the_size_that_is_wrong_is_told_and_by_how_much(
     wrong = f"crest:{edge // 2}:{'LR'[edge % 2]}"
     assert found.frame.names[against.edges[0]] == wrong
     px_per_mm = against.off_px / abs(by_mm)
-    told_mm = float(str(against.text).split(" mm ")[0].rsplit(" ", 1)[1])
-    assert told_mm == pytest.approx(abs(by_mm), abs=2.0 / px_per_mm)
+    stated_mm = float(str(against.text).split(" mm ")[0].rsplit(" ", 1)[1])
+    assert stated_mm == pytest.approx(abs(by_mm), abs=2.0 / px_per_mm)
 
 
 @pytest.mark.parametrize("other_end_shows", [True, False])
@@ -153,7 +153,7 @@ def test_a_strip_along_an_edge_is_no_wrong_size_where_the_floor_shows_it_in_plac
     assert elsewhere_by_ends(grey, surveyed(shown, grey, shown.block)) is None
 
 
-def test_two_ends_moved_by_different_lengths_tell_nothing(shown: RenderedBlock) -> None:
+def test_two_ends_moved_by_different_lengths_give_no_reason(shown: RenderedBlock) -> None:
     grey = covered(shown, shown.image.astype(float), "crest:0:R:front")
     found = surveyed(shown, grey, with_wrong_size(shown.block, 1, 0.9))
     assert elsewhere_by_ends(grey, found) is None

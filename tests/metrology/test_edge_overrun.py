@@ -31,7 +31,7 @@ def runs_on(shown: RenderedBlock, block: Crenellated, noise: float) -> Rejection
 
 @pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])
 @pytest.mark.parametrize("kept", [slice(2, None), slice(0, -2)])
-def test_a_block_longer_than_its_certificate_is_told(
+def test_a_block_longer_than_its_certificate_is_reported(
     shown: RenderedBlock, noise: float, kept: slice
 ) -> None:
     shorter = replace(shown.block, edges_x_mm=shown.block.edges_x_mm[kept])

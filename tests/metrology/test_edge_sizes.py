@@ -1,4 +1,4 @@
-"""A wrong size is told from all edges together: which, and by how much."""
+"""A wrong size is found from all edges together: which, and by how much."""
 
 from dataclasses import replace
 
@@ -39,7 +39,7 @@ def test_the_block_itself_is_nowhere_shifted(plain: RenderedBlock) -> None:
 
 
 @pytest.mark.parametrize(("edge", "by_mm"), [(2, 0.08), (3, -0.08), (5, 0.08)])
-def test_a_side_of_a_merlon_is_told_with_its_amount(
+def test_a_side_of_a_merlon_is_reported_with_its_amount(
     plain: RenderedBlock, edge: int, by_mm: float
 ) -> None:
     x = list(plain.block.edges_x_mm)

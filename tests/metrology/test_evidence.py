@@ -119,7 +119,7 @@ def refused_shot(seed: int) -> DetectionError:
     return caught.value
 
 
-def test_a_wrong_size_is_not_told_by_a_placing_that_hardly_shows() -> None:
+def test_no_wrong_size_is_reported_from_a_placing_that_hardly_shows() -> None:
     """A bar, noise and tool marks: what is placed is not quite the block."""
     refusal = refused_shot(6023)
     assert refusal.code == "object-unclear"
@@ -143,7 +143,7 @@ SOFT = ImageFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
         (5.0, [], "object-does-not-match"),
     ],
 )
-def test_a_soft_picture_tells_no_size_to_less_than_its_edges_are_wide(
+def test_a_soft_picture_shows_no_size_to_less_than_its_edges_are_wide(
     plain: RenderedBlock, off_px: float, findings: list[ImageFinding], code: str
 ) -> None:
     against = RejectionReason("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)

@@ -40,7 +40,7 @@ def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> CalibrationFindin
         (("crest", "front", "back", "left", "right"), -0.05, "attention", "further apart"),
     ],
 )
-def test_opposite_faces_tell_the_tips_diameter(
+def test_opposite_faces_show_the_tips_diameter(
     faces: tuple[str, ...], error_mm: float, quality: str, said: str
 ) -> None:
     found = size_said(faces, TIP_RADIUS_MM + error_mm)
@@ -79,7 +79,7 @@ def test_what_one_pose_cannot_show_is_said(inputs: OnePoseInputs) -> None:
     assert set(said.values()) == {"neutral", "good"}
 
 
-def test_a_certificate_wrong_along_the_view_is_told_by_its_pixels(inputs: OnePoseInputs) -> None:
+def test_a_certificate_wrong_along_the_view_is_found_by_its_pixels(inputs: OnePoseInputs) -> None:
     block = replace(inputs.block, front_y_mm=inputs.block.front_y_mm + 0.06)
     assert said_of(replace(inputs, block=block))["pixels-oblong"] == "attention"
 
@@ -90,7 +90,7 @@ def test_one_that_is_further_wrong_is_refused(inputs: OnePoseInputs) -> None:
         said_of(replace(inputs, block=block))
 
 
-def test_the_joints_of_quite_another_pose_are_told(inputs: OnePoseInputs) -> None:
+def test_the_joints_of_quite_another_pose_are_reported(inputs: OnePoseInputs) -> None:
     q_rad = inputs.pose_q_rad.copy()
     q_rad[0] += np.pi
     assert said_of(replace(inputs, pose_q_rad=q_rad))["sensor-far"] == "attention"

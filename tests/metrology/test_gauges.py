@@ -1,4 +1,4 @@
-"""The paper's gauge figures on clouds whose errors are known."""
+"""The article's gauge figures on clouds whose errors are known."""
 
 import numpy as np
 import pytest

@@ -137,7 +137,7 @@ def test_a_separate_set_shows_the_improvement(session: SimulatedArmSession) -> N
     assert result.validation.ratio > 5
 
 
-def test_seats_alone_keep_the_papers_scale(session: SimulatedArmSession) -> None:
+def test_seats_alone_keep_the_nominal_scale(session: SimulatedArmSession) -> None:
     arm = nominal_arm(session.nominal_arm)
     result = identify(arm, ArmObservations(collect_observations(session).seats))
     assert any("ball bar" in str(text) for text in result.warnings)
@@ -246,7 +246,7 @@ def test_angles_of_another_arm_are_refused(session: SimulatedArmSession) -> None
     ).remedy
 
 
-def test_a_wrong_length_of_a_bar_is_told_by_the_others(session: SimulatedArmSession) -> None:
+def test_a_wrong_length_of_a_bar_is_found_by_the_others(session: SimulatedArmSession) -> None:
     good = collect_observations(session)
     bars = tuple(replace(b, length_mm=b.length_mm + (b.name == "B2") * 0.5) for b in good.bars)
     refusal = refused(session, replace(good, bars=bars))
@@ -258,7 +258,7 @@ def test_a_wrong_length_of_a_bar_is_told_by_the_others(session: SimulatedArmSess
         replace(good, spheres=(), bars=tuple(replace(b, length_mm=851.5) for b in only)),
     )
     assert any("bar B2" in str(text) for text in result.warnings)
-    # spheres tell it, too: they are seen larger with the whole arm
+    # spheres show it, too: they are seen larger with the whole arm
     of_all = replace(good, bars=tuple(replace(b, length_mm=852.5) for b in only))
     assert "bar's length" in str(refused(session, of_all).why)
 
@@ -311,7 +311,7 @@ def test_one_sphere_of_another_size_is_named(session: SimulatedArmSession) -> No
     assert not any("sphere" in str(text) for text in warnings)
 
 
-def test_a_length_in_another_unit_is_told_as_that(session: SimulatedArmSession) -> None:
+def test_a_length_in_another_unit_is_recognised(session: SimulatedArmSession) -> None:
     good = collect_observations(session)
     metres = tuple(replace(bar, length_mm=bar.length_mm / 1000) for bar in good.bars)
     refusal = refused(session, replace(good, bars=metres))
@@ -319,7 +319,7 @@ def test_a_length_in_another_unit_is_told_as_that(session: SimulatedArmSession) 
     assert "millimetres" in str(refusal.remedy)
 
 
-def test_spheres_and_papers_outvote_a_single_bar(session: SimulatedArmSession) -> None:
+def test_spheres_and_nominals_outvote_a_single_bar(session: SimulatedArmSession) -> None:
     good = collect_observations(session)
     only = tuple(replace(b, length_mm=b.length_mm + 1.2) for b in good.bars if b.name == "B2")
     refusal = refused(session, replace(good, bars=only))
@@ -334,7 +334,7 @@ def test_points_of_the_fit_do_not_check_it(session: SimulatedArmSession) -> None
     assert caught.value.code == "check-seen"
 
 
-def test_parameters_hardly_told_apart_are_named(session: SimulatedArmSession) -> None:
+def test_strongly_correlated_parameters_are_named(session: SimulatedArmSession) -> None:
     result = identify(
         nominal_arm(session.nominal_arm), collect_observations(session).part([0, 1, 2, 3, 4, 5, 6])
     )

@@ -102,7 +102,7 @@ def test_a_fine_encoder_frozen_from_the_start_is_found(rate_hz: float) -> None:
     ("rate_hz", "bits"),
     [(rate, 22) for rate in RATES] + [(rate, bits) for rate in RATES[3:] for bits in (14, 18)],
 )
-def test_an_encoder_frozen_in_mid_sweep_is_found_and_told_within_a_second(
+def test_an_encoder_frozen_in_mid_sweep_is_found_and_reported_within_a_second(
     rate_hz: float, bits: int
 ) -> None:
     q, freezes = read(sweep(rate_hz, 5.0, 3.0), bits), int(3.2 * rate_hz)

@@ -43,7 +43,7 @@ def test_an_honest_arm_passes_whole(quantum_rad: float) -> None:
     np.testing.assert_array_equal(passed, np.arange(5000))
 
 
-def test_a_hand_as_fast_as_hands_are_passes() -> None:
+def test_motion_as_fast_as_a_persons_hand_passes() -> None:
     t = np.arange(3000) * 1e-3
     q = np.repeat(np.sin(8.0 * t)[:, None], 6, axis=1)
     assert judged(samples(q))[0].rejected_count == 0

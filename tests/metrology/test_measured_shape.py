@@ -52,12 +52,12 @@ def test_exact_points_give_the_exact_cylinder(seed: int) -> None:
     assert fit.used.all()
 
 
-def test_a_third_of_strays_does_not_move_the_cylinder() -> None:
+def test_a_third_of_outliers_does_not_move_the_cylinder() -> None:
     rng = np.random.default_rng(2)
     frame = frames_of(rng, 4000)
     points, _, direction, radius = cylinder_points(rng, rng.normal(0, 0.01, 4000), frame)
-    strays = points.mean(axis=0) + rng.uniform(-40, 40, (2000, 3))
-    fit = fit_cylinder(np.concatenate([points, strays, [[np.nan] * 3]]))
+    outliers = points.mean(axis=0) + rng.uniform(-40, 40, (2000, 3))
+    fit = fit_cylinder(np.concatenate([points, outliers, [[np.nan] * 3]]))
     assert fit.radius_mm == pytest.approx(radius, abs=0.005)
     assert abs(float(fit.direction @ direction)) > 1 - 1e-7
     assert not fit.used[-1]
@@ -123,7 +123,7 @@ def test_claims_hold_though_the_points_of_a_frame_err_together(
     assert 0.75 < np.sqrt(np.mean(np.square(scores))) < 1.35
 
 
-def test_few_frames_tell_no_uncertainty() -> None:
+def test_few_frames_give_no_uncertainty() -> None:
     rng = np.random.default_rng(1)
     J, off = rng.normal(size=(500, 3)), rng.normal(size=500)
     assert parameter_covariance(J, off, rng.integers(0, 5, 500)) is None

@@ -1,4 +1,4 @@
-"""The paper's one-pose calibration: on the samples with their truth, and in its refusals."""
+"""The article's one-pose calibration: on the samples with their truth, and in its refusals."""
 
 import csv
 import json
@@ -118,7 +118,7 @@ def calibrated(samples: Path) -> dict[str, OnePoseCalibration]:
     return {name: calibrate_one_pose(read_inputs(samples / name)) for name in SESSIONS}
 
 
-def test_the_papers_case_reaches_micrometres(
+def test_the_articles_case_reaches_micrometres(
     samples: Path, calibrated: dict[str, OnePoseCalibration]
 ) -> None:
     truth, found = Truth(samples / "one-pose"), calibrated["one-pose"]
@@ -215,7 +215,7 @@ def test_any_other_sensor_frame_gives_the_same_points(
     np.testing.assert_allclose(one, other, atol=1e-6)
 
 
-def test_progress_is_told_from_beginning_to_end(samples: Path) -> None:
+def test_progress_is_reported_from_beginning_to_end(samples: Path) -> None:
     reported: list[tuple[Text, float]] = []
     calibrate_one_pose(
         read_inputs(samples / "metal"), lambda what, share: reported.append((what, share))

@@ -35,6 +35,6 @@ def test_a_turn_moves_what_is_far() -> None:
     assert found.blur_mm == pytest.approx(150 * 0.004, rel=0.01)
 
 
-def test_without_a_line_nothing_is_told() -> None:
+def test_without_a_line_no_speed_is_estimated() -> None:
     for few in (LINE[:1], np.full((9, 3), np.nan), np.zeros((5, 3))):
         assert pass_speed(few, np.eye(4), np.eye(4), 0.01, 0.004, 0.04) is None

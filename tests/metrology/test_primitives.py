@@ -52,8 +52,8 @@ def test_exact_points_give_the_exact_sphere(seed: int) -> None:
 def test_a_third_of_outliers_does_not_move_the_plane() -> None:
     rng = np.random.default_rng(1)
     points, normal, offset = plane_points(rng, 3000, 0.01)
-    stray = rng.uniform(-30, 30, (1500, 3)) + 40 * normal * rng.uniform(0.2, 1, (1500, 1))
-    cloud = np.vstack([points, points[:1500] + stray])
+    offsets = rng.uniform(-30, 30, (1500, 3)) + 40 * normal * rng.uniform(0.2, 1, (1500, 1))
+    cloud = np.vstack([points, points[:1500] + offsets])
     fit = fit_plane(cloud)
     angle = np.degrees(np.arccos(min(1.0, abs(fit.normal @ normal)))) * 3600
     assert angle < 20

@@ -110,9 +110,9 @@ def test_an_overexposed_stripe_scatters_as_the_noise_allows_and_as_it_says(
         assert len(stripe.u) > 0.98 * WIDTH
         error.append(errors(stripe, centre))
         pull.append(error[-1] / stripe.sigma_px)
-    # a single column can tell 0.022 px; as many as the core is wide, a third of that
+    # a single column resolves 0.022 px; as many as the core is wide, a third of that
     assert np.std(np.concatenate(error)) < 0.016
-    # neighbours share an average: some 200 independent points tell this to 5 %
+    # neighbours share an average: some 200 independent points give this to 5 %
     assert 0.8 < np.sqrt(np.mean(np.concatenate(pull) ** 2)) < 1.12
 
 

@@ -154,7 +154,7 @@ def test_a_strip_is_too_little_of_a_plane_and_a_bowl_is_none() -> None:
         fit_gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
 
 
-def test_a_hand_that_rests_at_the_end_of_a_pass_makes_no_strip_of_it() -> None:
+def test_rest_at_the_end_of_a_pass_makes_no_strip_of_it() -> None:
     along, frames = np.linspace(-20, 20, 400), 700
     x = np.tile(along, frames)
     # forty frames in a pass, and all others at its end, with a trembling hand

@@ -61,10 +61,10 @@ def upright(count: int = 40) -> EdgeStations:
     at = np.column_stack([np.full(count, 320.0), np.linspace(20, HEIGHT - 20, count)])
     zeros = np.zeros(count, dtype=np.int64)
     normal = np.tile([np.cos(0.02), np.sin(0.02)], (count, 1))
-    room = np.tile([np.inf, 9.0], (count, 1))
+    clearance = np.tile([np.inf, 9.0], (count, 1))
     regions = np.zeros((1, 2), np.int64)
     return EdgeStations(
-        zeros, zeros, np.zeros((count, 3)), at, normal, room, np.ones(count), regions, 2.5
+        zeros, zeros, np.zeros((count, 3)), at, normal, clearance, np.ones(count), regions, 2.5
     )
 
 
@@ -122,9 +122,9 @@ def test_what_is_seen_is_the_same(variant: str) -> None:
         assert shown == visible_corners(BLOCK, centre)
 
 
-def room_of(at: EdgeStations, ends: NDArray[np.float64], row: int) -> tuple[float, float]:
+def nearest_px(at: EdgeStations, ends: NDArray[np.float64], row: int) -> tuple[float, float]:
     """Distances along and against a station's normal to other parts' segments, by solving."""
-    room = [np.inf, np.inf]
+    clearance = [np.inf, np.inf]
     for part, (start, end) in enumerate(ends.reshape(-1, 2, 2)):
         if part == at.part[row]:
             continue
@@ -135,11 +135,11 @@ def room_of(at: EdgeStations, ends: NDArray[np.float64], row: int) -> tuple[floa
         )
         if -longer <= share <= 1 + longer:
             side = 0 if away >= 0 else 1
-            room[side] = min(room[side], abs(away))
-    return room[0], room[1]
+            clearance[side] = min(clearance[side], abs(away))
+    return clearance[0], clearance[1]
 
 
-def test_room_reaches_to_the_next_edge(variant: str) -> None:
+def test_clearance_reaches_to_the_next_edge(variant: str) -> None:
     frame, looks = wireframe(BLOCK), camera()
     at = place_stations(frame, looks, 9.0, 3.0)
     parts = find_visible_edges(frame, looks.centre_mm)
@@ -148,7 +148,7 @@ def test_room_reaches_to_the_next_edge(variant: str) -> None:
     ends = [project(looks, begin + one[:, None] * along) for one in (parts.start, parts.end)]
     lines = np.column_stack(ends)
     for row in range(0, len(at.part), 7):
-        assert at.clearance_px[row] == pytest.approx(room_of(at, lines, row), rel=1e-9)
+        assert at.clearance_px[row] == pytest.approx(nearest_px(at, lines, row), rel=1e-9)
 
 
 def test_profiles_are_the_picture_between_pixels(variant: str) -> None:

@@ -42,7 +42,7 @@ def test_an_installed_library_without_sources_is_used(tmp_path: Path) -> None:
     assert NativeLibrary(source).variants == CRENEL.variants
 
 
-def test_the_hash_tells_files_apart(tmp_path: Path) -> None:
+def test_the_hash_distinguishes_files(tmp_path: Path) -> None:
     (tmp_path / "c").mkdir()
     (tmp_path / "c" / "one.c").write_text("int one;")
     before = source_hash(LibrarySource("some", tmp_path))

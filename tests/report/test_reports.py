@@ -43,7 +43,7 @@ from app.workflows.measure_gauge import MAP, MapFile
 from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.simulator.session import SessionPlan, render_session
 from tests.formats.builders import ARM
-from tests.workflows.test_verification import SHEET
+from tests.workflows.test_verification import RECORD
 
 TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
 DECIMAL_POINT = re.compile(r"(?<![\d.])\d+\.\d+ ?(?:µm|mm|px|°|″)")
@@ -347,8 +347,8 @@ def test_an_identifications_report(tmp_path: Path) -> None:
 
 
 def test_a_verifications_report(tmp_path: Path) -> None:
-    more = [{**SHEET["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]
-    write_verification(tmp_path, VerificationFile.model_validate({**SHEET, "clouds": more}))
+    more = [{**RECORD["clouds"][0], "name": f"Cloud {n}"} for n in (1, 2)]
+    write_verification(tmp_path, VerificationFile.model_validate({**RECORD, "clouds": more}))
     (tmp_path / "cloud-1").mkdir()
     MapFile(cell_mm=2, x_mm=(0, 2, 4), y_mm=(0, 0, 2), deviation_um=(5, -8, 1)).write(
         tmp_path / "cloud-1" / MAP
@@ -360,7 +360,7 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
     assert "Residuals of Cloud 1 on the gauge" in shown
-    assert_german(tmp_path, *plain_texts(SHEET))
+    assert_german(tmp_path, *plain_texts(RECORD))
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
@@ -386,7 +386,7 @@ def test_words_are_printed_as_read() -> None:
 
 @pytest.mark.parametrize("lines", range(24, 40, 2))
 def test_a_title_is_not_left_behind_by_its_pictures(lines: int) -> None:
-    """A row of pictures that finds no room below takes its title along to the next page."""
+    """A row of pictures that finds no space below takes its title along to the next page."""
     picture = (Figure(100, 60, "A picture"), "What it shows")
     filling = Section("Before", [TextBlock("A line.")] * lines, together=False)
     pictures = Section("Pictures", [Pictures([picture])], together=False)

@@ -28,7 +28,7 @@ RATE_HZ = 500.0
 REST_RAD = np.radians([10.0, -40.0, 60.0, 20.0, 35.0, -15.0])
 WIDTH, HEIGHT = 320, 240
 TAKEN_S = 0.2
-"""So long a hand needs to take the arm from one script's place to the next one's."""
+"""How long it takes to move the arm from one script's place to the next one's."""
 
 
 def six_axis_arm() -> Arm:

@@ -55,7 +55,7 @@ def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
     assert soft is not None
     assert soft.quality == "attention"
     assert "wanted" in str(soft.words)
-    # the aid and the finding tell of the same width
+    # the aid and the finding report the same width
     (finding,) = image_findings(picture(180, blur_px=3.0))
     assert f"{soft.value:.0f} px wide" in str(finding.text)
 

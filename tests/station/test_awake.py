@@ -17,7 +17,7 @@ print(time.monotonic() - begin_s, AWAKE.now_s() - awake_s, flush=True)
 
 
 def seconds(stopped_s: float, awake_s: float) -> tuple[float, float]:
-    """Seconds by the wall and by the clock, of a process that is stopped for some of them."""
+    """Wall-clock and awake seconds of a process that is stopped for some of them."""
     process = subprocess.Popen(
         [sys.executable, "-c", SCRIPT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
@@ -32,8 +32,8 @@ def seconds(stopped_s: float, awake_s: float) -> tuple[float, float]:
             os.kill(process.pid, signal.SIGCONT)
         process.stdin.write("\n")
         process.stdin.flush()
-        wall, awake = process.stdout.readline().split()
-    return float(wall), float(awake)
+        wall_s, running_s = process.stdout.readline().split()
+    return float(wall_s), float(running_s)
 
 
 def test_it_stands_while_the_program_is_stopped() -> None:

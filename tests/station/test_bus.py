@@ -62,11 +62,11 @@ def test_publishing_from_many_threads_reaches_the_loop() -> None:
     asyncio.run(scenario())
 
 
-def test_events_are_numbered_and_a_reader_is_told_what_it_missed() -> None:
+def test_events_are_numbered_and_a_reader_knows_what_it_missed() -> None:
     async def scenario() -> None:
         bus = Bus()
         bus.attach(asyncio.get_running_loop())
-        bus.event("before", "told to nobody")
+        bus.event("before", "received by nobody")
         reader = bus.subscribe()
         for number in range(EVENT_BUFFER + 10):
             bus.event("beep", str(number))

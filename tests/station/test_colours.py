@@ -72,7 +72,7 @@ def test_equal_steps_look_equal(scale: np.ndarray) -> None:
 
 
 @pytest.mark.parametrize("scale", [SCALE, BALANCE])
-def test_those_without_the_cones_for_green_tell_them_apart(scale: np.ndarray) -> None:
+def test_those_without_the_cones_for_green_distinguish_them(scale: np.ndarray) -> None:
     dim = oklab(seen_by_deuteranopes(scale[::17].astype(float)))
     apart = np.linalg.norm(dim[:, None] - dim[None], axis=2) + np.eye(len(dim))
     assert apart.min() > 0.02

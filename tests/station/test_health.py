@@ -1,4 +1,4 @@
-"""What the station tells of its own health: the loop's watchdog, the log, losses, checks."""
+"""What the station reports of its own health: the loop's watchdog, the log, losses, checks."""
 
 import asyncio
 import json
@@ -240,7 +240,7 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
     assert health.broker("b", True, "", 5.0, True).quality == "bad"
 
 
-def test_readings_that_cannot_be_true_are_told_with_what_to_do() -> None:
+def test_readings_that_cannot_be_true_are_reported_with_a_remedy() -> None:
     assert health.readings(0, None, None).quality == "good"
     refusal = OperationError(
         "joint-implausible", "joint J1 reads 1083.0°", "why", "check its cable"

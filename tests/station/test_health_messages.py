@@ -4,7 +4,7 @@ from app.messages.catalogue import renderer
 from app.monitoring.health_topics import REPORTED_S, messages
 
 
-def test_what_was_not_read_is_told_by_its_reason_for_an_hour() -> None:
+def test_what_was_not_read_is_reported_with_its_reason_for_an_hour() -> None:
     counts = {"crowded": 12, "long": 3, "strange": 0}
     assert messages({}, None) == []
     assert messages(counts, REPORTED_S + 1.0) == []

@@ -22,7 +22,7 @@ def run(bus: Bus, jobs: Jobs, work: Callable[[Progress], int]) -> Job[int]:
     return asyncio.run(scenario())
 
 
-def test_work_runs_on_a_thread_and_tells_its_progress(bus: Bus) -> None:
+def test_work_runs_on_a_thread_and_reports_its_progress(bus: Bus) -> None:
     jobs, seen = Jobs(bus), []
 
     def work(progress: Progress) -> int:

@@ -91,7 +91,7 @@ def test_encoder_noise_alone_is_still() -> None:
     assert sum(found) >= 199
 
 
-def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_told() -> None:
+def test_a_drift_of_a_tenth_of_a_millimetre_is_not_still_and_is_reported() -> None:
     arm = six_axis_arm()
     drift = np.zeros((150, 6))
     drift[:, 1] = np.linspace(0, 4e-4, 150)

@@ -23,7 +23,7 @@ def leased() -> tuple[Lease, Clock, Bus]:
     return Lease(bus, clock), clock, bus
 
 
-def test_whoever_acts_first_has_it_and_all_are_told() -> None:
+def test_the_first_to_act_has_it_and_all_are_notified() -> None:
     lease, _, bus = leased()
     assert bus.latest("control") == Control()
     lease.act(ANNA)
@@ -35,7 +35,7 @@ def test_whoever_acts_first_has_it_and_all_are_told() -> None:
         lease.act(TABLET)
 
 
-def test_it_lapses_without_beats_and_goes_to_whoever_asked() -> None:
+def test_it_lapses_without_beats_and_goes_to_the_one_who_asked() -> None:
     lease, clock, bus = leased()
     assert lease.last_name == ""
     lease.act(ANNA)

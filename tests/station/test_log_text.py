@@ -39,7 +39,7 @@ def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
 def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> None:
     book = LogStore(tmp_path)
     logging.getLogger("app.test").error("before")
-    # pytest's own workers cannot hand on a lone surrogate that was logged
+    # pytest's own workers cannot pass on a lone surrogate that was logged
     encodable = HOSTILE.replace("\ud800", "")
     logging.getLogger("app.test").error("GET %s failed", encodable + "x" * 10_000)
     logging.getLogger("app.test").error("after")

@@ -20,7 +20,7 @@ from hardware.registry import arm_driver
 from hardware.simulator.devices.faults import Faults
 from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
-from tests.station.test_on_the_twin import CONFIG, true_calibration
+from tests.station.test_on_simulation import CONFIG, true_calibration
 
 Lie = Callable[[Faults], None]
 
@@ -41,43 +41,43 @@ LIES = {"J4": frozen, "J1": three_turns_on, "J3": astray}
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation(CONFIG) as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation(CONFIG) as simulation:
+        yield simulation
 
 
 @pytest.fixture
-def calibration(twin: SimulatedStation, tmp_path: Path) -> ScanCalibration:
-    return true_calibration(twin, tmp_path)
+def calibration(simulation: SimulatedStation, tmp_path: Path) -> ScanCalibration:
+    return true_calibration(simulation, tmp_path)
 
 
 @pytest.fixture
 def rig(
-    twin: SimulatedStation, bus: Bus, calibration: ScanCalibration, tmp_path: Path
+    simulation: SimulatedStation, bus: Bus, calibration: ScanCalibration, tmp_path: Path
 ) -> Iterator[Rig]:
-    options = {"url": twin.arm_url}
-    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
+    options = {"url": simulation.arm_url}
+    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), simulation.sensor, tmp_path)
     rig.arm.set_model(calibration.arm)
     rig.start()
     until(lambda: rig.arm.stillness().still and rig.sensor.fresh, 240)
     yield rig
-    twin.faults.clear()
+    simulation.faults.clear()
     rig.stop()
 
 
-def begin(lie: Lie, twin: SimulatedStation, rig: Rig) -> float:
-    """Seconds until the lie is told."""
+def begin(lie: Lie, simulation: SimulatedStation, rig: Rig) -> float:
+    """Seconds until the lie is reported."""
     started_s = time.monotonic()
-    lie(twin.faults)
+    lie(simulation.faults)
     until(lambda: rig.devices().arm.state == "lost", 5.0)
     return time.monotonic() - started_s
 
 
 @pytest.mark.parametrize("joint", LIES)
 def test_nothing_is_taken_and_the_joint_is_named(
-    joint: str, twin: SimulatedStation, rig: Rig
+    joint: str, simulation: SimulatedStation, rig: Rig
 ) -> None:
-    begin(LIES[joint], twin, rig)
+    begin(LIES[joint], simulation, rig)
     with pytest.raises(OperationError) as refused:
         rig.arm.average()
     assert refused.value.code == "joint-implausible"
@@ -87,7 +87,7 @@ def test_nothing_is_taken_and_the_joint_is_named(
     assert str(refused.value.what)[1:] in str(rig.arm.link().text)
     with pytest.raises(OperationError, match=f"joint {joint} reads"):
         rig.capture_pair()
-    twin.faults.clear()
+    simulation.faults.clear()
     until(lambda: rig.arm.stillness().still)
     assert rig.arm.average().samples > 100
 
@@ -95,7 +95,7 @@ def test_nothing_is_taken_and_the_joint_is_named(
 @pytest.mark.parametrize("joint", LIES)
 def test_a_scan_leaves_out_what_a_lying_encoder_says(
     joint: str,
-    twin: SimulatedStation,
+    simulation: SimulatedStation,
     rig: Rig,
     calibration: ScanCalibration,
     bus: Bus,
@@ -109,31 +109,31 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         until(lambda: scanner.why_not() is None)
         scanner.start("lied to")
         first_ns = time.monotonic_ns()
-        hand = threading.Thread(target=twin.operator.scan_part, args=("sphere",))
-        hand.start()
+        sweep = threading.Thread(target=simulation.operator.scan_part, args=("sphere",))
+        sweep.start()
         until(lambda: rig.arm.stillness().text != message("still"))
         time.sleep(0.5)
-        begin(LIES[joint], twin, rig)
+        begin(LIES[joint], simulation, rig)
         findings = scanner.state().findings
         assert any(f"joint {joint} reads" in str(finding.text) for finding in findings)
         time.sleep(1.0)
-        twin.operator.cancel()
-        hand.join(20.0)
+        simulation.operator.cancel()
+        sweep.join(20.0)
         window = rig.arm.window(first_ns, time.monotonic_ns())
         assert window is not None
         assert len(window) > 100
-        true_rad = twin.joints(window.stamps_ns)
+        true_rad = simulation.joints(window.stamps_ns)
         assert np.abs(window.q_rad - true_rad).max() < np.radians(0.2)
         assert scanner.stop() is not None
         assert any("could not be true" in str(one.text) for one in scanner.state().findings)
     finally:
-        twin.faults.clear()
+        simulation.faults.clear()
         scanner.close()
         scene.close()
 
 
-def test_an_honest_hand_is_never_accused(twin: SimulatedStation, rig: Rig) -> None:
-    assert twin.operator.scan_part("sphere")
-    assert twin.operator.touch("crest", 0)
+def test_an_honest_arm_is_never_accused(simulation: SimulatedStation, rig: Rig) -> None:
+    assert simulation.operator.scan_part("sphere")
+    assert simulation.operator.touch("crest", 0)
     assert rig.arm.rejected_count == 0
     assert rig.arm.doubt() is None

@@ -1,4 +1,4 @@
-"""The live picture: encoded while watched, told in words, with the object where it is seen."""
+"""The live picture: encoded while watched, described in words, with the object where it is seen."""
 
 import asyncio
 import json
@@ -63,13 +63,13 @@ def test_the_packed_picture_is_header_and_jpeg(preview: Preview, rig: Rig) -> No
     assert picture.shape == (HEIGHT, WIDTH)
 
 
-def test_a_moving_arm_and_a_bright_picture_are_told(preview: Preview, bench: Bench) -> None:
+def test_a_moving_arm_and_a_bright_picture_are_reported(preview: Preview, bench: Bench) -> None:
     bench.joints_at = lambda seconds: REST_RAD + 0.1 * np.sin(5 * seconds)
     bench.scene_level = 1.0
     with preview.watch():
         until(lambda: newest(preview).header.saturated_percent > 50)
         until(lambda: any("saturated" in str(aid.words) for aid in newest(preview).header.aids))
-        # the scripted arm jumps to its swing, which is told first
+        # the scripted arm jumps to its swing, which is reported first
         until(lambda: any("Moved" in str(one.text) for one in newest(preview).header.findings))
         header = newest(preview).header
     assert not header.arm_still

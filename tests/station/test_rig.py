@@ -22,7 +22,7 @@ def swing(seconds: float) -> np.ndarray:
     return np.asarray(REST_RAD + 0.2 * np.sin(3 * seconds))
 
 
-def test_both_devices_are_found_and_told_with_their_rates(rig: Rig) -> None:
+def test_both_devices_are_found_and_shown_with_their_rates(rig: Rig) -> None:
     ready(rig)
     until(lambda: rig.devices().arm.rate_hz is not None)
     devices = rig.devices()
@@ -82,7 +82,9 @@ def test_a_slow_sensor_is_lost_only_where_it_does_not_say_that_it_is_slow(
     until(lambda: rig.sensor.link().state == "lost", 2.0)
 
 
-def test_losing_and_finding_a_device_is_told_as_events(rig: Rig, bench: Bench, bus: Bus) -> None:
+def test_losing_and_finding_a_device_is_reported_as_events(
+    rig: Rig, bench: Bench, bus: Bus
+) -> None:
     async def scenario() -> list[str]:
         bus.attach(asyncio.get_running_loop())
         kinds: list[str] = []

@@ -112,7 +112,7 @@ def test_frames_before_the_laser_came_on_give_no_points(scanner: Scanner, bench:
     assert scanner.stop() is not None
 
 
-def test_a_scan_is_told_to_whoever_listens(scanner: Scanner, bus: Bus) -> None:
+def test_a_scan_is_published_to_all_subscribers(scanner: Scanner, bus: Bus) -> None:
     async def scenario() -> tuple[ScanResult, list[ScanState]]:
         loop = asyncio.get_running_loop()
         bus.attach(loop)
@@ -124,7 +124,7 @@ def test_a_scan_is_told_to_whoever_listens(scanner: Scanner, bus: Bus) -> None:
         scanner.on_finished = done
         states: list[ScanState] = []
         with bus.subscribe(without={"devices"}) as reader:
-            await asyncio.to_thread(scanner.start, "told")
+            await asyncio.to_thread(scanner.start, "published")
             while not states or states[-1].points == 0:
                 state = (await reader.next()).topics.get("scan", scanner.state())
                 assert isinstance(state, ScanState)
@@ -241,11 +241,11 @@ def test_a_full_disk_stops_the_scan_with_an_alarm_and_the_station_lives(
     assert scanner.stop() is not None
 
 
-def test_too_little_room_refuses_before_anything_moves(
+def test_too_little_space_refuses_before_anything_moves(
     scanner: Scanner, bench: Bench, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(scan_folders, "START_FREE_BYTES", shutil.disk_usage(tmp_path).total)
     with pytest.raises(OperationError) as refused:
-        scanner.start("no room")
+        scanner.start("no space")
     assert refused.value.code == "disk-full"
     assert not bench.laser_on

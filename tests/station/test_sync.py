@@ -23,25 +23,25 @@ from app.workflows.reconstruct import reconstruct_points
 from hardware.registry import arm_driver
 from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
-from tests.station.test_on_the_twin import CONFIG, true_calibration
+from tests.station.test_on_simulation import CONFIG, true_calibration
 
 DELAY_MS = 4.0
 
 
 @pytest.fixture(scope="module")
 def late() -> Iterator[SimulatedStation]:
-    with SimulatedStation(replace(CONFIG, arm_delay_ms=DELAY_MS)) as twin:
-        yield twin
+    with SimulatedStation(replace(CONFIG, arm_delay_ms=DELAY_MS)) as simulation:
+        yield simulation
 
 
-def plane_rms_um(points: np.ndarray, twin: SimulatedStation) -> float:
-    nominal = json.loads(json.dumps(twin.datasheets()["plate.nominal.json"]))
+def plane_rms_um(points: np.ndarray, simulation: SimulatedStation) -> float:
+    nominal = json.loads(json.dumps(simulation.datasheets()["plate.nominal.json"]))
     off = (points - nominal["point_mm"]) @ nominal["normal"]
     return 1e3 * fit_plane(points[np.abs(off) < 1.5]).rms_mm
 
 
 def transport_ms(
-    recording: Path, arm: Arm, T_flange_sensor: np.ndarray, twin: SimulatedStation
+    recording: Path, arm: Arm, T_flange_sensor: np.ndarray, simulation: SimulatedStation
 ) -> float:
     """By how much the arm's stamps are late of themselves: its line takes a while."""
     records = open_recording(recording).records()
@@ -50,7 +50,7 @@ def transport_ms(
     lags_ms = np.arange(-1.0, 3.0, 0.05)
     off = []
     for lag_ms in lags_ms:
-        true = [twin.sensor_pose(record.stamp_ns - round(1e6 * lag_ms)) for record in joints]
+        true = [simulation.sensor_pose(record.stamp_ns - round(1e6 * lag_ms)) for record in joints]
         off.append(np.median(np.linalg.norm((np.array(true) - reported)[:, :3, 3], axis=1)))
     return float(lags_ms[np.argmin(off)])
 

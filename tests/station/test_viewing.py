@@ -63,7 +63,7 @@ def table(count: int = 20_000) -> Points:
 
 
 @dataclasses.dataclass
-class Room:
+class ViewBench:
     """A scene with a folder of scans."""
 
     scene: Scene
@@ -95,11 +95,11 @@ class Room:
 
 
 @pytest.fixture
-def room(tmp_path: Path) -> Iterator[Room]:
+def view_bench(tmp_path: Path) -> Iterator[ViewBench]:
     scene, bus = Scene(point_budget=40_000), Bus()
     viewing = ViewController(bus, scene, tmp_path, lambda: None)
     viewing.look(KEY, from_above())
-    yield Room(scene, bus, viewing, tmp_path)
+    yield ViewBench(scene, bus, viewing, tmp_path)
     viewing.close()
     scene.close()
 
@@ -147,12 +147,12 @@ def test_more_points_than_a_fit_takes_are_taken_evenly(tmp_path: Path) -> None:
     assert steps.max() < 1.01 * steps.min()
 
 
-def test_a_sphere_is_fitted_to_all_points_of_the_file(room: Room) -> None:
-    scan = room.store("ball", np.concatenate([table(), ball()]))
-    room.viewing.show(scan)
-    until(lambda: room.whole("ball"))
-    room.fitted(Rectangle(0.42, 0.4, 0.58, 0.6), "sphere")
-    (fitted,) = room.viewing.state().fits
+def test_a_sphere_is_fitted_to_all_points_of_the_file(view_bench: ViewBench) -> None:
+    scan = view_bench.store("ball", np.concatenate([table(), ball()]))
+    view_bench.viewing.show(scan)
+    until(lambda: view_bench.whole("ball"))
+    view_bench.fitted(Rectangle(0.42, 0.4, 0.58, 0.6), "sphere")
+    (fitted,) = view_bench.viewing.state().fits
     diameter, *centre = fitted.figures
     assert fitted.every
     assert fitted.points <= fitted.picked <= 40_000
@@ -167,110 +167,114 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(room: Room) -> None:
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
-    viewer = Viewer(room.scene)
+    viewer = Viewer(view_bench.scene)
     vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
     viewer.close()
     radius = np.linalg.norm(1e3 * vertices - [500, 0, 15], axis=1)
     np.testing.assert_allclose(radius, 20.0, atol=0.01)
 
 
-def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(room: Room) -> None:
-    room.scene.begin("now")
+def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(
+    view_bench: ViewBench,
+) -> None:
+    view_bench.scene.begin("now")
     level = cloud(table()["x"][:, None] * [1, 0, 0] + table()["y"][:, None] * [0, 1, 0], 0, 0.01)
-    room.scene.add_points(level)
-    until(lambda: room.shown("now") > 0)
-    room.fitted(MIDDLE, "plane")
-    (fitted,) = room.viewing.state().fits
+    view_bench.scene.add_points(level)
+    until(lambda: view_bench.shown("now") > 0)
+    view_bench.fitted(MIDDLE, "plane")
+    (fitted,) = view_bench.viewing.state().fits
     assert not fitted.every
     figures = {str(figure.label): figure for figure in fitted.figures}
     assert figures["Tilt from level"].value == pytest.approx(0, abs=0.02)
     assert figures["From the arm's zero"].value == pytest.approx(0, abs=0.05)
     assert figures["Normal Z"].value == pytest.approx(1)
-    # one batch of points is one moment: too little to tell an uncertainty by
+    # one batch of points is one moment: too little for an uncertainty
     assert figures["From the arm's zero"].uncertainty is None
 
 
-def test_deviations_are_from_the_last_fit_and_end_with_it(room: Room) -> None:
+def test_deviations_are_from_the_last_fit_and_end_with_it(view_bench: ViewBench) -> None:
     with pytest.raises(OperationError, match="There is no fitted shape yet"):
-        room.viewing.colour_by("deviation", None)
-    room.viewing.show(room.store("ball", ball()))
-    until(lambda: room.whole("ball"))
-    room.fitted(Rectangle(0, 0, 1, 1), "sphere")
-    room.viewing.colour_by("deviation", None)
-    until(lambda: room.viewing.state().legend is not None)
-    legend = room.viewing.state().legend
+        view_bench.viewing.colour_by("deviation", None)
+    view_bench.viewing.show(view_bench.store("ball", ball()))
+    until(lambda: view_bench.whole("ball"))
+    view_bench.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    view_bench.viewing.colour_by("deviation", None)
+    until(lambda: view_bench.viewing.state().legend is not None)
+    legend = view_bench.viewing.state().legend
     assert legend is not None
     assert (legend.unit, legend.low) == ("µm", -legend.high)
     assert legend.high == pytest.approx(30, rel=0.15)
-    room.viewing.remove_fit(1)
-    assert room.viewing.state().measure == "height"
-    assert not room.viewing.state().fits
+    view_bench.viewing.remove_fit(1)
+    assert view_bench.viewing.state().measure == "height"
+    assert not view_bench.viewing.state().fits
 
 
-def test_a_new_scan_clears_scans_and_fits(room: Room) -> None:
-    room.viewing.show(room.store("ball", ball()))
-    until(lambda: room.whole("ball"))
-    room.fitted(Rectangle(0, 0, 1, 1), "sphere")
-    assert room.viewing.state().fits
-    room.scene.begin("next")
-    state = room.viewing.state()
+def test_a_new_scan_clears_scans_and_fits(view_bench: ViewBench) -> None:
+    view_bench.viewing.show(view_bench.store("ball", ball()))
+    until(lambda: view_bench.whole("ball"))
+    view_bench.fitted(Rectangle(0, 0, 1, 1), "sphere")
+    assert view_bench.viewing.state().fits
+    view_bench.scene.begin("next")
+    state = view_bench.viewing.state()
     assert [scan.id for scan in state.scans] == ["next"]
     assert not state.fits
 
 
-def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(room: Room) -> None:
-    room.viewing.show(room.store("table", table()))
-    until(lambda: room.whole("table"))
-    room.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
-    room.fitted(MIDDLE, "plane")
-    assert "no points in the rectangle" in room.reported()[-1]
-    room.viewing.look(KEY, from_above())
-    room.fitted(MIDDLE, "sphere")
-    assert "No sphere was fitted" in room.reported()[-1]
-    room.fitted(MIDDLE, "cylinder")
-    assert "No cylinder was fitted" in room.reported()[-1]
+def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(
+    view_bench: ViewBench,
+) -> None:
+    view_bench.viewing.show(view_bench.store("table", table()))
+    until(lambda: view_bench.whole("table"))
+    view_bench.viewing.look(KEY, ViewCamera(from_above().wxyz, (3.0, 3.0, 0.3), 0.8, 1.5))
+    view_bench.fitted(MIDDLE, "plane")
+    assert "no points in the rectangle" in view_bench.reported()[-1]
+    view_bench.viewing.look(KEY, from_above())
+    view_bench.fitted(MIDDLE, "sphere")
+    assert "No sphere was fitted" in view_bench.reported()[-1]
+    view_bench.fitted(MIDDLE, "cylinder")
+    assert "No cylinder was fitted" in view_bench.reported()[-1]
     with pytest.raises(OperationError, match="not connected"):
-        room.viewing.fit("cd" * 16, MIDDLE, "plane")
+        view_bench.viewing.fit("cd" * 16, MIDDLE, "plane")
 
 
-def test_scans_stand_beside_one_another_within_one_budget(room: Room) -> None:
-    one, other = room.store("one", ball()), room.store("other", table())
-    room.viewing.show(one)
-    room.viewing.show(other)
-    room.viewing.show(other)
-    until(lambda: room.whole("one", "other"))
-    until(lambda: sum(room.scene.scans.values()) <= 40_000)
-    assert room.shown("one") > 5000
-    assert room.shown("other") > 5000
-    viewer = Viewer(room.scene)
+def test_scans_stand_beside_one_another_within_one_budget(view_bench: ViewBench) -> None:
+    one, other = view_bench.store("one", ball()), view_bench.store("other", table())
+    view_bench.viewing.show(one)
+    view_bench.viewing.show(other)
+    view_bench.viewing.show(other)
+    until(lambda: view_bench.whole("one", "other"))
+    until(lambda: sum(view_bench.scene.scans.values()) <= 40_000)
+    assert view_bench.shown("one") > 5000
+    assert view_bench.shown("other") > 5000
+    viewer = Viewer(view_bench.scene)
     kept = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
-    room.viewing.hide("one")
-    assert [scan.id for scan in room.viewing.state().scans] == ["other"]
+    view_bench.viewing.hide("one")
+    assert [scan.id for scan in view_bench.viewing.state().scans] == ["other"]
     left = {name for name in viewer.listen().nodes if name.startswith("/kept/")}
     viewer.close()
     assert left < kept
     assert one.folder.joinpath("cloud.ply").is_file()
 
 
-def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(room: Room) -> None:
-    scan = room.store("ball", ball())
+def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(view_bench: ViewBench) -> None:
+    scan = view_bench.store("ball", ball())
     file = scan.folder / "cloud.ply"
     file.write_bytes(file.read_bytes()[:-20_000])
-    room.viewing.show(scan)
-    until(lambda: bool(room.reported()))
-    assert "Ball cannot be shown" in room.reported()[-1]
-    assert not room.viewing.state().scans
+    view_bench.viewing.show(scan)
+    until(lambda: bool(view_bench.reported()))
+    assert "Ball cannot be shown" in view_bench.reported()[-1]
+    assert not view_bench.viewing.state().scans
     file.unlink()
     with pytest.raises(OperationError, match="not in the data folder"):
-        room.viewing.show(scan)
+        view_bench.viewing.show(scan)
 
 
-def test_limits_by_hand_must_be_a_range(room: Room) -> None:
+def test_manual_limits_must_be_a_range(view_bench: ViewBench) -> None:
     for limits in ((3.0, 3.0), (4.0, 1.0), (0.0, float("inf"))):
         with pytest.raises(OperationError, match="lower limit"):
-            room.viewing.colour_by("intensity", limits)
-    room.viewing.colour_by("intensity", (0.0, 50.0))
-    legend = room.viewing.state().legend
+            view_bench.viewing.colour_by("intensity", limits)
+    view_bench.viewing.colour_by("intensity", (0.0, 50.0))
+    legend = view_bench.viewing.state().legend
     assert legend is not None
     assert (legend.low, legend.high, legend.automatic) == (0.0, 50.0, False)
 

@@ -73,7 +73,7 @@ def test_there_is_an_end_to_growing_and_something_is_left() -> None:
     assert voxels.size_mm == pytest.approx(0.1 * 2 ** (SIZES - 0.5))
 
 
-def test_what_is_forgotten_makes_room() -> None:
+def test_what_is_forgotten_frees_its_space() -> None:
     """The table does not grow with the scan, only with what is shown."""
     voxels = Voxels(0.1)
     for seed in range(30):

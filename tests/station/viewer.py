@@ -1,4 +1,4 @@
-"""A browser's side of the 3D view: keeps the scene's nodes as the server tells them."""
+"""A browser's side of the 3D view: keeps the scene's nodes as the server sends them."""
 
 import contextlib
 from collections.abc import Callable
@@ -34,7 +34,7 @@ class Viewer:
         self._socket.close()
 
     def pose_camera(self, position: Any, look_at: Any) -> None:
-        """Tells where the user looks from, as a browser does at its start and when it moves."""
+        """Sends where the user looks from, as a browser does at its start and when it moves."""
         message = {
             "type": "ViewerCameraMessage",
             "wxyz": (1.0, 0.0, 0.0, 0.0),
@@ -74,7 +74,7 @@ class Viewer:
             self.nodes[name][kind] = message
 
     def position_mm(self, name: str) -> np.ndarray:
-        """Where a node is in its parent; the origin unless told."""
+        """Where a node is in its parent; the origin unless sent."""
         reported = self.nodes[name].get("SetPositionMessage", {"position": (0.0, 0.0, 0.0)})
         return 1e3 * np.array(reported["position"])
 

@@ -1,4 +1,4 @@
-"""Copies of data folders, also while they are written; and scrapers' tokens."""
+"""Copies of data folders, also while they are written; and API tokens."""
 
 import json
 import sqlite3
@@ -92,7 +92,7 @@ def test_backups_beside_the_data_do_not_hold_one_another(store: Store) -> None:
     assert not (Path(second.folder) / "backups").exists()
 
 
-def test_a_damaged_database_is_told(store: Store, tmp_path: Path) -> None:
+def test_a_damaged_database_is_reported(store: Store, tmp_path: Path) -> None:
     assert store.check() == ""
     store.close()
     file = store.folder / "station.db"
@@ -136,12 +136,12 @@ def test_a_database_without_one_of_its_columns_is_refused(
         Database(path)
 
 
-def test_a_scrapers_token_is_told_once_and_can_be_ended(store: Store) -> None:
-    scraper, token = store.api_tokens.add("Prometheus", "Ada")
-    assert store.api_tokens.all() == [scraper]
+def test_an_api_token_is_shown_once_and_can_be_ended(store: Store) -> None:
+    api_token, token = store.api_tokens.add("Prometheus", "Ada")
+    assert store.api_tokens.all() == [api_token]
     assert store.api_tokens.is_valid(token)
     assert not store.api_tokens.is_valid("")
     assert not store.api_tokens.is_valid(f"{token}x")
     assert store.login_sessions.principal(token) is None, "it opens nothing else"
-    store.api_tokens.remove(scraper.id)
+    store.api_tokens.remove(api_token.id)
     assert not store.api_tokens.is_valid(token)

@@ -1,4 +1,4 @@
-"""A disk that is full, a real one: it is told from a broken database, and keeps nobody out."""
+"""A real full disk: it is distinguished from a broken database, and keeps nobody out."""
 
 import contextlib
 import os
@@ -43,7 +43,7 @@ def fill(place: Path) -> Path:
 def keep_on(store: Store) -> None:
     """Until the disk does not take it."""
     while True:
-        store.temperatures.add(20.0, "told")
+        store.temperatures.add(20.0, "Anna")
 
 
 def test_signing_in_the_audit_and_scans_outlive_a_full_disk(small: Path) -> None:
@@ -97,7 +97,7 @@ def test_a_damaged_database_is_no_full_disk(tmp_path: Path) -> None:
     assert refused.value.code == "database-unreadable"
 
 
-def test_a_backup_that_finds_no_room_leaves_nothing(small: Path, tmp_path: Path) -> None:
+def test_a_backup_that_finds_no_space_leaves_nothing(small: Path, tmp_path: Path) -> None:
     store = Store(tmp_path / "data")
     (store.folder / "scans/cloud.ply").write_bytes(os.urandom(5_000_000))
     with pytest.raises(OperationError) as refused:

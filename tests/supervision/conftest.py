@@ -1,4 +1,4 @@
-"""A broker for the tests of this room."""
+"""A broker for the tests of supervision."""
 
 import os
 from collections.abc import Iterator

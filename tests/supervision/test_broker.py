@@ -146,7 +146,7 @@ def test_a_second_station_of_the_same_name_is_noticed(broker: Mosquitto) -> None
     watching(broker.port, look, "twice")
 
 
-def test_a_lost_broker_is_told_and_found_again(tmp_path: Path, broker: Mosquitto) -> None:
+def test_a_lost_broker_is_reported_and_found_again(tmp_path: Path, broker: Mosquitto) -> None:
     with Mosquitto(tmp_path) as own:
 
         async def look(watch: Watch) -> None:

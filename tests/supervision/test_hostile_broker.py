@@ -1,4 +1,4 @@
-"""Whoever may publish on a real broker fills no station's memory and hides no other station."""
+"""A publisher on a real broker fills no station's memory and hides no other station."""
 
 import asyncio
 import contextlib

@@ -1,4 +1,4 @@
-"""Texts of payloads as data: what is published, and what is taken from whoever publishes."""
+"""Texts of payloads as data: what is published, and what is taken from any publisher."""
 
 import json
 

@@ -18,7 +18,7 @@ from app.errors import OperationError
 from app.findings import Quality
 from app.messages.message import message
 from app.station.bus import Event
-from app.supervision import webhook as webhook_room
+from app.supervision import webhook as webhook_module
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
 from app.supervision.webhook import (
     MOST_WAITING,
@@ -202,7 +202,7 @@ def test_a_corrected_address_is_tried_at_once(receiver: Receiver) -> None:
 
 def test_an_answer_that_never_ends_holds_nobody_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """One receiver talks on for ever, the other begins to answer and never gets to the point."""
-    monkeypatch.setattr(webhook_room, "ANSWER_S", 0.5)
+    monkeypatch.setattr(webhook_module, "ANSWER_S", 0.5)
 
     def drip(words: bytes, more: bytes) -> tuple[socket.socket, str]:
         listening = socket.create_server(("127.0.0.1", 0))
@@ -275,7 +275,7 @@ def test_addresses() -> None:
             WebhookSettings(url=wrong)
 
 
-def test_what_is_told_to_whoever_is_away() -> None:
+def test_what_is_notified_to_those_away() -> None:
     def kind(kind: str, quality: Quality) -> str | None:
         return notice_kind(Event(1, kind, quality, ""))
 

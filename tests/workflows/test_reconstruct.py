@@ -128,7 +128,7 @@ def test_a_lost_joint_reading_is_left_out(tmp_path: Path) -> None:
     np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
 
-def test_readings_that_cannot_be_true_are_left_out_and_told(tmp_path: Path) -> None:
+def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) -> None:
     """Of recordings from before they were judged as they came."""
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         joints_every(writer, 0, 100 * MS, 4 * MS)

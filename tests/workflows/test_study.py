@@ -1,4 +1,4 @@
-"""The paper's study: clouds of one plane by calibrations."""
+"""The article's study: clouds of one plane by calibrations."""
 
 import csv
 from dataclasses import replace

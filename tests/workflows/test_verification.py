@@ -1,4 +1,4 @@
-"""The record of a verification, and the paper of its gauge."""
+"""The record of a verification, and the nominal of its gauge."""
 
 import json
 from pathlib import Path
@@ -10,7 +10,7 @@ from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
 from app.formats.results.verification import VerificationFile, read_verification, write_verification
 
-SHEET: dict[str, Any] = {
+RECORD: dict[str, Any] = {
     "id": "20261121-101500-aa11",
     "station": "Room 2",
     "operator": "Anna",
@@ -63,7 +63,7 @@ SHEET: dict[str, Any] = {
 
 
 def test_a_record_reads_back_as_it_was_written(tmp_path: Path) -> None:
-    document = VerificationFile.model_validate(SHEET)
+    document = VerificationFile.model_validate(RECORD)
     write_verification(tmp_path, document)
     assert read_verification(tmp_path) == document
     fields = json.loads((tmp_path / "verification.json").read_text())
@@ -73,7 +73,7 @@ def test_a_record_reads_back_as_it_was_written(tmp_path: Path) -> None:
 def test_a_record_without_clouds_is_none(tmp_path: Path) -> None:
     path = tmp_path / "verification.json"
     path.write_text(
-        json.dumps({"format": "crenel/verification", "version": 1, **SHEET, "clouds": []})
+        json.dumps({"format": "crenel/verification", "version": 1, **RECORD, "clouds": []})
     )
     with pytest.raises(OperationError, match="clouds"):
         read_verification(tmp_path)

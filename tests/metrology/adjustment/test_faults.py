@@ -1,4 +1,4 @@
-"""Faults in all contacts together, told by the adjustment beside errors of the arm's links."""
+"""Faults in all contacts together, found by the adjustment beside errors of the arm's links."""
 
 from dataclasses import replace
 
@@ -80,7 +80,7 @@ def test_errors_of_the_arms_links_are_no_fault(
 
 @pytest.mark.parametrize("pair", [("front", "back"), ("left", "right")])
 @pytest.mark.parametrize("by_mm", [-0.08, 0.08])
-def test_a_wrong_size_of_the_block_is_told_with_its_faces(
+def test_a_wrong_size_of_the_block_is_reported_with_its_faces(
     pair: tuple[str, str], by_mm: float
 ) -> None:
     on = station(3, ALL_AROUND)
@@ -121,7 +121,7 @@ def test_a_poor_arm_does_not_hide_a_tip_far_off() -> None:
 
 
 @pytest.mark.parametrize(("shift_mm", "turn_deg"), [(0.15, 0.0), (0.0, 0.2), (2.0, 0.5)])
-def test_an_object_moved_after_it_was_touched_is_told_from_the_tip(
+def test_an_object_moved_after_it_was_touched_is_distinguished_from_the_tip(
     shift_mm: float, turn_deg: float
 ) -> None:
     on = station(6, THREE)
@@ -138,6 +138,6 @@ def test_an_object_moved_after_it_was_touched_is_told_from_the_tip(
     )
 
 
-def test_with_one_pose_a_moved_object_cannot_be_told() -> None:
+def test_with_one_pose_a_moved_object_cannot_be_identified() -> None:
     on = station(1, THREE)
     assert [one.code for one in said(on, 3, np.array([0.5, 0.0, 0.0]))] == ["size-unchecked"]

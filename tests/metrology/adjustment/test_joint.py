@@ -50,7 +50,7 @@ def test_points_lie_where_the_truth_has_them(found: BlockCalibration, samples: P
     assert (worst.face, worst.contact, str(worst.name)) == ("crest", 9, "crest 10")
 
 
-def test_poses_whose_joints_were_swapped_are_left_out_and_told_whose_they_are(
+def test_poses_with_swapped_joints_are_left_out_with_the_pose_that_they_fit(
     inputs: BlockInputs,
 ) -> None:
     q = inputs.q_rad.copy()
@@ -74,7 +74,7 @@ def test_a_pose_that_is_slightly_astray_is_left_out_too(
     assert result.uncertainty.total_um < 1.2 * found.uncertainty.total_um
 
 
-def test_one_stray_of_few_is_left_out_though_it_draws_the_others_along(
+def test_one_outlier_of_few_is_left_out_though_it_draws_the_others_along(
     inputs: BlockInputs,
 ) -> None:
     few = replace(inputs, observations=inputs.observations[:4], q_rad=inputs.q_rad[:4].copy())
@@ -92,7 +92,7 @@ def test_poses_that_agree_with_none_are_refused(inputs: BlockInputs) -> None:
     assert caught.value.code == "poses-contradict"
 
 
-def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: BlockInputs) -> None:
+def test_a_pose_that_shows_nothing_is_reported_with_its_own_remedy(inputs: BlockInputs) -> None:
     refusal = OperationError(
         "no-contrast", "the picture shows no contrast", "", "turn up the light"
     )
@@ -105,7 +105,7 @@ def test_a_pose_that_shows_nothing_is_told_with_its_own_remedy(inputs: BlockInpu
     assert not said.remedy
 
 
-def test_poses_all_alike_are_said_to_tell_little(inputs: BlockInputs) -> None:
+def test_poses_all_alike_are_reported(inputs: BlockInputs) -> None:
     few = replace(inputs, observations=inputs.observations[:1] * 2, q_rad=inputs.q_rad[[0, 0]])
     few = replace(few, observations=(few.observations[0], replace(few.observations[1], number=9)))
     assert "poses-alike" in codes(calibrate_block(few))
@@ -113,7 +113,7 @@ def test_poses_all_alike_are_said_to_tell_little(inputs: BlockInputs) -> None:
 
 # A tenth of a millimetre hides in the noise that it makes the arm seem to have.
 @pytest.mark.parametrize("by_mm", [-1.0, -0.1, 0.1, 1.0])
-def test_a_wrong_tip_is_seen_and_its_diameter_told(inputs: BlockInputs, by_mm: float) -> None:
+def test_a_wrong_tip_is_seen_and_its_diameter_estimated(inputs: BlockInputs, by_mm: float) -> None:
     tip = inputs.arm.tip
     other = replace(inputs.arm, tip=replace(tip, diameter_mm=tip.diameter_mm + by_mm))
     result = calibrate_block(replace(inputs, arm=other))
@@ -173,7 +173,7 @@ def test_touches_are_asked_for_until_the_target_is_reached(
 
 
 @pytest.mark.parametrize("times", [0.997, 1.02])
-def test_a_block_of_another_size_is_told_by_the_arms_motion(samples: Path, times: float) -> None:
+def test_a_block_of_another_size_is_found_by_the_arms_motion(samples: Path, times: float) -> None:
     session = read_session(samples / "many-poses")
     block = session.block
     lengths = ("front_y_mm", "back_y_mm", "crest_z_mm", "floor_z_mm", "base_z_mm")

@@ -75,7 +75,7 @@ def test_sizes_that_are_known_add_nothing() -> None:
     assert not known.link_size_covariance.any()
 
 
-def test_before_anything_is_told_the_usual_size_is_likeliest() -> None:
+def test_before_any_data_the_usual_size_is_likeliest() -> None:
     usual = default_scales(1.0)
     there = size_prior(usual)
     for turn, shift in ((1.3, 1.0), (1.0, 1.3), (0.7, 0.7), (1.3, 1.3)):

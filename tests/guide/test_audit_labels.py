@@ -1,4 +1,4 @@
-"""Who did what is told in words, not by the commands' own names."""
+"""The audit log names acts in words, not by the commands' own names."""
 
 from app.guide.arm import commands as arm_commands
 from app.guide.arm import rules as arm_rules

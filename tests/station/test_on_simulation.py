@@ -1,4 +1,4 @@
-"""The machine room on the simulated station: real serial driver, rendered pictures, faults."""
+"""The devices on the simulated station: real serial driver, rendered pictures, faults."""
 
 import asyncio
 import json
@@ -30,11 +30,11 @@ CONFIG = SimulationConfig(
 )
 
 
-def true_calibration(twin: SimulatedStation, folder: Path) -> ScanCalibration:
-    """What a perfect calibration of the twin would find."""
-    (folder / "arm.json").write_text(json.dumps(twin.datasheets()["arm.json"]))
+def true_calibration(simulation: SimulatedStation, folder: Path) -> ScanCalibration:
+    """What a perfect calibration of the simulation would find."""
+    (folder / "arm.json").write_text(json.dumps(simulation.datasheets()["arm.json"]))
     arm = read_arm(folder / "arm.json")
-    truth = json.loads(json.dumps(twin.truth()))
+    truth = json.loads(json.dumps(simulation.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
     camera = Camera(
         np.array(truth["camera"]["matrix"]),
@@ -60,38 +60,38 @@ def true_calibration(twin: SimulatedStation, folder: Path) -> ScanCalibration:
 
 
 @pytest.fixture(scope="module")
-def twin() -> Iterator[SimulatedStation]:
-    with SimulatedStation(CONFIG) as twin:
-        yield twin
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation(CONFIG) as simulation:
+        yield simulation
 
 
 @pytest.fixture
-def rig(twin: SimulatedStation, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
-    options = {"url": twin.arm_url}
-    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), twin.sensor, tmp_path)
-    rig.arm.set_model(true_calibration(twin, tmp_path).arm)
+def rig(simulation: SimulatedStation, bus: Bus, tmp_path: Path) -> Iterator[Rig]:
+    options = {"url": simulation.arm_url}
+    rig = Rig(bus, lambda: arm_driver("serial-encoder", options), simulation.sensor, tmp_path)
+    rig.arm.set_model(true_calibration(simulation, tmp_path).arm)
     rig.start()
     until(lambda: rig.arm.fresh and rig.sensor.fresh, 240)
     yield rig
     rig.stop()
-    twin.faults.clear()
+    simulation.faults.clear()
 
 
 def test_the_sphere_is_scanned_to_its_size(
-    twin: SimulatedStation, rig: Rig, bus: Bus, tmp_path: Path
+    simulation: SimulatedStation, rig: Rig, bus: Bus, tmp_path: Path
 ) -> None:
     scene = Scene(point_budget=100_000)
     scanner = Scanner(bus, rig, scene, tmp_path / "scans")
-    scanner.set_calibration(true_calibration(twin, tmp_path))
+    scanner.set_calibration(true_calibration(simulation, tmp_path))
     until(lambda: scanner.why_not() is None)
     scanner.start("sphere")
-    assert twin.operator.scan_part("sphere")
+    assert simulation.operator.scan_part("sphere")
     result = scanner.stop()
     scanner.close()
     scene.close()
     assert result is not None
     assert scanner.state().frames_without_joints <= 0.05 * result.frames
-    nominal = json.loads(json.dumps(twin.datasheets()["sphere.nominal.json"]))
+    nominal = json.loads(json.dumps(simulation.datasheets()["sphere.nominal.json"]))
     points = read_cloud(result.folder / "cloud.ply").points_mm
     near = np.linalg.norm(points - nominal["centre_mm"], axis=1) < nominal["radius_mm"] + 0.5
     fit = fit_sphere(points[near])
@@ -99,8 +99,8 @@ def test_the_sphere_is_scanned_to_its_size(
     np.testing.assert_allclose(fit.centre_mm, nominal["centre_mm"], atol=0.06)
 
 
-def test_a_touch_of_the_hand_is_heard_and_averaged(
-    twin: SimulatedStation, rig: Rig, bus: Bus
+def test_a_touch_of_the_simulated_operator_is_received_and_averaged(
+    simulation: SimulatedStation, rig: Rig, bus: Bus
 ) -> None:
     async def scenario() -> ButtonEvent:
         loop = asyncio.get_running_loop()
@@ -112,7 +112,7 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(
                 pressed.set_result(event)
 
         rig.arm.on_button = note
-        assert await asyncio.to_thread(twin.operator.touch, "crest", 0)
+        assert await asyncio.to_thread(simulation.operator.touch, "crest", 0)
         return await asyncio.wait_for(pressed, 10)
 
     press = asyncio.run(scenario())
@@ -123,9 +123,9 @@ def test_a_touch_of_the_hand_is_heard_and_averaged(
 
 
 def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(
-    twin: SimulatedStation, rig: Rig
+    simulation: SimulatedStation, rig: Rig
 ) -> None:
-    assert twin.operator.hold_over("block")
+    assert simulation.operator.hold_over("block")
     until(lambda: rig.arm.stillness().still)
     taken = rig.capture_pair()
     assert taken.laser is not None
@@ -135,27 +135,30 @@ def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(
 
 
 def test_garbage_and_lost_packets_are_counted_and_harmless(
-    twin: SimulatedStation, rig: Rig
+    simulation: SimulatedStation, rig: Rig
 ) -> None:
-    twin.faults.corrupt_rate = twin.faults.garbage_rate = twin.faults.drop_rate = 0.02
+    faults = simulation.faults
+    faults.corrupt_rate = faults.garbage_rate = faults.drop_rate = 0.02
     until(lambda: rig.arm.link().lost > 20 and rig.arm.link().corrupt > 20)
     assert rig.arm.link().state == "connected"
     until(lambda: rig.arm.stillness().still)
     assert rig.arm.average().samples > 100
 
 
-def test_an_unplugged_arm_and_a_lost_camera_come_back(twin: SimulatedStation, rig: Rig) -> None:
-    twin.faults.unplugged = twin.faults.camera_lost = True
+def test_an_unplugged_arm_and_a_lost_camera_come_back(
+    simulation: SimulatedStation, rig: Rig
+) -> None:
+    simulation.faults.unplugged = simulation.faults.camera_lost = True
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost", 3)
     with pytest.raises(OperationError):
         rig.capture_pair()
-    twin.faults.unplugged = twin.faults.camera_lost = False
+    simulation.faults.unplugged = simulation.faults.camera_lost = False
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "connected", 20)
     assert rig.arm.info is not None
 
 
-def test_an_arm_that_stalls_is_lost_and_found(twin: SimulatedStation, rig: Rig) -> None:
-    twin.faults.stalled = True
+def test_an_arm_that_stalls_is_lost_and_found(simulation: SimulatedStation, rig: Rig) -> None:
+    simulation.faults.stalled = True
     until(lambda: rig.arm.link().state == "lost", 2)
-    twin.faults.stalled = False
+    simulation.faults.stalled = False
     until(lambda: rig.arm.link().state == "connected", 20)

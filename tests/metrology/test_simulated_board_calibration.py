@@ -13,11 +13,11 @@ from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:
-    return RenderedBoards(tmp_path_factory.mktemp("twin"), SimulationConfig(seed=1))
+    return RenderedBoards(tmp_path_factory.mktemp("simulation"), SimulationConfig(seed=1))
 
 
 def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
-    board = session.twin._board
+    board = session.simulation._board
     off = []
     for shot, seen in zip(session.shots, session.detections, strict=True):
         found = seen.detection
@@ -40,11 +40,11 @@ def test_points_are_as_good_as_said(session: RenderedBoards) -> None:
     assert found.uncertainty.total_um < 60
 
 
-def test_the_hand_holds_the_sensor_as_the_operator_is_told(session: RenderedBoards) -> None:
-    T_cam_sensor = session.twin._rig.optics.T_cam_sensor
+def test_the_simulated_operator_holds_the_sensor_as_the_views_say(session: RenderedBoards) -> None:
+    T_cam_sensor = session.simulation._rig.optics.T_cam_sensor
     holds = [shot.T_board_sensor @ inverse(T_cam_sensor) for shot in session.shots]
-    for reported, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
+    for view, hold in zip(VIEWS, holds[: len(VIEWS)], strict=True):
         done = pose_delta(hold, holds[0], session.board)
-        assert abs(done.tilt_right_deg - reported.tilt_right_deg) < 8
-        assert abs(done.tilt_back_deg - reported.tilt_back_deg) < 8
-        assert abs(done.turn_deg - reported.turn_deg) < 8
+        assert abs(done.tilt_right_deg - view.tilt_right_deg) < 8
+        assert abs(done.tilt_back_deg - view.tilt_back_deg) < 8
+        assert abs(done.turn_deg - view.turn_deg) < 8
