@@ -11,6 +11,7 @@ import { HealthPage } from "./pages/HealthPage";
 import { HomePage } from "./pages/HomePage";
 import { PeoplePage } from "./pages/PeoplePage";
 import { RecordsPage } from "./pages/RecordsPage";
+import { ReferencePage } from "./pages/ReferencePage";
 import { ScanPage } from "./pages/ScanPage";
 import { SettingsPage } from "./pages/SettingsPage";
 import { SupervisePage } from "./pages/SupervisePage";
@@ -31,6 +32,7 @@ const PAGE = {
   health: HealthPage,
   settings: SettingsPage,
   people: PeoplePage,
+  docs: ReferencePage,
 };
 
 export function App() {

@@ -51,7 +51,7 @@ export function Rail({ page }: { page: Page }) {
   );
 }
 
-function PageLink({ to, current }: { to: Page; current: boolean }) {
+function PageLink({ to, current }: { to: (typeof PAGES)[number]; current: boolean }) {
   const Icon = ICONS[to];
   const follow = (event: MouseEvent) => {
     if (event.metaKey || event.ctrlKey || event.shiftKey) return;

@@ -6,6 +6,7 @@ import { moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Progress } from "../parts/Progress";
 import { t } from "../state/language";
+import { pathOf } from "../state/router";
 import styles from "./Health.module.css";
 
 interface MaintenanceProps {
@@ -50,6 +51,15 @@ export function Maintenance({ backup, admin, operator, onChange }: MaintenancePr
           ) : (
             <p className={styles.help}>{t("ui-only-an-administrator-can-make-backups")}</p>
           )}
+        </div>
+      </section>
+      <section className={styles.section} aria-label={t("ui-http-interface")}>
+        <h2 className={styles.title}>{t("ui-http-interface")}</h2>
+        <div className={styles.box}>
+          <p>{t("ui-http-interface-explained")}</p>
+          <p>
+            <a href={pathOf("docs")}>{t("ui-open-the-reference")}</a>
+          </p>
         </div>
       </section>
       {operator && (

@@ -35,6 +35,7 @@ ui-ambient-temperature = Raumtemperatur
 ui-angle = Winkel
 ui-angle-between-the-normals = Winkel zwischen den Normalen
 ui-angle-lowercase = Winkel
+ui-answer = Antwort
 ui-applies-browser-files-reports-csv-stay = Gilt für diesen Browser. Dateien, Berichte und CSV bleiben in mm und µm.
 ui-apply-limits = Grenzen anwenden
 ui-arm = Messarm
@@ -185,6 +186,7 @@ ui-dark-display = Dunkle Anzeige
 ui-darker = Dunkler
 ui-dashed = gestrichelt
 ui-dashed-the-limit = Gestrichelt: die Grenze, ±{ $value }.
+ui-data-types = Datentypen
 ui-days = { $n ->
         [one] { $n } Tag
        *[other] { $n } Tage
@@ -307,6 +309,9 @@ ui-hours-ago = { $n ->
         [one] vor { $n } Stunde
        *[other] vor { $n } Stunden
     }
+ui-http-interface = HTTP-Schnittstelle
+ui-http-interface-explained = Programme lesen und bedienen diese Station über HTTP, mit den Rechten der Person oder des Tokens, womit sie sich anmelden.
+ui-http-interface-version = HTTP-Schnittstelle, Version { $version }
 ui-hz = { $n } Hz
 ui-identification-appears-arms-deviation-datasheet-uncertainty = Hier erscheint jede Identifikation mit der Abweichung des Messarms vom Datenblatt, der erreichten Unsicherheit und ihrem Bericht.
 ui-identifications = Identifikationen
@@ -512,6 +517,7 @@ ui-only-an-administrator-can-make-backups = Sicherungen macht ein Administrator.
 ui-only-an-administrator-can-manage-accounts = Konten verwaltet ein Administrator.
 ui-open = Öffnen
 ui-open-address-screen-appears-only-once = Diese Adresse am Bildschirm öffnen. Sie erscheint nur dieses eine Mal:
+ui-open-the-reference = Referenz der HTTP-Schnittstelle öffnen
 ui-open-the-station-by-its-link = Die Station mit dem Link öffnen
 ui-operator = Bediener
 ui-operator-lowercase = Bediener
@@ -594,6 +600,7 @@ ui-remove-this-point = Diesen Punkt entfernen
 ui-rename = Umbenennen
 ui-replaying-a-recording = Eine Aufzeichnung wird wiedergegeben
 ui-report = Bericht
+ui-request-body = Anfrage
 ui-request-control = Bedienung anfragen
 ui-requests-control = { $name } bittet um die Bedienung
 ui-residual = Restabweichung

@@ -35,6 +35,7 @@ ui-ambient-temperature = Ambient temperature
 ui-angle = Angle
 ui-angle-between-the-normals = Angle between the normals
 ui-angle-lowercase = angle
+ui-answer = answer
 ui-applies-browser-files-reports-csv-stay = Applies to this browser. Files, reports and CSV stay in mm and µm.
 ui-apply-limits = Apply limits
 ui-arm = Arm
@@ -185,6 +186,7 @@ ui-dark-display = Dark display
 ui-darker = Darker
 ui-dashed = dashed
 ui-dashed-the-limit = Dashed: the limit, ±{ $value }.
+ui-data-types = Data types
 ui-days = { $n ->
         [one] { $n } day
        *[other] { $n } days
@@ -307,6 +309,9 @@ ui-hours-ago = { $n ->
         [one] { $n } hour ago
        *[other] { $n } hours ago
     }
+ui-http-interface = HTTP interface
+ui-http-interface-explained = Programs read and operate this station over HTTP, with the same rights as the person or token they sign in with.
+ui-http-interface-version = HTTP interface, version { $version }
 ui-hz = { $n } Hz
 ui-identification-appears-arms-deviation-datasheet-uncertainty = Each identification appears here with the arm's deviation from its datasheet, the uncertainty achieved and its report.
 ui-identifications = Identifications
@@ -512,6 +517,7 @@ ui-only-an-administrator-can-make-backups = Only an administrator can make backu
 ui-only-an-administrator-can-manage-accounts = Only an administrator can manage accounts.
 ui-open = Open
 ui-open-address-screen-appears-only-once = Open this address on the screen. It appears only once:
+ui-open-the-reference = Open the reference of the HTTP interface
 ui-open-the-station-by-its-link = Open the station by its link
 ui-operator = Operator
 ui-operator-lowercase = operator
@@ -594,6 +600,7 @@ ui-remove-this-point = Remove this point
 ui-rename = Rename
 ui-replaying-a-recording = Replaying a recording
 ui-report = Report
+ui-request-body = request body
 ui-request-control = Request control
 ui-requests-control = { $name } requests control
 ui-residual = Residual

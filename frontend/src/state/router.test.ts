@@ -10,7 +10,7 @@ test("a page has an address, and a detail of it too", () => {
     "/scan",
     "/records/calibration/a%20b",
   ]);
-  expect(Object.keys(TITLES)).toEqual([...PAGES]);
+  expect(Object.keys(TITLES)).toEqual([...PAGES, "docs"]);
 });
 
 test("going somewhere makes one entry of the history", () => {

@@ -14,7 +14,9 @@ export const PAGES = [
   "settings",
   "people",
 ] as const;
-export type Page = (typeof PAGES)[number];
+/** A page that no menu shows: the Health page links to it. */
+const REFERENCE = "docs";
+export type Page = (typeof PAGES)[number] | typeof REFERENCE;
 
 export const TITLES: Record<Page, PlainId> = {
   home: "ui-home",
@@ -27,6 +29,7 @@ export const TITLES: Record<Page, PlainId> = {
   health: "ui-health",
   settings: "ui-settings",
   people: "ui-people",
+  docs: "ui-http-interface",
 };
 
 const listeners = new Set<() => void>();
@@ -37,7 +40,7 @@ function parts(): string[] {
 
 function current(): Page {
   const name = parts()[0];
-  return PAGES.find((page) => page === name) ?? "home";
+  return [...PAGES, REFERENCE].find((page): page is Page => page === name) ?? "home";
 }
 
 /** What of a page is looked at, such as one of the records; empty for the page as a whole. */

@@ -1,0 +1,125 @@
+import { createContext, useContext, useEffect, useState } from "react";
+
+import { get } from "../api/http";
+import { Banners } from "../frame/Banners";
+import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
+import { t } from "../state/language";
+import records from "./RecordsPage.module.css";
+import styles from "./ReferencePage.module.css";
+
+/** The names of all data types that are described. */
+const DataTypes = createContext<ReadonlySet<string>>(new Set());
+
+/** The station's HTTP interface, for people who write programs for it. */
+export function ReferencePage() {
+  const [description, setDescription] = useState<OpenApi | null>(null);
+  useEffect(() => {
+    get<OpenApi>("/api/openapi.json").then(setDescription, () => undefined); // a lost connection has its banner
+  }, []);
+  return (
+    <main className={records.page}>
+      {description && <Reference description={description} />}
+      <Banners />
+    </main>
+  );
+}
+
+function Reference({ description }: { description: OpenApi }) {
+  const schemas = description.components?.schemas ?? {};
+  const shapes = Object.entries(schemas);
+  return (
+    <DataTypes value={new Set(Object.keys(schemas))}>
+      <div className={records.records}>
+        <section className={styles.section}>
+          <h2>{t("ui-http-interface-version", { version: description.info.version })}</h2>
+          <p>
+            {t("ui-http-interface-explained")} <a href="/api/openapi.json">openapi.json</a>
+          </p>
+        </section>
+        {[...routesByGroup(description)].map(([group, routes]) => (
+          <section key={group} className={styles.section} aria-label={group}>
+            <h3>{group}</h3>
+            {routes.map((route) => (
+              <RouteEntry key={`${route.method} ${route.path}`} route={route} />
+            ))}
+          </section>
+        ))}
+        <section className={styles.section} aria-label={t("ui-data-types")}>
+          <h3>{t("ui-data-types")}</h3>
+          {shapes.map(([name, schema]) => (
+            <Shape key={name} name={name} schema={schema} />
+          ))}
+        </section>
+      </div>
+    </DataTypes>
+  );
+}
+
+/** Without the marks that code has in docstrings. */
+function plain(description = ""): string {
+  return description.replaceAll("``", "");
+}
+
+function RouteEntry({ route }: { route: Route }) {
+  const taken = bodySchema(route.requestBody);
+  const answered = bodySchema(route.responses["200"]);
+  return (
+    <article className={styles.entry}>
+      <h4>
+        <span className={styles.method} data-reads={route.method === "GET"}>
+          {route.method}
+        </span>{" "}
+        <code>{route.path}</code>
+      </h4>
+      <p>{plain(route.description)}</p>
+      <dl>
+        {(route.parameters ?? []).map((parameter) => (
+          <Line key={parameter.name} name={parameter.name} schema={parameter.schema} />
+        ))}
+        {taken && <Line name={t("ui-request-body")} schema={taken} />}
+        {answered && <Line name={t("ui-answer")} schema={answered} />}
+      </dl>
+    </article>
+  );
+}
+
+function Shape({ name, schema }: { name: string; schema: Schema }) {
+  const required = new Set(schema.required);
+  return (
+    <article className={styles.entry} id={`type-${name}`}>
+      <h4>
+        <code>{name}</code>
+      </h4>
+      <p>{plain(schema.description)}</p>
+      <dl>
+        {Object.entries(schema.properties ?? {}).map(([field, one]) => (
+          <Line key={field} name={required.has(field) ? field : `${field}?`} schema={one} />
+        ))}
+      </dl>
+    </article>
+  );
+}
+
+/** A name with its type; each data type in it leads to its description. */
+function Line({ name, schema }: { name: string; schema: Schema }) {
+  const known = useContext(DataTypes);
+  const parts = typeText(schema).split(/\b([A-Z]\w+)\b/);
+  return (
+    <div className={styles.line}>
+      <dt>{name}</dt>
+      <dd>
+        <code>
+          {parts.map((part, index) =>
+            known.has(part) ? (
+              <a key={`${index} ${part}`} href={`#type-${part}`}>
+                {part}
+              </a>
+            ) : (
+              part
+            ),
+          )}
+        </code>
+      </dd>
+    </div>
+  );
+}
