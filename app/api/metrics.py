@@ -140,7 +140,7 @@ class _StationCollector(Collector):
         yield _counter("event_loop_stalls", "Times that the event loop was held up", stalls.count)
         yield _gauge("event_loop_stall_longest_seconds", "The longest of them", stalls.longest_s)
         yield _counter("program_pauses", "Times that the whole program stood", stalls.pauses)
-        yield _counter("events", "Events told to the browsers", watch.events)
+        yield _counter("events", "Events sent to the browsers", watch.events)
         clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
         clients.add_metric(["live"], watch.tabs)
         clients.add_metric(["view"], context.view_controller.pages)

@@ -1,4 +1,4 @@
-"""Who is told: notifications by webhook, and programs that read the metrics."""
+"""Who is notified: by webhook, and programs that read the metrics."""
 
 from dataclasses import dataclass
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""What the station keeps: calibrations and scans, and the home page that tells of them."""
+"""What the station keeps: calibrations and scans, and the home page that shows them."""
 
 from pathlib import Path
 

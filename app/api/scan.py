@@ -41,7 +41,7 @@ def stop_scan(context: TheContext) -> ScanStatus:
 
 @router.post("/scan/hand")
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
-    """Lets the twin's hand move the sensor over the parts, or stops it."""
+    """Lets the simulated operator move the sensor over the parts, or stops it."""
     if asked.on:
         context.simulated_scan.start()
     else:
@@ -72,7 +72,7 @@ def exposure(asked: Exposure, context: TheContext) -> Devices:
 
 @router.post("/stop", status_code=HTTP_204_NO_CONTENT)
 def stop(context: TheContext) -> None:
-    """Laser off, hand stopped, scan stopped; the laser first."""
+    """Laser off, simulated operator stopped, scan stopped; the laser first."""
     stop_everything(context)
     context.bus.event("stopped", message("stopped-laser-off"), "attention")
 

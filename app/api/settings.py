@@ -52,7 +52,7 @@ def find_delay(context: TheContext) -> StationSettings:
 
 @router.post("/delay/pass")
 def pass_for_delay(context: TheContext) -> StationSettings:
-    """Has the simulated hand pass over the plate, and looks for the delay in that."""
+    """Has the simulated operator pass over the plate, and looks for the delay in that."""
     refusal = context.scanner.why_not()
     if refusal is not None:
         raise refusal

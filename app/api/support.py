@@ -121,7 +121,7 @@ def _redactor(context: Context) -> Redactor:
             secrets.append(watch.settings.mqtt.password() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}
-    people |= {wall.made_by for wall in store.login_sessions.kiosk_links()}
+    people |= {link.made_by for link in store.login_sessions.kiosk_links()}
     return Redactor(secrets, people, {"DATA": store.folder, "HOME": Path.home()})
 
 

@@ -59,7 +59,7 @@ def identify(
     columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")
     print_table("Moved", columns, parameter_rows(result))
     if pairs := correlation_figures(result):
-        print_figures("Correlated (told together, each alone less well)", pairs)
+        print_figures("Correlated (known together, each alone less well)", pairs)
     print_figures("Held", list_fixed_parameters(result))
     print(f"{output} written in {seconds:.2f} s")
     print("The flange's frame is now this arm's: calibrate its sensors again with it.")

@@ -41,7 +41,7 @@ def paper(
     arms: Annotated[int, typer.Option(min=1, help="Simulated arms, 250 µm off their models.")] = 5,
     as_json: AsJson = False,
 ) -> None:
-    """The paper's test: one plane's clouds rebuilt with ten calibrations by each method."""
+    """The article's test: one plane's clouds rebuilt with ten calibrations by each method."""
     from app.bench.metrology.repeatability import COLUMNS, run, table
 
     with progress_bar("Calibrating", not as_json) as progress:

@@ -144,7 +144,7 @@ def calibrate(
     method: Annotated[
         Method,
         typer.Option(
-            help="joint: all poses in one adjustment. one-pose: the paper's, by the first pose."
+            help="joint: all poses in one adjustment. one-pose: the article's, by the first pose."
         ),
     ] = Method.JOINT,
     good_um: Annotated[

@@ -155,7 +155,7 @@ def study(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """The paper's study: clouds of one plane, each rebuilt with each calibration.
+    """The article's study: clouds of one plane, each rebuilt with each calibration.
 
     How far the plane turns and shifts between calibrations, and between clouds.
     """
@@ -165,14 +165,17 @@ def study(
     from app.workflows.repeatability_study import range_rows
     from app.workflows.repeatability_study import run_study as run
 
-    sheets = [*(calibrations or []), *(path for path in files if path.suffix.lower() == ".json")]
+    calibration_files = [
+        *(calibrations or []),
+        *(path for path in files if path.suffix.lower() == ".json"),
+    ]
     recordings = [path for path in files if path.suffix.lower() != ".json"]
-    if not sheets or not recordings:
-        missing = "--calibrations" if not sheets else "RECORDING..."
+    if not calibration_files or not recordings:
+        missing = "--calibrations" if not calibration_files else "RECORDING..."
         raise typer.BadParameter("none given", param_hint=f"'{missing}'")
     if output is not None:
-        check_output_path(output, [*files, *sheets, arm])
-    known = [(path, read_calibration(path)) for path in sheets]
+        check_output_path(output, [*files, *calibration_files, arm])
+    known = [(path, read_calibration(path)) for path in calibration_files]
     arm_model = read_arm(arm)
     with progress_bar("Rebuilding", not as_json) as progress:
         done = run(recordings, known, arm_model, nominal, progress)
@@ -196,7 +199,7 @@ def study(
     ]
     columns = ("cloud", "calibration", "points", "rms µm", "angle ″", "offset µm")
     print_table(f"Plane against {nominal or 'the mean of all'}", columns, rows)
-    columns = ("range", "angle, mean", "largest", "offset, mean", "largest", "the paper")
+    columns = ("range", "angle, mean", "largest", "offset, mean", "largest", "the article")
     print_table("How far it turns and shifts", columns, range_rows(done))
     if output is not None:
         print(f"{output} written")

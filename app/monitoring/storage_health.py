@@ -12,7 +12,7 @@ LISTED_RECORDS = 3
 
 
 def disk(free_gb: float, megabytes_s: float | None) -> HealthItem:
-    """Whether there is room to record."""
+    """Whether there is space to record."""
     quality: Quality = "good"
     if free_gb < DISK_BAD_GB:
         quality = "bad"

@@ -1,4 +1,4 @@
-"""What the machine and the process are doing, as the operating system tells it."""
+"""What the machine and the process are doing, as the operating system reports it."""
 
 import os
 import platform
@@ -17,7 +17,7 @@ JUMP_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Memory:
-    """In bytes; null where the system does not tell."""
+    """In bytes; null where the system does not report it."""
 
     process: int
     free: int | None
@@ -29,7 +29,7 @@ def memory() -> Memory:
 
 
 def resident(process: int | None = None) -> int | None:
-    """Bytes of memory that a process holds, by its id, or this one; null where nobody tells."""
+    """Bytes of memory that a process holds, by its id, or this one; null where not known."""
     return _bytes(Path(f"/proc/{process or 'self'}/status"), "VmRSS")
 
 

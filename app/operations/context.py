@@ -22,7 +22,7 @@ from app.station.jobs import Jobs
 from app.station.operator_settings import OperatorSettings
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
-from app.station.scan.state import ScanState as RoomScanState
+from app.station.scan.state import ScanState as ScannerState
 from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.store.store import Store
@@ -55,7 +55,7 @@ class Context:
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made in turn: many at once would keep Stop waiting."""
 
-    def scan_state(self, state: RoomScanState | None = None) -> ScanStatus:
+    def scan_state(self, state: ScannerState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()
         values = {one.name: getattr(known, one.name) for one in fields(known)}

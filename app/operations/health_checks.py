@@ -59,7 +59,7 @@ class HealthChecker:
             "arm": lambda: self._device("arm", rig.arm),
             "sensor": lambda: self._device("sensor", rig.sensor),
             "readings": self._readings,
-            "room": self._room,
+            "room": self._temperature,
             "disk": self._disk,
             "folder": self._folder,
             "database": self._database,
@@ -87,7 +87,7 @@ class HealthChecker:
         arm = self._context.rig.arm
         return [health.readings(arm.rejected_count, arm.newest_rejection, arm.rejection_age_s)]
 
-    def _room(self) -> list[HealthItem]:
+    def _temperature(self) -> list[HealthItem]:
         temperature = self._context.monitoring.temperature
         return [health.temperature(temperature.now, self._warmer_c())] if temperature.there else []
 
@@ -186,8 +186,8 @@ class HealthChecker:
 def software(context: Context) -> dict[str, str]:
     """Versions of what runs, and the drivers in use."""
     drivers = context.monitoring.settings.effective_settings.get("drivers", {})
-    told = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
-    return {"Crenel": SOFTWARE.version, **versions(), **told}
+    driver_names = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
+    return {"Crenel": SOFTWARE.version, **versions(), **driver_names}
 
 
 def packages() -> dict[str, str]:

@@ -67,7 +67,7 @@ async def _reports(context: Context) -> None:
             if context.monitoring.broker is not None:
                 context.monitoring.broker.report(report)
             due = _notify_due(context, due)
-        except OperationError as refusal:  # of a damaged database or its disk; Health tells of it
+        except OperationError as refusal:  # of a damaged database or its disk; Health shows it
             log.warning("the station's report could not be made: %s", refusal.line)
         except Exception:  # the station lives on, and the next may succeed
             log.exception("the station's report could not be made")

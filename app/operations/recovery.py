@@ -41,7 +41,7 @@ RETRY_S = 10.0
 END_S = 5.0
 RECORD = "verification.json"
 LONGEST_NAME = 120
-"""Of what a recording tells of itself."""
+"""Of what a recording states of itself."""
 
 
 class _CloudPostponedError(Exception):

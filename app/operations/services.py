@@ -154,7 +154,7 @@ class MonitoringServices:
         self._numbers = 0
         self._repeats = NoticeDeduplicator()
         self.warned = NoticeDeduplicator()
-        """Events that the log warns of: what is repeated, like Stop, is only told there."""
+        """Events that the log warns of: what is repeated, like Stop, is only reported there."""
 
     def _make_broker(self, settings: BrokerSettings) -> "Broker":
         # most stations have none, and need not load its protocol

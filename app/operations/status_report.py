@@ -1,4 +1,4 @@
-"""The report of the station: for its own wall screen, and over MQTT for other stations."""
+"""The report of the station: for its own kiosk, and over MQTT for other stations."""
 
 import time
 

@@ -30,7 +30,7 @@ async def tick(context: Context) -> None:
                 if found != home:
                     home = found
                     context.bus.publish("home", home)
-        except OperationError as refusal:  # of a damaged database or its disk; Health tells of it
+        except OperationError as refusal:  # of a damaged database or its disk; Health shows it
             log.warning("the live state could not be refreshed: %s", refusal.line)
         except Exception:  # the station lives on, and the next tick may succeed
             log.exception("the live state could not be refreshed")

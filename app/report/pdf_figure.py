@@ -1,4 +1,4 @@
-"""A figure on a sheet of PDF."""
+"""A figure on a page of PDF."""
 
 import io
 
@@ -12,7 +12,7 @@ from app.report.figure import Dot, Figure, Label, Photo, Polyline
 PLAIN, BOLD = "Crenel", "Crenel-Bold"
 
 
-class Drawing(Flowable):  # type: ignore[misc]  # the library tells no types
+class Drawing(Flowable):  # type: ignore[misc]  # the library has no types
     """A figure at a given width."""
 
     def __init__(self, figure: Figure[str], width: float) -> None:

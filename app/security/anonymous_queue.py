@@ -19,7 +19,7 @@ TRUSTED_S = 300.0
 """So long a browser has no line to wait in after it was found signed in."""
 MOST_TRUSTED = 512
 IS_CONNECTED = "is_connected"
-"""In a request's state: tells whether its connection is still there."""
+"""In a request's state: whether its connection is still there."""
 
 
 class AnonymousQueue:

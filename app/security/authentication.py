@@ -1,4 +1,4 @@
-"""The ways to sign in: by name and password, by the console's code, and by a wall link."""
+"""The ways to sign in: by name and password, by the console's code, and by a kiosk link."""
 
 import threading
 from hmac import compare_digest
@@ -24,12 +24,12 @@ class Authenticator:
         self,
         accounts: AccountStore,
         sign_ins: LoginSessionStore,
-        scrapers: ApiTokenStore,
+        api_tokens: ApiTokenStore,
         guest: str | None,
         code: str,
     ) -> None:
         self._accounts, self._sign_ins, self._guest = accounts, sign_ins, guest
-        self._scrapers = scrapers
+        self._api_tokens = api_tokens
         self._throttle = Throttle()
         self._lock = threading.Lock()
         self._code = code
@@ -95,7 +95,7 @@ class Authenticator:
             return self._accounts.add(name, Role.admin, password)
 
     def kiosk_by_link(self, token: str, address: str) -> Principal | None:
-        """The wall screen whose link this is."""
+        """The kiosk whose link this is."""
         key = address_key(address)
         with self._lock:
             self._check_throttle(key)
@@ -109,7 +109,7 @@ class Authenticator:
         key = f"metrics {address_key(address)}"
         with self._lock:
             self._check_throttle(key)
-            good = self._scrapers.is_valid(token)
+            good = self._api_tokens.is_valid(token)
             self._note(good, key)
         return good
 

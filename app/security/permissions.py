@@ -13,7 +13,7 @@ class Right(Enum):
     enter = auto()
     """Nothing: the pages themselves, and the ways to sign in."""
     look = auto()
-    """Signed in, or a wall screen."""
+    """Signed in, or a kiosk."""
     scrape = auto()
     """A program by its own token, or whoever may look."""
     be = auto()
@@ -158,10 +158,10 @@ MESSAGES: dict[str, Right] = {
 """What each kind of message of a live connection asks."""
 
 
-def has_right(right: Right, role: Role | None, wall: bool) -> bool:
+def has_right(right: Right, role: Role | None, kiosk: bool) -> bool:
     """Whether a visitor has a right, leaving control aside; ``role`` is None for nobody."""
     if right is Right.enter:
         return True
-    if role is None or (wall and right not in (Right.look, Right.scrape)):
+    if role is None or (kiosk and right not in (Right.look, Right.scrape)):
         return False
     return role >= ROLE[right]

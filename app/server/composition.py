@@ -67,7 +67,7 @@ class StationParts:
     limits: Limits = LIMITS
     """What the verdict on a calibration goes by."""
     verification: VerificationLimits = DEFAULT_LIMITS
-    """What a verification is judged by, where its gauge's paper has no limits."""
+    """What a verification is judged by, where its gauge's certificate has no limits."""
     due: DueLimits = DUE
     """When what is to be done again."""
     guest: str | None = None
@@ -75,7 +75,7 @@ class StationParts:
     code: str = field(default_factory=new_code)
     """What the console shows."""
     monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
-    """Who is told of the station, and what else is looked at."""
+    """Who is notified of the station, and what else is looked at."""
 
 
 def open_context(parts: StationParts) -> Context:
@@ -132,7 +132,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     )
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
-    scan_hand = SimulatedScan(
+    simulated_scan = SimulatedScan(
         parts.simulated_operator, jobs, bus, lambda: bus.publish("scan", scanner.state())
     )
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
@@ -164,7 +164,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         jobs,
         store,
         guide,
-        scan_hand,
+        simulated_scan,
         arm_guide,
         verify_guide,
         settings,
@@ -179,7 +179,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
 
 
 def close_context(context: Context) -> None:
-    """Laser off, hand and scan stopped and saved, devices closed. The store stays open."""
+    """Laser off, moves and scan stopped and saved, devices closed. The store stays open."""
     stop_everything(context)
     context.jobs.wait(JOB_END_S)
     context.recovery.close()

@@ -27,25 +27,25 @@ PLACES = {
 
 @contextmanager
 def open_simulation(data: Path) -> Iterator[StationParts]:
-    """A running twin, its sensor ready to take pictures, as the parts of a station.
+    """A running simulation, its sensor ready to take pictures, as the parts of a station.
 
     Raises:
         Refusal: the data folder cannot be written.
     """
-    with SimulatedStation() as twin:
-        yield station_parts(twin, data)
+    with SimulatedStation() as simulation:
+        yield station_parts(simulation, data)
 
 
-def station_parts(twin: SimulatedStation, data: Path) -> StationParts:
-    """A station on a started twin; the real serial driver reads its arm."""
-    write_datasheets(twin, data)
-    options = {"url": twin.arm_url}
+def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
+    """A station on a started simulation; the real serial driver reads its arm."""
+    write_datasheets(simulation, data)
+    options = {"url": simulation.arm_url}
     return StationParts(
         name="Demonstration",
         data=data,
         arm=lambda: arm_driver("serial-encoder", options),
-        sensor=twin.sensor,
-        simulated_operator=twin.operator,
+        sensor=simulation.sensor,
+        simulated_operator=simulation.operator,
         guest="Demo",
         monitoring=MonitoringSettings(
             thermometer=RoomThermometer(),
@@ -62,9 +62,9 @@ def _is_identified(path: Path) -> bool:
         return False
 
 
-def write_datasheets(twin: SimulatedStation, data: Path) -> None:
+def write_datasheets(simulation: SimulatedStation, data: Path) -> None:
     """Writes what an operator would be given with the devices into the data folder."""
-    for name, datasheet in twin.datasheets().items():
+    for name, datasheet in simulation.datasheets().items():
         content = (json.dumps(datasheet, indent=1) + "\n").encode()
         target = data / PLACES.get(name, f"gauges/{name}")
         with _explain_data_folder(data), convert_io_errors(target.parent):

@@ -173,7 +173,7 @@ class Replay:
 
 
 class _ReplayEndedError(Exception):
-    """Told to stop."""
+    """Asked to stop."""
 
 
 def _pair(stamps_ns: Stamps, q_rad: Floats) -> Readings:

@@ -68,7 +68,7 @@ class Plan:
 
 
 def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
-    """Runs the station on the devices that ``station.toml`` names, until it is told to end.
+    """Runs the station on the devices that ``station.toml`` names, until it is asked to end.
 
     Raises:
         Refusal: settings, driver, data folder or port are not in order.
@@ -129,7 +129,7 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
 
     mqtt = settings.mqtt
     file = settings.temperature
-    told = {
+    effective_settings = {
         "drivers": {"arm": settings.arm.driver, "sensor": settings.sensor.driver},
         "name": settings.name,
         "data": str(settings.data),
@@ -146,7 +146,7 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
         backups=settings.backups,
         mqtt=mqtt,
         thermometer=None if file is None else FileThermometer(file),
-        effective_settings=told,
+        effective_settings=effective_settings,
     )
 
 

@@ -22,7 +22,7 @@ source = 0
 good_um = 50                  # up to here a calibration is good
 usable_um = 150               # beyond, it is not to be used
 
-[verification]                # largest values accepted on a gauge whose paper sets none; µm, arcsec
+[verification]                # largest accepted where a gauge's file sets none; µm, arcsec
 form = 300
 rms = 80                      # and angle, offset, radius_error, centre_error, angle_range,
 offset_range = 200            # offset_range, centre_range
@@ -34,7 +34,7 @@ arm_days = 30
 tip_hours = 24
 temperature_c = 3             # of change since the calibration
 
-[mqtt]                        # optional: tells other stations of this one, and shows them here
+[mqtt]                        # optional: shows this station to others, and them here
 host = "broker.local"
 port = 1883
 user = "station"

@@ -78,7 +78,7 @@ class Bus:
         self._wake()
 
     def event(self, kind: str, text: Text, quality: Quality = "neutral") -> Event:
-        """Tells every reader that something happened."""
+        """Notifies every reader that something happened."""
         with self._lock:
             self._event_id += 1
             event = Event(self._event_id, kind, quality, text)
@@ -101,7 +101,7 @@ class Bus:
     def subscribe(self, without: Collection[str] = ()) -> "Subscription":
         """A new reader, to be used on the event loop.
 
-        Its first ``next`` gives every topic's value; past events are not told.
+        Its first ``next`` gives every topic's value; past events are left out.
         ``without`` names topics that it does not want for now.
         """
         with self._lock:

@@ -88,7 +88,7 @@ class Lease:
             )
 
     def answer(self, person: Person, give: bool) -> None:
-        """The holder hands over to whoever asked, or keeps control."""
+        """The holder passes control to the one who asked, or keeps it."""
         with self._lock:
             asked_by = self._require_holder(person).asked_by
             if asked_by is None:

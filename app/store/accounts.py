@@ -34,7 +34,7 @@ class Role(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Account:
-    """One person, or one wall screen."""
+    """One person, or one kiosk."""
 
     name: str
     role: Role

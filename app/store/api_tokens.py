@@ -30,15 +30,21 @@ class ApiTokenStore:
         self._database = database
 
     def add(self, name: str, made_by: str) -> tuple[ApiToken, str]:
-        """A new one and its token, which is told this once."""
+        """A new one and its token, which is shown this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
-        scraper = ApiToken(secrets.token_hex(6), name, made_by, utc_now())
+        api_token = ApiToken(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.transaction() as connection:
             connection.execute(
                 "INSERT INTO scraper (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
-                (scraper.id, _digest(token), scraper.name, scraper.made_by, scraper.made_at),
+                (
+                    api_token.id,
+                    _digest(token),
+                    api_token.name,
+                    api_token.made_by,
+                    api_token.made_at,
+                ),
             )
-        return scraper, token
+        return api_token, token
 
     def all(self) -> list[ApiToken]:
         """Every one, oldest first."""
@@ -50,10 +56,10 @@ class ApiTokenStore:
         found = self._database.read("SELECT 1 FROM scraper WHERE token = ?", _digest(token))
         return bool(token) and bool(found)
 
-    def remove(self, scraper_id: str) -> None:
+    def remove(self, token_id: str) -> None:
         """Its token is good for nothing from now on."""
         with self._database.transaction() as connection:
-            connection.execute("DELETE FROM scraper WHERE id = ?", (scraper_id,))
+            connection.execute("DELETE FROM scraper WHERE id = ?", (token_id,))
 
 
 def _digest(token: str) -> str:

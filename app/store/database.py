@@ -157,7 +157,7 @@ class Database:
         """Numbers of the journal's rows that are no JSON objects. On a connection of its own."""
         try:
             return [int(row[0]) for row in self._query(NO_OBJECT)]
-        except sqlite3.DatabaseError:  # ``check`` tells that the file is damaged
+        except sqlite3.DatabaseError:  # ``check`` reports that the file is damaged
             return []
 
     def _query(self, query: str) -> list[tuple[Any, ...]]:
@@ -197,7 +197,7 @@ def _check_file(path: Path, is_database: bool) -> None:
 
 
 def _open_error(path: Path, error: Exception) -> OperationError:
-    """Why a database cannot be opened: its disk is told from its content."""
+    """Why a database cannot be opened: its disk is distinguished from its content."""
     code = (getattr(error, "sqlite_errorcode", None) or 0) & 0xFF
     if _is_full(path.parent, error, code):
         return OperationError(

@@ -1,4 +1,4 @@
-"""Who is signed in where: browsers by their cookie, wall screens by their link.
+"""Who is signed in where: browsers by their cookie, kiosks by their link.
 
 A browser in which somebody has signed in before is known by a second cookie, which opens
 nothing: there a password is looked at though others guess at the same name.
@@ -37,7 +37,7 @@ class Principal:
     name: str
     role: Role
     kiosk: bool
-    """A wall screen, which nobody stands at."""
+    """A screen on the shop floor, which nobody stands at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class KioskLink:
 
 
 class LoginSessionStore:
-    """Cookies that are good, and wall links."""
+    """Cookies that are good, and kiosk links."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
@@ -59,7 +59,7 @@ class LoginSessionStore:
         """Of browsers that were signed in while the disk was full: account and since when."""
 
     def begin(self, account: str, device: str) -> str:
-        """Signs a browser in; its cookie, which is told this once."""
+        """Signs a browser in; its cookie, which is shown this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         now = utc_now()
         try:
@@ -77,7 +77,7 @@ class LoginSessionStore:
         return token
 
     def principal(self, token: str) -> Principal | None:
-        """Whose cookie or wall link it is; None for one that is not good (any more)."""
+        """Whose cookie or kiosk link it is; None for one that is not good (any more)."""
         digest = _digest(token)
         rows = self._database.read(
             "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
@@ -160,7 +160,7 @@ class LoginSessionStore:
             connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
 
     def add_kiosk_link(self, name: str, made_by: str) -> tuple[KioskLink, str]:
-        """A new wall link and its token, which is told this once."""
+        """A new kiosk link and its token, which is shown this once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         link = KioskLink(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.transaction() as connection:
@@ -171,7 +171,7 @@ class LoginSessionStore:
         return link, token
 
     def kiosk_links(self) -> list[KioskLink]:
-        """Every wall link, oldest first."""
+        """Every kiosk link, oldest first."""
         rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
         return [KioskLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 

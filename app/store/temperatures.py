@@ -1,4 +1,4 @@
-"""What the temperature at the station was, whenever somebody or something told it."""
+"""The temperatures at the station that somebody entered or a thermometer measured."""
 
 from dataclasses import dataclass
 from datetime import timedelta
@@ -47,7 +47,7 @@ class TemperatureStore:
         """By how many °C it is warmer now; None where one of the two times is not known."""
         now, then = self.newest(), self.near(at)
         if now is None or then is None or now.at == then.at:
-            return None  # one reading alone tells of no change
+            return None  # one reading alone shows no change
         return now.celsius - then.celsius
 
     def celsius_near(self, at: str) -> float | None:

@@ -30,9 +30,9 @@ NO_TOPIC = ""
 
 
 class BoundedClient(aiomqtt.Client):
-    """Hands each message to ``take`` on the event loop; ``messages`` only ends, by an error.
+    """Passes each message to ``take`` on the event loop; ``messages`` only ends, by an error.
 
-    A payload that is too long is handed over with its first ``LONGEST_PAYLOAD + 1`` bytes; a
+    A payload that is too long is passed with its first ``LONGEST_PAYLOAD + 1`` bytes; a
     topic that is no text as ``NO_TOPIC``.
     """
 
@@ -73,8 +73,8 @@ class BoundedClient(aiomqtt.Client):
             topic = NO_TOPIC
         self._take(topic, bytes(message.payload), message.retain)
 
-    def _on_disconnect(self, *told: Any) -> None:
-        super()._on_disconnect(*told)
+    def _on_disconnect(self, *args: Any) -> None:
+        super()._on_disconnect(*args)
         if self._disconnected.done():
             self._disconnected.exception()  # where nobody asks for it, it would be logged
 

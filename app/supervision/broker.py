@@ -27,7 +27,7 @@ from app.supervision.remote_stations import Fleet
 
 log = logging.getLogger(__name__)
 KEEPALIVE_S = 2
-"""The broker tells a closed or dead connection's last will after one and a half of it."""
+"""The broker sends a closed or dead connection's last will after one and a half of it."""
 ANSWER_S = 3.0
 FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
 EVENTS_WAITING = 100
@@ -191,7 +191,7 @@ class Broker:
         return station == self._station or self.fleet.knows(station)
 
     def _handle_echo(self, kind: str, payload: bytes, retained: bool) -> bool:
-        """Whether the presence is to be told again: an earlier connection's will came late.
+        """Whether the presence is to be sent again: an earlier connection's will came late.
 
         Two stations of one name would be taken for one: that is noted.
         """

@@ -114,7 +114,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class ScanStatus(scan_state.ScanState):
-    """The station's scan state, and whether the twin's hand is at it."""
+    """The station's scan state, and whether the simulated operator moves."""
 
     hand_running: bool
 
@@ -181,7 +181,7 @@ class Home:
     calibration: CalibrationSummary | None
     checks: tuple[due.Validity, ...]
     temperature_c: float | None
-    """Of the room, where somebody or a thermometer told it lately."""
+    """Of the room, where it was entered or measured lately."""
     findings: tuple[Finding, ...]
     next: due.NextAction
 

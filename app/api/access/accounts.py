@@ -1,4 +1,4 @@
-"""What administrators do: accounts, wall screens, and the audit log."""
+"""What administrators do: accounts, kiosk links, and the audit log."""
 
 from typing import Annotated
 
@@ -71,7 +71,7 @@ def remove(name: Name, request: Request, context: TheContext) -> None:
 
 @router.get("/walls")
 def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
-    """Every wall-screen link."""
+    """Every kiosk link."""
     found = context.store.login_sessions.kiosk_links()
     return [KioskLinkSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
 
@@ -80,7 +80,7 @@ def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
 def add_kiosk_link(
     asked: NewKioskLink, request: Request, context: TheContext, visitor: TheVisitor
 ) -> KioskLinkSummary:
-    """A new wall-screen link; its token is told this once."""
+    """A new kiosk link; its token is shown this once."""
     request.state.detail = asked.name
     link, token = context.store.login_sessions.add_kiosk_link(asked.name, visitor.name)
     return KioskLinkSummary(link.id, link.name, link.made_by, link.made_at, token)
@@ -88,7 +88,7 @@ def add_kiosk_link(
 
 @router.delete("/walls/{wall_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_kiosk_link(wall_id: str, context: TheContext) -> None:
-    """A wall-screen link that shows nothing from now on."""
+    """A kiosk link that shows nothing from now on."""
     if all(link.id != wall_id for link in context.store.login_sessions.kiosk_links()):
         raise NotFoundError(message("there-no-wall-screen-link", wall_id=wall_id))
     context.store.login_sessions.remove_kiosk_link(wall_id)

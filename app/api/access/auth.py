@@ -104,7 +104,7 @@ def first_admin(
 def sign_in_kiosk(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
-    """Makes this browser a wall screen."""
+    """Makes this browser a kiosk."""
     visitor = context.authenticator.kiosk_by_link(asked.code, address_of(request))
     if visitor is None:
         raise AccessDeniedError(
@@ -113,7 +113,7 @@ def sign_in_kiosk(
             message("link-good-any-more"),
             message("ask-administrator-new-one"),
         )
-    set_cookie(response, request, asked.code, wall=True)
+    set_cookie(response, request, asked.code, kiosk=True)
     context.store.audit.note(visitor.name, address_of(request), message("opened-wall-screen"))
     return _session(context, visitor)
 
@@ -126,7 +126,7 @@ def sign_out(request: Request, response: Response, context: TheContext) -> SignI
         context.lease.leave(visitor.id)
         context.store.login_sessions.end(token)
         context.store.audit.note(visitor.name, address_of(request), message("signed-out"))
-    set_cookie(response, request, "", wall=False)
+    set_cookie(response, request, "", kiosk=False)
     return _session(context, None)
 
 
@@ -162,7 +162,7 @@ def ask(context: TheContext, person: ThePerson) -> Control:
 
 @router.post("/control/answer")
 def answer(asked: ControlReply, context: TheContext, person: ThePerson) -> Control:
-    """Hands over to whoever asked, or keeps control."""
+    """Passes control to the one who asked, or keeps it."""
     context.lease.answer(person, asked.give)
     return context.lease.control
 
@@ -178,7 +178,7 @@ def release(context: TheContext, person: ThePerson) -> Control:
 def take(
     asked: TakeoverReason, request: Request, context: TheContext, person: ThePerson
 ) -> Control:
-    """Takes control over, for a reason that all are told."""
+    """Takes control over, for a reason that all can read."""
     request.state.detail = asked.reason
     context.lease.take_over(person, asked.reason)
     return context.lease.control
@@ -193,7 +193,7 @@ def current_user(visitor: Principal | None) -> CurrentUser | None:
 
 def _begin(name: str, request: Request, response: Response, context: Context) -> SignInState:
     token = context.store.login_sessions.begin(name, request.headers.get("user-agent", ""))
-    set_cookie(response, request, token, wall=False)
+    set_cookie(response, request, token, kiosk=False)
     context.store.audit.note(name, address_of(request), message("signed"))
     return _session(context, context.store.login_sessions.principal(token))
 

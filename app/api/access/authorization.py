@@ -183,9 +183,9 @@ def browser_token(connection: HTTPConnection) -> str:
     return connection.cookies.get(f"{cookie_name(connection)}-known", "")
 
 
-def set_cookie(response: Response, connection: HTTPConnection, token: str, wall: bool) -> None:
+def set_cookie(response: Response, connection: HTTPConnection, token: str, kiosk: bool) -> None:
     """Signs this browser in with a token; no script can read it, no other page send it."""
-    lasts_s = A_YEAR_S if wall else int(LONGEST.total_seconds())
+    lasts_s = A_YEAR_S if kiosk else int(LONGEST.total_seconds())
     _write_cookie(response, connection, cookie_name(connection), token, lasts_s)
 
 

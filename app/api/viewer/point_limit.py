@@ -39,14 +39,14 @@ class PointLimiter:
     def filter_frame(self, frame: bytes) -> bytes:
         """What of a frame of viser's socket the browser gets."""
         content, arrays = _unpack(frame)
-        told: list[Message] = []
+        output: list[Message] = []
         for message in content["messages"]:
             instead = self._replacements(message, arrays)
-            told += instead
+            output += instead
             if not any(one is message for one in instead):
                 for index in _indices(message):
                     arrays[index] = b""
-        return _pack({**content, "messages": told}, arrays)
+        return _pack({**content, "messages": output}, arrays)
 
     def _replacements(self, message: Message, arrays: list[bytes]) -> list[Message]:
         """What the browser gets in its place."""

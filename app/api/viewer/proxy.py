@@ -149,7 +149,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
 
 class _Page:
-    """Tells the station where a page looks from, under the page's key."""
+    """Reports to the station where a page looks from, under the page's key."""
 
     def __init__(self, viewing: ViewController, key: str) -> None:
         self._viewing, self._key = viewing, key
@@ -162,7 +162,7 @@ class _Page:
             self._viewing.look(self._key, camera)
 
     def leave(self) -> None:
-        """The connection is gone; what a newer one of the page has told stays."""
+        """The connection is gone; what a newer one of the page has reported stays."""
         if self._camera is not None:
             self._viewing.leave(self._key, self._camera)
 

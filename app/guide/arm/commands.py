@@ -1,4 +1,4 @@
-"""What the operator can tell an arm session to do; each command leaves a row in the journal."""
+"""The operator's commands in an arm session; each leaves a row in the journal."""
 
 from collections.abc import Callable
 
@@ -59,10 +59,10 @@ def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
 
 
 def _start_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
-    hand = guide.station.simulated_operator
-    assert hand is not None
+    operator = guide.station.simulated_operator
+    assert operator is not None
     guide.append("hand_started", {}, key)
-    start_simulation(guide, simulation_job(guide, hand))
+    start_simulation(guide, simulation_job(guide, operator))
 
 
 def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:

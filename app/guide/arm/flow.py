@@ -320,9 +320,9 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
-    hand = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
+    operator_actions = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
     if live.hand_running:
-        hand = [offer("stop_hand", message("stop-hand"), primary=True)]
+        operator_actions = [offer("stop_hand", message("stop-hand"), primary=True)]
     leave = offer("end", message("leave"), confirm=message("leave-session-points-yet-used-kept"))
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)
@@ -330,20 +330,20 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
             offer("touch", message("take-point"), primary=not enough),
             offer("finish", message("finish-sphere"), primary=enough),
             offer("drop_swing", message("take-again")),
-            *hand,
+            *operator_actions,
         ]
     if state.step == "swing":
         drop = offer("drop_swing", message("take-again"))
-        return [offer("finish", message("finish-swing"), primary=True), drop, *hand]
+        return [offer("finish", message("finish-swing"), primary=True), drop, *operator_actions]
     if state.step == "seat":
         main = offer("begin", BEGIN[state.artefact.kind], primary=True)
         if state.purpose != "identify":
-            return [main, *hand, leave]
+            return [main, *operator_actions, leave]
         enough = places_taken(state) >= SEATS_WANTED and not state.half_bar
         main = offer("begin", main.label, primary=not enough)
         fit = offer("fit", message("identify-arm"), primary=enough)
         undo = [offer("drop_seat", message("drop-last-place"))] if state.seats else []
-        return [main, fit, *undo, *hand, leave]
+        return [main, fit, *undo, *operator_actions, leave]
     if state.purpose != "identify":
         return [
             offer("end", message("done"), primary=True),

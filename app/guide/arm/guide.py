@@ -38,7 +38,7 @@ FRESH_S = 2.0
 
 @dataclass(frozen=True)
 class ArmServices:
-    """The parts of the machine room that the arm's flows work with."""
+    """The station's parts that the arm's flows work with."""
 
     bus: Bus
     rig: Rig
@@ -128,7 +128,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             return self.refresh()
 
     def begin(self, purpose: Purpose, key: str | None) -> None:
-        """A new session with the last one's limit, and the connected arm's sheet."""
+        """A new session with the last one's limit, and the connected arm's datasheet."""
         session_id = new_session_id()
         payload = {
             "purpose": purpose,
@@ -151,9 +151,9 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def _last_sphere(self) -> Artefact | None:
         """The sphere that the tip was checked on last, or the only one that is known."""
-        hand = self.station.simulated_operator
-        if hand is not None:
-            return Artefact("sphere", hand.ball_mm)
+        operator = self.station.simulated_operator
+        if operator is not None:
+            return Artefact("sphere", operator.ball_mm)
         if (last := self.history.last_sphere()) is not None:
             return last
         spheres = [
@@ -214,9 +214,9 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def choose_artefact(self, args: Mapping[str, object], key: str | None) -> None:
         """What the tip is put to next; the simulated ones have the sizes of their certificates."""
-        kind, size, hand = args["kind"], args.get("size_mm"), self.station.simulated_operator
-        if size is None and hand is not None and kind != "seat":
-            size = hand.bar_mm if kind == "bar" else hand.ball_mm
+        kind, size, operator = args["kind"], args.get("size_mm"), self.station.simulated_operator
+        if size is None and operator is not None and kind != "seat":
+            size = operator.bar_mm if kind == "bar" else operator.ball_mm
         unsure = args.get("standard_uncertainty_mm", 0.0)
         payload = {"kind": kind, "size_mm": size, "standard_uncertainty_mm": unsure}
         self.append("artefact_chosen", payload, key)

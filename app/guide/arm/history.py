@@ -85,7 +85,7 @@ class ArmHistory:
 
 
 def _readable(kind_of: TypeAdapter[Summary], rows: Sequence[JournalEntry]) -> list[Summary]:
-    """What rows tell; of those that cannot be read nothing."""
+    """The summaries in rows; rows that cannot be read are left out."""
     found = []
     for row in rows:
         with suppress(ValueError):  # of which pydantic's is one

@@ -60,7 +60,7 @@ def build_picture(state: ArmState, live: ArmLive, seat: SeatSamples | None) -> A
 
 
 def _tip_picture(state: ArmState, arm: Arm | None, seat: SeatSamples | None) -> ArmPicture:
-    """The touches of the sphere from above, and what they tell of the tip."""
+    """The touches of the sphere from above, and what they show of the tip."""
     checked = state.checked
     nothing = ArmPicture((), None, None, None, state.limit_um, (), (), None)
     if arm is None or seat is None or seat.artefact.size_mm is None:

@@ -16,7 +16,7 @@ SEATS_WANTED, SEATS_LEAST = 6, 4
 TOUCHES_WANTED, TOUCHES_LEAST = 15, 8
 """Of one sphere."""
 TIP_WANTED, TIP_LEAST = 9, 5
-"""Of the sphere that the tip is checked on; from eight on a bend is told from a size."""
+"""Of the sphere that the tip is checked on; from eight on a bend is distinguished from a size."""
 SIZES_MM: dict[Kind, tuple[float, float]] = {"bar": (20.0, 5000.0), "sphere": (3.0, 300.0)}
 LARGEST_UNCERTAINTY_MM = 1.0
 

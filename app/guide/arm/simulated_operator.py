@@ -1,4 +1,4 @@
-"""What the simulated hand does in an arm session: seats, bars and spheres, one after another."""
+"""The simulated operator in an arm session: seats, bars and spheres, one after another."""
 
 import time
 from collections.abc import Callable
@@ -12,12 +12,12 @@ from app.messages.message import message
 from app.station.jobs import Progress
 
 SETTLE_S = 0.5
-"""The joints' last samples come in after the hand has come to rest."""
+"""The joints' last samples come in after the arm has come to rest."""
 POSTURES: dict[Purpose, int] = {"check": 1, "tip": 1, "identify": 2}
-"""How often the hand puts the tip into a seat, each time with the elbow elsewhere."""
+"""How often the operator puts the tip into a seat, each time with the elbow elsewhere."""
 
 
-def simulation_job(guide: ArmGuide, hand: SimulatedOperator) -> Callable[[Progress], None]:
+def simulation_job(guide: ArmGuide, operator: SimulatedOperator) -> Callable[[Progress], None]:
     """Takes the one seat of a check; of an identification all that are still wanted of the
     chosen artefact, of a sphere one."""
 
@@ -27,7 +27,7 @@ def simulation_job(guide: ArmGuide, hand: SimulatedOperator) -> Callable[[Progre
                 with guide.lock:
                     guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
             if guide.state.purpose != "check" and guide.state.artefact.kind == "sphere":
-                _take_sphere(guide, hand, progress)
+                _take_sphere(guide, operator, progress)
                 return
             wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
             wanted = max(wanted, len(guide.state.seats) + 1)
@@ -35,7 +35,7 @@ def simulation_job(guide: ArmGuide, hand: SimulatedOperator) -> Callable[[Progre
                 done = len(guide.state.seats)
                 if done >= wanted and not guide.state.half_bar:
                     return
-                if not _take_seat(guide, hand, min(done / wanted, 1.0), progress):
+                if not _take_seat(guide, operator, min(done / wanted, 1.0), progress):
                     return
         finally:
             guide.hand_running = False
@@ -47,17 +47,19 @@ def _count_artefacts(guide: ArmGuide, kind: Kind) -> int:
     return sum(seat.artefact.kind == kind for seat in guide.state.seats)
 
 
-def _take_seat(guide: ArmGuide, hand: SimulatedOperator, share: float, progress: Progress) -> bool:
+def _take_seat(
+    guide: ArmGuide, operator: SimulatedOperator, share: float, progress: Progress
+) -> bool:
     """One seat, or one end of the bar, from the approach to the end of the swing; False when
-    the hand was stopped."""
+    the operator was stopped."""
     on_bar = guide.state.purpose == "identify" and guide.state.artefact.kind == "bar"
     position, end = divmod(_count_artefacts(guide, "bar"), 2)
     seat = _count_artefacts(guide, "seat")
 
     def go(posture: int) -> bool:
         if on_bar:
-            return hand.go_to_bar(position, end, posture)
-        return hand.go_to_seat(seat, posture)
+            return operator.go_to_bar(position, end, posture)
+        return operator.go_to_seat(seat, posture)
 
     name = message("bars-end", value="AB"[end]) if on_bar else message("seat-named", name=seat + 1)
     progress(message("hand-goes", name=name), share)
@@ -71,14 +73,14 @@ def _take_seat(guide: ArmGuide, hand: SimulatedOperator, share: float, progress:
         if posture and not go(posture):
             return False
         time.sleep(SETTLE_S)
-        if not guide.hand_running or not hand.swing_in_seat():
+        if not guide.hand_running or not operator.swing_in_seat():
             return False
     time.sleep(SETTLE_S)
     _finish(guide)
     return True
 
 
-def _take_sphere(guide: ArmGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _take_sphere(guide: ArmGuide, operator: SimulatedOperator, progress: Progress) -> None:
     """One sphere, touched all over its top."""
     ball = _count_artefacts(guide, "sphere")
     if not _begin(guide):
@@ -86,7 +88,7 @@ def _take_sphere(guide: ArmGuide, hand: SimulatedOperator, progress: Progress) -
     of = touches_wanted(guide.state)
     for index in range(of):
         progress(message("hand-touches-sphere"), index / of)
-        if not guide.hand_running or not hand.touch_ball(ball, index):
+        if not guide.hand_running or not operator.touch_ball(ball, index):
             return
     time.sleep(SETTLE_S)
     _finish(guide)
@@ -96,7 +98,7 @@ def _begin(guide: ArmGuide) -> bool:
     with guide.lock:
         if not guide.hand_running:
             return False
-        guide.check_allowed("begin", {}, None, by_hand=True)
+        guide.check_allowed("begin", {}, None, by_simulation=True)
         guide.begin_seat(None)
         return True
 
@@ -104,5 +106,5 @@ def _begin(guide: ArmGuide) -> bool:
 def _finish(guide: ArmGuide) -> None:
     with guide.lock:
         guide.refresh()
-        guide.check_allowed("finish", {}, None, by_hand=True)
+        guide.check_allowed("finish", {}, None, by_simulation=True)
         finish_seat(guide, None)

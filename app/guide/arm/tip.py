@@ -10,7 +10,7 @@ from app.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
 """Of the diameter's error and of the scatter, until the operator sets another: an arm of the
-paper's class touches to no better."""
+article's class touches to no better."""
 QUALITY: dict[str, Quality] = {
     "pass": "good",
     "fail": "bad",

@@ -65,7 +65,7 @@ class FixedParameterLine:
 
 @dataclass(frozen=True)
 class CorrelatedLine:
-    """Two parameters that the places hardly tell apart."""
+    """Two parameters that the places hardly distinguish."""
 
     first: Text
     second: Text
@@ -79,7 +79,7 @@ class ArmResult:
     volume_before_um: float
     volume_after_um: float
     size_known: bool
-    """Whether a calibrated length told the arm's size."""
+    """Whether a calibrated length fixed the arm's size."""
     places: int
     lines: Sequence[BeforeAfter]
     parameters: Sequence[ParameterLine]

@@ -1,4 +1,4 @@
-"""What the operator can tell the flow to do; each command leaves a row in the journal."""
+"""The operator's commands in a calibration; each leaves a row in the journal."""
 
 from collections.abc import Callable
 
@@ -59,14 +59,14 @@ def press(guide: CalibrationGuide, event: Press) -> bool:
         name, args = button_command(guide, event.button)
         if not name:
             return False
-        by_hand = guide.hand_running and guide.state.step == "touch"
+        by_simulation = guide.hand_running and guide.state.step == "touch"
         try:
             if name == "take_point":
                 # whether the arm was still is judged as of the press, not as of now
-                source = "hand" if by_hand else "button"
+                source = "hand" if by_simulation else "button"
                 taking.take_point(guide, source, event.stamp_ns, None)
             else:
-                undoing = by_hand and name == "undo"
+                undoing = by_simulation and name == "undo"
                 _act(guide, name, guide.check_allowed(name, args, None, undoing), None)
         except OperationError as refusal:
             guide.decline(refusal)
@@ -149,11 +149,11 @@ def _solve(guide: CalibrationGuide, args: Args, key: str | None) -> None:
 
 
 def _start_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:
-    hand = guide.station.simulated_operator
-    assert hand is not None
+    operator = guide.station.simulated_operator
+    assert operator is not None
     whole = args.get("all") is True
     guide.append("hand_started", {"all": whole}, key)
-    start_simulation(guide, simulation_job(guide, hand, whole))
+    start_simulation(guide, simulation_job(guide, operator, whole))
 
 
 def _stop_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:

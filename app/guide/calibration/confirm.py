@@ -14,7 +14,7 @@ CONFIRMATIONS = {
 
 
 def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
-    """Confirms a step; from the set-up on, the session uses its own copies of the sheets."""
+    """Confirms a step; from the set-up on, the session uses its own datasheet copies."""
     with guide.lock:
         if name == "confirm_setup":
             guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state)

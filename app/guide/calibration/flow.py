@@ -76,7 +76,7 @@ def _step_state(state: CalibrationState, step: str) -> StepState:
 
 
 def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
-    """What every step offers: the hand, the way back, the way out."""
+    """What every step offers: the simulated operator, the way back, the way out."""
     actions = []
     if live.hand_running:
         actions.append(offer(state, live, "stop_hand", message("stop-hand"), primary=True))

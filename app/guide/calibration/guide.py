@@ -53,7 +53,7 @@ class StaleCommandError(Exception):
 
 @dataclass(frozen=True)
 class CalibrationServices:
-    """The parts of the machine room that the guide works with."""
+    """The station's parts that the guide works with."""
 
     bus: Bus
     rig: Rig

@@ -37,7 +37,7 @@ class ConnectedSensor:
 
 @dataclass(frozen=True)
 class SelectedDatasheets:
-    """The sheets that the session's choices name; None where there is none (any more)."""
+    """The datasheets that the session's choices name; None where there is none (any more)."""
 
     arm: Arm | None
     object: CalibrationTarget | None

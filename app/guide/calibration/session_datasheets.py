@@ -19,7 +19,7 @@ TARGET_SHARE = 0.3
 
 
 class SessionDatasheets:
-    """Reads the sheets once and again only when they may have changed; not thread-safe."""
+    """Reads the datasheets again only when they may have changed; not thread-safe."""
 
     def __init__(self, folder: SessionFolder, limits: Limits) -> None:
         self._target_um = TARGET_SHARE * limits.good_um
@@ -39,7 +39,7 @@ class SessionDatasheets:
         return self._library
 
     def selection(self, state: CalibrationState) -> SelectedDatasheets:
-        """The library's sheets while choosing; later the session's own copies."""
+        """The library's datasheets while choosing; later the session's own copies."""
         if state.step in CHOOSING or not state.session_id:
             self._session_copies = None
             library = self.library(True)
@@ -71,8 +71,8 @@ def best_guess(
     arm: ConnectedArm | None,
     sensor: ConnectedSensor | None,
 ) -> dict[str, str]:
-    """What a new session begins with: the connected devices' sheets, else the last choice, else
-    the only one there is; of objects the only block, beside any chessboards."""
+    """What a new session begins with: the connected devices' datasheets, else the last choice,
+    else the only one there is; of objects the only block, beside any chessboards."""
     guess: dict[str, str] = {}
     arms = {entry.id: entry.datasheet.serial_number for entry in library.arms.values()}
     sensors = {entry.id: entry.datasheet.serial_number for entry in library.sensors.values()}

@@ -1,4 +1,4 @@
-"""What the simulated hand does for the operator: a step's whole job, or all up to the review."""
+"""The simulated operator in a calibration: a step's whole job, or all up to the review."""
 
 import time
 from collections.abc import Callable
@@ -20,18 +20,18 @@ POSES, BOARD_POSES = 5, 9
 
 
 def simulation_job(
-    guide: CalibrationGuide, hand: SimulatedOperator, whole: bool
+    guide: CalibrationGuide, operator: SimulatedOperator, whole: bool
 ) -> Callable[[Progress], None]:
-    """The job by which the hand does the present step, or goes on up to the review."""
+    """The job that does the present step, or goes on up to the review."""
 
     def work(progress: Progress) -> None:
         try:
             # the sensor may have been elsewhere since: a simulated arm begins at its rest
-            if guide.state.step == "capture" and not _hold(guide, hand, progress):
+            if guide.state.step == "capture" and not _hold(guide, operator, progress):
                 return
             while guide.hand_running:
                 step = guide.state.step
-                STEP_JOBS[step](guide, hand, progress)
+                STEP_JOBS[step](guide, operator, progress)
                 if not whole or guide.state.step in (step, "review"):
                     break
         finally:
@@ -41,31 +41,31 @@ def simulation_job(
 
 
 def _confirm(guide: CalibrationGuide, name: str) -> None:
-    """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    """Goes on as a person would, by the same rules; not once the job was stopped."""
     _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
     with guide.lock:
         if guide.hand_running:
-            guide.check_allowed(name, {}, None, by_hand=True)
+            guide.check_allowed(name, {}, None, by_simulation=True)
             confirm(guide, name, None)
 
 
 def _possible(guide: CalibrationGuide, name: str) -> bool:
     try:
-        guide.check_allowed(name, {}, None, by_hand=True)
+        guide.check_allowed(name, {}, None, by_simulation=True)
     except OperationError:
         return False
     return True
 
 
-def _devices(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _devices(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
     _confirm(guide, "confirm_devices")
 
 
-def _setup(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _setup(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
     _confirm(guide, "confirm_setup")
 
 
-def _touch(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _touch(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
     """Takes the points that are still wanted, by the arm's own button."""
     item, report = (
         guide.datasheets.selection(guide.state).object,
@@ -77,13 +77,13 @@ def _touch(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress)
     todo = [(face, i) for face in faces for i in range(face.taken, face.wanted)]
     for done, (face, index) in enumerate(todo):
         progress(message("hand-touches", face=face.title), done / len(todo))
-        if not guide.hand_running or not _touch_one(guide, hand, face.face, index):
+        if not guide.hand_running or not _touch_one(guide, operator, face.face, index):
             return
     _confirm(guide, "confirm_touch")
 
 
-def _touch_one(guide: CalibrationGuide, hand: SimulatedOperator, face: str, index: int) -> bool:
-    """One place, again where a point was declined; False when the hand was stopped."""
+def _touch_one(guide: CalibrationGuide, operator: SimulatedOperator, face: str, index: int) -> bool:
+    """One place, again where a point was declined; False when it was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
             item = guide.datasheets.selection(guide.state).object
@@ -91,7 +91,7 @@ def _touch_one(guide: CalibrationGuide, hand: SimulatedOperator, face: str, inde
                 guide.append("face_selected", {"face": face})
             before = len(guide.state.contacts)
             declined = guide.declined
-        if not hand.touch(face, index + 100 * attempt):
+        if not operator.touch(face, index + 100 * attempt):
             return False
         if _await_point(guide, before, declined):
             return True
@@ -116,27 +116,27 @@ def _await_point(guide: CalibrationGuide, before: int, declined: int) -> bool:
         return len(guide.state.contacts) > before
 
 
-def _hold(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> bool:
-    """Brings the sensor to where the next picture is wanted; False when the hand was stopped."""
+def _hold(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> bool:
+    """Brings the sensor to where the next picture is wanted; False when it was stopped."""
     advice = guide.live().advice
     if advice is None:
         progress(message("hand-holds-sensor-over-object"), 0.2)
         if guide.datasheets.selection(guide.state).board is None:
-            return hand.hold_over("block")
+            return operator.hold_over("block")
         view = next_view(guide.state.listed)
-        return hand.hold_over("board", len(guide.state.pictures) if view is None else view)
+        return operator.hold_over("board", len(guide.state.pictures) if view is None else view)
     progress(message("hand-goes-next-pose", words=advice.words), 0.2)
-    return hand.hold_at(advice.q_rad)
+    return operator.hold_at(advice.q_rad)
 
 
-def _place(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
-    if _hold(guide, hand, progress):
+def _place(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    if _hold(guide, operator, progress):
         progress(message("hand-holds-still"), 0.8)
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
 
-def _capture(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _capture(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
     """Takes the picture, again where the arm or the camera was not ready for it."""
     for attempt in range(ATTEMPTS):
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
@@ -154,8 +154,8 @@ def _ready_to_capture(guide: CalibrationGuide) -> bool:
     return rig.arm.stillness().still and rig.sensor.fresh
 
 
-def _solve(guide: CalibrationGuide, hand: SimulatedOperator, progress: Progress) -> None:
-    """Takes the poses that are asked for, as the operator is told to, then calibrates."""
+def _solve(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    """Takes the poses that a person would be asked for, then calibrates."""
     if _another_helps(guide):
         guide.append("another_pose", {})
     else:

@@ -36,7 +36,7 @@ class Press:
 
 
 class Buttons:
-    """Tells presses one after another, on a thread of its own.
+    """Reports presses one after another, on a thread of its own.
 
     The main button counts as it goes down. The undo button counts as it is let go; held for
     ``LONG_PRESS_S`` it is back, at once, so that the operator hears when to let go.

@@ -1,4 +1,4 @@
-"""What the commands of every guided session share: jobs, and the hand."""
+"""What the commands of every guided session share: jobs, and the simulated operator."""
 
 from collections.abc import Callable
 from typing import Any
@@ -26,7 +26,7 @@ def start_job(
 
 
 def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
-    """Sets the hand to work; raises ``OperationError`` while another job runs."""
+    """Starts the simulated operator; raises ``OperationError`` while another job runs."""
     guide.hand_running = True
     try:
         start_job(guide, message("hand-work"), work)
@@ -36,7 +36,7 @@ def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progre
 
 
 def stop_simulation(guide: GuidedSession[Any, Any, Any]) -> None:
-    """Ends the hand's work of this session early; idempotent."""
+    """Ends the simulated operator's work in this session early; idempotent."""
     if guide.hand_running and guide.station.simulated_operator is not None:
         guide.hand_running = False
         guide.station.simulated_operator.cancel()

@@ -15,16 +15,16 @@ from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.target import CalibrationTarget
 
-Sheet = TypeVar("Sheet")
+Datasheet = TypeVar("Datasheet")
 
 
 @dataclass(frozen=True)
-class DatasheetEntry(Generic[Sheet]):
+class DatasheetEntry(Generic[Datasheet]):
     """One readable file; its id is the file's name without ``.json``."""
 
     id: str
     path: Path
-    datasheet: Sheet
+    datasheet: Datasheet
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ def read_library(data_folder: Path) -> DatasheetLibrary:
 
 
 def _entries(
-    folder: Path, read: Callable[[Path], Sheet], findings: list[Finding]
-) -> dict[str, DatasheetEntry[Sheet]]:
-    entries: dict[str, DatasheetEntry[Sheet]] = {}
+    folder: Path, read: Callable[[Path], Datasheet], findings: list[Finding]
+) -> dict[str, DatasheetEntry[Datasheet]]:
+    entries: dict[str, DatasheetEntry[Datasheet]] = {}
     for path in sorted(folder.glob("*.json")):
         try:
             check_name(path)

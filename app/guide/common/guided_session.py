@@ -22,7 +22,7 @@ from app.station.jobs import Jobs
 
 
 class StationServices(Protocol):
-    """What every session needs of the machine room."""
+    """What every session needs of the station."""
 
     @property
     def bus(self) -> Bus: ...
@@ -43,7 +43,7 @@ class SessionState(Protocol):
 
 
 class SessionLive(Protocol):
-    """The station as a flow sees it: a dataclass that tells, besides other things, what is busy."""
+    """The station as a flow sees it: a dataclass; among its fields is what is busy."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
 
@@ -187,15 +187,17 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     def rev(self) -> int:
         """What the view's revision is now."""
 
-    def why_not(self, name: str, args: Mapping[str, object], by_hand: bool) -> Text:
-        """Why a command cannot be done now; ``by_hand``: the hand's own work is no hindrance."""
+    def why_not(self, name: str, args: Mapping[str, object], by_simulation: bool) -> Text:
+        """Why a command cannot be done now; ``by_simulation``: its own running job is no reason."""
         live = self.live()
         return self._flow.why_not(
-            self.state, replace(live, busy=None) if by_hand else live, name, args
+            self.state, replace(live, busy=None) if by_simulation else live, name, args
         )
 
-    def check_allowed(self, name: str, args: Args, rev: int | None, by_hand: bool = False) -> Args:
-        """Before every command: of a browser with its view's revision, of the hand as its own.
+    def check_allowed(
+        self, name: str, args: Args, rev: int | None, by_simulation: bool = False
+    ) -> Args:
+        """Before every command: a browser's with its view's revision, or ``by_simulation``.
 
         Returns:
             The arguments, each of its type.
@@ -206,7 +208,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         if rev is not None and rev != self.rev:
             raise self.stale()
         typed = check_arguments(self._flow.arguments, name, args)
-        if reason := self.why_not(name, typed, by_hand):
+        if reason := self.why_not(name, typed, by_simulation):
             raise OperationError("not-now", reason)
         return typed
 

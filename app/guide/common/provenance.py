@@ -10,7 +10,7 @@ def _not_measured() -> float | None:
 
 @dataclass(frozen=True)
 class Provenance:
-    """``operator`` tells who has control or had it last, empty where nobody did;
+    """``operator`` gives who has control or had it last, empty where nobody did;
     ``temperature_c`` the room's, None where it is not measured."""
 
     station: str = ""

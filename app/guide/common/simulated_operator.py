@@ -1,4 +1,4 @@
-"""The simulated hand, which does a step's work on the twin so that anybody can watch."""
+"""The simulated operator, who does a step's work on the simulated station for all to watch."""
 
 from collections.abc import Sequence
 from typing import Protocol

@@ -1,4 +1,4 @@
-"""The simulated hand sweeping the sensor over the parts on the table, while a scan runs."""
+"""The simulated operator sweeps the sensor over the parts on the table, while a scan runs."""
 
 from collections.abc import Callable
 
@@ -10,12 +10,12 @@ from app.station.jobs import Job, Jobs, Progress
 
 
 class SimulatedScan:
-    """Lets the hand scan every part once; ``changed`` is called when it begins and ends."""
+    """Lets the simulated operator scan every part once; ``changed`` is called at begin and end."""
 
     def __init__(
-        self, hand: SimulatedOperator | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
+        self, operator: SimulatedOperator | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
     ) -> None:
-        self._operator, self._jobs, self._bus, self._changed = hand, jobs, bus, changed
+        self._operator, self._jobs, self._bus, self._changed = operator, jobs, bus, changed
         self._running = False
 
     @property
@@ -30,14 +30,14 @@ class SimulatedScan:
         """
         if self._running:
             return
-        hand = self._operator
-        if hand is None:
+        operator = self._operator
+        if operator is None:
             raise _no_simulation_error()
 
         def work(progress: Progress) -> None:
-            for done, part in enumerate(hand.parts):
-                progress(message("hand-scans", part=word(part)), done / len(hand.parts))
-                if not self._running or not hand.scan_part(part):
+            for done, part in enumerate(operator.parts):
+                progress(message("hand-scans", part=word(part)), done / len(operator.parts))
+                if not self._running or not operator.scan_part(part):
                     return
 
         self._running = True
@@ -54,15 +54,15 @@ class SimulatedScan:
         Returns False when it was stopped. Raises ``OperationError``: ``no-hand``, or ``busy`` while
         it scans.
         """
-        hand = self._operator
-        if hand is None:
+        operator = self._operator
+        if operator is None:
             raise _no_simulation_error()
         if self._running:
             raise OperationError("busy", message("hand-scanning"), remedy=message("stop-first"))
         self._running = True
         self._changed()
         try:
-            return hand.pass_over_plate()
+            return operator.pass_over_plate()
         finally:
             self._running = False
             self._changed()

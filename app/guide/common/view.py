@@ -215,7 +215,7 @@ class StepProgress:
 
 @dataclass(frozen=True)
 class Busy:
-    """A job or the hand at work."""
+    """A job or the simulated operator at work."""
 
     text: Text
     fraction: float | None

@@ -1,4 +1,4 @@
-"""What the operator can tell a verification to do; each command leaves a row in the journal."""
+"""The operator's commands in a verification; each leaves a row in the journal."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -158,11 +158,11 @@ def _again(guide: VerifyGuide, context: CommandContext) -> None:
 
 
 def _start_simulation(guide: VerifyGuide, context: CommandContext) -> None:
-    hand = guide.station.simulated_operator
-    assert hand is not None
+    operator = guide.station.simulated_operator
+    assert operator is not None
     whole = context.args.get("all") is True
     guide.append("hand_started", {"all": whole}, context.key)
-    start_simulation(guide, simulation_job(guide, hand, whole))
+    start_simulation(guide, simulation_job(guide, operator, whole))
 
 
 def _stop_simulation(guide: VerifyGuide, context: CommandContext) -> None:

@@ -261,15 +261,21 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     )
     if change_reason(state, live) and state.open_cloud is None:
         return [offer("again", message("begin-again"), primary=True), leave]
-    hand = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
+    operator_actions = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
     if live.hand_running:
-        hand = [offer("stop_hand", message("stop-hand"), primary=True)]
+        operator_actions = [offer("stop_hand", message("stop-hand"), primary=True)]
     back = offer("back", message("back"))
     if state.step == "gauge":
         if live.has_hand and not live.hand_running:
             whole = {"all": True}
-            hand.append(offer("let_hand", message("let-hand-do-everything"), args=whole))
-        return [offer("confirm_gauge", message("gauge-clamped"), primary=True), *hand, leave]
+            operator_actions.append(
+                offer("let_hand", message("let-hand-do-everything"), args=whole)
+            )
+        return [
+            offer("confirm_gauge", message("gauge-clamped"), primary=True),
+            *operator_actions,
+            leave,
+        ]
     if state.step == "touch":
         enough = len(state.counted) >= touches_wanted(live)
         return [
@@ -277,7 +283,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             offer("confirm_touch", message("go-scanning"), primary=enough),
             offer("undo", message("undo")),
             *(offer("redo", message("put-touch-back", i=i + 1)) for i in state.undone[-1:]),
-            *hand,
+            *operator_actions,
             offer("skip_touch", message("go-without-probe")),
             back,
         ]
@@ -286,7 +292,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             return [
                 offer("finish_cloud", message("end-cloud"), primary=True),
                 offer("drop_cloud", message("drop-cloud")),
-                *hand,
+                *operator_actions,
             ]
         enough = len(state.good) >= CLOUDS_WANTED
         return [
@@ -297,7 +303,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
             ),
             offer("confirm_clouds", message("see-result"), primary=enough),
             offer("undo", message("undo")),
-            *hand,
+            *operator_actions,
             back,
         ]
     return [

@@ -54,7 +54,7 @@ SAME_PLACE_MM = 0.3
 
 @dataclass(frozen=True)
 class VerificationServices:
-    """The parts of the machine room that a verification works with."""
+    """The station's parts that a verification works with."""
 
     bus: Bus
     rig: Rig
@@ -162,7 +162,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         )
 
     def limits(self, gauge: GaugeFile | None) -> VerificationLimits:
-        """The gauge's own, and the station's where its paper says nothing."""
+        """The gauge's own, and the station's where its certificate says nothing."""
         return gauge.limits.with_defaults(self._limits) if gauge is not None else self._limits
 
     def gauges(self) -> Gauges:

@@ -9,12 +9,12 @@ from app.messages.message import Text, message
 from app.metrology.gauges.probed_gauge import PLANE_LEAST, SPHERE_LEAST
 
 CLOUDS_WANTED = 3
-"""A spread is known to a factor of two; the paper took ten."""
+"""A spread is known to a factor of two; the article took ten."""
 CLOUDS_MOST = 30
 PLANE_WANTED, SPHERE_WANTED = 6, 7
-"""Touches beyond the least, so that their scatter tells how well they fix the gauge."""
+"""Touches beyond the least, so that their scatter shows how well they fix the gauge."""
 OTHER_SIZE_MM, OTHER_SIZE_SDS = 0.3, 3.0
-"""The touched radius may differ from the paper's by so much, and so many of its own sd."""
+"""The touched radius may differ from the nominal by so much, and so many of its own sd."""
 Args = Mapping[str, object]
 
 ONLY_IN = {

@@ -1,4 +1,4 @@
-"""What the simulated hand does in a verification: touches the gauge, and passes over it."""
+"""The simulated operator in a verification: touches the gauge, and passes over it."""
 
 import time
 from collections.abc import Callable
@@ -12,22 +12,22 @@ from app.messages.message import message, word
 from app.station.jobs import Progress
 
 GAUGES = {"plane": "plate", "sphere": "sphere"}
-"""What the hand calls the gauge of a shape on its table."""
+"""What the simulated operator calls the gauge of a shape on its table."""
 TIMEOUT_S = 4.0
 ATTEMPTS = 3
 PAUSE_S = 0.1
 
 
 def simulation_job(
-    guide: VerifyGuide, hand: SimulatedOperator, whole: bool
+    guide: VerifyGuide, operator: SimulatedOperator, whole: bool
 ) -> Callable[[Progress], None]:
-    """The job by which the hand does the present step, or goes on up to the result."""
+    """The job that does the present step, or goes on up to the result."""
 
     def work(progress: Progress) -> None:
         try:
             while guide.hand_running and guide.state.step in STEP_JOBS:
                 step = guide.state.step
-                STEP_JOBS[step](guide, hand, progress)
+                STEP_JOBS[step](guide, operator, progress)
                 if not whole or guide.state.step == step:
                     break
         finally:
@@ -37,16 +37,16 @@ def simulation_job(
 
 
 def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
-    """Goes on as the operator would, by the same rules; not once the hand was stopped."""
+    """Goes on as a person would, by the same rules; not once the job was stopped."""
     with guide.lock:
         if guide.hand_running:
-            guide.check_allowed(name, {}, None, by_hand=True)
+            guide.check_allowed(name, {}, None, by_simulation=True)
             guide.append(kind, {})
 
 
-def _gauge(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _gauge(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
     with guide.lock:
-        guide.check_allowed("confirm_gauge", {}, None, by_hand=True)
+        guide.check_allowed("confirm_gauge", {}, None, by_simulation=True)
         tasks.confirm_gauge(guide, None)
 
 
@@ -56,21 +56,21 @@ def _name(guide: VerifyGuide) -> str:
     return GAUGES[gauge.shape]
 
 
-def _touch(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _touch(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
     name, of = _name(guide), touches_wanted(guide.live())
     for index in range(len(guide.state.counted), of):
         progress(message("hand-touches-2", name=word(name)), index / of)
-        if not guide.hand_running or not _touch_one(guide, hand, name, index):
+        if not guide.hand_running or not _touch_one(guide, operator, name, index):
             return
     _confirm(guide, "confirm_touch", "touch_confirmed")
 
 
-def _touch_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, index: int) -> bool:
-    """One place, again where it was declined; False when the hand was stopped."""
+def _touch_one(guide: VerifyGuide, operator: SimulatedOperator, name: str, index: int) -> bool:
+    """One place, again where it was declined; False when it was stopped."""
     for attempt in range(ATTEMPTS):
         with guide.lock:
             before, declined = len(guide.state.touches), guide.declined
-        if not hand.touch_gauge(name, index + 50 * attempt):
+        if not operator.touch_gauge(name, index + 50 * attempt):
             return False
         with guide.changed:
             guide.changed.wait_for(
@@ -86,27 +86,28 @@ def _touch_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, index: in
     )
 
 
-def _scan(guide: VerifyGuide, hand: SimulatedOperator, progress: Progress) -> None:
+def _scan(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
     name = _name(guide)
     at_least_one = max(CLOUDS_WANTED, len(guide.state.good) + 1)
     for done in range(len(guide.state.good), at_least_one):
         text = message("hand-scans-cloud", name=word(name), done=done + 1)
         progress(text, done / at_least_one)
-        if not guide.hand_running or not _scan_one(guide, hand, name, progress):
+        if not guide.hand_running or not _scan_one(guide, operator, name, progress):
             return
     _confirm(guide, "confirm_clouds", "clouds_confirmed")
 
 
-def _scan_one(guide: VerifyGuide, hand: SimulatedOperator, name: str, progress: Progress) -> bool:
-    """One cloud from its begin to its measure; False when the hand was stopped, or it is of
-    no use."""
+def _scan_one(
+    guide: VerifyGuide, operator: SimulatedOperator, name: str, progress: Progress
+) -> bool:
+    """One cloud from its begin to its measure; False when it was stopped or is of no use."""
     _await_scanner(guide)
     with guide.lock:
         if not guide.hand_running:
             return False
-        guide.check_allowed("begin_cloud", {}, None, by_hand=True)
+        guide.check_allowed("begin_cloud", {}, None, by_simulation=True)
         tasks.begin_cloud(guide, None)
-    whole = hand.scan_part(name)
+    whole = operator.scan_part(name)
     with guide.lock:
         if guide.state.open_cloud is None:
             return False

@@ -40,7 +40,7 @@ RECORDING = "scan.mcap"
 
 
 class Temperatures(Protocol):
-    """What the temperature was at a time; None where nobody told it."""
+    """What the temperature was at a time; None where it is not known."""
 
     def celsius_near(self, at: str) -> float | None: ...
 

@@ -35,7 +35,7 @@ class TouchLine:
 
 @dataclass(frozen=True)
 class CloudLine:
-    """One cloud; the errors are against the probe, and the radius against the paper."""
+    """One cloud; the errors are against the probe, and the radius against the nominal."""
 
     number: int
     state: CloudState

@@ -258,7 +258,7 @@ CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
 
 
 def _clouds(document: VerificationFile) -> list[Section[Text]]:
-    """Each cloud's figures as a table, and as points over the clouds (paper, Figs. 7-11)."""
+    """Each cloud's figures as a table, and as points over the clouds (article, Figs. 7-11)."""
     known = [
         (name, title, decimals)
         for name, title, decimals in CLOUD_FIGURES

@@ -19,7 +19,7 @@ log = logging.getLogger(__name__)
 
 READ_TIMEOUT_S = 0.1
 # Data older than this means a lost device, whatever its connection says: more than a
-# busy machine's hiccup, and still told within a second.
+# busy machine's hiccup, and still reported within a second.
 FRESH_S = 0.8
 # A device that is connected and silent for so long is closed and opened again.
 SILENCE_S = 3.0

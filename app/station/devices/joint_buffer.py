@@ -76,7 +76,7 @@ class JointRing:
             return JointWindow(self._stamps[at], self._q[at])
 
     def covers(self, window: JointWindow, first_ns: int, last_ns: int) -> bool:
-        """True where a window tells of the whole stretch: no hole longer than a fifth of it."""
+        """True where a window covers the whole stretch: no hole longer than a fifth of it."""
         ends = np.concatenate([[first_ns], window.stamps_ns, [last_ns]])
         longest_ns = int(np.diff(ends).max())
         return longest_ns <= max(self.gap_limit_ns, (last_ns - first_ns) // 5)

@@ -17,7 +17,7 @@ from app.station.devices.link_state import DeviceState
 from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import ArmDriver, SensorDriver
 
-# Devices are told of so often, and as soon as one is seen to be lost or back.
+# Devices are published so often, and as soon as one is seen to be lost or back.
 PUBLISH_S, LOOK_S = 0.2, 0.05
 
 

@@ -83,7 +83,7 @@ def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
 
 
 def focus_aid(picture: ImageQuality) -> CaptureAid | None:
-    """How wide the picture's edges are; None where that cannot be told."""
+    """How wide the picture's edges are; None where that is not known."""
     if picture.blur_px is None:
         return None
     width, wanted = EDGE_WIDTH * picture.blur_px, EDGE_WIDTH * picture.soft_px

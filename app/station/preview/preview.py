@@ -1,4 +1,4 @@
-"""The live picture for the browser: encoded once for all who watch, told in words."""
+"""The live picture for the browser: encoded once for all who watch, described in words."""
 
 import json
 import logging
@@ -168,7 +168,7 @@ class Preview:
         self._extraction = extraction_by(settings, self._axis)
 
     def set_calibration(self, distances: WorkingRange | None) -> None:
-        """What tells distances in the picture from now on; None where nothing does."""
+        """What gives distances in the picture from now on; None where nothing does."""
         self._distances = distances
 
     def latest(self) -> PreviewImage | None:
@@ -276,8 +276,8 @@ class Preview:
         made_s, measures, words = self._words
         now = time.monotonic()
         if now - made_s > WORDS_PERIOD_S:
-            measures, told = measure_image(image)
-            words = tuple(told)
+            measures, findings = measure_image(image)
+            words = tuple(findings)
             self._words = (now, measures, words)
         return measures, words
 

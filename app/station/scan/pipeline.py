@@ -137,7 +137,7 @@ class ScanPipeline:
 
     @property
     def lost_frames(self) -> int:
-        """Frames that the sensor lost, and those that found no room here."""
+        """Frames that the sensor lost, and those that found the queue full here."""
         return self._tap.dropped + self._sensor.reader.link().lost - self._lost_before
 
     @property
@@ -247,7 +247,7 @@ class ScanPipeline:
             )
 
     def _record_all(self) -> None:
-        """Hands stripes on in the order of their frames, to the recording first."""
+        """Passes stripes on in the order of their frames, to the recording first."""
         while (work := self._extracting.get()) is not None:
             try:
                 found = work.result()

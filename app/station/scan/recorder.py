@@ -79,7 +79,7 @@ class Recorder:
         return self._writer.bytes_written
 
     def put(self, frames: list[StripeFrame]) -> bool:
-        """Hands frames to the disk; waits while the queue is full. False after a failure."""
+        """Passes frames to the disk; waits while the queue is full. False after a failure."""
         while self.failure is None:
             try:
                 self._frames.put(frames, timeout=POLL_S)
@@ -131,7 +131,7 @@ class Recorder:
             )
 
     def _write_frames(self) -> int:
-        """Until told to end; the last frame's stamp."""
+        """Until asked to end; the last frame's stamp."""
         last_ns, flushed_s = 0, time.monotonic()
         while True:
             if time.monotonic() - flushed_s > FLUSH_S:

@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats
 from app.station.devices.arm_device import StationArm
 
 CHORD_NS = 10_000_000
-"""Velocities are told over so much before the frame."""
+"""Velocities are estimated over so much before the frame."""
 STILL_SPACINGS = 0.1
 """A pass whose frames lie nearer together than this many spacings along the stripe stands."""
 AGE_S = 0.7

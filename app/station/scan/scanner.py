@@ -84,7 +84,7 @@ class Scanner:
 
         Args:
             trouble: why the one in use cannot be read, where there is one.
-            look: tells why its files cannot be read any more; None while they can.
+            look: gives why its files cannot be read any more; None while they can.
         """
         with self._lock:
             self._calibration, self._trouble, self._look = calibration, trouble, look
@@ -157,7 +157,7 @@ class Scanner:
 
         Raises:
             Refusal: no valid calibration for these devices, a device lost, another
-                scan running, or no room on the disk.
+                scan running, or no space on the disk.
         """
         with self._lock:
             refusal = self.why_not() or self._folders.start_space_error()

@@ -1,4 +1,4 @@
-"""Where scans are put, and whether there is room for them."""
+"""Where scans are put, and whether there is space for them."""
 
 import contextlib
 import shutil

@@ -118,7 +118,7 @@ class CloudColouring:
         self.version += 1
 
     def forget_range(self) -> None:
-        """With nothing shown any more, what comes next tells an automatic range again."""
+        """With nothing shown any more, what comes next sets an automatic range again."""
         self._ranged = self._is_manual
 
     def aim_at(self, target: ReferenceShape | None) -> None:

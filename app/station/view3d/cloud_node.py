@@ -201,7 +201,7 @@ class CloudNode:
         return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
 
     def _show(self, node: _PointNode, tier: int | None = None) -> None:
-        """Its name tells the tier of its points, where they are of one."""
+        """Its name states the tier of its points, where they are of one."""
         self._made += 1
         of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring

@@ -1,6 +1,6 @@
-"""Colour scales of the cloud: even steps to the eye, told apart on light and dark ground.
+"""Colour scales of the cloud: even steps to the eye, distinct on light and dark ground.
 
-Both scales are told apart by those who do not tell red from green: one grows lighter all
+Both scales can be read by those who cannot distinguish red from green: one grows lighter all
 along, the other runs from blue over a light grey to orange.
 """
 

@@ -1,4 +1,4 @@
-"""Where the 3D view looks from, until somebody turns it by hand."""
+"""Where the 3D view looks from, until somebody turns it."""
 
 import numpy as np
 import viser

@@ -1,6 +1,6 @@
 """The 3D view: a viser server on the loopback, showing arm, sensor, object and cloud.
 
-It shows whatever it is told, so it is reached only through the station's own server.
+It shows all that it receives, so it is reached only through the station's own server.
 It is a preview, never the record.
 """
 

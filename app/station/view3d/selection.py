@@ -15,7 +15,7 @@ from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import PointAttributes
 from app.station.view3d.nodes import M_PER_MM
 
-# The front surface is told by squares of the rectangle with about so many points each.
+# The front surface is found by squares of the rectangle with about so many points each.
 POINTS_A_CELL = 16
 MOST_CELLS = 48
 # A point belongs to it up to so many square's widths behind: a slope of four in one.
@@ -141,7 +141,7 @@ class FrontSurface:
 MOST_FITTED = 300_000
 """Of more points in a region, every second, third, and so on is fitted."""
 FRAMES_A_SCAN = 1 << 40
-"""Frames of different scans are told apart by this."""
+"""Frames of different scans are distinguished by this."""
 
 
 @dataclass(frozen=True)

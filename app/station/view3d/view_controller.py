@@ -116,7 +116,7 @@ class ViewController:
 
     @property
     def pages(self) -> int:
-        """Pages that are looking, as far as they have told where from."""
+        """Pages that are looking, as far as they have reported where from."""
         return len(self._cameras)
 
     def state(self) -> ViewState:

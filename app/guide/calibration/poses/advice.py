@@ -23,7 +23,7 @@ FEWEST_POSES, FEWEST_OF_A_BOARD = 2, 8
 class Advice:
     """Hold the sensor there next: a point would then be known to ``then_um`` (k = 1).
 
-    ``words`` tells it against the newest pose's hold; ``outline`` is the object as the
+    ``words`` states it against the newest pose's hold; ``outline`` is the object as the
     picture would show it from there; ``q_rad`` are joint angles that reach it. The
     matrices place any hold against it. At least ``fewest`` poses are asked for, and up to
     ``enough`` while they help.

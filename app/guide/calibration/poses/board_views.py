@@ -1,4 +1,4 @@
-"""Which pictures of a chessboard to take before the calibration itself can tell. Pure."""
+"""Which pictures of a chessboard to take before there is a calibration to plan with. Pure."""
 
 from collections.abc import Sequence
 
@@ -7,7 +7,7 @@ from app.messages.message import Text, message
 from app.metrology.adjustment.board.initial_guess import FEWEST_POSES
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 
-# From straight above, then tilted to every side: a flat board tells the focal length only where
+# From straight above, then tilted to every side: a flat board fixes the focal length only where
 # it is tilted, and where the sensor sits only where the arm turns about more than one axis.
 VIEWS = (
     PoseDelta(0.0, 0.0, 0.0, 0.0),
@@ -21,7 +21,7 @@ VIEWS = (
 
 def next_view(listed: Sequence[PoseCapture]) -> int | None:
     """Which of ``VIEWS`` to take after the pictures taken, those set aside among them: the next,
-    or in the end one that was set aside; None once the calibration tells which helps most."""
+    or in the end one that was set aside; None once the calibration shows which helps most."""
     aside = [view for view, picture in enumerate(listed[: len(VIEWS)]) if picture.gone]
     if sum(not picture.gone for picture in listed) >= len(VIEWS):
         return None

@@ -45,7 +45,7 @@ class _SoFar:
 def advise(
     folder: SessionFolder, known: Mapping[int, AnyDetection | OperationError], limits: Limits
 ) -> Advice | None:
-    """The pose that would help most after those taken; None where none is to be told.
+    """The pose that would help most after those taken; None where there is none.
 
     Raises:
         OperationError: no calibration follows from the poses so far.

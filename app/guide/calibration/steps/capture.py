@@ -242,7 +242,7 @@ def _picture_findings(live: CalibrationLive) -> list[Finding]:
         found = Finding(
             "good", message("corners-object-found", corners_detected=live.corners_detected)
         )
-        # their number stands below the picture, too: what needs attention has the room
+        # their number stands below the picture, too: what needs attention has the space
         return _once(live.picture_findings) or [found]
     if live.laser_on:
         return [

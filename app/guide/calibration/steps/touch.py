@@ -13,7 +13,7 @@ from app.messages.message import Text, Value, message, quantity
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import on_face
 
-LISTED_SUSPECTS, LISTED_FACES = 3, 3
+LISTED_QUESTIONABLE, LISTED_FACES = 3, 3
 
 
 def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
@@ -72,7 +72,7 @@ def _on_board(
 def _actions(
     state: CalibrationState, live: CalibrationLive, touch: TouchReport, complete: bool
 ) -> list[Action]:
-    suspects = touch.suspects[:LISTED_SUSPECTS]
+    questionable = touch.suspects[:LISTED_QUESTIONABLE]
     return [
         offer(state, live, "take_point", message("take-point"), primary=not complete),
         offer(state, live, "confirm_touch", message("continue"), primary=complete),
@@ -89,7 +89,7 @@ def _actions(
                 message("remove-point", index=index + 1),
                 {"index": index},
             )
-            for index in suspects
+            for index in questionable
         ),
     ]
 

@@ -18,7 +18,7 @@ from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face
 from app.metrology.transforms import Floats
 
 WANTED = 9
-"""Points on each of three faces. Three fix a plane without telling anything of its
+"""Points on each of three faces. Three fix a plane without showing anything of its
 quality; the uncertainty falls with the root of the number, and 27 points with
 25 µm of arm noise bring the object's position to about 20 µm."""
 WRONG_FACE_MM = 1.0
@@ -68,14 +68,14 @@ def block_report(
             strict=True,
         )
     )
-    suspects = tuple(point.index for point in points if point.outlier)
+    outliers = tuple(point.index for point in points if point.outlier)
     findings = tuple(
         _outlier_finding(point, i, alignment, block)
         for i, point in enumerate(points)
         if point.outlier
     )
     advice = next_touches(alignment, faces, block, target_um) if alignment.sigma_mm > 0 else None
-    return TouchReport(points, alignment, "", findings, suspects, advice, target_um)
+    return TouchReport(points, alignment, "", findings, outliers, advice, target_um)
 
 
 def _outlier_finding(

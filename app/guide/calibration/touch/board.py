@@ -18,10 +18,10 @@ FACE = "board"
 """The one face of a board that is touched."""
 TITLE = message("board-printed-side")
 WANTED = 6
-"""Three fix a plane, the others tell whether one of them slipped."""
+"""Three fix a plane, the others show whether one of them slipped."""
 FEWEST_JUDGED = 6
 SLIPPED_MM, SLIPPED_BENDS = 0.1, 2.0
-"""A point has slipped that lies so far off the others, and by more than the sheet bends."""
+"""A point has slipped that lies so far off the others, and by more than the board bends."""
 
 
 def board_report(contacts: Sequence[Contact], arm: Arm, board: Chessboard) -> TouchReport:

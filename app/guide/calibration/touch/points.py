@@ -1,4 +1,4 @@
-"""Taking contact points: by click, by the arm's buttons, by the hand."""
+"""Taking contact points: by click, by the arm's buttons, by the simulated operator."""
 
 from app.errors import OperationError
 from app.findings import Quality
@@ -27,11 +27,11 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
         if arm is None or chosen.object is None:
             raise OperationError("no-arm-model", message("arm-chosen-cannot-read-any-more"))
         mean = guide.station.rig.arm.average(until_ns=until_ns)
-        twin = same_place(mean.q_rad, state.counted, arm)
-        if twin is not None:
+        same = same_place(mean.q_rad, state.counted, arm)
+        if same is not None:
             raise OperationError(
                 "same-place",
-                message("point-again", twin=twin + 1),
+                message("point-again", twin=same + 1),
                 message("tip-lies-within-mm", distance=quantity(SAME_PLACE_MM, "mm", 1)),
                 message("move-tip-another-place"),
             )

@@ -56,19 +56,19 @@ def touch_report(
 
 def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
     """Names the points whose joints lie outside their limits: of before this was noticed."""
-    suspects, findings = [], []
+    impossible, findings = [], []
     for contact in contacts:
         wrong = limits_error(contact.q_rad, arm)
         if wrong is not None:
-            suspects.append(contact.index)
+            impossible.append(contact.index)
             text = message(
                 "point-cannot-true", index=contact.index + 1, what=wrong.what, why=wrong.why
             )
             findings.append(Finding("bad", text, message("remove-touch-there-again")))
-    if not suspects:
+    if not impossible:
         return report
-    others = [index for index in report.suspects if index not in suspects]
-    return replace(report, suspects=(*suspects, *others), findings=(*findings, *report.findings))
+    others = [index for index in report.suspects if index not in impossible]
+    return replace(report, suspects=(*impossible, *others), findings=(*findings, *report.findings))
 
 
 def face_progress(
