@@ -86,7 +86,7 @@ class InstalledCopy:
     def size_mb(self) -> float:
         """Of the package and what it needs, without extras."""
         python = self.executable.with_name("python")
-        asked = [str(python), "-c", DISTRIBUTIONS]
+        asked = [str(python), "-P", "-c", DISTRIBUTIONS]  # not what lies in this folder
         done = subprocess.run(asked, capture_output=True, text=True, check=False)
         if done.returncode:
             raise failure_error(f"{python} does not tell its packages", done.stderr)
