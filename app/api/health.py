@@ -67,7 +67,7 @@ def support(context: TheContext) -> Response:
     """What somebody who helps needs to know; no secrets, no people.
 
     Raises:
-        Refusal: one is being made: many at once would keep Stop waiting.
+        OperationError: one is being made: many at once would keep Stop waiting.
     """
     if not BUNDLING.acquire(blocking=False):
         raise OperationError(

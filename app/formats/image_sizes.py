@@ -1,4 +1,4 @@
-"""What an image file announces, told from its header: nothing is decoded for it."""
+"""What an image file announces in its header: nothing is decoded for it."""
 
 import re
 import struct
@@ -23,7 +23,7 @@ TIFF_TYPES = {1: "B", 3: "H", 4: "I", 16: "Q"}
 
 @dataclass(frozen=True)
 class Announced:
-    """Size in pixels, how many channels, and bits of each as far as the header tells them."""
+    """Size in pixels, how many channels, and bits of each as far as the header states them."""
 
     width: int
     height: int
@@ -36,7 +36,7 @@ class Announced:
 
 
 def announced_size(raw: bytes) -> Announced | None:
-    """What the header tells; None for no image, or one of a kind that is not read here."""
+    """What the header states; None for no image, or one of a kind that is not read here."""
     for signatures, read in KINDS:
         if raw.startswith(signatures):
             try:

@@ -63,7 +63,7 @@ _BY_ERRNO: dict[int, tuple[str, Text, Text]] = {
 def error_from_os(error: OSError, path: Path | str | None = None) -> OperationError:
     """What an operating system's error on a file means to its user.
 
-    ``path`` is the file as whoever asked for it knows it, where that is known.
+    ``path`` is the file as the user knows it, where that is known.
     """
     named = path if path is not None else error.filename
     what = display_path(named) if named is not None else message("file")

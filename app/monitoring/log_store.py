@@ -58,7 +58,7 @@ class LogStore:
         folder: the data folder.
 
     Raises:
-        Refusal: the folder of the logs cannot be written.
+        OperationError: the folder of the logs cannot be written.
     """
 
     def __init__(self, folder: Path) -> None:

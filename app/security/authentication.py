@@ -81,7 +81,7 @@ class Authenticator:
         """The first administrator, by the console's code; None for a wrong one.
 
         Raises:
-            Refusal: there is one already, or name or password will not do.
+            OperationError: there is one already, or name or password will not do.
         """
         with self._lock:
             if not self.first_start:

@@ -23,7 +23,7 @@ def build_app(parts: StationParts) -> FastAPI:
     """The application; devices are opened when it starts and closed when it ends.
 
     Raises:
-        Refusal: the data folder cannot be used, or is in use by another server.
+        OperationError: the data folder cannot be used, or is in use by another server.
     """
     context = open_context(parts)
     app = FastAPI(

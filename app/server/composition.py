@@ -82,7 +82,7 @@ def open_context(parts: StationParts) -> Context:
     """Opens the data folder and wires the parts; devices are not touched yet.
 
     Raises:
-        Refusal: the data folder cannot be used, or is in use by another server.
+        OperationError: the data folder cannot be used, or is in use by another server.
     """
     store = Store(parts.data)
     try:

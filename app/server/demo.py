@@ -30,7 +30,7 @@ def open_simulation(data: Path) -> Iterator[StationParts]:
     """A running simulation, its sensor ready to take pictures, as the parts of a station.
 
     Raises:
-        Refusal: the data folder cannot be written.
+        OperationError: the data folder cannot be written.
     """
     with SimulatedStation() as simulation:
         yield station_parts(simulation, data)

@@ -115,7 +115,7 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
     """The server of an application, not yet running.
 
     Raises:
-        Refusal: certificate and key are not a pair in PEM format, or cannot be read.
+        OperationError: certificate and key are not a pair in PEM format, or cannot be read.
     """
     _check_key(serving)
     config = uvicorn.Config(

@@ -71,7 +71,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     """Runs the station on the devices that ``station.toml`` names, until it is asked to end.
 
     Raises:
-        Refusal: settings, driver, data folder or port are not in order.
+        OperationError: settings, driver, data folder or port are not in order.
     """
     settings = read_settings(config)
     _check_drivers(settings, config)
@@ -91,7 +91,7 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
     """Loads the drivers, so that what is wrong is said before anything is served.
 
     Raises:
-        Refusal: a driver is unknown, or its options are wrong.
+        OperationError: a driver is unknown, or its options are wrong.
     """
     from hardware.errors import DeviceError
     from hardware.registry import arm_driver, sensor_driver
@@ -154,7 +154,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
     """Runs the whole station on simulated devices; where the port is taken, on the next free.
 
     Raises:
-        Refusal: the data folder is not in order, or no port is free.
+        OperationError: the data folder is not in order, or no port is free.
     """
     listening = listen(host, port, PORTS_TRIED)
     folder = data or user_data_folder() / "demo"
@@ -173,7 +173,7 @@ def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool)
     """Runs the display on a recording, in a data folder of its own that is then removed.
 
     Raises:
-        Refusal: no port is free.
+        OperationError: no port is free.
     """
     from app.server.composition import StationParts
 
@@ -199,7 +199,7 @@ def run(
         on_ready: called on the event loop once everything is loaded.
 
     Raises:
-        Refusal: the certificate, a driver or the data folder cannot be used, or the data
+        OperationError: the certificate, a driver or the data folder cannot be used, or the data
             folder is in use by another server.
     """
     raise_file_limit()

@@ -58,7 +58,7 @@ def read_settings(path: Path | None) -> Settings:
     """Reads ``station.toml``, by default the one in the working folder.
 
     Raises:
-        Refusal: as ``read_file``; or values do not go together, or a file that is named is
+        OperationError: as ``read_file``; or values do not go together, or a file that is named is
             not there.
     """
     path = path or Path(DEFAULT_FILE)

@@ -159,7 +159,7 @@ def read_file(path: Path) -> StationFile:
     """Reads the file as it stands.
 
     Raises:
-        Refusal: there is no such file, it is not TOML, or a key is missing, unknown
+        OperationError: there is no such file, it is not TOML, or a key is missing, unknown
             or of the wrong kind; the key is named.
     """
     if not path.exists():

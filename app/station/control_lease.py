@@ -58,7 +58,7 @@ class Lease:
         """Before every act: takes control where it is free.
 
         Raises:
-            Refusal: somebody else has it.
+            OperationError: somebody else has it.
         """
         with self._lock:
             holder = self.control.holder
@@ -112,7 +112,7 @@ class Lease:
         """Takes control from whoever has it, for a reason that everybody reads.
 
         Raises:
-            Refusal: no reason is given, where it is another person's.
+            OperationError: no reason is given, where it is another person's.
         """
         reason = " ".join(reason.split())[:LONGEST_REASON]
         with self._lock:

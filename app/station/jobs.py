@@ -56,7 +56,7 @@ class Jobs:
         """Starts work on a thread; ``done`` runs on the event loop once it has ended.
 
         Raises:
-            Refusal: ``busy`` while another job runs.
+            OperationError: ``busy`` while another job runs.
         """
         job: Job[T] = Job(title)
         with self._lock:

@@ -121,7 +121,7 @@ class OperatorSettings:
         """Sets everything but the delay.
 
         Raises:
-            Refusal: a value out of its range, zones while no sensor is connected, or a disk
+            OperationError: a value out of its range, zones while no sensor is connected, or a disk
                 that does not take it; nothing is then changed.
         """
         with self._lock:
@@ -140,8 +140,8 @@ class OperatorSettings:
         """Sets the exposure so that the laser's line is at 70 % of full scale; takes a second.
 
         Raises:
-            Refusal: the laser is off, no line is seen, or the sensor is lost; the exposure is
-                then as before.
+            OperationError: the laser is off, no line is seen, or the sensor is lost; the exposure
+                is then as before.
         """
         sensor, extraction = self._rig.sensor, self._preview.extraction
         if not sensor.laser_on:
@@ -200,7 +200,7 @@ class OperatorSettings:
         """Applies the delay that was found last, or none from now on.
 
         Raises:
-            Refusal: none was found, or a disk that does not take it.
+            OperationError: none was found, or a disk that does not take it.
         """
         with self._lock:
             if on and self._delay_estimate is None:

@@ -26,7 +26,7 @@ class BrokerSettings:
         """What the password file holds, without the line's end.
 
         Raises:
-            Refusal: it cannot be read.
+            OperationError: it cannot be read.
         """
         if self.password_file is None:
             return None

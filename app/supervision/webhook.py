@@ -46,7 +46,7 @@ def check_url(url: str) -> str:
     """The address, without spaces about it.
 
     Raises:
-        Refusal: it is none of http or https.
+        OperationError: it is none of http or https.
     """
     url = url.strip()
     try:
@@ -68,7 +68,7 @@ class WebhookSettings(BaseModel):
     """Which notices are sent, and where to; without an address none are.
 
     Raises:
-        Refusal: the address is none (``check_url``), wherever it comes from.
+        OperationError: the address is none (``check_url``), wherever it comes from.
     """
 
     model_config = ConfigDict(frozen=True, extra="ignore")

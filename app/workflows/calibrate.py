@@ -60,14 +60,14 @@ def calibrate_session(
 
     Args:
         method: ``joint`` takes all poses in one adjustment; ``one-pose`` is the
-            paper's, from the first pose alone.
+            article's, from the first pose alone.
         limits: what the verdict goes by.
 
     Returns:
-        What was written, and what whoever asked for it should know in addition.
+        What was written, and what the user should know in addition.
 
     Raises:
-        Refusal: the session or the place to write to is not in order, or no
+        OperationError: the session or the place to write to is not in order, or no
             calibration follows from it; nothing is then written.
     """
     check_output_path(output)

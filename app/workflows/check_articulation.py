@@ -35,7 +35,7 @@ def check_table(
         arm_path: the arm's file; the ``arm.json`` beside the table where not given.
 
     Raises:
-        Refusal: a file is missing or wrong, a set has too few points or the arm
+        OperationError: a file is missing or wrong, a set has too few points or the arm
             hardly moved in it.
     """
     table = place / ARTICULATION if place.is_dir() else place

@@ -42,13 +42,13 @@ def estimate_recording_delay(
 ) -> Sync:
     """Estimates the delay from a recorded back-and-forth pass over a plane.
 
-    ``named`` is what whoever asks knows the recording by, where that is not its path.
+    ``named`` is the recording's name for the user, where that is not its path.
     The stamps are taken as they were recorded: a delay that the station applied when the
     pass was taken has no part in it.
 
     Raises:
-        Refusal: calibration, arm and recording do not belong together, or the pass does
-            not tell the delay (``estimate_delay``).
+        OperationError: calibration, arm and recording do not belong together, or the pass does
+            not determine the delay (``estimate_delay``).
     """
     check_serials(calibration, arm)
     passed, recording = read_plane_pass(recording_path, calibration, arm, progress)
@@ -104,7 +104,7 @@ def read_plane_pass(
     """What a recording holds of its pass, in the sensor frame.
 
     Raises:
-        Refusal: it holds no frames or no joints, too many frames, or frames of another size.
+        OperationError: it holds no frames or no joints, too many frames, or frames of another size.
     """
     recording = open_recording(recording_path)
     reading = _PassReader(recording, calibration, arm)

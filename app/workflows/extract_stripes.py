@@ -18,7 +18,7 @@ from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stri
 from app.progress import Progress, no_progress
 
 MANY_CLIPPED, DARK = 0.3, 0.1
-"""Shares of the pixels, and of full scale, from which on a picture is told to be so."""
+"""Shares of the pixels, and of full scale, from which on a picture is reported as such."""
 COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 
@@ -40,7 +40,7 @@ def extract_stripes(
     """The stripe of every picture, outside a mask's zones.
 
     Raises:
-        Refusal: a picture cannot be read, has none, or is of another size than the mask.
+        OperationError: a picture cannot be read, has none, or is of another size than the mask.
     """
     found: list[ImageStripe] = []
     where = None if mask is None else mask.where()

@@ -54,7 +54,7 @@ def identify_folder(
         signature: what the file says of where and by whom it was made.
 
     Raises:
-        Refusal: the folder or the place to write to is not in order, or no better arm
+        OperationError: the folder or the place to write to is not in order, or no better arm
             follows from it; nothing is then written.
     """
     check_output_path(output)
@@ -196,7 +196,7 @@ def list_fixed_parameters(result: Identification) -> list[tuple[str, Text]]:
 
 
 def strong_correlations(result: Identification) -> list[tuple[str, str, float]]:
-    """Pairs of moved parameters that the places hardly tell apart, by the file's names."""
+    """Pairs of moved parameters that the places hardly distinguish, by the file's names."""
     return [(_in_degrees(a), _in_degrees(b), rho) for a, b, rho in result.correlations]
 
 

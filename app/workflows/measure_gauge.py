@@ -36,7 +36,7 @@ class GaugeFit(DocumentPart):
     radius_mm: Positive | None = None
     covariance: tuple[tuple[Number, ...], ...] = ()
     """k = 1, mm and rad; of a plane the shift and two tilts, of a sphere centre and radius.
-    Empty where too few frames took part to tell."""
+    Empty where too few frames took part."""
     warnings: tuple[Text, ...] = ()
 
     @property
@@ -87,7 +87,7 @@ def measure_recording(
     """Rebuilds a recording's points and fits the gauge's shape to them.
 
     Raises:
-        Refusal: as ``rebuild``; or the cloud does not show the gauge, or too little of it.
+        OperationError: as ``rebuild``; or the cloud does not show the gauge, or too little of it.
     """
     kept: list[Points] = []
     rebuilt = reconstruct_into(recording, calibration, arm, lambda points, _: kept.append(points))

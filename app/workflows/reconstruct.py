@@ -61,7 +61,7 @@ class Reconstruction:
     cut: Text
     """Where and why the recording ended early; empty for a whole one."""
     warnings: tuple[Text, ...]
-    """What whoever asked for the cloud should know, one sentence each."""
+    """What the user of the cloud should know, one sentence each."""
 
     @property
     def all_frames(self) -> int:
@@ -107,7 +107,7 @@ def reconstruct_cloud(
             station applied it, where the recording says so.
 
     Raises:
-        Refusal: calibration, arm and recording do not belong together, the recording
+        OperationError: calibration, arm and recording do not belong together, the recording
             holds no frames or no joints, or none of its frames has joints around its
             stamp; the cloud is then not written.
     """
@@ -145,7 +145,7 @@ def reconstruct_into(
     progress: Progress = no_progress,
     delay_ns: int | None = None,
 ) -> Reconstruction:
-    """As ``reconstruct_cloud``; hands the points to ``take`` in order, on the caller's thread."""
+    """As ``reconstruct_cloud``; passes the points to ``take`` in order, on the caller's thread."""
     check_serials(calibration, arm)
     job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
     workers = os.cpu_count() or 1

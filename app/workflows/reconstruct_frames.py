@@ -64,7 +64,7 @@ def reconstruct_frames(
         first_number: of the first frame; the others count on.
 
     Raises:
-        Refusal: a frame is of another size than the calibration's, or not to be read.
+        OperationError: a frame is of another size than the calibration's, or not to be read.
     """
     pieces: list[Points] = []
     counts = np.zeros(len(frames), dtype=np.int64)

@@ -1,4 +1,4 @@
-"""The paper's study: clouds of one plane, each rebuilt with each of several calibrations.
+"""The article's study: clouds of one plane, each rebuilt with each of several calibrations.
 
 Whatever a calibration has wrong shows as a plane that turns and shifts from one
 calibration to the next; what the arm and the scanning add, from one cloud to the next.
@@ -32,7 +32,7 @@ from app.progress import Progress, no_progress
 from app.workflows.reconstruct import reconstruct_points
 
 ARTICLE_ARCSEC, ARTICLE_UM = 230.0, 100.0
-"""Mean ranges between calibrations in the paper, section 4."""
+"""Mean ranges between calibrations in the article, section 4."""
 ARTICLE_CLOUDS_ARCSEC, ARTICLE_CLOUDS_UM = 500.0, 110.0
 """Its ranges between clouds of one calibration."""
 ONE_PLANE_RAD = np.deg2rad(2.0)
@@ -94,7 +94,7 @@ def run_study(
     """Rebuilds every recording with every calibration and fits a plane to each cloud.
 
     Raises:
-        Refusal: as ``rebuild``; a cloud fixes no plane; the nominal is none of a
+        OperationError: as ``rebuild``; a cloud fixes no plane; the nominal is none of a
             plane; there is but one cloud in all.
     """
     if len(recordings) * len(calibrations) < 2:
@@ -185,7 +185,7 @@ def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[Pl
 
 
 def range_rows(done: Study) -> list[tuple[str, ...]]:
-    """The mean ranges to print, in English, next to those of the paper."""
+    """The mean ranges to print, in English, next to those of the article."""
     rows: list[tuple[str, ...]] = []
     for title, ranges, arcsec, um in (
         ("between calibrations", done.between_calibrations, ARTICLE_ARCSEC, ARTICLE_UM),

@@ -1,4 +1,4 @@
-"""What the clouds of a gauge show against its paper, the probe and the limits: figures, verdict."""
+"""A gauge's clouds against its nominal, the probe and the limits: figures and verdict."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ ORDER = ("fail", "uncertain", "pass", "none")
 
 @dataclass(frozen=True)
 class CloudErrors:
-    """Of one cloud against the probe and the paper; None where there is nothing to compare."""
+    """Of one cloud against the probe and the nominal; None where there is nothing to compare."""
 
     angle_arcsec: float | None = None
     z_error_um: float | None = None
@@ -52,7 +52,7 @@ class CloudErrors:
 
 
 def cloud_errors(fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None) -> CloudErrors:
-    """One cloud's errors (Eq. 10-12; for a sphere as in the paper's section 4)."""
+    """One cloud's errors (Eq. 10-12; for a sphere as in the article's section 4)."""
     if gauge.shape == "plane":
         if not isinstance(touched, ProbedPlane):
             return CloudErrors()
@@ -78,7 +78,7 @@ def gauge_figures(
     if not fits:
         return ()
     errors = [cloud_errors(fit, gauge, touched) for fit in fits]
-    paper_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
+    nominal_sd_um = float(np.hypot(gauge.standard_uncertainty_um, gauge.form_um / UNIFORM))
     found: list[FigurePart] = []
 
     def add(name: FigureName, values: Sequence[float | None], standard: float) -> None:
@@ -86,13 +86,17 @@ def gauge_figures(
         if len(known) == len(fits):
             found.append(_figure(name, known, K * standard, getattr(limits, name, None)))
 
-    add("form", [fit.form_um for fit in fits], paper_um)
-    add("rms", [fit.rms_um for fit in fits], paper_um)
+    add("form", [fit.form_um for fit in fits], nominal_sd_um)
+    add("rms", [fit.rms_um for fit in fits], nominal_sd_um)
     if gauge.shape == "plane":
-        _add_plane(add, fits, errors, touched, paper_um)
+        _add_plane(add, fits, errors, touched, nominal_sd_um)
     else:
         of_fit = max(fit.sd(slice(3, 4)) for fit in fits) * 1e3
-        add("radius_error", [e.radius_error_um for e in errors], float(np.hypot(of_fit, paper_um)))
+        add(
+            "radius_error",
+            [e.radius_error_um for e in errors],
+            float(np.hypot(of_fit, nominal_sd_um)),
+        )
         of_fit = max(fit.sd(slice(0, 3)) for fit in fits) * 1e3
         of_touch = touched.centre_sd_mm * 1e3 if isinstance(touched, ProbedSphere) else 0.0
         add("centre_error", [e.centre_error_um for e in errors], float(np.hypot(of_fit, of_touch)))
@@ -104,7 +108,7 @@ def _add_plane(
     fits: Sequence[GaugeFit],
     errors: Sequence[CloudErrors],
     touched: ProbedGauge | None,
-    paper_um: float,
+    nominal_sd_um: float,
 ) -> None:
     if not isinstance(touched, ProbedPlane):
         return
@@ -118,13 +122,13 @@ def _add_plane(
         fit.sd(slice(0, 1)) ** 2 + touched.height_sd_mm(np.array(fit.centre_mm)) ** 2
         for fit in fits
     ]
-    height = float(np.hypot(np.sqrt(max(variances)) * 1e3, paper_um))
+    height = float(np.hypot(np.sqrt(max(variances)) * 1e3, nominal_sd_um))
     add("offset", [e.offset_error_um for e in errors], height)
     add("z_error", [e.z_error_um for e in errors], height)
 
 
 def _tilt_sd(fit: GaugeFit) -> float:
-    """Rad, in the worst direction; by the points' scatter where the fit does not tell."""
+    """Rad, in the worst direction; by the points' scatter where the fit has no covariance."""
     if fit.covariance:
         return fit.sd(slice(1, 3))
     return fit.rms_um / 1e3 / 10.0

@@ -1,4 +1,4 @@
-"""The paper's test on the clouds of a verification: each rebuilt with every calibration.
+"""The article's test on the clouds of a verification: each rebuilt with every calibration.
 
 What a calibration has wrong shows from one calibration to the next, what arm and scanning
 add from one cloud to the next (Figs. 7-11).
@@ -49,7 +49,7 @@ class StudyRow(DocumentPart):
     """One cloud with one calibration; plane: angle and Z, sphere: radius and centre."""
 
     cloud: int
-    """Index among the study's clouds; ``calibration`` likewise."""
+    """Index among the study's clouds; ``calibration``: among its calibrations."""
     calibration: int
     rms_um: NotNegative
     angle_arcsec: NotNegative | None = None
@@ -96,7 +96,7 @@ def study_verification(
     """Rebuilds every cloud of a verification with every calibration.
 
     Raises:
-        Refusal: the verification cannot be read, or none of the calibrations belongs to it.
+        OperationError: the verification cannot be read, or none of the calibrations belongs to it.
     """
     record, gauge = read_verification(folder), read_gauge(folder / GAUGE)
     fits: list[list[GaugeFit]] = []

@@ -46,7 +46,7 @@ def verify(
     """Fits every cloud and, given a nominal, says how far it is off.
 
     Raises:
-        Refusal: a cloud or the nominal cannot be read, the nominal is of another
+        OperationError: a cloud or the nominal cannot be read, the nominal is of another
             shape, or a cloud fixes no plane or sphere.
     """
     nominal = None if nominal_path is None else read_nominal(nominal_path)

@@ -34,7 +34,7 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
     Raises:
         Denied: nobody is signed in, the role does not do, or the route is in no table.
         WebSocketException: the same of a live connection.
-        Refusal: somebody else has control.
+        OperationError: somebody else has control.
     """
     context, rule = context_of(connection), _rule(connection)
     if rule.right is Right.enter or (rule.right is Right.scrape and _has_metrics_token(connection)):

@@ -20,7 +20,7 @@ def send_file(
 
     Raises:
         NotFound: there is none.
-        Refusal: it cannot be read.
+        OperationError: it cannot be read.
     """
     if path is None or not path.is_file():
         raise NotFoundError(missing)

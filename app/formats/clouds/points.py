@@ -1,4 +1,4 @@
-"""Points of a cloud, as every format is handed them and hands them back."""
+"""Points of a cloud, as every format takes and returns them."""
 
 from dataclasses import dataclass
 from typing import Protocol

@@ -31,7 +31,7 @@ class FixedParameterPart(DocumentPart):
 
 
 class CorrelationPart(DocumentPart):
-    """Two moved parameters that the places hardly tell apart."""
+    """Two moved parameters that the places hardly distinguish."""
 
     first: str
     second: str
@@ -74,7 +74,7 @@ class IdentificationPart(DocumentPart):
     volume_after_um: NotNegative
     """Rms standard uncertainty of the tip over the reach, by the parameters moved."""
     size_known: bool
-    """False where no ball bar told the arm's size: it comes on top of ``volume_after_um``."""
+    """False where no ball bar determined the arm's size: it comes on top of ``volume_after_um``."""
     scatter_um: NotNegative
     """Per coordinate, of single points beyond the encoders' noise."""
     validation: ValidationPart

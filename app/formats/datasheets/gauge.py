@@ -1,4 +1,4 @@
-"""A gauge's own paper: its shape and size by certificate, and the limits it is judged by.
+"""A gauge's nominal: its shape and size by certificate, and the limits it is judged by.
 
 ``gauges/*.nominal.json`` of the data folder: a nominal (docs/formats.md) with further fields::
 
@@ -53,7 +53,7 @@ DEFAULT_LIMITS = VerificationLimits(
     offset_range=200,
     centre_range=250,
 )
-"""For an arm of the paper's class, 0.25 mm over its reach; its tests found 230 to 500 arcsec,
+"""For an arm of the article's class, 0.25 mm over its reach; its tests found 230 to 500 arcsec,
 100 to 110 µm of a plane, and 50 and 90 µm of a sphere's radius and centre."""
 
 
@@ -82,5 +82,5 @@ class GaugeFile(Document):
 
 
 def read_gauge(path: Path) -> GaugeFile:
-    """Reads a gauge's paper; raises ``OperationError`` naming the file and the field."""
+    """Reads a gauge's nominal; raises ``OperationError`` naming the file and the field."""
     return GaugeFile.read(path)

@@ -9,7 +9,7 @@ from app.formats.json_document import Document, Positive
 
 
 class SensorDatasheet(Document):
-    """The sensor's data sheet; ``focal_px`` and ``standoff_mm`` are hints only."""
+    """The sensor's datasheet; ``focal_px`` and ``standoff_mm`` are hints only."""
 
     FORMAT: ClassVar[str] = "crenel/sensor"
 

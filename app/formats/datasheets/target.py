@@ -83,7 +83,7 @@ class ChessboardFile(Document):
     square_mm: Positive
     standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
-    """By how much the sheet typically bends over the pattern; paper's where missing."""
+    """By how much the board typically bends over the pattern; where missing, as printed paper."""
 
     @model_validator(mode="after")
     def _is_a_board(self) -> Self:

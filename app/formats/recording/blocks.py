@@ -23,7 +23,7 @@ class ChunkRecords:
 
     data: bytes
     table: wire.Table
-    """(R, 5) as of ``recording_wire.find_records``."""
+    """(R, 5) as of ``wire_format.find_records``."""
 
     described: tuple[Schema | Channel, ...] = ()
     """In their order."""
@@ -97,7 +97,7 @@ class Profiles:
 
 
 def read_profiles(opened: ChunkRecords, rows: wire.Table) -> Profiles:
-    """The stripes that ``rows`` (F, 9) of ``recording_wire.find_stripes`` tell of.
+    """The stripes that ``rows`` (F, 9) of ``wire_format.find_stripes`` describe.
 
     They must be of one axis.
     """

@@ -1,4 +1,4 @@
-"""What the stamps of a recording tell of its clocks: holes, and jumps."""
+"""What the stamps of a recording show of its clocks: holes, and jumps."""
 
 from array import array
 from dataclasses import dataclass

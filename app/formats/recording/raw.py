@@ -35,7 +35,7 @@ LARGEST_CHUNK = 64 << 20
 LARGEST_RECORD = LARGEST_CHUNK + (1 << 20)
 """Bytes of a record in the file: packing makes what cannot be packed a little larger."""
 LARGEST_DESCRIPTION = 1 << 20
-"""Bytes of a schema, a channel or what is told of the whole recording."""
+"""Bytes of a schema, a channel or what describes the whole recording."""
 LARGEST_WINDOW = 128 << 20
 """Bytes that zstd may look back."""
 HEAD = struct.Struct("<BQ")
@@ -114,7 +114,7 @@ def parse_records(opcode: int, content: bytes) -> McapRecord:
 
 
 def summary_statistics(file: BinaryIO) -> Statistics | None:
-    """What a recording's end tells of all of it; None where it does not.
+    """What a recording's end states of all of it; None where it does not.
 
     Raises:
         what ``DAMAGE`` names.
@@ -156,9 +156,9 @@ def decompress(chunk: Chunk) -> bytes:
 
 
 def _unpack_zstd(data: bytes, announced: int) -> bytes:
-    told = zstandard.get_frame_parameters(data).content_size
-    if told not in (announced, zstandard.CONTENTSIZE_UNKNOWN):
-        raise McapError(f"a chunk of {announced} bytes opens to {told}")
+    stated = zstandard.get_frame_parameters(data).content_size
+    if stated not in (announced, zstandard.CONTENTSIZE_UNKNOWN):
+        raise McapError(f"a chunk of {announced} bytes opens to {stated}")
     opener = zstandard.ZstdDecompressor(max_window_size=LARGEST_WINDOW)
     return opener.decompress(data, max_output_size=announced)
 

@@ -25,8 +25,8 @@ EXTRACTION = "extraction"
 """How stripes were extracted, as JSON; empty where all was automatic."""
 SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
 """By which a scan is listed whose process was killed."""
-LARGEST_TOLD = 256 << 10
-"""Bytes of a recording's beginning within which it tells of itself."""
+LARGEST_PREAMBLE = 256 << 10
+"""Bytes of a recording's beginning within which it describes itself."""
 
 
 @dataclass
@@ -76,10 +76,10 @@ class Recording:
         with convert_io_errors(self.path), open_file(self.path) as file:
             check_magic(self.path, file)
             with suppress(*DAMAGE):
-                for record in raw_records(file, LARGEST_TOLD):
+                for record in raw_records(file, LARGEST_PREAMBLE):
                     if (
                         isinstance(record, Chunk | LoggedMessage | DataEnd)
-                        or file.tell() > LARGEST_TOLD
+                        or file.tell() > LARGEST_PREAMBLE
                     ):
                         break
                     if isinstance(record, Metadata) and record.name == STATION_METADATA:
@@ -202,10 +202,12 @@ def last_stamp_ns(path: Path) -> int | None:
     """The log time of a recording's last message, by its summary; None where it has none."""
     with convert_io_errors(path), open_file(path) as file:
         try:
-            told = summary_statistics(file)
+            statistics = summary_statistics(file)
         except DAMAGE:
             return None
-    return told.message_end_time if told is not None and told.message_count else None
+    return (
+        statistics.message_end_time if statistics is not None and statistics.message_count else None
+    )
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:

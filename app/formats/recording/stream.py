@@ -65,7 +65,7 @@ class Block:
     joints: list[JointSamples]
     frames: list[RecordedFrame]
     stripes: wire.Table
-    """(S, 9) of ``recording_wire.find_stripes``."""
+    """(S, 9) of ``wire_format.find_stripes``."""
 
 
 def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
@@ -114,7 +114,7 @@ def _is_enough(waiting: deque[_Opening], ahead: int) -> bool:
 def _take_block(
     recording: Recording, reader: "_Reader", waiting: deque[_Opening]
 ) -> Generator[Block, None, bool]:
-    """Hands on the oldest block; returns True where it was damaged."""
+    """Yields the oldest block; returns True where it was damaged."""
     opening = waiting.popleft()
     try:
         opened = opening.opened.result()
@@ -203,12 +203,14 @@ class _Reader:
         rows = wire.find_stripes(opened.bytes, messages)
         channel = int(messages[0, 1])
         if channel not in self._as_usual and rows[0, wire.POINTS] >= 0:
-            told, read = self._decode(opened, messages[0]), read_profiles(opened, rows[:1])
-            self._as_usual[channel] = isinstance(told, StripeRecord) and (
-                (told.stamp_ns, told.width_px, told.height_px, told.stripe.axis)
+            decoded, read = self._decode(opened, messages[0]), read_profiles(opened, rows[:1])
+            self._as_usual[channel] = isinstance(decoded, StripeRecord) and (
+                (decoded.stamp_ns, decoded.width_px, decoded.height_px, decoded.stripe.axis)
                 == (*rows[0, : wire.U].tolist(), read.axis)
                 and all(
-                    np.array_equal(getattr(told.stripe, name), getattr(read, name), equal_nan=True)
+                    np.array_equal(
+                        getattr(decoded.stripe, name), getattr(read, name), equal_nan=True
+                    )
                     for name in ("u", "v", "intensity", "sigma_px")
                 )
             )
@@ -237,14 +239,14 @@ class _Reader:
         channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
         if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
             q_rad = wire.gather_joints(opened.bytes, rows, int(counts[0]))
-            told = self._decode(opened, messages[0])
-            assert isinstance(told, JointRecord)
-            usual = told.stamp_ns == rows[0, 0] and np.array_equal(
-                told.q_rad, q_rad[0], equal_nan=True
+            decoded = self._decode(opened, messages[0])
+            assert isinstance(decoded, JointRecord)
+            usual = decoded.stamp_ns == rows[0, 0] and np.array_equal(
+                decoded.q_rad, q_rad[0], equal_nan=True
             )
             self._as_usual[channel] = usual
             if usual:
-                return [JointSamples(told.names, rows[:, 0], messages[:, 2], q_rad)]
+                return [JointSamples(decoded.names, rows[:, 0], messages[:, 2], q_rad)]
         found = [(self._decode(opened, row), row[2:3]) for row in messages]
         return [
             JointSamples(one.names, np.array([one.stamp_ns]), log_ns, np.array([one.q_rad]))

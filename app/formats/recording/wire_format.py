@@ -93,7 +93,7 @@ def find_joints(data: Bytes, messages: Table) -> tuple[Table, Table, Table]:
     Returns:
         (M, ``MOST_JOINTS`` + 1) the stamp in ns, and the offset of each position; (M,) how
         many joints there are, -1 where the message is left to the general decoder; (M,) a
-        number that tells their names apart from others.
+        number that distinguishes their names from others.
     """
     rows = np.full((len(messages), MOST_JOINTS + 1), -1, dtype=np.int64)
     counts, names = np.empty((2, len(messages)), dtype=np.int64)

@@ -121,7 +121,7 @@ class RecordingWriter:
         self._sink.check()
 
     def flush(self) -> None:
-        """Hands to the system what has come so far: a killed process does not lose it."""
+        """Passes to the system what has come so far: a killed process does not lose it."""
         self._writer.flush()
         self._sink.check()
 
@@ -148,7 +148,7 @@ class RecordingWriter:
 class _Sink:
     """The file under the writer. A failure is kept for ``check``: the writer prints its own.
 
-    After a failure the writer is told that all is well, and where it would stand, so that
+    After a failure the writer gets no error, and the position where it would stand, so that
     it ends in order; it does not bear to find itself elsewhere.
     """
 

@@ -176,7 +176,7 @@ class PosePart(DocumentPart):
 
 
 class ScalesPart(DocumentPart):
-    """Standard deviations that the data themselves told."""
+    """Standard deviations estimated from the data themselves."""
 
     links_rad: NotNegative
     links_mm: NotNegative

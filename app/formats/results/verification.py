@@ -41,7 +41,7 @@ VERIFICATION, GAUGE, CONTACTS, STUDY = (
 
 
 class GaugePart(DocumentPart):
-    """The gauge by its paper."""
+    """The gauge by its nominal."""
 
     shape: Shape
     name: str
@@ -92,7 +92,7 @@ class CloudPart(DocumentPart):
     points: int
     used: int
     """After the points that are none of the gauge, and the filter on the standard deviation
-    (paper, section 4)."""
+    (article, section 4)."""
     rms_um: NotNegative
     form_um: NotNegative
     """Width of the zone about the shape that holds 95 % of the points used."""
@@ -108,7 +108,7 @@ class CloudPart(DocumentPart):
     offset_error_um: Number | None = None
     """Of the cloud's middle from the touched plane, along its normal."""
     radius_error_um: Number | None = None
-    """Certificate minus measured, as the paper has it."""
+    """Certificate minus measured, as in the article."""
     centre_error_um: NotNegative | None = None
     """From the touched sphere's centre."""
 

@@ -1,4 +1,4 @@
-"""A folder that tells an arm's own geometry: what was touched, read and checked.
+"""A folder with an arm's own geometry: what was touched, read and checked.
 
 ``arm.json``           the arm as its datasheet has it
 ``articulation.csv``   set,q1_deg,…,qN_deg                  the tip in one seat a set, the arm swung

@@ -42,16 +42,16 @@ class ScanSettings(Document):
     @property
     def extraction_text(self) -> str:
         """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
-        told: dict[str, object] = {}
+        chosen: dict[str, object] = {}
         if self.threshold is not None:
-            told["threshold"] = self.threshold
+            chosen["threshold"] = self.threshold
         if self.min_width_px is not None:
-            told["min_width_px"] = self.min_width_px
+            chosen["min_width_px"] = self.min_width_px
         if self.choice != "continuity":
-            told["choice"] = self.choice
+            chosen["choice"] = self.choice
         if self.mask is not None:
-            told["mask"] = self.mask.fields()
-        return json.dumps(told) if told else ""
+            chosen["mask"] = self.mask.fields()
+        return json.dumps(chosen) if chosen else ""
 
     def delay_ns(self, arm_serial: str, sensor_serial: str) -> int:
         """By how much the arm's stamps are later; 0 where it was found on other devices."""

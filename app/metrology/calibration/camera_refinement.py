@@ -200,8 +200,8 @@ def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> Floats:
     # a shared error does not average out along the line
     lines, line = int(rows.line.max(initial=0)) + 1, rows.line[kept]
     shared = np.bincount(line, (rows.shared_px / rows.sigma[kept]) ** 2, lines)
-    told = np.bincount(line, minlength=lines) >= FEWEST_TO_JUDGE
-    return np.asarray(np.sqrt(variance + np.where(told, shared, 0.0)[rows.line]))
+    enough = np.bincount(line, minlength=lines) >= FEWEST_TO_JUDGE
+    return np.asarray(np.sqrt(variance + np.where(enough, shared, 0.0)[rows.line]))
 
 
 def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> tuple[Floats, Floats]:

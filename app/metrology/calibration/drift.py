@@ -1,4 +1,4 @@
-"""How a sensor on an arm moved between two calibrations, told by the points that they give.
+"""How a sensor on an arm moved between two calibrations, estimated from the points that they give.
 
 Never by their parameters: the focal length and the distance are so much alike in what they do
 that each may differ by much while every point stays.

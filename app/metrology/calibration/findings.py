@@ -214,7 +214,7 @@ def size_finding(
     alignment: Alignment, features: Sequence[str], block: Crenellated
 ) -> CalibrationFinding:
     """Whether the block's size and the tip's diameter were seen, and right: contacts on
-    opposite faces tell their sum, others move with the block."""
+    opposite faces determine their sum, others move with the block."""
     labels = np.array(features)
     openings_mm: dict[tuple[str, str], float] = {}
     for pair in OPPOSITE:

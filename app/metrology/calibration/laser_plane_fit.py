@@ -34,7 +34,7 @@ class LaserPlaneFit:
     ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
     their signed distances from it and ``sigma_mm`` the expected standard deviations
     of these, NaN off the levels; ``correlation`` is the number of neighbouring points
-    that together tell as much as one alone (speckle). ``covariance`` (3, 3) is that of
+    that together count as much as one alone (speckle). ``covariance`` (3, 3) is that of
     a tilt of the normal along ``tangents(normal)`` (rad) and of the offset at
     ``centroid_mm`` (mm).
     """

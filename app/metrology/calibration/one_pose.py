@@ -186,9 +186,9 @@ def refine_camera(
         block,
         ImageObservations(detection.edges, detection.corners, stripe, laser),
     )
-    sorted_anew = fit_laser_plane(fit.camera, block, stripe)
-    if not np.array_equal(sorted_anew.used, laser.used):
-        laser = sorted_anew
+    sorted_again = fit_laser_plane(fit.camera, block, stripe)
+    if not np.array_equal(sorted_again.used, laser.used):
+        laser = sorted_again
         fit = fit_camera(
             fit.camera, block, ImageObservations(detection.edges, detection.corners, stripe, laser)
         )

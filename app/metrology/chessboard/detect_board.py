@@ -21,7 +21,7 @@ from app.metrology.transforms import Floats
 CLIPPED_MARGIN_PX, STRIPE_MARGIN_PX = 8, 12
 # Weaker points than this share of the stripe's usual brightness are none of it.
 STRIPE_SHARE = 0.5
-# The laser's line outshines the sheet by this, and the sheet's white this share of a picture.
+# The laser's line outshines the board by this, and the board's white this share of a picture.
 OUTSHINES, DARKER_SHARE = 1.15, 0.95
 # Share of the corners that must be seen, and on each side of the pattern.
 LEAST_VISIBLE, LEAST_ON_A_SIDE = 0.5, 2
@@ -109,7 +109,7 @@ def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
     image.
 
     Args:
-        image: (H, W) grey, 8 to 16 bits, with room light and laser.
+        image: (H, W) grey, 8 to 16 bits, with ambient light and laser.
         stripe: as extracted from this image.
     """
     if not len(stripe.u):
@@ -148,7 +148,7 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
             message("bring-whole-board-into-picture-sharp"),
         )
     places = np.array(list(lattice))
-    # told in the certificate's order, whichever way the picture lies
+    # given in the certificate's order, whichever way the picture lies
     found = sorted((int(n) for n in np.ptp(places, axis=0) + 1), reverse=columns >= rows)
     if sorted(found) != sorted((columns, rows)):
         more = max(found) > max(columns, rows) or min(found) > min(columns, rows)

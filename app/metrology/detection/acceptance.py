@@ -38,7 +38,7 @@ _LEAST_AGREEING = 0.8
 # and of the edges below the crests.
 _BELOW = ("floor", "base")
 _LEAST_LOWER = 0.05
-# Sides of merlons that tell which part of the object is seen, and the share of its edges.
+# Sides of merlons that show which part of the object is seen, and the share of its edges.
 _SIDES, _LEAST_IN_FRAME = 4, 0.4
 # Below this support at the small scale nothing like the block was found.
 LEAST_SUPPORT = 0.5
@@ -86,8 +86,8 @@ def _find_shifted_plane(found: EdgeMeasurements, certificate_mm: float) -> Rejec
     depth = found.at.points_mm[found.used] @ found.camera.rotation[2]
     px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth) + found.camera.translation_mm[2])
     least_mm = _SHIFTED_BLURS * max(1.0, found.blur_px) / px_per_mm
-    told = [one for one in estimate_shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
-    shift = max(told, key=lambda one: one.ratio, default=None)
+    shifts = [one for one in estimate_shifts(found, certificate_mm) if abs(one.by_mm) > least_mm]
+    shift = max(shifts, key=lambda one: one.ratio, default=None)
     if shift is None or shift.ratio < _SHIFTED:
         return None
     off_mm = abs(shift.by_mm)

@@ -21,7 +21,7 @@ _FURTHEST_PX, _OUTLIER_SIGMAS = 1.0, 5.0
 _USUAL = 2.0
 # What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
-# Points that tell how an edge runs, and how much of it, px, fewer must stand for.
+# Points that show how an edge runs, and how much of it, px, fewer must stand for.
 _POINTS, _LENGTH_PX = 3, 15.0
 
 

@@ -97,7 +97,7 @@ def detect_object(
     """Finds, identifies and measures the block in one image, without a starting guess.
 
     Args:
-        ambient: (H, W) grey, 8 to 16 bits, with room light (and the laser's, if ``stripe`` is
+        ambient: (H, W) grey, 8 to 16 bits, with ambient light (and the laser's, if ``stripe`` is
             given).
         block: the block by its certificate.
         stripe: the points of the laser stripe in this image; its pixels are left out.

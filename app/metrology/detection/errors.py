@@ -172,5 +172,5 @@ def refuse_blurred(found: EdgeMeasurements) -> None:
 
 
 def too_incomplete_error(block: Crenellated, share: float) -> OperationError:
-    """The refusal for a block of which the frame leaves too little to tell it or to use it."""
+    """The refusal for a block of which the frame leaves too little to identify it or to use it."""
     return out_of_frame_error(block, share, message("camera-needs-two-levels-four-sides"))

@@ -13,14 +13,14 @@ from app.metrology.transforms import Floats
 
 Image = NDArray[np.uint8] | NDArray[np.uint16]
 
-# Brightest parts below this share of full scale: noise and rounding begin to tell.
+# Brightest parts below this share of full scale: noise and rounding begin to matter.
 DIM = 0.15
-# Contrast below this share of full scale cannot be told from the noise of one frame.
+# Contrast below this share of full scale cannot be distinguished from the noise of one frame.
 DARK = 0.03
 # Share of clipped pixels at which a face, not just a glint or the stripe, is lost.
 CLIPPED = 0.03
 # Width of a step of brightness (standard deviation of the blur) over the longer side.
-# Beyond the second, the two edges of a groove's wall run into one.
+# Beyond the second, the two edges of a groove's side run into one.
 SOFT = 0.0016
 BLURRED = 0.004
 # Noise over the contrast at which the lower steps between faces are lost.
@@ -146,7 +146,7 @@ class ImageQuality:
 
     @property
     def dark(self) -> bool:
-        """No contrast that could be told from noise."""
+        """No contrast that could be distinguished from noise."""
         return self.high - self.low < DARK
 
     @property

@@ -15,7 +15,7 @@ class RejectionReason:
     wireframe of those that disagree. ``alone``: a single edge shows it, and nothing confirms
     it; a shadow or something before the block may look like that. ``off_px``: how far the
     picture shows them elsewhere, at most. ``hidden``: what shows is in its place, but edges
-    without which it cannot be told do not.
+    without which it cannot be decided do not.
     """
 
     text: Text

@@ -1,4 +1,4 @@
-"""The pixels that the laser stripe covers in a picture with room light and laser."""
+"""The pixels that the laser stripe covers in a picture with ambient light and laser."""
 
 import cv2
 import numpy as np

@@ -17,9 +17,9 @@ from app.metrology.fitting.plane_sphere import (
 from app.metrology.transforms import Floats
 
 NEIGHBOURS = 24
-"""Of the sample's points; their plane tells the surface's normal there."""
+"""Of the sample's points; their plane gives the surface's normal there."""
 ITERATIONS = 50
-# Two normals nearer to each other than this tell no axis.
+# Two normals nearer to each other than this determine no axis.
 LEAST_CROSS = 0.05
 
 
@@ -155,7 +155,7 @@ def _normals(near: Floats) -> Floats:
 
 
 def _cylinder_through(p: Floats, q: Floats, n: Floats, m: Floats) -> ShapeParameters | None:
-    """The cylinder through ``p`` and ``q`` with these normals there; None where none is told."""
+    """The cylinder through ``p`` and ``q`` with these normals there; None where there is none."""
     direction = np.cross(n, m)
     length = float(np.linalg.norm(direction))
     if length < LEAST_CROSS:
@@ -175,7 +175,7 @@ def _least_squares_cylinder(points: Floats, start: ShapeParameters) -> ShapePara
     axis, radius = start
     largest = 2 * float(np.ptp(points, axis=0).max()) + 1e-9
     for _ in range(ITERATIONS):
-        # about the points' own middle a turn and a shift of the axis are told apart
+        # about the points' own middle a turn and a shift of the axis are distinguished
         middle = points.mean(axis=0)
         axis = np.concatenate(
             [axis[:3] + axis[3:] * float((middle - axis[:3]) @ axis[3:]), axis[3:]]

@@ -80,7 +80,7 @@ class MeasuredShape:
     largest_mm: float
     """Of the distances of the points used."""
     covariance: Floats | None
-    """None where too few frames took part to tell."""
+    """None where too few frames took part."""
 
     def distances(self, points_mm: Floats) -> Floats:
         """Signed distances (N,) in mm of points (N, 3)."""

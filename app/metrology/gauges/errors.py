@@ -165,7 +165,7 @@ def _z_error_um(fit: PlaneFit, nominal: NominalPlane) -> float | None:
 
 @dataclass(frozen=True)
 class Repeatability:
-    """How far a figure scatters over several clouds (paper, Fig. 7-10)."""
+    """How far a figure scatters over several clouds (article, Fig. 7-10)."""
 
     mean: float
     standard_deviation: float

@@ -20,7 +20,7 @@ LEAST_SPREAD_MM = 5.0
 LEAST_FACING = 0.05
 """Mean square of the sphere's outward directions, at the touches, along any direction."""
 FIXED_RADIUS = 1e-6
-"""Touches that are worse conditioned do not tell the sphere's radius."""
+"""Touches that are worse conditioned do not determine the sphere's radius."""
 STEPS = 30
 TWO_SIGMA = 0.97725
 

@@ -27,7 +27,7 @@ Cause = Literal["sound", "other-tip", "small", "large", "bent", "scatter", "unsu
 
 @dataclass(frozen=True)
 class TipCheck:
-    """What the touches of one sphere tell of the tip."""
+    """What the touches of one sphere show of the tip."""
 
     contact_count: int
     diameter_mm: float
@@ -40,7 +40,7 @@ class TipCheck:
     """Largest distance of a touch from the sphere that fits them all."""
     bend_um: float | None
     """How far the tip's centre seems to be from where the datasheet has it; None where the
-    wrist was not turned enough to tell."""
+    wrist was not turned enough."""
     decision: Decision
     cause: Cause
 

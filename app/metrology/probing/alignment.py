@@ -117,7 +117,7 @@ def align(
     scaled = residuals[kept] / sds_mm[kept]
     variance_factor = float(scaled @ scaled) / max(int(kept.sum()) - 6, 1)
     if tip_covariances_mm2 is not None:
-        # few contacts may agree by luck: never claim less than the encoders' noise
+        # few contacts may agree by chance: never claim less than the encoders' noise
         variance_factor = max(variance_factor, 1.0)
     J_scaled = J[kept] / sds_mm[kept, None]
     return Alignment(

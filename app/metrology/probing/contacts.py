@@ -156,7 +156,7 @@ def off_face_mask(
     """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to.
 
     A crest ends at its groove and a floor at its walls, so that contacts on the crests
-    tell a block from the same block turned half round.
+    distinguish a block from the same block turned half round.
     """
     x, y, z = points_obj_mm.T
     edges = np.array(block.edges_x_mm)

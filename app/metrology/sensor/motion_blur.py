@@ -8,7 +8,7 @@ from app.metrology.transforms import Floats
 
 BLUR_SPACINGS, BLUR_UNCERTAINTIES = 4.0, 10.0
 """A stripe that smears over less than this many of its points' spacings, or of their own
-standard uncertainties, loses nothing that could be told."""
+standard uncertainties, loses nothing that could be measured."""
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ def variances_of_lines(
         off: (N,) residuals over their deviations; line: (N,) the number of each one's line.
         kept: (N,) which of them count; places: (N, 2) pixels they were observed at.
         about_mean: whether what all points of a line share is no scatter.
-        fewest: points that tell a line's scatter.
+        fewest: points that determine a line's scatter.
     """
     count = len(off)
     variances, workspace = np.empty(count), np.empty((3, count))

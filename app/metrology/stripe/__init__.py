@@ -17,7 +17,7 @@ work is done in C (``app/native/c/stripe``), one call a frame, in this order:
 12. ``speckle.c``: what their points scatter by beyond the noise of the pixels.
 
 ``pipeline.c`` reads top to bottom. Where the line's core is clipped (``clipped.h``), only its
-flanks tell where it lies:
+flanks show where it lies:
 
 1. ``clipped_runs.c``: the runs of clipped pixels in every column.
 2. ``cores.c``: those that are the line's core.

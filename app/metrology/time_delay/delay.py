@@ -176,7 +176,7 @@ def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
 
 
 def _check_delay(found: DelayEstimate) -> None:
-    """Refuses a pass that cannot tell the delay, in words that say what to do otherwise."""
+    """Refuses a pass that cannot determine the delay, in words that say what to do otherwise."""
     across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
     speed = float(np.sqrt(np.mean(across**2)))
     known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))

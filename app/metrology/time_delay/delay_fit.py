@@ -11,7 +11,7 @@ from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 
 CHORD_NS = 10_000_000
-"""Velocities are told over so much before and after. The encoders' noise at the frame's
+"""Velocities are estimated over so much before and after. The encoders' noise at the frame's
 own moment has then no part in them, so that it cannot pull the delay."""
 STEPS, STEP_NS = 40, 500.0
 HUBER = 2.0
@@ -29,10 +29,10 @@ class DelayHypothesis:
 
 @dataclass(frozen=True)
 class DelayEstimate(DelayHypothesis):
-    """What a fit tells beside them."""
+    """What a fit gives beside them."""
 
     uncertainty_ns: float
-    """k = 1; infinite where the pass does not tell the delay at all."""
+    """k = 1; infinite where the pass does not determine the delay at all."""
     across_mm_s: Floats
     """(F,) the line's velocity across the plane."""
     speed_mm_s: float
@@ -71,7 +71,7 @@ def fit_delay(
         step = np.linalg.lstsq(root[:, None] * rows.J, -root * rows.off_mm, rcond=SINGULAR)[0]
         normal = fit.normal + step[1:3] @ rows.tangents
         length = float(np.linalg.norm(normal))
-        # far from the solution a step may be too long for what the chords tell
+        # far from the solution a step may be too long for what the chords show
         change_ns = float(np.clip(step[0] * 1e9, -20e6, 20e6))
         fit = DelayHypothesis(
             fit.delay_ns + change_ns, normal / length, (fit.offset_mm + step[3]) / length

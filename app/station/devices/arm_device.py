@@ -152,7 +152,7 @@ class StationArm:
         before.
 
         Raises:
-            Refusal: ``arm-lost``, ``no-arm-model``, ``joint-implausible``, ``no-joints``,
+            OperationError: ``arm-lost``, ``no-arm-model``, ``joint-implausible``, ``no-joints``,
                 or ``arm-moving``.
         """
         doubt = self.doubt() if until_ns is None else None
@@ -168,7 +168,7 @@ class StationArm:
         """The mean between two stamps, if the arm was still from the one to the other.
 
         Raises:
-            Refusal: as ``average``, with ``moved_code`` where the arm moved.
+            OperationError: as ``average``, with ``moved_code`` where the arm moved.
         """
         ring, arm = self._ring, self._model()
         if ring is None or not ring.wait_past(last_ns, LATE_S):

@@ -40,7 +40,7 @@ def capture(
             the arm moved between them.
 
     Raises:
-        Refusal: no frame came, the laser did not obey, or the arm moved.
+        OperationError: no frame came, the laser did not obey, or the arm moved.
     """
     if set_laser is None:
         frame = _wait_for_frame(hub, now_ns(), None)

@@ -93,7 +93,7 @@ class Rig:
         """The calibration picture: ambient and laser while the arm is still, or one with both.
 
         Raises:
-            Refusal: ``arm-moving`` before, ``arm-moved`` during the capture,
+            OperationError: ``arm-moving`` before, ``arm-moved`` during the capture,
                 ``arm-lost``, ``no-arm-model``, ``sensor-lost``, ``laser-stuck``, ``busy``.
         """
         _, info = self.sensor.open_driver()

@@ -38,7 +38,7 @@ class TargetOverlay:
 
 
 def detect_target(image: Image, item: CalibrationTarget, stripe: Stripe | None) -> TargetOverlay:
-    """The object found in a picture; raises ``Refusal`` where it is not to be found.
+    """The object found in a picture; raises ``OperationError`` where it is not to be found.
 
     Args:
         stripe: of the same picture, where the laser was on.

@@ -156,7 +156,7 @@ class Scanner:
             into: a new folder of the caller's to record in, not among the scans.
 
         Raises:
-            Refusal: no valid calibration for these devices, a device lost, another
+            OperationError: no valid calibration for these devices, a device lost, another
                 scan running, or no space on the disk.
         """
         with self._lock:

@@ -173,7 +173,7 @@ def select_points(
     """The points on the surface in front, under a rectangle of the picture.
 
     Raises:
-        Refusal: there are none.
+        OperationError: there are none.
     """
     shown = [cloud.points_mm for cloud in clouds]
     surface = FrontSurface(

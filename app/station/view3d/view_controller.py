@@ -148,7 +148,7 @@ class ViewController:
         """Puts a scan into the picture, beside those that are there.
 
         Raises:
-            Refusal: its cloud is not in the data folder any more.
+            OperationError: its cloud is not in the data folder any more.
         """
         file = scan.folder / CLOUD
         if not file.is_file():
@@ -176,7 +176,7 @@ class ViewController:
         """Colours everything by this, within limits in the legend's unit, or automatic ones.
 
         Raises:
-            Refusal: the limits are no range, or there is no shape to deviate from.
+            OperationError: the limits are no range, or there is no shape to deviate from.
         """
         if limits is not None and not (
             all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
@@ -202,7 +202,7 @@ class ViewController:
         Returns at once; the shape appears in ``state``, or an event says why it does not.
 
         Raises:
-            Refusal: the browser is not known, or another fit is under way.
+            OperationError: the browser is not known, or another fit is under way.
         """
         with self._lock:
             camera = self._cameras.get(key)

@@ -121,7 +121,7 @@ def observe_block(
     Args:
         number: of the pose.
         block: the block by its certificate.
-        ambient: (H, W) grey with room light; with both lights where ``laser`` is None.
+        ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
         laser: (H, W) grey with the laser alone.
         axis: along which stripe points are counted, see ``extract_stripe``.
 
@@ -172,9 +172,11 @@ def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> Bl
     report(message("adjusting-all-poses-together"), 0.3)
     found = _adjust_twice(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
-    found, astray = remove_outlier_lines(found)
+    found, outlier_lines_mm = remove_outlier_lines(found)
     report(message("working-out-uncertainty"), 0.8)
-    result = _assemble_result(inputs, alignment, found, mounting, start.excluded_lines_mm | astray)
+    result = _assemble_result(
+        inputs, alignment, found, mounting, start.excluded_lines_mm | outlier_lines_mm
+    )
     report(message("done"), 1.0)
     return result
 

@@ -30,11 +30,11 @@ from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 
-# The arm reads worse than its sheet by this factor.
+# The arm's readings are worse than its datasheet by this factor.
 NOISY = 2.5
 # One pose may fit its edges so much worse than all together should.
 WORST_POSE = 1.5
-# Turns between the poses below which they tell little more than one.
+# Poses with smaller turns between them determine little more than one does.
 ALIKE_DEG = 8.0
 
 

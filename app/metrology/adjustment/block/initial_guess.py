@@ -22,10 +22,10 @@ FEWEST_CORNERS = 6
 def common_camera(
     seen: Sequence[BlockObservation], block: Crenellated
 ) -> tuple[Camera, LaserPlane]:
-    """Camera (its own frame as sensor frame) and plane in it, from the pose that tells most.
+    """Camera (its own frame as sensor frame) and plane in it, from the most informative pose.
 
     Raises:
-        OperationError: of the best pose, where none tells.
+        OperationError: of the best pose, where none is enough.
     """
     refusal: OperationError | None = None
     for pose in sorted(seen, key=_observation_weight, reverse=True):

@@ -19,7 +19,7 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, apply
 
-# A line that lies less far off than this is never astray.
+# A line that lies less far off than this is never an outlier.
 OUTLIER_LINE_MM = 0.05
 FEWEST_LINES = 3
 # Lines that lie so far off the plane that suits them best are of no one plane.
@@ -57,17 +57,17 @@ def fit_common_plane(
     shown = {number: line for number, line in lines.items() if line is not None}
     if len(shown) < 2:
         return plane, {}
-    telling = {number: line for number, line in shown.items() if line.share >= AGREEING} or shown
-    plane = min((line.plane for line in telling.values()), key=lambda k: _score_plane(telling, k))
+    reliable = {number: line for number, line in shown.items() if line.share >= AGREEING} or shown
+    plane = min((line.plane for line in reliable.values()), key=lambda k: _score_plane(reliable, k))
     off_mm = {number: line.off_mm(plane) for number, line in shown.items()}
     far = {number: off for number, off in off_mm.items() if off > HOPELESS_MM}
-    if len(telling) > 1 and 2 * len(telling.keys() & far) >= len(telling):
-        most_mm = max(off_mm[number] for number in telling)
+    if len(reliable) > 1 and 2 * len(reliable.keys() & far) >= len(reliable):
+        most_mm = max(off_mm[number] for number in reliable)
         raise OperationError(
             "lines-contradict",
             message(
                 "lasers-lines-poses-lie-up-off",
-                poses=", ".join(map(str, telling)),
+                poses=", ".join(map(str, reliable)),
                 most=quantity(most_mm, "mm", 1),
             ),
             message("half-them-more-contradicting-others-none"),
@@ -122,17 +122,17 @@ def remove_outlier_lines(found: AdjustmentResult) -> tuple[AdjustmentResult, dic
     Fewer than half of all lines are left out; their poses stay. Beside it, by the numbers of
     these poses, how far off (mm) their lines are.
     """
-    astray: dict[int, float] = {}
+    outliers_mm: dict[int, float] = {}
     off_mm = line_offsets_mm(found)
     total = int(np.isfinite(off_mm).sum())
-    while np.isfinite(off_mm).sum() >= FEWEST_LINES and 2 * (len(astray) + 1) < total:
+    while np.isfinite(off_mm).sum() >= FEWEST_LINES and 2 * (len(outliers_mm) + 1) < total:
         worst = find_worst_outlier(off_mm, OUTLIER_LINE_MM)
         if worst is None:
             break
-        astray[found.problem.numbers[worst]] = float(off_mm[worst])
-        found = solve_adjustment(without_lines(found.problem, astray), found.state)
+        outliers_mm[found.problem.numbers[worst]] = float(off_mm[worst])
+        found = solve_adjustment(without_lines(found.problem, outliers_mm), found.state)
         off_mm = line_offsets_mm(found)
-    return found, astray
+    return found, outliers_mm
 
 
 def without_lines(problem: AdjustmentProblem, numbers: Collection[int]) -> AdjustmentProblem:

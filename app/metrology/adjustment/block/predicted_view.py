@@ -27,7 +27,7 @@ class ObservationNoise:
     """How well pictures are measured: standard deviations of one edge point, one
     corner of a chessboard, and one stripe point.
 
-    ``merged`` points are put into one that tells as much, which is all that a foretold
+    ``merged`` points are put into one of equal weight, which is all that a predicted
     uncertainty needs.
     """
 

@@ -1,4 +1,4 @@
-"""A bundle of pictures of one board: lens, places and the sheet's shape, from corners alone.
+"""A bundle of pictures of one board: lens, places and surface, from corners alone.
 
 It needs neither arm nor laser, and starts the adjustment of everything.
 """
@@ -31,7 +31,7 @@ LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
 
 @dataclass(frozen=True)
 class Bundle:
-    """The camera in each of P poses, board frame as sensor frame; the sheet's coordinates, with
+    """The camera in each of P poses, board frame as sensor frame; the surface's coordinates, with
     deviations as certified or worse; by how much corners scatter in each picture (P,), as rms
     of one coordinate; and the covariance (6P, 6P) of the left twists (rad, mm) of
     ``T_cam_obj``."""
@@ -47,7 +47,7 @@ class Bundle:
 
 
 def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
-    """The most likely lens, places and sheet for the corners of all views.
+    """The most likely lens, places and surface for the corners of all views.
 
     Args:
         cameras: a start, one for each view, alike but for their places.
@@ -89,7 +89,7 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrio
     scale = np.diag(N) ** -0.5
     C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
     step = -C @ g
-    # of the sheet's unknowns, what the pictures and not its certificate determined
+    # of the surface's unknowns, what the pictures and not its certificate determined
     determined_count = float(np.sum(1 - np.diag(C)[surface_rows] / sd**2))
     r = np.concatenate(normed)
     degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - determined_count, 1)
@@ -111,8 +111,8 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrio
 def _estimate_surface_sd(
     board: Chessboard, off: Floats, variances: Floats, certified: Floats, sd: Floats
 ) -> Floats:
-    """Deviations (B,) of the sheet's coordinates: of each group those of its certificate, unless
-    the pictures tell that it is worse (Foerstner)."""
+    """Deviations (B,) of the surface's coordinates: each group's by certificate, unless the
+    pictures show that it is worse (Foerstner)."""
     deviations = certified.copy()
     for group in coordinate_groups(board):
         least, now = certified[group], float(sd[group][0])

@@ -58,7 +58,7 @@ from app.metrology.transforms import Floats, inverse
 
 Progress = Callable[[Text, float], None]
 
-# How far whole lines lie off their plane is told again until it is told the same within this.
+# How far whole lines lie off their plane is estimated until it changes by less than this factor.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
 
 
@@ -92,7 +92,7 @@ def observe_board(
     Args:
         number: of the pose.
         board: the board by its certificate.
-        ambient: (H, W) grey with room light; with both lights where ``laser`` is None.
+        ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
         laser: (H, W) grey with the laser alone.
         axis: along which stripe points are counted, see ``extract_stripe``.
 
@@ -147,9 +147,9 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
 
 
 def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[AdjustmentResult, Mounting]:
-    """Adjusted twice: poses and contacts that are astray, the lines' points and how much they
-    count, all weights and the lens terms that are significant are told by the first result, as
-    the start was too coarse."""
+    """Adjusts twice: outlier poses and contacts, the lines' points and how much they count, all
+    weights and the significant lens terms follow from the first result, as the start was too
+    coarse."""
     found = solve_adjustment(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
     found = remove_outlier_contacts(found)

@@ -36,11 +36,11 @@ REMEDIES = {
     "stripe": message("take-more-pictures-lasers-line-flat"),
     "distortion": message("take-more-pictures-board-all-corners"),
 }
-# Poses tell the same of everything: this many at most are asked for.
+# Every pose adds the same information: this many at most are asked for.
 MOST_ASKED = 60
 # Robot and pictures disagree in the board's tilt by more than this, and more than in turn.
 ROCKING_RAD, ROCKING_TIMES = 1e-3, 3.0
-# A sheet that bends by more than this times its flatness does not lie as it should.
+# A board that bends by more than this times its flatness does not lie as it should.
 PRINT_TIMES = 3.0
 BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
@@ -163,7 +163,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     observed = {pose.number for pose in evidence.observations}  # others' reasons say what to do
     about_lines = (
         evidence.excluded_lines_mm | evidence.contradicting_lines_mm
-    )  # are told with the lines
+    )  # are reported with the lines
     findings = [
         CalibrationFinding(
             "attention",

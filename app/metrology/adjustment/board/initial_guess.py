@@ -19,7 +19,7 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 
 FEWEST_POSES = 3
-# Pictures of a flat board tell the focal length only where they are tilted so much.
+# Pictures of a flat board determine the focal length only where they are tilted so much.
 LEAST_TILT_DEG = 5.0
 # The arm's motion against the squares' size, refused: relative, and in standard deviations.
 SIZE_SHARE, SIZE_SIGMAS = 0.03, 5.0
@@ -77,7 +77,7 @@ def board_camera(
 def _calibrate_camera(
     seen: Sequence[BoardObservation], points: Floats, size_px: tuple[int, int]
 ) -> tuple[Floats, Floats]:
-    """Camera matrix (3, 3), and distortion (5,) of which k1 alone is told."""
+    """Camera matrix (3, 3), and distortion (5,) of which k1 alone is estimated."""
     flags = (
         cv2.CALIB_FIX_K2
         | cv2.CALIB_FIX_K3
@@ -102,7 +102,7 @@ def number_corners(
     The board must turn before the camera by as much as the flange turns.
 
     Raises:
-        OperationError: the arm's poses do not tell either.
+        OperationError: the arm's poses do not decide it either.
     """
     if not any(pose.detection.other_numbers for pose in seen):
         return tuple(seen)

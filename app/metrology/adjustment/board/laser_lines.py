@@ -17,7 +17,7 @@ from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.transforms import Floats
 
 FEWEST_STRIPE_POINTS = 20
-# Lines contradict the others beyond this, beyond so many times the sheet's flatness, and
+# Lines contradict the others beyond this, beyond so many times the board's flatness, and
 # so many standard deviations of those that agree.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
 AGREEING_ROUNDS = 8
@@ -42,9 +42,9 @@ class LaserLines:
     """What the lines of P poses say of the laser's plane before the adjustment.
 
     ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
-    line). Of those further off than the others explain, ``left_out`` are few, or the others
-    agree closely (Student's test); ``apart`` are neither, or the last ones: nobody knows where
-    the laser is now, and all count. ``moved`` tells that they are too many to be mistakes, left
+    line). Of those further off than the others explain, ``excluded`` are few, or the others
+    agree closely (Student's test); ``contradicting`` are neither, or the last ones: nobody knows
+    where the laser is now, and all count. ``laser_moved``: they are too many to be mistakes, left
     out or not. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm`` and
     ``scatter_rad`` are the standard deviations by which whole lines lie off it and are turned
     out of it.
@@ -62,7 +62,7 @@ class LaserLines:
 def fit_laser_lines(
     views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]
 ) -> LaserLines:
-    """The lines where the pictures put the sheet.
+    """The lines where the pictures put the board's surface.
 
     Raises:
         OperationError: fewer than two lines on the board, none that most agree on, all in one
@@ -120,7 +120,7 @@ def _find_contradictions(
     lie in it: few enough to leave out, or too many.
 
     From the better half of the lines on, the plane is laid through those that agree with it.
-    How closely they do, their places and their turns tell together, in their usual proportion.
+    How closely they do follows from their places and turns, in their usual proportion.
     """
     from scipy.special import stdtrit  # slow to load, and needed for boards alone
 
@@ -160,7 +160,7 @@ def _prediction_factors(
 
 
 def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
-    """(N, 3) where a view's line lies on the sheet, in the camera's frame."""
+    """(N, 3) where a view's line lies on the surface, in the camera's frame."""
     camera = found.cameras[pose]
     points = intersect_surface(view.board, camera, found.coordinates, view.stripe.uv_px)
     points = points[around_pattern(view.board, points)]
@@ -169,7 +169,7 @@ def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
 
 def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
     """The plane that suits all lines best, each with an offset and a turn of its own, and the
-    standard deviations of these (mm, rad), which the lines themselves tell.
+    standard deviations of these (mm, rad), estimated from the lines themselves.
 
     A laser that ``moved`` turned as well, by so much that its lines' ends are off like their
     middles: no direction is then trusted more than the places.
@@ -210,7 +210,7 @@ def with_line_scatter(problem: AdjustmentProblem, scatter: Floats) -> Adjustment
 
 def estimate_line_scatter(found: AdjustmentResult) -> Floats:
     """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
-    in how the sheet bends: what each line's offset and turn left over, against what of them
+    in how the board bends: what each line's offset and turn left over, against what of them
     the adjustment did not determine (Foerstner)."""
     square, free = np.zeros(2), np.zeros(2)
     for scene, (_, rows), (_, judgement) in zip(
@@ -231,8 +231,8 @@ def _estimate_scatter(squares: Floats, free: Floats) -> Floats:
     are ``free`` (2,).
 
     A sensor at rest scatters far less than is usual, a laser that moves far more: before any
-    is seen, only the order of magnitude is known (a log-normal prior). Told is the expected
-    logarithm, so that one or two lines leave what is usual.
+    is seen, only the order of magnitude is known (a log-normal prior). The expected logarithm
+    is returned, so that one or two lines leave what is usual.
     """
     sizes = SIZES[:, None] * USUAL_SCATTER
     by_usual = -((np.log(SIZES) / np.log(USUAL_WITHIN)) ** 2)[:, None] / 2

@@ -1,4 +1,4 @@
-"""The chessboard as the adjustment sees it: its corners, and the laser's line on its sheet."""
+"""The chessboard as the adjustment sees it: its corners, and the laser's line on its surface."""
 
 from dataclasses import dataclass, replace
 
@@ -25,7 +25,7 @@ from app.metrology.transforms import Floats
 # Points of a line are used where they lie no further off it, across the laser's plane, than
 # this, and than so many times the usual.
 OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
-# Rounds of walking along a ray to the bent sheet: each gains two digits.
+# Rounds of walking along a ray to the bent surface: each gains two digits.
 BENT_ROUNDS = 3
 
 
@@ -36,7 +36,7 @@ class BoardView:
     ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
     blur and print differ from corner to corner. ``line_off_mm``
     and ``line_off_rad`` are by how much the line lies off the laser's plane as a whole, and by
-    how much it is turned out of it: the sheet bends, and the laser may have moved, by more than
+    how much it is turned out of it: the board bends, and the laser may have moved, by more than
     its points show.
     """
 
@@ -121,9 +121,9 @@ class BoardView:
         )
 
     def _stripe_rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> Rows:
-        """Stripe points on the curve in which the laser's plane meets the sheet.
+        """Stripe points on the curve in which the laser's plane meets the surface.
 
-        At each point the sheet is taken as its tangent plane, the curve as a straight line.
+        At each point the surface is taken as its tangent plane, the curve as a straight line.
         """
         uv, sigma = self.stripe.uv_px[self.used], self.stripe.sigma_px[self.used]
         on = intersect_surface(self.board, camera, coordinates, uv)
@@ -135,7 +135,7 @@ class BoardView:
         sine2 = np.maximum(1 - tilt**2, 1e-12)[:, None]
         across = (n - tilt[:, None] * upright) / sine2  # of the line, for the plane's offset
         start = on + (plane.offset_mm - on @ n)[:, None] * across
-        lifted = (upright - tilt[:, None] * n) / sine2 * upright[:, 2:]  # for the sheet's height
+        lifted = (upright - tilt[:, None] * n) / sine2 * upright[:, 2:]  # for the surface's height
         seen, by_camera, by_point = project_with_jacobian(camera, start)
         tangent = np.einsum("nij,nj->ni", by_point, np.cross(n, upright))
         tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
@@ -172,7 +172,7 @@ class BoardView:
 def intersect_surface(
     board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats
 ) -> Floats:
-    """Where the rays of pixels (N, 2) meet the bent sheet: (N, 3) in the board's frame."""
+    """Where the rays of pixels (N, 2) meet the bent surface: (N, 3) in the board's frame."""
     origin, along = rays(camera, uv_px)
     height = np.zeros(len(uv_px))
     points = np.zeros((len(uv_px), 3))

@@ -42,7 +42,7 @@ from app.metrology.limits import LIMITS, Limits
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
-# The one feature that is touched: the plane of the sheet.
+# The one feature that is touched: the plane of the board.
 FEATURE = "board"
 # Contacts may lie so far off the board of the pictures before these have been adjusted, and
 # single ones so far off the others.
@@ -69,11 +69,11 @@ class BoardInputs:
 
 @dataclass(frozen=True)
 class BoardStart:
-    """The problem, a start for it, and what was told on the way.
+    """The problem, a start for it, and what was found on the way.
 
-    ``lines_out`` tells by pose number how far off (mm) the lines are that were left out, and
-    ``apart`` the same of those that contradict but count; where these are too many to be
-    mistakes the laser ``moved``."""
+    ``excluded_lines_mm`` is by pose number how far off the lines are that were left out, and
+    ``contradicting_lines_mm`` the same of those that contradict but count; where these are too
+    many to be mistakes, ``laser_moved``."""
 
     problem: AdjustmentProblem
     state: AdjustmentState
@@ -87,7 +87,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     """All that is to agree without what contradicts the rest, and a start for it.
 
     Raises:
-        OperationError: the poses, the pictures or the lines do not tell enough, or contradict.
+        OperationError: the poses, the pictures or the lines are not enough, or contradict.
     """
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
@@ -144,7 +144,7 @@ def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardV
 def _robot_noise(
     found: Bundle, mounting: Mounting, board: Chessboard
 ) -> tuple[Mounting, RobotNoise]:
-    """A robot's noise, told by the poses that do not contradict; those astray do not either."""
+    """A robot's noise, estimated without poses that contradict; outliers are marked as such."""
     start = mounting.T_flange_cam, mounting.T_arm_obj
     every = PosePairs(
         mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, pattern_centre(board)
@@ -152,18 +152,18 @@ def _robot_noise(
     while True:
         agree = np.flatnonzero(~mounting.contradicts)
         seen = every.select(agree)
-        stray = find_robot_outlier(seen, *start)
-        if stray is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
+        outlier = find_robot_outlier(seen, *start)
+        if outlier is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
             return mounting, estimate_robot_noise(seen, *start)
         contradicts = mounting.contradicts.copy()
-        contradicts[agree[stray]] = True
+        contradicts[agree[outlier]] = True
         mounting = replace(mounting, contradicts=contradicts)
 
 
 def _contact_observations(
     inputs: BoardInputs, T_arm_obj: Floats, coordinates: int, noise: RobotNoise | None
 ) -> ContactObservations | None:
-    """Contacts on the bent sheet, where the pictures put it.
+    """Contacts on the bent surface, where the pictures put it.
 
     Args:
         noise: of a robot; an arm with joints has its own.

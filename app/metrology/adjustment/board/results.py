@@ -25,7 +25,7 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class BoardContacts:
-    """Of N contacts: how far each lies off the sheet, and which were left out."""
+    """Of N contacts: how far each lies off the board, and which were left out."""
 
     residuals_um: Floats
     excluded: NDArray[np.bool_]

@@ -1,12 +1,12 @@
-"""The sheet that carries a chessboard: its corners' true places, and how it bends.
+"""A chessboard's surface: its corners' true places, and how it bends.
 
 Its coordinates are the pattern's width and height (mm), the strengths (mm) of a few
-smooth shapes in which sheets bend, what each corner is misprinted by (mm), and by how
+smooth shapes in which it bends, what each corner is misprinted by (mm), and by how
 much each is lifted or dented by itself (mm): paper is not as smooth as the shapes.
 
 The bend is a smooth random surface, a Gaussian process that is as high as the board's
 flatness and alike over ``SMOOTH_SHARE`` of the pattern; its shapes are the principal ones
-(Karhunen-Loeve) of the sheet around the pattern, so that their strengths are independent.
+(Karhunen-Loeve) of the surface around the pattern, so that their strengths are independent.
 What a shape has of a plane over the pattern is taken off: that is the board's place.
 """
 
@@ -22,7 +22,7 @@ from app.metrology.transforms import Floats
 
 EXTENT = slice(0, 2)
 LEAST_MM = 1e-6
-# The sheet is described this far around the pattern, in squares. Bends are alike over this
+# The surface is described this far around the pattern, in squares. Bends are alike over this
 # share of the pattern's diagonal, and nodes stand closer by a factor.
 AROUND_SQUARES = 4.0
 SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
@@ -74,7 +74,7 @@ class BendModes:
 
 @dataclass(frozen=True)
 class SurfacePoints:
-    """The sheet at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
+    """The surface at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
     follow the strengths of the shapes (N, K)."""
 
     height_mm: Floats
@@ -84,7 +84,7 @@ class SurfacePoints:
 
 @lru_cache(maxsize=8)
 def bend_modes(board: Chessboard) -> BendModes:
-    """In what shapes the sheet of a board may bend, each of variance 1 at its strongest."""
+    """In what shapes a board's surface may bend, each of variance 1 at its strongest."""
     length = SMOOTH_SHARE * board.size_mm
     margin = AROUND_SQUARES * board.square_mm
     span = board.extent_mm + 2 * margin
@@ -131,14 +131,14 @@ def board_prior(board: Chessboard) -> TargetPrior:
 
 
 def evaluate_surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> SurfacePoints:
-    """The bent sheet at places (N, 2) of the board's frame."""
+    """The bent surface at places (N, 2) of the board's frame."""
     own = bend_modes(board)
     height, slope = own.evaluate(coordinates[bend_slice(board)], xy_mm)
     return SurfacePoints(height, slope, own.by_strength(xy_mm))
 
 
 def surface_height_mm(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
-    """Heights (N,) of the bent sheet at places (N, 2) of the board's frame."""
+    """Heights (N,) of the bent surface at places (N, 2) of the board's frame."""
     return bend_modes(board).evaluate(coordinates[bend_slice(board)], xy_mm)[0]
 
 
@@ -151,6 +151,6 @@ def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
 
 
 def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:
-    """Which points (N, 3) lie where the sheet is described."""
+    """Which points (N, 3) lie where the surface is described."""
     beyond = np.maximum(-points_mm[:, :2], points_mm[:, :2] - board.extent_mm)
     return np.asarray((beyond < AROUND_SQUARES * board.square_mm).all(axis=1))

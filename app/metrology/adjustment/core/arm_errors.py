@@ -15,9 +15,9 @@ from app.metrology.transforms import Floats
 
 # An error in turning, of a robot or of a link, times this length, is as large as one in place.
 LEVER_MM = 400.0
-# Encoders are never better than this, whatever their sheet says.
+# Encoders are never better than this, whatever their datasheet says.
 LEAST_ENCODER_RAD = 1e-6
-# What a robot's controller is off by from pose to pose, where nothing tells, and at least.
+# What a robot's controller is off by from pose to pose, where nothing is known, and at least.
 USUAL_ROBOT_MM, LEAST_ROBOT_MM = 0.1, 0.001
 
 

@@ -41,7 +41,7 @@ LENS_TERMS = (((2, 3), 5.0), ((1,), 3.0), ((0,), 2.0))
 MOST_REWEIGHTINGS = 4
 # Judgements are alike where so few points changed sides, and weights by so little.
 SAME_POINTS, SAME_WEIGHTS = 0.003, 0.05
-# Scales are told in the first rounds only, so that the rest converge.
+# Scales are estimated in the first rounds only, so that the rest converge.
 ROUNDS_OF_SCALES = 4
 MOST_ROUNDS = 30
 CONVERGED = 1e-3  # a step this small against every standard deviation
@@ -207,7 +207,7 @@ def _iterate(
     free: NDArray[np.bool_],
     rounds_of_scales: int,
 ) -> AdjustmentResult:
-    """Gauss-Newton with points and weights as they were judged, the scales told on the way.
+    """Gauss-Newton with points and weights as they were judged, the scales estimated on the way.
 
     Where it runs away, it is refused, so that numbers too large need no word of their own.
     """
@@ -223,9 +223,9 @@ def _iterate(
             break
         largest = float(np.max(np.abs(step[free]) / np.sqrt(np.diag(covariance)[free])))
         if largest < CONVERGED and turn > 0:
-            told = rounds_of_scales > 0
+            scales_estimated = rounds_of_scales > 0
             return AdjustmentResult(
-                linear, scales, free, covariance, parts, judgements, turn + 1, told
+                linear, scales, free, covariance, parts, judgements, turn + 1, scales_estimated
             )
         linear = linearise(linear.problem, at, linear.state.apply_step(step, at))
     raise no_convergence_error()

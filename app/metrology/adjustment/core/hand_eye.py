@@ -18,7 +18,7 @@ Thing = Literal["object", "board"]
 CONTRADICTS_MM, CONTRADICTS_TIMES = 1.5, 6.0
 # Poses that scatter by this much have no place in common at all.
 HOPELESS_MM = 5.0
-# Turns between poses less than this tell nothing of where the sensor sits.
+# Turns between poses less than this do not determine where the sensor sits.
 LEAST_TURN_RAD = np.deg2rad(3.0)
 # Second direction of turning against the first, below which the turns are about one axis.
 LEAST_SECOND_AXIS = 0.05

@@ -94,14 +94,14 @@ def linearise(
     touches = problem.contacts
     if touches is None:
         return Linearisation(problem, at, state, scenes, rows, None, None)
-    told = contact_rows(touches, state.T_arm_obj, state.coordinates, state.links)
+    touch_rows = contact_rows(touches, state.T_arm_obj, state.coordinates, state.links)
     J = np.zeros((len(touches), at.count))
-    J[:, PLACE] = told.by_place
-    J[:, at.links] = told.by_links
-    J[:, at.coordinates] = told.by_coordinates
+    J[:, PLACE] = touch_rows.by_place
+    J[:, at.links] = touch_rows.by_links
+    J[:, at.coordinates] = touch_rows.by_coordinates
     kept = touches.inliers
-    contacts = ContactEquations(told.residuals_mm[kept], J[kept], told.noise_mm2[kept])
-    return Linearisation(problem, at, state, scenes, rows, told, contacts)
+    contacts = ContactEquations(touch_rows.residuals_mm[kept], J[kept], touch_rows.noise_mm2[kept])
+    return Linearisation(problem, at, state, scenes, rows, touch_rows, contacts)
 
 
 def assemble_normal_equations(linear: Linearisation, judgements: PoseWeights) -> NormalEquations:

@@ -1,10 +1,10 @@
 """How large the links' errors are is itself not known, and the result's uncertainty grows by that.
 
-One set of contacts tells the size of turns and of shifts to half of their value or so. With
+One set of contacts determines the size of turns and shifts to half of their value or so. With
 the likeliest size alone the covariance would be believed as if that were certain; what the
 result moves by from size to size, each counted by how well it explains all that was measured,
 adds to it (Kass and Steffey 1989, their first order, for hierarchical models in general). The
-covariance itself stays that of the size told.
+covariance itself stays that of the estimated size.
 """
 
 from dataclasses import replace
@@ -16,7 +16,7 @@ from app.metrology.adjustment.core.linearise import NormalEquations
 from app.metrology.adjustment.core.variance_components import Scales, size_prior
 from app.metrology.transforms import Floats
 
-# Sizes looked at, as factors of those told, of turns and of shifts alike.
+# Sizes looked at, as factors of those estimated, of turns and of shifts alike.
 FACTORS = np.exp(np.linspace(-1.5, 1.5, 7))
 
 
@@ -27,7 +27,7 @@ def estimate_link_size_covariance(
 
     Args:
         equations: at the minimum, about which they are taken as linear.
-        scales: as told; sizes around them are looked at, noise and touches as they are.
+        scales: as estimated; sizes around them are looked at, noise and touches as they are.
         free: (U,) the unknowns that are not held.
     """
     at = equations.linear.at
@@ -47,7 +47,7 @@ def estimate_link_size_covariance(
         for turn in FACTORS
         for shift in FACTORS
     ]
-    # At the minimum the data pull the links as hard as the size told holds them back.
+    # At the minimum the data pull the links as hard as the estimated size holds them back.
     pull = -start / scales.link_error_sds(len(start) // 6) ** 2
     found = [
         link_likelihood(S, pull, start, size.link_error_sds(len(start) // 6)) for size in sizes
@@ -68,11 +68,11 @@ def link_likelihood(
     logarithm but for a constant, their step (L,) there, and its covariance (L, L).
 
     Args:
-        S: (L, L) what the data tell of them.
+        S: (L, L) the data's information about them.
         pull: (L,) the data's gradient at ``start`` (L,).
         sd: (L,) of their errors.
     """
-    # In units of the size, so that the matrix is near the unit matrix where nothing is told.
+    # In units of the size, so that the matrix is near the unit matrix where nothing is known.
     H = S * np.outer(sd, sd) + np.eye(len(sd))
     r = pull * sd + start / sd
     inverted = np.linalg.inv(H)

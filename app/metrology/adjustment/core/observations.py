@@ -47,7 +47,7 @@ class PoseView(Protocol):
     def bin_points(
         self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
     ) -> tuple["PoseView", tuple[RobustWeights, RobustWeights]]:
-        """Fewer points that tell as much, by what was judged of the ``rows`` of these, and
+        """Fewer points of equal weight, by what was judged of the ``rows`` of these, and
         how those count; a view of few points may give itself."""
         ...
 

@@ -3,8 +3,8 @@
 The robot is off by a turn and by a shift of its flange, drawn again in each pose; and
 pictures and robot may disagree in how the object is tilted while they agree on its place:
 it rocks, or the pictures' errors look like a tilt. The three standard deviations are the
-most likely ones for the poses' residuals (restricted maximum likelihood), which tells how
-much each counts.
+most likely ones for the poses' residuals (restricted maximum likelihood); how much
+each counts follows from them.
 """
 
 from dataclasses import dataclass, replace
@@ -16,16 +16,16 @@ from app.metrology.adjustment.core.arm_errors import FlangeMotion
 from app.metrology.adjustment.core.se3 import adjoint, pivot_adjoint, se3_exp
 from app.metrology.transforms import Floats, apply, inverse, vector_from_rotation
 
-# What is usual where the poses tell little: turn (rad), shift (mm) and tilt (rad), known to
+# What is usual where the poses show little: turn (rad), shift (mm) and tilt (rad), known to
 # this factor (as the standard deviation of a logarithm).
 USUAL = np.array([0.2e-3, 0.08, 0.1e-3])
 USUAL_LOG_SD = 1.5
 LEAST = np.array([1e-6, 1e-3, 1e-6])
 ROUNDS = 3
-# The noise is told again with everything else, as a factor on these deviations.
+# The noise is estimated again with everything else, as a factor on these deviations.
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
-# A pose is astray where chance alone would put one so far off so rarely.
+# A pose is an outlier where chance alone would put one so far off so rarely.
 OUTLIER_CHANCE = 1e-5
 FEWEST_OTHERS = 4
 
@@ -77,8 +77,8 @@ class _NoiseEstimate:
 
 def estimate_robot_noise(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
     """The most likely noise of P poses, from a start (4, 4) of the sensor and the object."""
-    told = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    return RobotNoise(*map(float, np.exp(told.log_sd)))
+    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
+    return RobotNoise(*map(float, np.exp(estimate.log_sd)))
 
 
 def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
@@ -91,14 +91,14 @@ def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats)
     count = len(seen.T_arm_flange)
     if count <= FEWEST_OTHERS:
         return None
-    told = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    squares = [_mahalanobis_square(seen, told, p, with_fit=False) for p in range(count)]
+    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
+    squares = [_mahalanobis_square(seen, estimate, p, with_fit=False) for p in range(count)]
     worst = int(np.argmax(squares))
     others = np.delete(np.arange(count), worst)
-    told = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
+    estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
     freedom = 6 * len(others) - 12
     limit = 6 * float(fdtri(6, freedom, 1 - OUTLIER_CHANCE))
-    return worst if _mahalanobis_square(seen, told, worst, with_fit=True) > limit else None
+    return worst if _mahalanobis_square(seen, estimate, worst, with_fit=True) > limit else None
 
 
 def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
@@ -120,11 +120,13 @@ def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
     return _NoiseEstimate(noise, X, Z)
 
 
-def _mahalanobis_square(seen: PosePairs, told: _NoiseEstimate, pose: int, with_fit: bool) -> float:
+def _mahalanobis_square(
+    seen: PosePairs, estimate: _NoiseEstimate, pose: int, with_fit: bool
+) -> float:
     """Squared deviation of one pose, of 6 degrees of freedom; ``with_fit`` counts how well the
     others fix what it is compared with."""
-    residuals, J, G = _linearise(seen, told.X, told.Z)
-    V = _covariance(told.log_sd, G, seen.covariance)
+    residuals, J, G = _linearise(seen, estimate.X, estimate.Z)
+    V = _covariance(estimate.log_sd, G, seen.covariance)
     own = slice(6 * pose, 6 * pose + 6)
     variance = V[own, own]
     if with_fit:

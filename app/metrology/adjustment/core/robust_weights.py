@@ -70,7 +70,7 @@ def bin_neighbours(
     """Points (N, 2) that count, up to ``BIN_SIZE`` neighbours of one line put into one.
 
     A line's image bends by far less than a point's deviation over so few points, so
-    that their weighted mean tells as much as they do.
+    that their weighted mean is as informative as they are.
     """
     kept = np.flatnonzero(judgement.inliers)
     uv, own = uv_px[kept], line[kept]

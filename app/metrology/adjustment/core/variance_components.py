@@ -1,4 +1,4 @@
-"""Standard deviations that the data themselves tell: variance components.
+"""Standard deviations estimated from the data themselves: variance components.
 
 A sum of squares is compared with the number of values that the data, and not the
 scale itself, determined (Foerstner's estimate, iterated).
@@ -12,7 +12,7 @@ import numpy as np
 from app.metrology.adjustment.core.arm_errors import LEVER_MM
 from app.metrology.transforms import Floats
 
-# What is usual where nothing tells; counted like one observation, so that it settles. Links
+# What is usual where nothing is known; counted like one observation, so that it settles. Links
 # as those of an arm whose tip is off by some 20 µm rms: a link's turn moves the next about as
 # far as its shift does.
 USUAL_LINKS_MM, USUAL_CONTACT_MM = 0.003, 0.003
@@ -59,7 +59,7 @@ def estimate_noise_factor(values: Floats, variances: Floats, scale: float, usual
 def estimate_link_errors(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
     """The scales of turns (rad) and of shifts (mm), from all links' errors (6n,).
 
-    An arm that is poor in the one is taken to be poor in the other where that is not told:
+    An arm that is poor in the one is taken to be poor in the other where nothing shows it:
     what is usual for each follows from both, the two being in their usual proportion.
     """
     usual = np.array([USUAL_LINKS_RAD, USUAL_LINKS_MM])
@@ -69,14 +69,14 @@ def estimate_link_errors(links: Floats, variances: Floats, scales: Scales) -> tu
     determined = np.maximum(len(links) / 2 - unknown / now**2, 0.0)
     count = USUAL_LINKS_COUNT
     common = (np.sum(squares / usual**2) + count) / (np.sum(determined) + count)
-    told = (squares + TOGETHER_COUNT * common * usual**2) / (determined + TOGETHER_COUNT)
-    rad, mm = np.sqrt(told)
+    estimated = (squares + TOGETHER_COUNT * common * usual**2) / (determined + TOGETHER_COUNT)
+    rad, mm = np.sqrt(estimated)
     return float(rad), float(mm)
 
 
 def size_prior(scales: Scales) -> float:
     """Logarithm of the density of the links' sizes (of their logarithms) before anything is
-    told, but for a constant; the counts are as in ``estimate_link_errors``."""
+    known, but for a constant; the counts are as in ``estimate_link_errors``."""
     turns = np.log(scales.links_rad / USUAL_LINKS_RAD)
     shifts = np.log(scales.links_mm / USUAL_LINKS_MM)
     common = (turns + shifts) / 2
@@ -99,10 +99,10 @@ def estimate_contact_sd(
     return float(np.sqrt(squares / (determined + USUAL_COUNT)))
 
 
-def iterate_scales(scales: Scales, told: Callable[[Scales], Scales]) -> Scales:
-    """Where ``told`` changes the scales no more, or nearly so."""
+def iterate_scales(scales: Scales, estimate: Callable[[Scales], Scales]) -> Scales:
+    """Where ``estimate`` changes the scales no more, or nearly so."""
     for _ in range(MOST_ROUNDS):
-        before, scales = scales, told(scales)
+        before, scales = scales, estimate(scales)
         if largest_change(before, scales) < CONVERGED:
             break
     return scales

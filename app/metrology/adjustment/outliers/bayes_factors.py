@@ -19,11 +19,11 @@ from app.metrology.adjustment.core.link_error_prior import link_likelihood
 from app.metrology.adjustment.core.variance_components import USUAL_COUNT, Scales, size_prior
 from app.metrology.transforms import Floats
 
-# Sizes of the links' errors, as factors of those told; turns and shifts go together within so
+# Sizes of the links' errors, as factors of those estimated; turns and shifts go together within so
 # much (logarithms).
 FACTORS = np.exp(np.linspace(-6.0, 1.5, 13))
 TOGETHER = 1.3
-# Noise is looked at between what is usual and what was told, in steps of this factor at most.
+# Noise is looked at between what is usual and what was estimated, in steps of this factor at most.
 NOISE_STEP, MOST_NOISES = 1.5, 6
 
 
@@ -31,7 +31,7 @@ NOISE_STEP, MOST_NOISES = 1.5, 6
 class FaultHypothesis:
     """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
     how far the object's coordinates (B,) are off their prior by ``by_prior`` (B, K), for each
-    unit of its K sizes. Before anything is told these scatter by one of ``sds`` (K,), each as
+    unit of its K sizes. Before anything is known these scatter by one of ``sds`` (K,), each as
     likely."""
 
     by: Floats
@@ -51,7 +51,7 @@ class FaultEstimate:
 
 @dataclass(frozen=True)
 class _ReducedSystem:
-    """What is told of links and all suspects' sizes (L + K), the other unknowns following them,
+    """What is known of links and all hypotheses' sizes (L + K), the other unknowns following them,
     at one noise: matrix, gradient, and the logarithm of all that does not change with them."""
 
     S: Floats
@@ -70,29 +70,29 @@ class _ConditionalEstimate:
 
 
 def estimate_faults(
-    found: AdjustmentResult, suspects: Sequence[FaultHypothesis]
+    found: AdjustmentResult, hypotheses: Sequence[FaultHypothesis]
 ) -> list[FaultEstimate]:
-    """Of each suspect by itself, all else taken as linear at the minimum."""
+    """Of each hypothesis by itself, all else taken as linear at the minimum."""
     scales, start = found.scales, found.state.links
-    by = np.hstack([one.by for one in suspects])
-    by_prior = np.hstack([one.by_prior for one in suspects])
-    ends = len(start) + np.cumsum([one.by.shape[1] for one in suspects])
-    own = [np.arange(end - one.by.shape[1], end) for one, end in zip(suspects, ends, strict=True)]
+    by = np.hstack([one.by for one in hypotheses])
+    by_prior = np.hstack([one.by_prior for one in hypotheses])
+    ends = len(start) + np.cumsum([one.by.shape[1] for one in hypotheses])
+    own = [np.arange(end - one.by.shape[1], end) for one, end in zip(hypotheses, ends, strict=True)]
     none: list[_ConditionalEstimate] = []
-    each: list[list[_ConditionalEstimate]] = [[] for _ in suspects]
+    each: list[list[_ConditionalEstimate]] = [[] for _ in hypotheses]
     for noise in _noise_levels(found):
         reduced = _reduce_system(found, by, by_prior, replace(scales, noise=noise))
         for size in _link_scales(scales):
             prior, sd = size_prior(size), size.link_error_sds(len(start) // 6)
             none.append(_estimate_conditional(reduced, start, sd, prior, np.arange(0), np.zeros(0)))
-            for told, suspect, columns in zip(each, suspects, own, strict=True):
-                told += [
+            for estimates, hypothesis, columns in zip(each, hypotheses, own, strict=True):
+                estimates += [
                     _estimate_conditional(
-                        reduced, start, sd, prior - np.log(len(suspect.sds)), columns, sds
+                        reduced, start, sd, prior - np.log(len(hypothesis.sds)), columns, sds
                     )
-                    for sds in suspect.sds
+                    for sds in hypothesis.sds
                 ]
-    return [_average_estimates(told, none) for told in each]
+    return [_average_estimates(estimates, none) for estimates in each]
 
 
 def _estimate_conditional(
@@ -116,14 +116,14 @@ def _estimate_conditional(
 
 
 def _average_estimates(
-    told: Sequence[_ConditionalEstimate], none: Sequence[_ConditionalEstimate]
+    estimates: Sequence[_ConditionalEstimate], none: Sequence[_ConditionalEstimate]
 ) -> FaultEstimate:
-    logs = np.array([one.log for one in told])
+    logs = np.array([one.log for one in estimates])
     weight = np.exp(logs - logs.max())
     weight /= weight.sum()
-    sizes = np.array([one.sizes for one in told])
+    sizes = np.array([one.sizes for one in estimates])
     mean = weight @ sizes
-    covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in told]))
+    covariance = np.einsum("s,sij->ij", weight, np.array([one.covariance for one in estimates]))
     covariance += np.einsum("s,si,sj->ij", weight, sizes - mean, sizes - mean)
     without = np.logaddexp.reduce([one.log for one in none])
     return FaultEstimate(mean, covariance, 2 * float(np.logaddexp.reduce(logs) - without))
@@ -154,7 +154,7 @@ def _reduce_system(
 def _hypothesis_terms(
     found: AdjustmentResult, by: Floats, by_prior: Floats, scales: Scales
 ) -> tuple[Floats, Floats, Floats, float]:
-    """The suspects' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
+    """The hypotheses' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
     likely contacts and noise are as they are, without them."""
     prior, at = found.problem.prior, found.layout
     weighed = by_prior / prior.sd[:, None] ** 2
@@ -185,10 +185,10 @@ def _noise_log(found: AdjustmentResult, scales: Scales) -> float:
 
 
 def _noise_levels(found: AdjustmentResult) -> Floats:
-    told, usual = found.scales.noise, found.problem.motion.usual_factor
-    least = max(min(usual, told), found.problem.motion.least_factor)
-    steps = int(np.ceil(np.log(max(told / least, 1.0)) / np.log(NOISE_STEP)))
-    return np.geomspace(least, max(told, least), min(steps, MOST_NOISES) + 1)[::-1]
+    noise, usual = found.scales.noise, found.problem.motion.usual_factor
+    least = max(min(usual, noise), found.problem.motion.least_factor)
+    steps = int(np.ceil(np.log(max(noise / least, 1.0)) / np.log(NOISE_STEP)))
+    return np.geomspace(least, max(noise, least), min(steps, MOST_NOISES) + 1)[::-1]
 
 
 def _link_scales(scales: Scales) -> list[Scales]:

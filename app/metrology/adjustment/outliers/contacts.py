@@ -7,11 +7,11 @@ import numpy as np
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
 
-# Fewer contacts than these tell no stray among them.
+# Among fewer contacts than these no outlier can be found.
 FEWEST_CONTACTS = 5
 SIGMAS = 4.0
 MEDIAN_TO_SD = 1.4826
-# Of a contact, the share that the others must tell for it to be judged.
+# Of a contact, the share that the others must determine for it to be judged.
 LEAST_REDUNDANCY = 0.05
 
 
@@ -22,17 +22,17 @@ def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
     if touches is None:
         return found
     while 2 * (int((~touches.inliers).sum()) + 1) < len(touches):
-        stray = find_outlier_contact(found)
-        if stray is None:
+        outlier = find_outlier_contact(found)
+        if outlier is None:
             break
-        touches = replace(touches, inliers=touches.inliers & (np.arange(len(touches)) != stray))
+        touches = replace(touches, inliers=touches.inliers & (np.arange(len(touches)) != outlier))
         found = solve_adjustment(replace(found.problem, contacts=touches), found.state)
     return found
 
 
 def find_outlier_contact(found: AdjustmentResult) -> int | None:
     """The row of the contact that is furthest off by what the others scatter (their median, which
-    a few strays do not move), and beyond what a usual touch and the noise of the readings
+    a few outliers do not move), and beyond what a usual touch and the noise of the readings
     explain; None where none is."""
     contacts, touches = found.linear.contacts, found.problem.contacts
     if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
@@ -44,7 +44,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
     usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
     scatter_mm = max(MEDIAN_TO_SD * float(np.median(off_mm)), 1e-9)
-    # few contacts tell their scatter poorly
+    # few contacts determine their scatter poorly
     limit = SIGMAS * (1 + 4.0 / len(off_mm))
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
     worst = int(np.argmax(off))

@@ -67,13 +67,14 @@ def block_fault_findings(found: AdjustmentResult, limits: Limits) -> list[Calibr
         for pair in pairs
     ]
     in_all = _Fault(_scale_hypothesis(found), partial(_block_size_finding, limits))
-    named, told = _most_likely_fault(
+    named, estimates = _most_likely_fault(
         found, [*faces, in_all, *_contact_faults(found, touches, limits)]
     )
     if not pairs:
         return [*named, size_unchecked_finding()]
     openings = {
-        pair: 2 * float(one.sizes[0]) for pair, one in zip(pairs, told[: len(pairs)], strict=True)
+        pair: 2 * float(one.sizes[0])
+        for pair, one in zip(pairs, estimates[: len(pairs)], strict=True)
     }
     return named or [size_agreement_finding(openings)]
 
@@ -104,14 +105,14 @@ def _contact_faults(
 def _most_likely_fault(
     found: AdjustmentResult, faults: Sequence[_Fault]
 ) -> tuple[list[CalibrationFinding], list[FaultEstimate]]:
-    """The one that stands out most, if any, and what is told of each."""
-    told = estimate_faults(found, [fault.hypothesis for fault in faults])
+    """The one that stands out most, if any, and the estimate of each."""
+    estimates = estimate_faults(found, [fault.hypothesis for fault in faults])
     doubted = [
         (one.evidence, finding)
-        for one, fault in zip(told, faults, strict=True)
+        for one, fault in zip(estimates, faults, strict=True)
         if one.evidence >= EVIDENCE and (finding := fault.describe(one)) is not None
     ]
-    return ([max(doubted, key=lambda one: one[0])[1]] if doubted else []), told
+    return ([max(doubted, key=lambda one: one[0])[1]] if doubted else []), estimates
 
 
 def _pairs(touches: ContactObservations) -> list[tuple[str, str]]:
@@ -165,22 +166,22 @@ def _normals(found: AdjustmentResult, touches: ContactObservations) -> Floats:
 
 
 def _diameter_finding(
-    touches: ContactObservations, limits: Limits, told: FaultEstimate
+    touches: ContactObservations, limits: Limits, estimate: FaultEstimate
 ) -> CalibrationFinding | None:
-    outward_mm = float(told.sizes[0])
+    outward_mm = float(estimate.sizes[0])
     if 2 * abs(outward_mm) < DIAMETER_MM:
         return None
     remedy = message("check-which-tip-mounted-diameter-object")
-    if len(set(touches.features)) == 1:  # by one plane the three are not told apart
+    if len(set(touches.features)) == 1:  # by one plane the three are not distinguished
         remedy = message("check-which-tip-mounted-diameter-length")
     given = 2 * touches.radius_mm
-    told_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(told.covariance[0, 0]))
+    fitted_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(estimate.covariance[0, 0]))
     return CalibrationFinding(
         offset_quality(outward_mm, limits),
         "tip-diameter",
         message(
             "contacts-pictures-agree-better-tip-than",
-            fitted=quantity(told_mm, "mm", 3),
+            fitted=quantity(fitted_mm, "mm", 3),
             known=quantity(known_mm, "", 3),
             given=quantity(given, "mm", 3),
         ),
@@ -189,20 +190,20 @@ def _diameter_finding(
 
 
 def _opening_finding(
-    pair: tuple[str, str], limits: Limits, told: FaultEstimate
+    pair: tuple[str, str], limits: Limits, estimate: FaultEstimate
 ) -> CalibrationFinding | None:
-    opening_mm = 2 * float(told.sizes[0])
+    opening_mm = 2 * float(estimate.sizes[0])
     if abs(opening_mm) < OPENING_MM:
         return None
     return size_error_finding(pair, opening_mm, OPENING_MM, limits)
 
 
-def _tip_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
-    off_mm = float(np.linalg.norm(told.sizes))
+def _tip_finding(limits: Limits, estimate: FaultEstimate) -> CalibrationFinding | None:
+    off_mm = float(np.linalg.norm(estimate.sizes))
     if off_mm < LEAST_MM:
         return None
-    x, y, z = told.sizes
-    known_mm = 2 * float(np.sqrt(np.max(np.diag(told.covariance))))
+    x, y, z = estimate.sizes
+    known_mm = 2 * float(np.sqrt(np.max(np.diag(estimate.covariance))))
     return CalibrationFinding(
         offset_quality(off_mm, limits),
         "tip-place",
@@ -218,13 +219,13 @@ def _tip_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | No
     )
 
 
-def _motion_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
-    turned_rad, off_mm = (float(np.linalg.norm(part)) for part in np.split(told.sizes, 2))
+def _motion_finding(limits: Limits, estimate: FaultEstimate) -> CalibrationFinding | None:
+    turned_rad, off_mm = (float(np.linalg.norm(part)) for part in np.split(estimate.sizes, 2))
     if max(off_mm, LEVER_MM * turned_rad) < LEAST_MM:
         return None
     turned_deg = np.degrees(turned_rad)
-    along = told.sizes[3:] / max(off_mm, 1e-9)
-    known_mm = 2 * float(np.sqrt(along @ told.covariance[3:, 3:] @ along))
+    along = estimate.sizes[3:] / max(off_mm, 1e-9)
+    known_mm = 2 * float(np.sqrt(along @ estimate.covariance[3:, 3:] @ along))
     text = message(
         "pictures-have-object-where-touched-turned",
         off=quantity(off_mm, "mm", 2),
@@ -243,8 +244,8 @@ def _motion_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding |
     )
 
 
-def _block_size_finding(limits: Limits, told: FaultEstimate) -> CalibrationFinding | None:
-    share, known = float(told.sizes[0]), 200 * float(np.sqrt(told.covariance[0, 0]))
+def _block_size_finding(limits: Limits, estimate: FaultEstimate) -> CalibrationFinding | None:
+    share, known = float(estimate.sizes[0]), 200 * float(np.sqrt(estimate.covariance[0, 0]))
     if LEVER_MM * abs(share) < LEAST_MM:
         return None
     percent = 100 * abs(share)
@@ -262,9 +263,9 @@ def _block_size_finding(limits: Limits, told: FaultEstimate) -> CalibrationFindi
 
 
 def _board_size_finding(
-    square_mm: float, limits: Limits, told: FaultEstimate
+    square_mm: float, limits: Limits, estimate: FaultEstimate
 ) -> CalibrationFinding | None:
-    share, sd = float(told.sizes[0]), float(np.sqrt(told.covariance[0, 0]))
+    share, sd = float(estimate.sizes[0]), float(np.sqrt(estimate.covariance[0, 0]))
     if LEVER_MM * abs(share) < LEAST_MM:
         return None
     return CalibrationFinding(

@@ -8,22 +8,22 @@ from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_a
 from app.metrology.adjustment.core.hand_eye import Mounting, pose_offsets_mm
 from app.metrology.transforms import Floats
 
-# What is astray is so many times as far off as the others usually are.
+# An outlier is so many times as far off as the others usually are.
 OUTLIER_TIMES = 5.0
 # A pose's noise is so many times that of the encoders' datasheet, too.
 OUTLIER_AT_LEAST = 4.0
 FEWEST_POSES = 4
-# One stray of few draws the others along, so that none stands out: it is told by so many times
+# One outlier of few draws the others along, so that none stands out: it shows by so many times
 # less noise in all without it.
 LESS_NOISE_TIMES = 5.0
-# Of a pose's readings, the share that its own picture must tell for it to be judged.
+# Of a pose's readings, the share that its own picture must determine for it to be judged.
 LEAST_DETERMINED = 0.05
 
 
 def remove_outlier_poses(
     found: AdjustmentResult, mounting: Mounting, reach_mm: float
 ) -> tuple[AdjustmentResult, Mounting]:
-    """Adjusted without the poses that are astray, worst first; they are marked in ``mounting``.
+    """Adjusted without the outlier poses, worst first; they are marked in ``mounting``.
 
     Fewer than half of all poses are set aside.
     """
@@ -32,9 +32,9 @@ def remove_outlier_poses(
         left = _remove_outlier(found)
         if left is None:
             break
-        stray, found = left
+        outlier, found = left
         contradicts = mounting.contradicts.copy()
-        contradicts[np.flatnonzero(~mounting.contradicts)[stray]] = True
+        contradicts[np.flatnonzero(~mounting.contradicts)[outlier]] = True
         X, T_arm_obj = found.state.T_flange_cam, found.state.T_arm_obj
         off_mm = pose_offsets_mm(mounting.T_arm_flange, mounting.T_cam_obj, X, T_arm_obj, reach_mm)
         mounting = replace(
@@ -44,18 +44,18 @@ def remove_outlier_poses(
 
 
 def _remove_outlier(found: AdjustmentResult) -> tuple[int, AdjustmentResult] | None:
-    """The place of the pose that is astray, and the adjustment without it; None where none is."""
-    stray = find_outlier_pose(found)
-    if stray is not None:
-        return stray, _refit_without(found, stray)
+    """The place of the outlier pose, and the adjustment without it; None where none is."""
+    outlier = find_outlier_pose(found)
+    if outlier is not None:
+        return outlier, _refit_without(found, outlier)
     noise = pose_noise(found)
     usual = found.problem.motion.usual_factor
     if len(noise) < FEWEST_POSES or found.scales.noise < OUTLIER_AT_LEAST * usual:
         return None
-    suspect = int(np.argmax(noise))
-    rest = _refit_without(found, suspect)
+    candidate = int(np.argmax(noise))
+    rest = _refit_without(found, candidate)
     calmer = rest.scales.noise * LESS_NOISE_TIMES < found.scales.noise
-    return (suspect, rest) if calmer else None
+    return (candidate, rest) if calmer else None
 
 
 def _refit_without(found: AdjustmentResult, pose: int) -> AdjustmentResult:
@@ -69,7 +69,7 @@ def find_outlier_pose(found: AdjustmentResult) -> int | None:
 
     A pose's noise is the rms of its readings' errors against their standard deviation,
     counted by how many of them the data determined; the others' is their median, which
-    one stray does not move.
+    one outlier does not move.
     """
     noise = pose_noise(found)
     if len(noise) < FEWEST_POSES:
@@ -91,7 +91,7 @@ def pose_noise(found: AdjustmentResult) -> Floats:
     values = found.state.noise / sd
     poses, count = values.shape
     variance = np.diag(found.covariance)[found.layout.noise].reshape(poses, count) / sd**2
-    told = np.maximum(
+    determined = np.maximum(
         count - (variance / found.scales.noise**2).sum(axis=1), LEAST_DETERMINED * count
     )
-    return np.asarray(np.sqrt((values**2).sum(axis=1) / told))
+    return np.asarray(np.sqrt((values**2).sum(axis=1) / determined))

@@ -1,6 +1,6 @@
 """Which pose to take next: the one after which a scanned point would be known best.
 
-Every candidate's picture is foretold (``expected``), and its part added to the normal
+Every candidate's picture is predicted (``predicted_view``), and its part added to the normal
 matrix of the adjustment so far: the uncertainty that it would leave needs no picture.
 """
 
@@ -43,7 +43,7 @@ TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
 # Share of a block in the picture, and points of the stripe on each level, at least.
 FRAMED, STRIPE_POINTS = 0.85, 40
-# Points put into one where a picture is foretold.
+# Points put into one where a picture is predicted.
 BIN_SIZE = 4
 # Changes smaller than these are not worth a word.
 WORD_DEG, WORD_MM = 4.0, 3.0
@@ -154,7 +154,7 @@ def next_poses(
         rows_of = _predict_rows(found, item, T_obj_cam, seeing)
         if q is None or rows_of is None:
             continue
-        # one pose more tells little of how large the links' errors are
+        # one pose more shows little of how large the links' errors are
         covariance = _covariance_after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)

@@ -19,7 +19,7 @@ MARGIN_MM = 2.0
 class TouchAdvice:
     """``more`` touches by face bring the object's place from ``now_um`` to ``then_um``, k = 1.
 
-    The face that helps most comes first. ``reaches`` tells whether that is within the
+    The face that helps most comes first. ``reaches``: whether that is within the
     target; ``more`` is empty where the target is met already.
     """
 

@@ -27,7 +27,7 @@ def reclassify_stripes(found: AdjustmentResult) -> AdjustmentProblem:
 
 
 def off_plane_mm(rows: Rows) -> Floats:
-    """How far each point (N,) of a stripe lies off the laser plane, NaN where that cannot be told.
+    """How far each point (N,) of a stripe lies off the laser plane, NaN where that is unknown.
 
     A pixel across the stripe is a length on the level, and so much of it off the plane.
     """

@@ -19,7 +19,7 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
 LEAST_TO_SIZE, SPHERE_STEPS, OUTLIER_SDS = 8, 20, 5.0
-"""Points that tell a sphere's size by themselves; those further off than so many sd stray."""
+"""Points that determine a sphere's size by themselves; so many sd off, they are outliers."""
 FREE_MM = 1e3
 """Uncertainty of a bar's length that says nothing of it."""
 CONTRADICTION = 2.0
@@ -41,7 +41,7 @@ def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
     rest = weights.sum() - weights
     off = excess - (np.sum(weights * excess) - weights * excess) / rest
     off_sd = np.sqrt(sd**2 + 1 / rest)
-    # among several the one whose difference is plainest; of two none can be told
+    # among several the one whose difference is plainest; of two neither can be named
     worst = int(np.argmax(np.abs(off) / off_sd))
     if abs(off[worst]) <= max(EXCESS_SIGMAS * off_sd[worst], EXCESS_MM):
         return []
@@ -82,7 +82,7 @@ def _sphere_excesses(
 def _fit_sphere_radius(
     points: Floats, centre: Floats, radius_mm: float
 ) -> tuple[float, float] | None:
-    """Radius and its standard deviation of the points (m, 3), without those that stray."""
+    """Radius and its standard deviation of the points (m, 3), without outliers."""
     at = np.append(centre, radius_mm)
     kept = np.ones(len(points), bool)
     sd, J = 0.0, np.ones((len(points), 4))
@@ -156,7 +156,7 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
 
 
 def _spheres_contradict_bars(loose: ArmFit, fit: ArmFit) -> bool:
-    """Whether spheres fit their diameters as long as no bar's length tells the arm's size."""
+    """Whether spheres fit their diameters as long as no bar's length determines the arm's size."""
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
     plain = abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM)
     return plain and abs(loose.at.radius_excess_mm) < 0.5 * abs(excess)

@@ -148,18 +148,18 @@ def _deviation_squares(
     counts = np.bincount(data.place_of)[data.place_of]
     # a place's own centre takes up three of its coordinates
     spare = np.where(data.on_sphere, 1 - 3.0 / counts, 1 - 1.0 / counts)
-    told = spare > 1e-9
+    has_spare = spare > 1e-9
     found = residuals(data, at, scatter_mm)
     squares = found.distances_mm**2
     normalised = mahalanobis(data, at, sight, scatter_mm) ** 2
     normalised /= np.where(data.on_sphere, 1.0, 3.0)
     sds = _length_sds(data, sight.covariances, scatter_mm)
-    scale = np.where(told, 1 / np.where(told, spare, 1.0), 0.0)
+    scale = np.where(has_spare, 1 / np.where(has_spare, spare, 1.0), 0.0)
     return _DeviationSquares(
-        (squares * scale)[told & ~data.on_sphere],
-        (squares * scale)[told & data.on_sphere],
+        (squares * scale)[has_spare & ~data.on_sphere],
+        (squares * scale)[has_spare & data.on_sphere],
         found.bars_mm**2,
-        np.concatenate([(normalised * scale)[told], (found.bars_mm / sds) ** 2]),
+        np.concatenate([(normalised * scale)[has_spare], (found.bars_mm / sds) ** 2]),
     )
 
 

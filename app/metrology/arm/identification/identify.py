@@ -116,7 +116,7 @@ class Identification:
     volume_after_mm: float
     """Rms standard uncertainty of the tip over the reach that the parameters moved leave.
 
-    Apart from the arm's size, where no ball bar told it.
+    Apart from the arm's size, where no ball bar determined it.
     """
     warnings: tuple[Text, ...]
 

@@ -230,7 +230,7 @@ def check_scatter(fit: ArmFit) -> None:
 def identification_warnings(
     arm: Arm, observations: ArmObservations, fit: ArmFit
 ) -> tuple[Text, ...]:
-    """What whoever identifies an arm should know in addition to the result."""
+    """What the user should know in addition to the result."""
     return *size_warnings(arm, observations, fit), *_far_moves(arm, fit)
 
 

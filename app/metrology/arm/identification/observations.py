@@ -1,4 +1,4 @@
-"""What tells an arm's geometry: seats, spheres and ball bars touched in many postures."""
+"""What determines an arm's geometry: seats, spheres and ball bars touched in many postures."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

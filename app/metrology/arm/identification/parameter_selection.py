@@ -1,4 +1,4 @@
-"""Which of the arm's parameters the observations can tell, and which are held, and why."""
+"""Which of the arm's parameters the observations determine, and which are held, and why."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -34,12 +34,12 @@ REASONS: dict[FixedReason, Text] = {
     "unobserved": message("these-points-do-tell-better-than"),
 }
 
-# The workshop makes an arm about this well: a parameter moves only if the points tell it better.
+# The workshop makes an arm about this well: a parameter moves only if the points do better.
 LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
 TIP_MM = 1.0
 """Of the tip, which is exchanged and need not be known."""
 PARALLEL = 0.1
-"""Axes with a smaller sine between them are parallel: E's ry tells their angle (Hayati), not d."""
+"""Axes with a smaller sine between them are parallel: E's ry is their angle (Hayati), not d."""
 INDEPENDENT = 0.02
 """Share of a parameter's effect that others leave over; with less it is called redundant."""
 
@@ -102,8 +102,8 @@ def select_parameters(
 ) -> tuple[NDArray[np.intp], dict[int, FixedReason]]:
     """The parameters to move, of those in ``order``, and the reasons to hold the rest.
 
-    A parameter joins if what its effect leaves over beside those before it tells it
-    better than ``worth`` (a rank decision with the noise as the yardstick). Then, of
+    A parameter joins if what its effect leaves over beside those before it determines
+    it better than ``worth`` (a rank decision with the noise as the yardstick). Then, of
     those that joined, the worst known leaves until all are known better than that.
 
     Args:

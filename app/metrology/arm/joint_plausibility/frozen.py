@@ -19,7 +19,7 @@ SAME_STEP, FINEST, COARSEST = 1.5, 0.5, 2.0
 """By what factors step and noise of encoders of one kind differ."""
 ROUNDING_RAD = 1e-12
 QUIET = 20
-"""An encoder that changes after so many equal readings has too little noise to tell."""
+"""An encoder that changes after so many equal readings has too little noise to judge by."""
 COARSEST_STEP_RAD = math.tau / 2**12
 """A larger change is none of one step."""
 STOPPED_RAD_S = 0.3
@@ -45,7 +45,7 @@ class Encoder:
         """The smallest change it has shown, and the smallest difference of two."""
         self.noisy = self.frozen = False
         self.quiet = False
-        """It has stood on one reading for long and gone on: that tells nothing of it."""
+        """It has stood on one reading for long and gone on: that shows nothing about it."""
         self.equal = 0
         """How often the newest reading came again."""
         self.since_ns = 0
@@ -157,7 +157,7 @@ class Standstill:
 
     def find(self) -> tuple[bool, int | None]:
         """Whether a joint may be frozen, and which one is."""
-        suspected = False
+        may_be_frozen = False
         for joint, encoder in enumerate(self.encoders):
             if encoder.equal < EQUAL_PENDING:
                 continue
@@ -166,11 +166,11 @@ class Standstill:
             noiseless = encoder.noisy or self._should_be_noisy(joint)
             if not noiseless and (self.stops[joint] is None or not self._others_go_on(joint)):
                 continue
-            suspected = True
+            may_be_frozen = True
             if encoder.equal >= EQUAL_FROZEN and (noiseless or self._stands_long(joint)):
                 encoder.frozen = True
                 return True, joint
-        return suspected, None
+        return may_be_frozen, None
 
     def _should_be_noisy(self, joint: int) -> bool:
         """Whether its encoder is one of those that show noise."""

@@ -1,4 +1,4 @@
-"""One judge of an arm's readings: what is plausible passes, the rest is kept back and told."""
+"""One judge of an arm's readings: what is plausible passes, the rest is kept back and reported."""
 
 import math
 from collections import deque
@@ -19,7 +19,7 @@ REMEMBERED = 4096
 NOISE_SDS, STEPS = 12.0, 2.0
 """The encoder's own noise and steps, in a speed taken from two readings, look like motion."""
 UNKNOWN_SD_RAD = 1e-4
-"""Of encoders whose noise no datasheet tells."""
+"""Of encoders whose noise no datasheet states."""
 
 
 class JointReading(Protocol):
@@ -138,7 +138,7 @@ class PlausibilityFilter(Generic[R]):
         return rest
 
     def _set_noise(self) -> None:
-        """Tells what the encoders' noise and steps may look like."""
+        """Sets what the encoders' noise and steps may look like."""
         sds = [one.sd_rad or UNKNOWN_SD_RAD for one in self._standstill.encoders]
         steps = [self._standstill.step_rad(joint) for joint in range(len(sds))]
         self._spikes.set_noise(sds, steps)
@@ -180,7 +180,7 @@ class PlausibilityFilter(Generic[R]):
 
     def _release_pending(self, good: list[R]) -> None:
         """Lets go what waited long enough, and keeps back what a frozen joint says."""
-        held, (suspected, joint) = self._pending, self._standstill.find()
+        held, (may_be_frozen, joint) = self._pending, self._standstill.find()
         if joint is not None:
             since_ns = self._standstill.encoders[joint].since_ns
             for _, reading in held:
@@ -194,7 +194,7 @@ class PlausibilityFilter(Generic[R]):
             # where the joint is meanwhile, nobody knows
             self._reach.lose()
             self._spikes.forget()
-        elif not suspected:
+        elif not may_be_frozen:
             while held and held[0][0] <= self._count - LATER:
                 good.append(held.popleft()[1])
 

@@ -15,7 +15,7 @@ UNSURE_PERIODS = 2.0
 FORGET_S = 0.1
 """After a gap so long a joint may be anywhere."""
 ESTABLISHED_S = 0.1
-"""A place that readings tell of for so long is one, be it true or not."""
+"""A place that readings report for so long is one, be it true or not."""
 SETTLED_S = 0.5
 """A joint that stays for so long where a knock could have thrown it is believed again."""
 PACE = 0.05
@@ -191,7 +191,7 @@ class Reach:
         self._aside, self._aside_since_ns = steps, stamp_ns
         if self._slipped:
             return
-        # by the time since the last good one: it is not told what was between
+        # by the time since the last good one: what was between is unknown
         passed_s = max((stamp_ns - self._good_ns) / 1e9, self.period_s)
         known = self._good_ns - self._good_since_ns >= ESTABLISHED_S * 1e9
         beyond = [

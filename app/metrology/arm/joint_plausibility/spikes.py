@@ -1,4 +1,4 @@
-"""Single readings astray, told by the three before and the three after."""
+"""Single outlying readings, found by the three before and the three after."""
 
 import math
 from collections import deque
@@ -18,7 +18,7 @@ BOUNCE = 0.5
 """A tip that bounces goes back at less than half its speed; so much of a period stamps may
 be off too."""
 REGULAR = 0.4
-"""Stamps off by more of a period tell of a gap."""
+"""Stamps off by more of a period mean a gap."""
 
 At = tuple[int, Sequence[float]]
 
@@ -35,7 +35,7 @@ class Spike:
 class Spikes:
     """Finds readings that depart from the motion before and from that after, to one side.
 
-    A joint that is stopped or kicked changes its speed once: the readings before tell
+    A joint that is stopped or kicked changes its speed once: the readings before show
     nothing of it, those after do, or the other way round; and while it happens the reading
     lies on the other side of the middle of its neighbours. To be called a spike a reading
     departs to the same side from the parabola of the three before, that of the three after,

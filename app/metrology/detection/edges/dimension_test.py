@@ -30,7 +30,7 @@ _PIECES, _IN_PIECE = 3, 4
 # What the image leaves of an edge's place beside noise and marks, over the blur.
 _LEFT_BLURS = 0.03
 # So many points that a plane's shift by a mm would move so many px show where it lies.
-_TELLING_POINTS, _TELLING_PX = 4, 2.0
+_SENSITIVE_POINTS, _SENSITIVE_PX = 4, 2.0
 # Pieces further off than this many deviations weigh less (Huber), and rounds of that.
 _HUBER, _ROUNDS = 2.5, 3
 # By how much, in mm, a size may be thought wrong.
@@ -113,7 +113,7 @@ def count_in_place(found: EdgeMeasurements, edges: tuple[int, ...], axis: int) -
 
 
 def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[PlaneShift]:
-    """How far each plane seems shifted; none where the edges tell nothing of it.
+    """How far each plane seems shifted; none where the edges show nothing of it.
 
     Args:
         found: the edges measured, and the camera fitted to them.
@@ -125,26 +125,26 @@ def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[Plan
     if len(pieces.off_px) <= len(free) + 1:
         return []
     held = prior_rows(found.camera, free)
-    told = []
+    shifts = []
     for k, (axis, at_mm, edges) in enumerate(faces):
         by_mm, ratio = _estimate_shift(pieces, held, k, certificate_mm)
-        told.append(PlaneShift(axis, at_mm, edges, by_mm, abs(ratio)))
-    return told
+        shifts.append(PlaneShift(axis, at_mm, edges, by_mm, abs(ratio)))
+    return shifts
 
 
 def find_unobserved_planes(found: EdgeMeasurements) -> tuple[tuple[int, int], ...]:
-    """The block's planes, by axis and number, that no measured edge tells the place of.
+    """The block's planes, by axis and number, that no measured edge locates.
 
     Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
     would not be noticed.
     """
     faces = planes(found.frame)
     rows = np.flatnonzero(found.used)
-    telling = (np.abs(_shift_effects(found, rows, faces)) > _TELLING_PX).sum(axis=0)
+    sensitive = (np.abs(_shift_effects(found, rows, faces)) > _SENSITIVE_PX).sum(axis=0)
     count = dict.fromkeys(range(3), 0)
     hidden = []
-    for (axis, _, _), points in zip(faces, telling, strict=True):
-        if points < _TELLING_POINTS:
+    for (axis, _, _), points in zip(faces, sensitive, strict=True):
+        if points < _SENSITIVE_POINTS:
             hidden.append((axis, count[axis]))
         count[axis] += 1
     return tuple(hidden)

@@ -1,6 +1,6 @@
 """Where the block's edges along X end in the picture: at their certificate's corners?
 
-An edge that ends elsewhere tells of a wrong size where the edges of the shifted plane
+An edge that ends elsewhere shows a wrong size where the edges of the shifted plane
 itself are hidden: by faces of equal brightness, or lost among shadows' borders.
 """
 
@@ -24,9 +24,9 @@ from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
-# An edge's step is told from at least so much of it, px.
+# An edge's step is estimated from at least so much of it, px.
 _ENOUGH_PX = 16.0
-# What is too little to be told as another size, px; an edge is followed by so many px more
+# What is too little to be reported as another size, px; an edge is followed by so many px more
 # than a size may be thought wrong, to either side.
 _NEAREST_PX, _FURTHER_PX = 5.0, 14.0
 # An edge is where its step is at least this share of its usual one, and not where it is less
@@ -68,7 +68,7 @@ class EdgeEnd:
 
 
 def measure_ends(grey: Floats, found: EdgeMeasurements) -> list[EdgeEnd]:
-    """Where the edges of crests and base along X end, as far as the picture tells.
+    """Where the edges of crests and base along X end, as far as the picture shows.
 
     Broken edges cut all of them short alike: so each is compared with the others of the block.
 
@@ -170,7 +170,7 @@ def _ways(found: EdgeMeasurements) -> Iterator[_Way]:
 
 
 def _measure_end(grey: Floats, found: EdgeMeasurements, way: _Way) -> EdgeEnd | None:
-    """Where the edge ends on its way; None where the picture does not tell."""
+    """Where the edge ends on its way; None where the picture does not show it."""
     out = np.array([way.outward, 0.0, 0.0])
     ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
     px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
@@ -240,7 +240,7 @@ def _find_end(along_px: Floats, share: Floats, clear_px: float, furthest_px: flo
     """How far along its way an edge ends, of which there is so much (N,) at every px.
 
     The place that leaves least of it beyond, and least of it wanting before. None where
-    neither side can be told, much speaks against every place, or as little for many.
+    neither side is known, much speaks against every place, or as little for many.
     """
     there = np.where(share > _THERE, 1.0, np.where(share < _GONE, 0.0, 0.5))
     known = np.isfinite(share)

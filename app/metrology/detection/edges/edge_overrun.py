@@ -14,7 +14,7 @@ from app.metrology.detection.rejection import RejectionReason, describe_edge
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
-# An edge's step is told from at least so many of its points.
+# An edge's step is estimated from at least so many of its points.
 _ENOUGH = 6
 # How far a line may run beside an edge, in px, and be the edge's.
 _STRAIGHT_PX = 1.5

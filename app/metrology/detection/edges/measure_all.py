@@ -47,10 +47,10 @@ _GOOD_CONTRAST, _LONGEST = 12.0, 5.0
 _NOISY_SPACING_PX = 20.0
 # Faint edges are measured in pieces so many times as long, up to this.
 _LONGER, _LONGEST_PX = 5.0, 60.0
-# Marks along an edge, over its step, from which on it is not to be told from them.
+# Marks along an edge, over its step, from which on it cannot be distinguished from them.
 _MARKS = 0.3
 # An edge so many times as wide as the picture's others is a shadow's; every so many points
-# of it are looked at, and so many must tell.
+# of it are looked at, and so many must show a width.
 _SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
 
 
@@ -222,7 +222,7 @@ def _measure_stations(
     off = np.where(shows, seen.offset_px, np.nan)
     step = np.where(shows, seen.step, 0.0)
     ratio, moved = texture(masked, at, step, blur)
-    # Among marks as strong as itself an edge cannot be told.
+    # Among marks as strong as itself an edge cannot be distinguished.
     shows &= ratio < _MARKS
     shows &= ~_find_soft_parts(masked, at, shows, blur)
     return EdgeMeasurements(

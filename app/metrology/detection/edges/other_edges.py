@@ -19,7 +19,7 @@ from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.rejection import RejectionReason, size_mismatch
 from app.metrology.transforms import Floats
 
-# What is too little to be told as another size, px.
+# What is too little to be reported as another size, px.
 _NEAREST_PX = 1.6
 # Stations are so far apart; lines are followed over so many of them.
 _SPACING_PX, _AVERAGING = 3.0, 13
@@ -29,7 +29,7 @@ _STEP, _OVER_NOISE = 0.1, 5.0
 # shows where the certificate puts them and what shows somewhere else; of those edges at least
 # so many free of others; and how much may show where the certificate puts them.
 _STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
-# What bears out a place that ends of edges tell must stand out by so much.
+# What bears out a place that ends of edges show must stand out by so much.
 _BEARS_OUT = 0.08
 # The next likely place is so far from the likeliest at least.
 _APART_PX = 6.0
@@ -61,10 +61,10 @@ def find_wrong_dimension(
     lines = _lines_about(grey, found)
     for axis, at_mm, edges in planes(found.frame):
         rows = np.flatnonzero(np.isin(lines.at.edge, edges))
-        told = _find_plane_offset(found, lines, rows, axis, count_in_place(found, edges, axis))
-        if told is not None and not (axis == 0 and in_place_by_ends(at_mm, told.by_mm)):
+        offset = _find_plane_offset(found, lines, rows, axis, count_in_place(found, edges, axis))
+        if offset is not None and not (axis == 0 and in_place_by_ends(at_mm, offset.by_mm)):
             name = found.frame.names[lines.at.edge[rows[0]]]
-            return size_mismatch(name, abs(told.by_mm), told.by_px, edges, told.alone)
+            return size_mismatch(name, abs(offset.by_mm), offset.by_px, edges, offset.alone)
     return None
 
 
@@ -170,10 +170,10 @@ def _find_plane_offset(
     at = lines.at
     px_per_mm = moves_px_per_mm(found.camera, select_stations(at, rows), axis)
     length = at.length_px[rows]
-    telling = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
-    if float(length[telling].sum()) < _LENGTH_PX:
+    sensitive = np.abs(px_per_mm) * FURTHEST_MM > 2 * _NEAREST_PX
+    if float(length[sensitive].sum()) < _LENGTH_PX:
         return None
-    rows, px_per_mm, length = rows[telling], px_per_mm[telling], length[telling]
+    rows, px_per_mm, length = rows[sensitive], px_per_mm[sensitive], length[sensitive]
     fastest = float(np.abs(px_per_mm).max())
     reach = lines.there.shape[1] // 2
     steps, away = _shifts(px_per_mm)
@@ -193,8 +193,8 @@ def _find_plane_offset(
     if most <= staying and staying > 0:
         return None
     several = most > 1
-    told = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
-    if not told:
+    displaced = (stands_out and here < _HERE * share[best]) or (several and here < share[best] / 2)
+    if not displaced:
         return None
     say = shows - _shares(lines.there[rows, reach], length, edge)
     alone = bool(np.sum(say > _PART_OF_IT) < 2 and np.any(say < -_PART_OF_IT))

@@ -94,8 +94,8 @@ def drop_outlier_edges(found: EdgeMeasurements, certificate_mm: float) -> EdgeMe
 def drop_single_outlier(found: EdgeMeasurements, certificate_mm: float) -> EdgeMeasurements:
     """The survey without a single edge that lies a little off, where all else is in place then.
 
-    Too little to be told from a shadow's border or a worn edge; what it alone tells of the
-    block, the picture does not show.
+    Too little to be distinguished from a shadow's border or a worn edge; what it alone shows
+    of the block then counts as not seen.
     """
     displaced = _find_displaced(measure_parts(found, certificate_mm), _SIGMAS)
     little = max((part.distance_px for part in displaced), default=np.inf) < _LONE_PX
@@ -171,7 +171,7 @@ def _find_displaced(parts: list[EdgePart], sigmas: float) -> list[EdgePart]:
     return [part for part in parts if part.ratio > sigmas * spread]
 
 
-def _others_agree(found: EdgeMeasurements, astray: EdgePart, parts: list[EdgePart]) -> bool:
+def _others_agree(found: EdgeMeasurements, outlier: EdgePart, parts: list[EdgePart]) -> bool:
     """Whether in both planes of a displaced edge others lie where they should.
 
     A wrong size moves all edges of its plane. Only those count that a shift of the
@@ -180,11 +180,11 @@ def _others_agree(found: EdgeMeasurements, astray: EdgePart, parts: list[EdgePar
     displaced = {part.number for part in _find_displaced(parts, _ODD)}
     frame = found.frame
     both = np.stack([frame.starts_mm, frame.ends_mm], axis=1)
-    for axis in np.flatnonzero(both[astray.edge, 0] == both[astray.edge, 1]):
-        shift = 1000.0 * _shift_px(found, astray, int(axis))
+    for axis in np.flatnonzero(both[outlier.edge, 0] == both[outlier.edge, 1]):
+        shift = 1000.0 * _shift_px(found, outlier, int(axis))
         if shift < 1e-6:
             continue
-        level = both[astray.edge, 0, axis]
+        level = both[outlier.edge, 0, axis]
         if not any(
             part.number not in displaced
             and bool((both[part.edge, :, axis] == level).all())

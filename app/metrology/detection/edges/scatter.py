@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats
 
 # Points further from their part's median, over their deviation and scatter, are none of it.
 _WITHIN = 4.0
-# Points that tell how a part scatters; that make its mean; means that tell how parts scatter.
+# Points that show how a part scatters; that make its mean; means that show how parts scatter.
 _IN_PART, _IN_MEAN, _FEWEST_MEANS = 8, 3, 6
 # Neighbouring points that err alike by more than this are held to err alike by this.
 _MOST_ALIKE = 0.8

@@ -16,7 +16,7 @@ _EDGE_ON = 0.004
 
 _measure_clearance = Function(
     CRENEL,
-    "room_beside_edges",
+    "edge_clearance",
     Array(F64, "n", 2),
     Array(F64, "n", 2),
     Array(I64, "n"),
@@ -53,7 +53,7 @@ class EdgeStations:
 
     Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part),
     ``points_mm`` (N, 3), ``uv_px`` (N, 2) where they are expected, ``normal`` (N, 2)
-    unit, towards the part's first region, ``room_px`` (N, 2) distance along
+    unit, towards the part's first region, ``clearance_px`` (N, 2) distance along
     and against the normal to the next edge that shows, or would from a little aside,
     ``length_px`` (N,) of edge each stands for. ``regions`` (parts, 2): what adjoins each
     part. ``half_length_px``: how far along the edge each gathers light to either side, the
@@ -114,15 +114,15 @@ def place_stations(
     limit = np.array([camera.width_px, camera.height_px]) - 1 - edge_of_frame
     inside = np.all((uv >= edge_of_frame) & (uv <= limit), axis=1)
     uv, normal, part = uv[inside], normal[inside], part[inside]
-    room = np.empty((len(uv), 2))
-    _measure_clearance(uv, normal, part, near, half_length, room, np.empty((4, len(near))))
+    clearance = np.empty((len(uv), 2))
+    _measure_clearance(uv, normal, part, near, half_length, clearance, np.empty((4, len(near))))
     return EdgeStations(
         parts.edge[part],
         part,
         points[inside],
         uv,
         normal,
-        room,
+        clearance,
         (usable / np.maximum(count, 1))[part],
         parts.regions,
         half_length,

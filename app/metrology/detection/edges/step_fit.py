@@ -106,14 +106,14 @@ def measure_steps(
 
     Args:
         image: (H, W) grey levels, NaN where they must not count.
-        at: stations with room (``with_clearance``).
+        at: stations with clearance (``with_clearance``).
         blur_px: standard deviation of the picture's blur; fitted too if ``free_blur``.
     """
     reach = max(_LEAST_REACH_PX, _REACH_BLURS * blur_px + _REACH_PX)
-    room = np.minimum(reach, at.clearance_px - _NEIGHBOUR_BLURS * blur_px)
-    windows = np.column_stack([room, np.full(len(room), at.half_length_px)])
+    clearance = np.minimum(reach, at.clearance_px - _NEIGHBOUR_BLURS * blur_px)
+    windows = np.column_stack([clearance, np.full(len(clearance), at.half_length_px)])
     places = np.column_stack([at.uv_px, at.normal])
-    reach = np.ceil(np.hypot(room.max(axis=1), at.half_length_px)).astype(np.int64)
+    reach = np.ceil(np.hypot(clearance.max(axis=1), at.half_length_px)).astype(np.int64)
     workspace = np.empty((9, (2 * int(reach.max(initial=0)) + 1) ** 2 + _AT_A_TIME))
     found = np.empty((len(places), 6))
     unknowns = 6 if free_blur else 5

@@ -8,7 +8,7 @@ from app.metrology.transforms import Floats
 
 # The texture is taken from so many windows of the step's fit to either side of it.
 _WINDOWS = 4
-# Fewer places than this along the normals tell nothing.
+# Fewer places than this along the normals show nothing.
 _FEWEST = 6
 # Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
 _ROOT_TWO_PI = 2.5066
@@ -30,7 +30,7 @@ def texture(
 
     Returns:
         (N,) per station that ratio of its part, and (N,) the part's displacement in px, one
-        standard deviation; 0 where nothing can be told.
+        standard deviation; 0 where nothing is known.
     """
     window = int(np.ceil(2.5 * blur_px + 1.0))
     reach = (_WINDOWS + 1) * window

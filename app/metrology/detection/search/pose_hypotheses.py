@@ -6,7 +6,7 @@ block's edges, seen end on, in that bearing. Two bearings to two edges place the
 in that plane, the segments along the other two directions on the third axis, and all
 vote. Each direction takes its turn as the first: of any, the picture may show too
 little, or tool marks too much. The block's mirror image is tried as well, so that it
-can be told from the block.
+can be distinguished from the block.
 """
 
 from collections.abc import Iterator

@@ -89,7 +89,7 @@ class AttemptResult:
 
     @property
     def is_other_object(self) -> bool:
-        """Whether the nearest placing is an object very like the block; no other try tells more."""
+        """Whether the nearest placing is an object very like the block; no other try shows more."""
         if self.nearest is None or self.against is None or not self.against.edges:
             return False
         well_drawn = self.search.poses[0].support > _SURE
@@ -102,7 +102,7 @@ class AttemptResult:
 
     @property
     def doubtful(self) -> bool:
-        """Whether another look at the picture may tell better which way the block stands."""
+        """Whether another look at the picture may show better which way the block stands."""
         return self.good[0][0].mirrored or self.is_ambiguous
 
 

@@ -51,7 +51,7 @@ EXPORT(double, neighbours_alike)(int64_t n, const double *uv, const double *resi
  *
  * order (n): the rows with those of one line together; line, kept, off (n) and places (n, 2): each
  * row's line, whether it counts, its residual over its deviation, its pixel. about_mean: whether
- * what all points of a line share is no scatter; fewest: points that tell a line's scatter.
+ * what all points of a line share is no scatter; fewest: points that give a line's scatter.
  * workspace (3, n). */
 EXPORT(void, variances_of_lines)(int64_t n, const int64_t *order, const int64_t *line,
                                  const bool *kept, const double *off, const double *places,

@@ -9,9 +9,9 @@ static const double PARALLEL_TO_PART = 1e-6;
  *
  * part (n): the station's own; ends (p, 4): of the parts, as u0, v0, u1, v1, in the picture;
  * beyond_px: as much longer each counts at either end. workspace (4, p). */
-EXPORT(void, room_beside_edges)(int64_t n, int64_t p, const double *uv, const double *normal,
-                                const int64_t *part, const double *ends, double beyond_px,
-                                double *room, double *workspace)
+EXPORT(void, edge_clearance)(int64_t n, int64_t p, const double *uv, const double *normal,
+                             const int64_t *part, const double *ends, double beyond_px,
+                             double *clearance, double *workspace)
 {
     double *du = workspace, *dv = du + p, *least = dv + p, *longer = least + p;
     for (int64_t k = 0; k < p; k++) {
@@ -39,8 +39,8 @@ EXPORT(void, room_beside_edges)(int64_t n, int64_t p, const double *uv, const do
             else
                 behind = min_f64(behind, -away);
         }
-        room[2 * i] = ahead;
-        room[2 * i + 1] = behind;
+        clearance[2 * i] = ahead;
+        clearance[2 * i + 1] = behind;
     }
 }
 
@@ -61,19 +61,19 @@ static inline double between_pixels(const double *image, int64_t height, int64_t
 /* Offset along each normal, px, and slope there, grey levels a pixel, of the steepest place.
  *
  * found (n, 2) is NaN where the picture has no value. The search goes `radius` far, but halfway to
- * the next edge only (room as above); each place is the mean over `half` pixels of edge to either
- * side. workspace (2, 2 reach + 1): reach is two pixels more than the radius. */
+ * the next edge only (clearance as above); each place is the mean over `half` pixels of edge to
+ * either side. workspace (2, 2 reach + 1): reach is two pixels more than the radius. */
 EXPORT(void, steepest_places)(int64_t height, int64_t width, int64_t n, int64_t line,
                               const double *image, const double *uv, const double *normal,
-                              const double *room, double radius, int64_t half, double *found,
+                              const double *clearance, double radius, int64_t half, double *found,
                               double *workspace)
 {
     double *profile = workspace, *slope = workspace + line;
     int64_t reach = line / 2;
     for (int64_t i = 0; i < n; i++) {
         double nu = normal[2 * i], nv = normal[2 * i + 1];
-        double high = min_f64(radius, max_f64(0.5 * room[2 * i], 1.0));
-        double low = -min_f64(radius, max_f64(0.5 * room[2 * i + 1], 1.0));
+        double high = min_f64(radius, max_f64(0.5 * clearance[2 * i], 1.0));
+        double low = -min_f64(radius, max_f64(0.5 * clearance[2 * i + 1], 1.0));
         int64_t first = max_i64(reach + (int64_t)ceil(low), 2);
         int64_t last = min_i64(reach + (int64_t)floor(high), 2 * reach - 2);
         for (int64_t k = first - 2; k <= last + 2; k++) {

@@ -194,13 +194,13 @@ static void fit_step(const double *across, const double *grey, int64_t count, do
             break;
     }
     double variance = max_f64(sums[0][0] / (double)(count - size), LEAST_VARIANCE);
-    const int told[2] = {STEP_OFFSET, STEP_HEIGHT};
+    const int reported[2] = {STEP_OFFSET, STEP_HEIGHT};
     for (int k = 0; k < 2; k++) {
         StepVector unit = {0};
-        unit[told[k]] = 1.0;
+        unit[reported[k]] = 1.0;
         solve_decomposed(L, size, scale, unit, step);
-        found[2 * k] = state[told[k]];
-        found[2 * k + 1] = sqrt(variance * step[told[k]]);
+        found[2 * k] = state[reported[k]];
+        found[2 * k + 1] = sqrt(variance * step[reported[k]]);
     }
     found[4] = state[STEP_BLUR];
     found[5] = sqrt(variance);

@@ -4,7 +4,7 @@
  * seen from the camera, another edge crosses it: every edge is cut at all such crossings, and one
  * ray to each piece decides. */
 
-static const double BESIDE_RAD = 1e-6;     /* a ray so far off an edge tells what adjoins it */
+static const double BESIDE_RAD = 1e-6;     /* a ray so far off an edge shows what adjoins it */
 static const double ON_SURFACE = 1e-7;     /* share of the distance that is rounding */
 static const double SHORTEST_PIECE = 1e-9; /* share of the edge */
 enum { BACKGROUND, FRONT, BACK, BOTTOM, FIRST_CREST };

@@ -62,7 +62,7 @@ static int64_t find_joint_states(Span in, int64_t *row, uint64_t *names)
 
 /* Of each message, by its row of find_records' table: stamp and the positions' places (rows), how
  * many joints there are or -1 where it is to be decoded in another way (counts), and a number that
- * tells the joints' names apart from others (names). */
+ * distinguishes the joints' names from others (names). */
 EXPORT(void, find_joints)(int64_t n, int64_t m, const uint8_t *data, const int64_t *messages,
                           int64_t *rows, int64_t *counts, int64_t *names)
 {

@@ -1,6 +1,6 @@
-/* What the steps of a clipped line hand on to each other.
+/* What the steps of a clipped line pass to each other.
  *
- * Where the line's core is clipped, only its two flanks tell where it lies. The steps:
+ * Where the line's core is clipped, only its two flanks show where it lies. The steps:
  * clipped_runs.c finds the clipped pixels, cores.c those that are the line's core, flanks.c reads
  * the pixels beside it, flank_step.c, flank_noise.c and flank_fit.c fit them, smooth.c smooths and
  * join.c joins the points with the rest of the line. */

@@ -1,7 +1,7 @@
 /* A clipped line, step 1: the runs of clipped pixels in every column.
  *
  * Two clipped pixels of a column are of one run where at most BREAK between them are not. So every
- * third row tells which runs there are, and the columns where they begin and end. Hardly a pixel
+ * third row shows which runs there are, and the columns where they begin and end. Hardly a pixel
  * is clipped: many side by side are asked at once whether one of them is. Included with BITS
  * defined. */
 #include "pixel.h"

@@ -4,7 +4,7 @@
  * Each step's are divided by its redundancy, the share of its error that the fit leaves
  * (Foerstner's estimate), so that pixels which the fit follows seem no better. A line, and not
  * each step on its own: steps whose pixels the fit follows closely would take up all weight. What
- * no step tells stays near what it was first. */
+ * no step shows stays near what it was first. */
 
 enum {
     HEIGHT_STEPS = 12, /* steps of the signal's height up to HIGHEST */

@@ -151,7 +151,7 @@ static PIXEL OF(search_part)(Workspace *work, const int64_t *part, OF(greys) *mo
         const int64_t j = k - AWAY; /* its surroundings are known by now */
         if (j < first)
             continue;
-        /* where a part ends amid the picture, what lies beyond may tell an edge from a peak */
+        /* where a part ends amid the picture, what lies beyond may show an edge, not a peak */
         if ((part[0] > 0 && j < first + AWAY) || (part[1] < work->height && j + AWAY >= behind))
             continue;
         Cores here = OF(cores_from)(j, first, behind, row_px);

@@ -41,7 +41,7 @@ enum { CENTRE, AMPLITUDE, SIGMA, VARIANCE, CHI2, PIXELS, CLIPPED, BECAME, FIT_RO
 /* Rows of the table of peaks; points have all but the last, with UNSURE a standard deviation. */
 enum { ALONG, ACROSS, HEIGHT, UNSURE, BROAD, PEAK_ROWS };
 
-/* Blocks of peaks that tell the noise; lists in which pixels' differences are counted. */
+/* Blocks of peaks that give the noise; lists in which pixels' differences are counted. */
 enum { NOISE_BLOCKS = 2, COUNT_LISTS = 4 };
 
 /* Which of several peaks of a column is the stripe. */
