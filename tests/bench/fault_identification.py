@@ -1,6 +1,6 @@
 """How often a fault in all contacts, or in the block's certificate, is identified correctly.
 
-    python -m tests.bench.told_faults [--draws 40]
+    python -m tests.bench.fault_identification [--draws 40]
 
 Sessions of random stations (six poses, forty touches on four faces) are drawn without pictures,
 as ``crenel bench calibration`` does, with arms of three qualities; each is given one fault.
