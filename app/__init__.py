@@ -3,7 +3,7 @@
 import os
 
 # The matrices here are small: BLAS on many threads only gets in the way of the
-# station's own, and must be told so before numpy is imported.
+# station's own. The limit has to be set before numpy is imported.
 for _library in ("OPENBLAS", "MKL", "OMP"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 

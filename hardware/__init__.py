@@ -23,7 +23,7 @@ Your own arm or camera, in a package of your own
 3. Name it in station.toml: ``[arm] driver = "my-arm"  address = "192.168.1.20"``.
 
 The rules: nothing is touched before ``open``, and ``open`` on an open device does
-nothing. ``read`` waits no longer than it is told and yields stamps that strictly
+nothing. ``read`` waits no longer than its limit and yields stamps that strictly
 increase, on the clock of ``hardware.clock``. A missing or lost device is a
 ``DeviceError`` saying what to do; after it, ``open`` tries afresh. ``close`` may come
 twice, at any time and from any thread, and ends a waiting ``read``. Losses are counted

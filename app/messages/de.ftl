@@ -228,6 +228,8 @@ block-corner =
         [L-back] hinten links
        *[R-back] hinten rechts
     }
+board-bends-over-pattern-allowed = Das Blatt biegt sich über das Muster um { $bend }: berücksichtigt.
+board-bends-over-pattern-flat-expected = Das Blatt biegt sich über das Muster um { $bend }; erwartet war eine Ebenheit von { $flatness }.
 board-has-corners = „{ $name }“ hat { $columns } × { $rows }
 board-has-corners-outermost-missing = „{ $name }“ hat { $columns } × { $rows }; ohne die äußersten Ecken lassen sich die anderen nicht nummerieren
 board-printed-side = Tafel (bedruckte Seite)
@@ -1708,7 +1710,7 @@ plug-right-arm-correct-arm-joint = Den richtigen Messarm anschließen oder [arm]
 plus-minus = ± { $uncertainty }
 point = Punkt { $number }, { $place }.
 point-2 = { $face }, Punkt { $index }
-point-again = Das ist noch einmal Punkt { $twin }
+point-again = Das ist noch einmal Punkt { $point }
 point-back = Punkt { $index } ist wieder da.
 point-cannot-true = Punkt { $index } ist unmöglich: { $what }; { $why }.
 point-expanded-uncertainty = Gescannter Punkt, rms über das Messvolumen: erweiterte Unsicherheit
@@ -1719,7 +1721,7 @@ point-left-out-off = { $place }, Punkt { $number }: { $distance } daneben
 point-lies-on-other-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off } und liegt { $where }.
 point-misses-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off }.
 point-off-face = Punkt { $index } liegt { $off } neben der Fläche „{ $face }“; die anderen stimmen auf { $rms } überein.
-point-off-face-remove-then-go = Punkt { $suspects } liegt nicht auf seiner Fläche. Ihn entfernen, dann weitermachen.
+point-off-face-remove-then-go = Punkt { $point } liegt nicht auf seiner Fläche. Ihn entfernen, dann weitermachen.
 point-off-plane-others = Punkt { $index } liegt { $off } neben der Ebene der anderen.
 point-removed = Punkt { $index } ist entfernt.
 point-standard-uncertainty = Gescannter Punkt, rms über das Messvolumen: Standardunsicherheit
@@ -2100,8 +2102,6 @@ set-sensor-back-scan-again = den Sensor zurückstellen und erneut scannen
 set-sensor-rate-hz = { "[" }sensor] rate_hz setzen.
 set-up = Einrichten
 settings-are-lost = Die Einstellungen sind verloren: { $error }
-sheet-bends-over-pattern-allowed = Das Blatt biegt sich über das Muster um { $bend }: berücksichtigt.
-sheet-bends-over-pattern-flat-expected = Das Blatt biegt sich über das Muster um { $bend }; erwartet war eine Ebenheit von { $flatness }.
 shorten-exposure-or-darken-room = Kürzer belichten oder die Umgebung abdunkeln
 should-used-findings-say-why = Sie sollte nicht benutzt werden: die Befunde sagen, warum.
 show-more-block-crests-floors-front = Mehr vom Zinnenkörper zeigen, Zinnen und Nutgründe, vorn und hinten.

@@ -228,6 +228,8 @@ block-corner =
         [L-back] back left
        *[R-back] back right
     }
+board-bends-over-pattern-allowed = The board bends by { $bend } over the pattern: allowed for.
+board-bends-over-pattern-flat-expected = The board bends by { $bend } over the pattern; flat to { $flatness } was expected.
 board-has-corners = { $name } has { $columns } × { $rows }
 board-has-corners-outermost-missing = { $name } has { $columns } × { $rows }; without its outermost corners the others cannot be numbered
 board-printed-side = Board (printed side)
@@ -1699,7 +1701,7 @@ plug-right-arm-correct-arm-joint = Plug in the right arm, or correct [arm] joint
 plus-minus = ± { $uncertainty }
 point = Point { $number }, { $place }.
 point-2 = { $face }, point { $index }
-point-again = This is point { $twin } again
+point-again = This is point { $point } again
 point-back = Point { $index } is back.
 point-cannot-true = Point { $index } cannot be true: { $what }; { $why }.
 point-expanded-uncertainty = Scanned point, rms over the measuring volume: expanded uncertainty
@@ -1710,7 +1712,7 @@ point-left-out-off = { $place }, point { $number }: { $distance } off
 point-lies-on-other-face = Point { $index } misses the { $face } face by { $off } and lies { $where }.
 point-misses-face = Point { $index } misses the { $face } face by { $off }.
 point-off-face = Point { $index } is { $off } off the { $face } face; the others agree to { $rms }.
-point-off-face-remove-then-go = Point { $suspects } is off its face. Remove it, then go on.
+point-off-face-remove-then-go = Point { $point } is off its face. Remove it, then go on.
 point-off-plane-others = Point { $index } is { $off } off the plane of the others.
 point-removed = Point { $index } is removed.
 point-standard-uncertainty = Scanned point, rms over the measuring volume: standard uncertainty
@@ -2091,8 +2093,6 @@ set-sensor-back-scan-again = set the sensor back, and scan again
 set-sensor-rate-hz = Set [sensor] rate_hz.
 set-up = Set-up
 settings-are-lost = The settings are lost: { $error }
-sheet-bends-over-pattern-allowed = The board bends by { $bend } over the pattern: allowed for.
-sheet-bends-over-pattern-flat-expected = The board bends by { $bend } over the pattern; flat to { $flatness } was expected.
 shorten-exposure-or-darken-room = Shorten the exposure, or darken the surroundings
 should-used-findings-say-why = It should not be used: the findings say why.
 show-more-block-crests-floors-front = Show more of the block, crests and floors, front and back.

@@ -38,7 +38,7 @@ _MIN_STEP_NS = 500_000
 class DeviceClock:
     """Maps device time to host-monotonic time; stamps strictly increase.
 
-    ``observe`` is told of arrivals, ``stamp`` asks for the mapping. Where a better
+    ``observe`` takes arrivals, ``stamp`` asks for the mapping. Where a better
     observation moves the mapping back, stamps run at half speed until it is met. When
     a packet comes far earlier than can be, or nothing has arrived on the line for two
     seconds, one of the clocks has jumped or stood still, and the line begins again.

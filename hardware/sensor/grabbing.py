@@ -54,7 +54,7 @@ class ImageSource(ABC):
         """The next picture, waited for; None for a damaged one. Stamps increase.
 
         Raises ``DeviceError`` when the source is lost, ``EndOfRecordingError`` when a
-        recording is over or when told to stop.
+        recording is over or when it has to stop.
         """
 
     def set_exposure_us(self, exposure_us: float) -> None:
@@ -80,7 +80,7 @@ class PlaybackTimer:
     def wait(self) -> int:
         """Waits until the next picture is due; returns that time.
 
-        Raises ``EndOfRecordingError`` when told to stop.
+        Raises ``EndOfRecordingError`` when it has to stop.
         """
         now = now_ns()
         self._due_ns += self._period_ns
@@ -189,7 +189,7 @@ class GrabbingSensor:
 
 
 class _Grabber(threading.Thread):
-    """Grabs from one source until it ends, is lost, or is told to stop."""
+    """Grabs from one source until it ends, is lost, or has to stop."""
 
     def __init__(
         self, title: Text, source: ImageSource, stop: threading.Event, health: LinkHealth

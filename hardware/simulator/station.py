@@ -134,14 +134,14 @@ class SimulatedStation:
     def arm_url(self) -> str:
         """What the ``serial-encoder`` driver opens; known once started."""
         if self._line is None:
-            raise RuntimeError("the twin is not started")
+            raise RuntimeError("the simulation is not started")
         return self._line.url
 
     @property
     def device(self) -> ArmDevice:
         """The arm's electronics; there once started."""
         if self._device is None:
-            raise RuntimeError("the twin is not started")
+            raise RuntimeError("the simulation is not started")
         return self._device
 
     def start(self) -> "SimulatedStation":

@@ -83,7 +83,7 @@ def test_points_that_agree_have_small_residuals_and_their_place(
     assert report.missing == ""
     assert report.alignment is not None
     assert report.alignment.rms_mm == pytest.approx(0.0, abs=1e-5)
-    assert report.suspects == ()
+    assert report.questionable == ()
     places = [p.at_mm for p in report.points]
     expected = [q for f in ("crest", "front", "right") for q in suggest_places(block, f)]
     assert np.array(places) == pytest.approx(np.array(expected), abs=1e-4)
@@ -98,7 +98,7 @@ def test_a_point_on_another_face_is_named_with_the_face_it_misses(
             rows.append(point_row(face, contact_joints(arm, block, face, place)))
     rows.append(point_row("crest", contact_joints(arm, block, "front", (1.0, -12.0, 7.5))))
     report = touch_report(state_after(*rows).counted, arm, block, 15.0)
-    assert report.suspects == (27,)
+    assert report.questionable == (27,)
     (finding,) = report.findings
     assert finding.quality == "bad"
     assert "Point 28 misses the crest face" in str(finding.text)
@@ -114,7 +114,7 @@ def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) 
             off_mm = 0.2 if (face, i) == ("front", 4) else rng.normal(0.0, 0.005)
             rows.append(point_row(face, contact_joints(arm, block, face, place + off_mm * normal)))
     report = touch_report(state_after(*rows).counted, arm, block, 15.0)
-    assert report.suspects == (13,)
+    assert report.questionable == (13,)
     assert report.findings[0].quality == "attention"
     assert "µm" in str(report.findings[0].text)
     assert report.points[13].residual_um == pytest.approx(200.0, abs=15.0)
@@ -126,7 +126,7 @@ def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenel
     q_rad = (contacts[3].q_rad[0] + 6 * np.pi, *contacts[3].q_rad[1:])
     wrong = replace(contacts[3], q_rad=q_rad)
     report = touch_report([*contacts[:3], wrong, *contacts[4:]], arm, block, 15.0)
-    assert report.suspects[0] == 3
+    assert report.questionable[0] == 3
     assert "Point 4 cannot be true: joint" in str(report.findings[0].text)
     assert report.alignment is not None
 

@@ -1,4 +1,4 @@
-"""The calls of a station that reach the disk and the network: logged, and failing when told to.
+"""The calls of a station that reach the disk and the network: logged, and failing on request.
 
 By a small library that is preloaded into its process (``c/disk_calls.c``); Linux alone.
 """
@@ -18,7 +18,7 @@ def compile_library(folder: Path) -> Path:
     """Compiles the library into a folder.
 
     Raises:
-        Refusal: it cannot be, or preloaded, here.
+        OperationError: it cannot be, or preloaded, here.
     """
     if sys.platform != "linux" or not CODE.is_file():
         raise _unavailable_error("this needs Linux, and a checkout of the sources")

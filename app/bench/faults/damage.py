@@ -34,7 +34,7 @@ def run(
     """Damages copies of a furnished folder, each in one way, and looks at the station on it.
 
     It must start and tell what is wrong, or refuse in one line; then it answers everything,
-    acts, and ends when it is told to.
+    acts, and ends on request.
 
     Args:
         data: a folder for the station's own, which is made.
@@ -136,7 +136,7 @@ def _check_service(
         ]
         wrong = look.faults
         if damage.expected_message and not look.mentions(damage.expected_message):
-            wrong.append("nothing is told of it")
+            wrong.append("nothing is reported of it")
         station.end()
     except OperationError as refusal:
         return [refusal.line], []

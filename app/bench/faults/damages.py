@@ -27,7 +27,7 @@ class Damage:
     do: Callable[[Path, random.Random], None]
     """To the data folder."""
     expected_message: str = ""
-    """What of it must be told, a regular expression; empty where it harms nothing."""
+    """What must be reported of it, a regular expression; empty where it harms nothing."""
     affected_ids: tuple[str, ...] = ()
     """The ids of the records that it takes."""
     by_others: bool = False

@@ -1,7 +1,7 @@
 """The simulated station with its devices failing in every step of a calibration and in a scan.
 
 Times are as a browser sees them: from the fault until the live connection tells of it, and
-from its end until the device is told to be there again.
+from its end until the device is reported as connected again.
 """
 
 import json
@@ -116,9 +116,9 @@ def run(progress: Progress = no_progress) -> list[DeviceFaultRow]:
     """Every failure in every step; a refusal where the station does not go on."""
     with (
         tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder,
-        SimulatedStation(SimulationConfig(pace=4.0)) as twin,
+        SimulatedStation(SimulationConfig(pace=4.0)) as simulation,
     ):
-        parts = replace(station_parts(twin, Path(folder)), guest=GUEST)
+        parts = replace(station_parts(simulation, Path(folder)), guest=GUEST)
         with convert_connection_errors(), serve_in_thread(parts) as (station, port):
             signed_in = sign_in(station, port)
             with (
@@ -126,9 +126,9 @@ def run(progress: Progress = no_progress) -> list[DeviceFaultRow]:
                     base_url=f"http://127.0.0.1:{port}", headers=signed_in, timeout=30.0
                 ) as http,
                 connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live,
-                _DeviceMonitor(live) as told,
+                _DeviceMonitor(live) as monitor,
             ):
-                return list(_walk(_StationClient(http, told, twin), progress))
+                return list(_walk(_StationClient(http, monitor, simulation), progress))
 
 
 def count_done(view: View) -> int:
@@ -158,34 +158,36 @@ class _DeviceMonitor:
 
     def _read(self) -> None:
         for message in self._live:
-            told = json.loads(message) if isinstance(message, str) else {}
-            if told.get("name") != "devices":
+            received = json.loads(message) if isinstance(message, str) else {}
+            if received.get("name") != "devices":
                 continue
             with self._changed:
                 self._there = {
-                    device: told["value"][device]["state"] == "connected" for device in DEVICES
+                    device: received["value"][device]["state"] == "connected" for device in DEVICES
                 }
                 self._changed.notify_all()
 
     def when(self, device: str, there: bool) -> float:
-        """The monotonic time in s at which a device is told to be there, or not to be.
+        """The monotonic time in s at which a device is reported as connected, or as lost.
 
         Raises:
-            Refusal: it is not told.
+            OperationError: it is not reported.
         """
         with self._changed:
             if not self._changed.wait_for(
                 lambda: self._there.get(device) is there, timeout=PATIENCE_S
             ):
-                raise stuck_error(f"nothing is told of the {device}")
+                raise stuck_error(f"nothing is reported of the {device}")
             return time.monotonic()
 
 
 class _StationClient:
     """The station under test, from its browser's end."""
 
-    def __init__(self, http: httpx.Client, told: _DeviceMonitor, twin: SimulatedStation) -> None:
-        self.http, self._monitor, self._twin = http, told, twin
+    def __init__(
+        self, http: httpx.Client, monitor: _DeviceMonitor, simulation: SimulatedStation
+    ) -> None:
+        self.http, self._monitor, self._simulation = http, monitor, simulation
 
     def view(self) -> View:
         return dict(self.http.get("/api/flow").json())
@@ -221,9 +223,9 @@ class _StationClient:
             before = taken()
             self._monitor.when(failure.device, True)
             failed_s = time.monotonic()
-            failure.begin(self._twin.faults)
+            failure.begin(self._simulation.faults)
             said_s = self._monitor.when(failure.device, False) - failed_s
-            self._twin.faults.clear()
+            self._simulation.faults.clear()
             mended_s = time.monotonic()
             back_s = self._monitor.when(failure.device, True) - mended_s
             yield DeviceFaultRow(step, failure.name, said_s, back_s, before == taken())

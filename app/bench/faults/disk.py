@@ -64,7 +64,7 @@ def run(
         data: a folder for the station's own, which is made.
 
     Raises:
-        Refusal: the library cannot be preloaded here.
+        OperationError: the library cannot be preloaded here.
     """
     data.parent.mkdir(parents=True, exist_ok=True)
     library = compile_library(data.parent)
@@ -117,7 +117,7 @@ def _sign_in_again(station: StationProcess) -> list[str]:
 
 
 def _list_stored(station: StationProcess) -> set[str]:
-    """What people are told is kept: scans, calibrations, and the points of the open session."""
+    """What the station calls saved: scans, calibrations, and the points of the open session."""
     records = [*station.get("/api/scans"), *station.get("/api/calibrations")]
     flow = station.get("/api/flow")
     points = flow["picture"].get("points") or ()

@@ -49,7 +49,7 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
     """Makes a data folder, which must not be there: calibration, scans, open sessions, settings.
 
     Raises:
-        Refusal: the station does not go on.
+        OperationError: the station does not go on.
     """
     prepare(data)
     with StationProcess(data) as station:

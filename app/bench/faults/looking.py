@@ -129,15 +129,15 @@ def _fill_route(route: str, ids: Mapping[str, list[str]]) -> list[str]:
 
 
 def _live_faults(station: StationProcess) -> list[str]:
-    """Whether a browser's live connection is told things, and lives."""
-    told = 0
+    """Whether a browser's live connection receives messages, and lives."""
+    received = 0
     try:
         with station.live() as live:
             deadline_s = time.monotonic() + LIVE_S
             while (left_s := deadline_s - time.monotonic()) > 0:
                 with suppress(TimeoutError):
                     live.recv(left_s)
-                    told += 1
+                    received += 1
     except (WebSocketException, OSError) as error:
         return [f"the live connection ended: {error}"]
-    return [] if told else ["the live connection told nothing"]
+    return [] if received else ["the live connection sent nothing"]

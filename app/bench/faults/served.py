@@ -22,9 +22,9 @@ CONFIG = SimulationConfig(pace=4.0)
 HOST = "127.0.0.1"
 
 
-def true_calibration(twin: SimulatedStation) -> dict[str, Any]:
+def true_calibration(simulation: SimulatedStation) -> dict[str, Any]:
     """The calibration of a simulated sensor as a solve without any error would have it."""
-    truth: dict[str, Any] = json.loads(json.dumps(twin.truth()))
+    truth: dict[str, Any] = json.loads(json.dumps(simulation.truth()))
     T_cam_sensor = np.array(truth["camera"]["T_cam_sensor"])
     matrix = np.array(truth["camera"]["matrix"])
     return {
@@ -36,8 +36,8 @@ def true_calibration(twin: SimulatedStation) -> dict[str, Any]:
             "rotation": T_cam_sensor[:3, :3].tolist(),
             "translation_mm": T_cam_sensor[:3, 3].tolist(),
             "distortion": truth["camera"]["distortion"],
-            "width_px": twin.config.width_px,
-            "height_px": twin.config.height_px,
+            "width_px": simulation.config.width_px,
+            "height_px": simulation.config.height_px,
         },
         "laser_plane": truth["laser_plane"],
         "probe_matrix": truth["T_flange_sensor"],
@@ -47,13 +47,13 @@ def true_calibration(twin: SimulatedStation) -> dict[str, Any]:
     }
 
 
-def accept_truth(store: Store, twin: SimulatedStation, name: str) -> None:
+def accept_truth(store: Store, simulation: SimulatedStation, name: str) -> None:
     """Puts the true calibration in use, as a session of this name would have."""
     folder = store.folder / "sessions" / name
     folder.mkdir(parents=True)
     file = folder / "calibration.json"
-    file.write_text(json.dumps(true_calibration(twin)))
-    (folder / "arm.json").write_text(json.dumps(twin.datasheets()["arm.json"]))
+    file.write_text(json.dumps(true_calibration(simulation)))
+    (folder / "arm.json").write_text(json.dumps(simulation.datasheets()["arm.json"]))
     figures = {
         "total_um": 30.0,
         "verdict": "good",
@@ -67,11 +67,11 @@ def accept_truth(store: Store, twin: SimulatedStation, name: str) -> None:
 
 def prepare(data: Path) -> None:
     """Makes a data folder of a station whose sensor is calibrated."""
-    with SimulatedStation(CONFIG) as twin:
-        write_datasheets(twin, data)
+    with SimulatedStation(CONFIG) as simulation:
+        write_datasheets(simulation, data)
         store = Store(data)
         try:
-            accept_truth(store, twin, "truth")
+            accept_truth(store, simulation, "truth")
         finally:
             store.close()
 

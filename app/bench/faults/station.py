@@ -83,7 +83,7 @@ class StationProcess:
         """Signs in as the demonstration's guest, once the whole station is there.
 
         Raises:
-            Refusal: it ended, or is not there in time.
+            OperationError: it ended, or is not there in time.
         """
         self.wait(lambda: LINK.search(self.console_text) and "Ready after" in self.console_text)
         self.sign_in().raise_for_status()
@@ -112,7 +112,7 @@ class StationProcess:
         """What ``enough`` tells, once it is something.
 
         Raises:
-            Refusal: the station ended, or it takes too long.
+            OperationError: the station ended, or it takes too long.
         """
         deadline_s = time.monotonic() + PATIENCE_S
         while not (found := enough()):
@@ -152,7 +152,7 @@ class StationProcess:
         """Tells it to end; how long that took, in s.
 
         Raises:
-            Refusal: it does not.
+            OperationError: it does not.
         """
         began_s = time.monotonic()
         self._process.send_signal(sign)

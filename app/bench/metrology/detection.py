@@ -35,7 +35,7 @@ CORNER_PX, CORNER_SIGMAS = 1.0, 5.0
 RMS_PX, RMS_SIGMAS = 0.3, 1.5
 # What a lens model leaves of the truth, beside each corner's own deviation.
 MODEL_PX = 0.02
-# A wrong measure can be told where it moves an edge that shows by so many pixels.
+# A wrong measure can be identified where it moves an edge that shows by so many pixels.
 VISIBLE_SHIFT_PX = 2.0
 # Sizes beside the merlons': what they are called, their fields, axes and planes along these.
 _OTHER_SIZES = (
@@ -187,7 +187,7 @@ def detect_block(shot: DegradedImage, block: Crenellated) -> ObjectDetection:
     """The detection in a shot, its stripe left out where the laser is on.
 
     Raises:
-        Refusal: as ``detect_object``.
+        OperationError: as ``detect_object``.
     """
     rolled = abs(shot.optics.T_cam_sensor[0, 0]) < abs(shot.optics.T_cam_sensor[1, 0])
     stripe = extract_stripe(shot.image, "v" if rolled else "u") if shot.laser_on else None

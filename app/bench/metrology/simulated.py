@@ -1,6 +1,6 @@
 """Calibration sessions simulated without pictures: what would be measured, with its noise.
 
-Arm, sensor and block are drawn by the twin; edge points, stripe points and contacts are
+Arm, sensor and block are drawn by the simulator; edge points, stripe points and contacts are
 then drawn as the adjustment takes them to be, so that its claims can be checked against
 hundreds of solves.
 """
@@ -220,15 +220,15 @@ def draw_session(
         _simulate_view(station, block, inverse(T) @ station.T_arm_obj, rng, share)
         for T in T_arm_cam
     )
-    told = station.q_rad + encoders * rng.normal(size=station.q_rad.shape)
-    contacts_told = contact_q + encoders * rng.normal(size=contact_q.shape)
+    read_q = station.q_rad + encoders * rng.normal(size=station.q_rad.shape)
+    read_contacts = contact_q + encoders * rng.normal(size=contact_q.shape)
     kept = np.ones(len(station.features), dtype=np.bool_)
-    moves = arm_motion(station.arm, told)
+    moves = arm_motion(station.arm, read_q)
     problem = AdjustmentProblem(
         tuple(range(len(views))),
         views,
         moves,
-        block_contacts(station.arm, station.certificate, station.features, contacts_told, kept),
+        block_contacts(station.arm, station.certificate, station.features, read_contacts, kept),
         prior,
         station.camera.width_px,
         station.camera.height_px,
@@ -240,7 +240,7 @@ def draw_session(
         station.T_arm_obj,
         values,
         links,
-        (station.q_rad - told) if noisy else np.zeros(station.q_rad.shape),
+        (station.q_rad - read_q) if noisy else np.zeros(station.q_rad.shape),
     )
     return Draw(truth, problem, _draw_start(truth, prior.coordinates, rng))
 

@@ -47,7 +47,7 @@ from hardware.simulator.devices.fast_simulator import (
 
 FOCAL_PX = 4400.0
 SETTLING_S = 60.0
-"""What the memory grows by is told from then on, or from a quarter of a shorter run."""
+"""What the memory grows by is measured from then on, or from a quarter of a shorter run."""
 
 
 @dataclass(frozen=True)

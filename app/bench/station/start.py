@@ -52,8 +52,8 @@ def table(rows: Sequence[StartRow]) -> list[tuple[str, ...]]:
 def _format_figures(figures: tuple[float, float, float], unit: str) -> str:
     median, least, most = figures
     decimals = 2 if unit == "s" else 0
-    told = f"{median:.{decimals}f} {unit}".rstrip()
-    return told if least == most else f"{told} ({least:.{decimals}f}–{most:.{decimals}f})"
+    text = f"{median:.{decimals}f} {unit}".rstrip()
+    return text if least == most else f"{text} ({least:.{decimals}f}–{most:.{decimals}f})"
 
 
 def run(
@@ -69,7 +69,7 @@ def run(
             rebuilt, too. By default a simulated one without.
 
     Raises:
-        Refusal: a copy does not do what it is asked.
+        OperationError: a copy does not do what it is asked.
     """
     samples: dict[tuple[str, str], list[float]] = {}
     with tempfile.TemporaryDirectory(prefix="crenel-bench-") as made:

@@ -67,7 +67,7 @@ class InstalledCopy:
         """How long a command takes.
 
         Raises:
-            Refusal: it fails.
+            OperationError: it fails.
         """
         began_s = time.monotonic()
         done = subprocess.run(
@@ -102,7 +102,7 @@ def find_copy(name: str, place: Path) -> InstalledCopy:
     """A copy by its executable, or by a checkout with a ``.venv``.
 
     Raises:
-        Refusal: there is none.
+        OperationError: there is none.
     """
     executable = place / ".venv" / "bin" / "crenel" if place.is_dir() else place
     if not executable.is_file():
@@ -166,7 +166,7 @@ class DemoProcess:
         return memory_mb(self._process.pid)
 
     def losses(self) -> int:
-        """How often it has told of a lost device."""
+        """How often it has reported a lost device."""
         return len(LOST.findall(self._output.read_text()))
 
     def calibration_s(self) -> float:

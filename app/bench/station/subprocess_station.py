@@ -62,7 +62,7 @@ def run_in_process(
     Yields our end of the pipe, once something has come through it, and the process's id.
 
     Raises:
-        Refusal: nothing came, or the connection to it broke.
+        OperationError: nothing came, or the connection to it broke.
     """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()

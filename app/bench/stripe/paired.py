@@ -47,7 +47,7 @@ def run(other: Path | None, progress: Progress) -> list[Rates]:
         other: the Python interpreter in which the other checkout is installed.
 
     Raises:
-        Refusal: the other interpreter has no Crenel that extracts stripes.
+        OperationError: the other interpreter has no Crenel that extracts stripes.
     """
     progress(0.0, "rendering")
     with tempfile.TemporaryDirectory(prefix="crenel-bench-") as folder, ExitStack() as processes:

@@ -47,8 +47,8 @@ def local_noise_px(line: Line, columns: int) -> float:
 
 def _cell(pictures: Sequence[Grey], method: Method) -> str:
     found = [local_noise_px(method(picture), picture.shape[1]) for picture in pictures]
-    told = [noise for noise in found if np.isfinite(noise)]
-    return f"{np.median(told):.3f} px" if told else "no line"
+    finite = [noise for noise in found if np.isfinite(noise)]
+    return f"{np.median(finite):.3f} px" if finite else "no line"
 
 
 def _orient(picture: Grey) -> Grey:

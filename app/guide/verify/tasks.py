@@ -90,7 +90,9 @@ def measure(
         gauge, arm = guide.datasheets()
     try:
         if gauge is None or arm is None:
-            raise OperationError("sheets-gone", message("sessions-gauge-arm-cannot-read-any"))
+            raise OperationError(
+                "datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any")
+            )
         with convert_io_errors(folder / RECORDING):  # a killed process left it in memory alone
             sync_file(folder / RECORDING)
             sync_folder(folder)

@@ -94,7 +94,7 @@ class ArmDevice:
 
     def start(self) -> None:
         self._stopping.clear()
-        self._thread = threading.Thread(target=self._run, name="twin-arm", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="simulated-arm", daemon=True)
         self._thread.start()
 
     def stop(self) -> None:

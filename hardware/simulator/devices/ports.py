@@ -104,7 +104,7 @@ class PtyPort:
     """A pseudo-terminal behind a path that stays the same when plugged in again."""
 
     def __init__(self) -> None:
-        self._path = Path(tempfile.mkdtemp(prefix="crenel-twin-")) / "arm"
+        self._path = Path(tempfile.mkdtemp(prefix="crenel-arm-")) / "arm"
         self.url = str(self._path)
         self._ends: tuple[int, int] | None = None
         self._waiting = bytearray()

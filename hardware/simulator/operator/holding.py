@@ -47,7 +47,7 @@ VIEWPOINTS = (
     BoardViewpoint(20, 3, 0, -6),
 )
 """What a calibration on a chessboard wants: tilts to every side, turns and heights; the first
-five as the operator is told to, from straight above to the right, back, left and front."""
+five as the guide asks, from straight above to the right, back, left and front."""
 
 
 def sensor_over_block(block: CrenellatedBlock, rng: np.random.Generator) -> Floats:

@@ -1,4 +1,4 @@
-"""One move of the hand after another: played, told how far it is, and cancelled."""
+"""The moves of the simulated operator: played one after another, with progress, and cancelled."""
 
 import threading
 from collections.abc import Callable, Iterator

@@ -6,7 +6,7 @@ from hardware.simulator.rendering.casting import CODES, LIGHT_OUT
 from hardware.simulator.rendering.tracing import BUNDLE, OBJECTS
 
 EMITTER, LIGHT_PLANE = Array(F64, 3), Array(F64, 5)
-"""In the camera's frame; of the sheet its normal, offset and half thickness."""
+"""In the camera's frame; of the light plane its normal, offset and half thickness."""
 
 trace_fan = Function(
     SIMULATOR,

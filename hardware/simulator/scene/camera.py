@@ -1,4 +1,4 @@
-"""The simulated sensor's optics: a lens with distortion, and a sheet of laser light."""
+"""The simulated sensor's optics: a lens with distortion, and a plane of laser light."""
 
 from dataclasses import dataclass
 
@@ -56,16 +56,16 @@ class LightPlane:
     normal: tuple[float, float, float]
     offset_mm: float
     emitter_mm: tuple[float, float, float]
-    """Where the fan comes from; lies in the sheet."""
+    """Where the fan comes from; lies in the light plane."""
     sigma_mm: float = 0.075
-    """Half thickness of the sheet's Gaussian profile."""
+    """Half thickness of the light plane's Gaussian profile."""
     half_angle_rad: float = 0.42
 
 
 def light_plane_through(
     normal: Floats, point_mm: Floats, emitter_mm: Floats, sigma_mm: float = 0.075
 ) -> LightPlane:
-    """The sheet through a point with a normal; the emitter is moved into it along the normal."""
+    """The light plane through a point with a normal; the emitter is moved into it."""
     n = np.asarray(normal) / np.linalg.norm(normal)
     offset = float(n @ point_mm)
     at = np.asarray(emitter_mm) - (n @ emitter_mm - offset) * n

@@ -161,9 +161,9 @@ def draw_sensor(
     height_px: int = 1024,
     fill: float = 0.86,
 ) -> tuple[Optics, LightPlane]:
-    """Optics that frame a block about the sensor's origin, and a laser sheet through it.
+    """Optics that frame a block about the sensor's origin, and a light plane through it.
 
-    Sensor frame: x along the stripe, z towards the sensor, the sheet near y = 0, the
+    Sensor frame: x along the stripe, z towards the sensor, the light plane near y = 0, the
     origin half way between crest and floor. ``rng`` scatters everything as in real
     assembly; without it all is square. ``fill`` of the image is taken by the block.
     """

@@ -50,7 +50,7 @@ def _on_board(
     wanted = face.wanted
     done = min(face.taken, wanted)
     left = wanted - done
-    if touch.suspects:
+    if touch.questionable:
         instruction = _remove_first(touch)
     elif done == 0:
         instruction = message("go-pictures-touches-spread-over-printed", wanted=wanted)
@@ -72,7 +72,7 @@ def _on_board(
 def _actions(
     state: CalibrationState, live: CalibrationLive, touch: TouchReport, complete: bool
 ) -> list[Action]:
-    questionable = touch.suspects[:LISTED_QUESTIONABLE]
+    listed = touch.questionable[:LISTED_QUESTIONABLE]
     return [
         offer(state, live, "take_point", message("take-point"), primary=not complete),
         offer(state, live, "confirm_touch", message("continue"), primary=complete),
@@ -89,7 +89,7 @@ def _actions(
                 message("remove-point", index=index + 1),
                 {"index": index},
             )
-            for index in questionable
+            for index in listed
         ),
     ]
 
@@ -97,7 +97,7 @@ def _actions(
 def _instruction(
     faces: list[FaceProgress], selected: str, complete: bool, touch: TouchReport
 ) -> Text:
-    if complete and touch.suspects:
+    if complete and touch.questionable:
         return _remove_first(touch)
     if complete:
         more = touch.advice is not None and touch.advice.more
@@ -114,8 +114,8 @@ def _instruction(
 
 
 def _remove_first(touch: TouchReport) -> Text:
-    if len(touch.suspects) == 1:
-        return message("point-off-face-remove-then-go", suspects=touch.suspects[0] + 1)
+    if len(touch.questionable) == 1:
+        return message("point-off-face-remove-then-go", point=touch.questionable[0] + 1)
     return message("some-points-off-their-face-remove")
 
 
@@ -138,7 +138,7 @@ def _number(touch: TouchReport) -> LiveNumber:
             label, None, "µm", 0, "neutral", message("after-three-points-three-faces")
         )
     fine = touch.advice.now_um <= touch.target_um
-    quality: Quality = "attention" if touch.suspects else ("good" if fine else "neutral")
+    quality: Quality = "attention" if touch.questionable else ("good" if fine else "neutral")
     note = message(
         "wanted-points-fit",
         target=quantity(touch.target_um, "µm"),

@@ -31,7 +31,7 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
         if same is not None:
             raise OperationError(
                 "same-place",
-                message("point-again", twin=same + 1),
+                message("point-again", point=same + 1),
                 message("tip-lies-within-mm", distance=quantity(SAME_PLACE_MM, "mm", 1)),
                 message("move-tip-another-place"),
             )

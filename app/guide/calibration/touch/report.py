@@ -67,8 +67,10 @@ def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm)
             findings.append(Finding("bad", text, message("remove-touch-there-again")))
     if not impossible:
         return report
-    others = [index for index in report.suspects if index not in impossible]
-    return replace(report, suspects=(*impossible, *others), findings=(*findings, *report.findings))
+    others = [index for index in report.questionable if index not in impossible]
+    return replace(
+        report, questionable=(*impossible, *others), findings=(*findings, *report.findings)
+    )
 
 
 def face_progress(

@@ -19,7 +19,7 @@ class TouchReport:
     missing: Text
     """What to probe before anything can be computed; empty when nothing is missing."""
     findings: tuple[Finding, ...]
-    suspects: tuple[int, ...]
+    questionable: tuple[int, ...]
     """Indices of points that should be taken away."""
     advice: TouchAdvice | None = None
     """How many more, on which face, make the object known as well as is wanted."""

@@ -148,13 +148,13 @@ def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
             "attention",
             "board-bent",
             message(
-                "sheet-bends-over-pattern-flat-expected",
+                "board-bends-over-pattern-flat-expected",
                 bend=quantity(np.ptp(bend), "mm", 2),
                 flatness=quantity(board.flatness_mm, "mm", 2),
             ),
             message("fix-board-flat-plate"),
         )
-    text = message("sheet-bends-over-pattern-allowed", bend=quantity(1e3 * np.ptp(bend), "µm"))
+    text = message("board-bends-over-pattern-allowed", bend=quantity(1e3 * np.ptp(bend), "µm"))
     return CalibrationFinding("neutral", "board-bend", text)
 
 

@@ -1,0 +1,56 @@
+"""Words that the glossary replaced are not used again, in names, comments and texts."""
+
+import io
+import re
+import tokenize
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+RETIRED = frozenset(
+    ("told", "papers", "luck", "lucky", "stray", "strays", "suspect", "suspects", "suspected")
+    + ("twin", "twins", "sheet", "sheets", "deed", "deeds", "anew", "forthwith")
+)
+WORD = re.compile(r"[A-Za-z][a-z]*")
+SOURCES = ("app", "hardware", "tests")
+LISTED = (Path(__file__).name, "test_names.py")
+"""Files that name the words to find them."""
+
+
+def words(text: str) -> Iterator[str]:
+    """The words of a name or a text, in small letters."""
+    yield from (word.lower() for word in WORD.findall(text))
+
+
+def python_words(path: Path) -> Iterator[tuple[int, str]]:
+    """Each word of names, strings and comments, with its line."""
+    for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline):
+        if token.type in (tokenize.NAME, tokenize.STRING, tokenize.COMMENT):
+            yield from ((token.start[0], word) for word in words(token.string))
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_python_uses_no_retired_word(source: str) -> None:
+    found = []
+    for path in sorted((ROOT / source).rglob("*.py")):
+        name = path.relative_to(ROOT).as_posix()
+        if path.name not in LISTED:
+            found += [
+                f"{name}:{line}: {word}" for line, word in python_words(path) if word in RETIRED
+            ]
+    assert not found
+
+
+@pytest.mark.parametrize("file", ["app/messages/en.ftl", "frontend/src/messages/en.ftl"])
+def test_english_messages_use_no_retired_word(file: str) -> None:
+    lines = (ROOT / file).read_text("utf-8").splitlines()
+    assert not [line for line in lines if RETIRED.intersection(words(line))]
+
+
+def test_a_retired_word_is_found_in_a_name_and_in_a_comment(tmp_path: Path) -> None:
+    path = tmp_path / "module.py"
+    path.write_text("told_mm = 1  # by luck\nisTwin = 'anew'\nstraight = 2\n")
+    found = {word for _, word in python_words(path)} & RETIRED
+    assert found == {"told", "luck", "twin", "anew"}
