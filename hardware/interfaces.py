@@ -2,8 +2,8 @@
 
 Drivers block: one thread opens, reads and closes a device. Nothing is touched
 before ``open``; ``close`` may be called at any time, also from another thread,
-and twice. A device that goes away raises ``DeviceError`` from ``read``; whoever
-runs the thread closes it and opens it again with back-off.
+and twice. A device that goes away raises ``DeviceError`` from ``read``; the
+thread's owner closes it and opens it again with back-off.
 """
 
 from collections.abc import Sequence

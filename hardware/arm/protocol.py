@@ -32,7 +32,7 @@ The payload is 14 + 4 n bytes long, n being the number of joints, 6 or 7.
 offset  size  field, within the payload
 ======  ====  ========================================================================
 0       4     sequence, unsigned: +1 for each sample taken, sent or not; wraps from
-              FFFFFFFF to 0. A gap tells the host how many samples were lost.
+              FFFFFFFF to 0. A gap shows the host how many samples were lost.
 4       8     device time, unsigned, in microseconds: when the encoders were latched.
               Any starting point. It runs steadily, never jumps while the arm is
               powered, and is not tied to when the packet is sent.

@@ -1,6 +1,6 @@
 """The ``serial-encoder`` driver: an arm that sends its encoders' counts as packets.
 
-The bytes on the line are published in ``hardware/arm/protocol.py``, for whoever writes
+The bytes on the line are published in ``hardware/arm/protocol.py``, for the makers of
 the arm's firmware or an adapter for an existing arm. In station.toml::
 
     [arm]

@@ -208,7 +208,7 @@ class _Camera(ImageSource):
                     ),
                     message("correct-sensor-take-out", key=key),
                 )
-        # The camera's own luma, where the system hands it through unconverted.
+        # The camera's own luma, where the system passes it on unconverted.
         if self._backend == "V4L2":
             self._capture.set(cv2.CAP_PROP_CONVERT_RGB, 0)
         self._height_px = int(self._capture.get(cv2.CAP_PROP_FRAME_HEIGHT))

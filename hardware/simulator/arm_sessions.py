@@ -1,4 +1,4 @@
-"""Sessions that tell an arm's own geometry, with their truth, rendered into a folder.
+"""Sessions that identify an arm's own geometry, with their truth, rendered into a folder.
 
 The tip sits in seats about the volume while the arm swings around it, touches
 calibrated spheres from every side, and sits on both ends of ball bars (a plan like
@@ -103,32 +103,32 @@ def draw_arm_session(
     rng = np.random.default_rng(seed)
     nominal = arm or random_arm(rng, plan.joints)
     true = perturb_arm(nominal, plan.imperfection_um, rng)
-    hand = _ArmProber(true, plan, rng)
+    prober = _ArmProber(true, plan, rng)
     seats = [
-        [f"S{k + 1}", *hand.reads(q)]
+        [f"S{k + 1}", *prober.reads(q)]
         for k in range(plan.seats)
-        for q in hand.swing_anywhere(plan.points_per_seat)
+        for q in prober.swing_anywhere(plan.points_per_seat)
     ]
     spheres = [
-        [f"K{k + 1}", plan.sphere_diameter_mm, *hand.reads(q)]
+        [f"K{k + 1}", plan.sphere_diameter_mm, *prober.reads(q)]
         for k in range(plan.spheres)
-        for q in hand.around_a_sphere_anywhere()
+        for q in prober.around_a_sphere_anywhere()
     ]
-    return SimulatedArmSession(true, nominal, seats, spheres, list(_bar_rows(hand, plan)))
+    return SimulatedArmSession(true, nominal, seats, spheres, list(_bar_rows(prober, plan)))
 
 
-def _bar_rows(hand: "_ArmProber", plan: ArmSessionPlan) -> Iterator[list[object]]:
+def _bar_rows(prober: "_ArmProber", plan: ArmSessionPlan) -> Iterator[list[object]]:
     for k, length in enumerate(plan.bar_lengths_mm):
-        true_length = length + float(hand.rng.normal(0.0, plan.bar_sd_mm))
+        true_length = length + float(prober.rng.normal(0.0, plan.bar_sd_mm))
         for position in range(plan.positions_per_bar):
-            for end, swing in zip("AB", hand.bar_anywhere(true_length), strict=True):
+            for end, swing in zip("AB", prober.bar_anywhere(true_length), strict=True):
                 known = [f"B{k + 1}", position + 1, length, plan.bar_sd_mm, end]
                 for q in swing:
-                    yield [*known, *hand.reads(q)]
+                    yield [*known, *prober.reads(q)]
 
 
 class _ArmProber:
-    """Moves the true arm as a hand would, wherever its tip is to be."""
+    """Moves the true arm as an operator would, wherever its tip is to be."""
 
     def __init__(self, arm: ArmModel, plan: ArmSessionPlan, rng: np.random.Generator) -> None:
         self.arm, self.plan, self.rng = arm, plan, rng

@@ -139,7 +139,7 @@ def block_scene(rig: SimulatedRig, light: Light | None = None) -> SimulatedScene
 
 
 def draw_sensor_pose(rig: SimulatedRig, rng: np.random.Generator, spread: float) -> Floats:
-    """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is a hand's usual variation."""
+    """``T_arm_sensor`` (4, 4) with the block framed; ``spread`` 1 is the usual variation."""
     middle = (rig.block.crest_z_mm + rig.block.floor_z_mm) / 2
     T = rig.T_arm_obj @ translation(0.0, 0.0, middle)
     T = T @ translation(*(float(v) for v in rng.normal(0.0, 0.4, 3) * spread))

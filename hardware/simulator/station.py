@@ -1,4 +1,4 @@
-"""The simulated station: ``SimulatedStation`` puts arm, sensor, table, hand and faults together.
+"""The simulated station: ``SimulatedStation`` joins arm, sensor, table, operator and faults.
 
 Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other, and
 ``datasheets`` are what an operator would be given with the devices.
@@ -83,7 +83,7 @@ class SimulationConfig:
     tremor_um: float = 0.0
     """How much the tip trembles while the sensor is held."""
     pace: float = 1.0
-    """The hand's speed; 1 is an operator's."""
+    """The simulated operator's speed; 1 is a person's."""
     distortion: tuple[float, float, float, float, float] = (-0.04, 0.0, 0.0, 0.0, 0.0)
     roll_rad: float = 0.0
     width_px: int = 1280
@@ -94,7 +94,7 @@ class SimulationConfig:
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
     laser_switch: bool = True
-    """Whether the station can switch the laser, or only whoever stands at the sensor."""
+    """Whether the station can switch the laser, or only a person at the sensor."""
 
 
 class SimulatedStation:
@@ -163,7 +163,7 @@ class SimulatedStation:
         return self
 
     def stop(self) -> None:
-        """Ends the arm and whatever the hand does."""
+        """Ends the arm and the simulated operator's move."""
         self.operator.cancel()
         if self._device is not None:
             self._device.stop()

@@ -33,7 +33,7 @@ def run(
 ) -> FaultRow:
     """Damages copies of a furnished folder, each in one way, and looks at the station on it.
 
-    It must start and tell what is wrong, or refuse in one line; then it answers everything,
+    It must start and report what is wrong, or refuse in one line; then it answers everything,
     acts, and ends on request.
 
     Args:

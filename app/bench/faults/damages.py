@@ -14,7 +14,7 @@ from app.bench.faults.furnished import FOLDERS, FolderRecords
 PAGE_BYTES = 4096
 RANDOM_BYTES = 5000
 HUGE_BYTES = 1 << 42
-"""Of a file that takes no room on the disk."""
+"""Of a sparse file, which takes no disk space."""
 FOREIGN = b'{"format": "another/program", "version": 1, "url": 7, "figures": [null, {}]}'
 DamageMethod = Callable[[Path, random.Random], None]
 
@@ -31,7 +31,7 @@ class Damage:
     affected_ids: tuple[str, ...] = ()
     """The ids of the records that it takes."""
     by_others: bool = False
-    """Files are not the station's: it must run as another user than whoever made them."""
+    """Files are not the station's: it must run as another user than their owner."""
 
 
 def _remove(path: Path) -> None:

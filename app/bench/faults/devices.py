@@ -1,6 +1,6 @@
 """The simulated station with its devices failing in every step of a calibration and in a scan.
 
-Times are as a browser sees them: from the fault until the live connection tells of it, and
+Times are as a browser sees them: from the fault until the live connection reports it, and
 from its end until the device is reported as connected again.
 """
 
@@ -137,7 +137,7 @@ def count_done(view: View) -> int:
 
 
 class _DeviceMonitor:
-    """What the live connection tells of the devices, read all the time as a browser does.
+    """What the live connection reports of the devices, read all the time as a browser does.
 
     A connection that nobody reads answers no pings, and the station ends it.
     """
@@ -210,14 +210,14 @@ class _StationClient:
         self.until(accepted)
 
     def rest(self) -> None:
-        """Ends what the hand is at."""
+        """Stops the simulated operator."""
         self.http.post("/api/stop").raise_for_status()
         self.until(lambda view: view["busy"] is None)
 
     def fail(
         self, step: str, taken: Callable[[], object] | None = None
     ) -> Iterator[DeviceFaultRow]:
-        """Every failure; ``taken`` tells what must be there afterwards as before."""
+        """Every failure; ``taken`` returns what must not change by it."""
         taken = taken or self.step_contents
         for failure in FAILURES:
             before = taken()
@@ -238,7 +238,7 @@ class _StationClient:
 
 
 def _walk(bench: _StationClient, progress: Progress) -> Iterator[DeviceFaultRow]:
-    """A calibration by the hand, and a scan with it, failing at each step."""
+    """A calibration by the simulated operator, and a scan, failing at each step."""
     bench.http.post("/api/flow/start").raise_for_status()
     bench.until(lambda view: bool(view["actions"][0]["enabled"]))
     progress(0.0, "devices")

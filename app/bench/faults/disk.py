@@ -1,4 +1,4 @@
-"""A station whose disk fills up at any call that takes from it, and has room again."""
+"""A station whose disk fills up at any call that takes from it, and has space again."""
 
 import mmap
 import random
@@ -57,7 +57,7 @@ def run(
 ) -> FaultRow:
     """Fills the disk after any number of calls while everything is asked of a station.
 
-    Meanwhile it answers without a fault, lets people sign in and stops; with room again a scan
+    Meanwhile it answers without a fault, lets people sign in and stops; with space again a scan
     is kept; and after a restart everything is there that was listed.
 
     Args:
@@ -98,7 +98,7 @@ def _try(
             row.note_stop(station.stop_s())
             wrong += _sign_in_again(station)
             disk.empty()
-            station.begin_scan("With room again")
+            station.begin_scan("With space again")
             station.wait(lambda: station.get("/api/scan")["frames"] > 0)
             station.post("/api/scan/stop").raise_for_status()
             listed = _list_stored(station)

@@ -28,19 +28,19 @@ class FaultKind:
 KINDS = (
     FaultKind(
         "kills-in-scans",
-        lambda data, seed, tell: [kills.kill_scans(data, seed=seed, progress=tell)],
+        lambda data, seed, report: [kills.kill_scans(data, seed=seed, progress=report)],
     ),
     FaultKind(
         "kills-in-calibrations",
-        lambda data, seed, tell: [kills.kill_guides(data, "flow", progress=tell)],
+        lambda data, seed, report: [kills.kill_guides(data, "flow", progress=report)],
     ),
     FaultKind(
         "kills-in-verifications",
-        lambda data, seed, tell: [kills.kill_guides(data, "verify", progress=tell)],
+        lambda data, seed, report: [kills.kill_guides(data, "verify", progress=report)],
     ),
-    FaultKind("disk", lambda data, seed, tell: [disk.run(data, seed=seed, progress=tell)]),
-    FaultKind("damage", lambda data, seed, tell: [damage.run(data, seed=seed, progress=tell)]),
-    FaultKind("floods", lambda data, seed, tell: floods.run(data, progress=tell)),
+    FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)]),
+    FaultKind("damage", lambda data, seed, report: [damage.run(data, seed=seed, progress=report)]),
+    FaultKind("floods", lambda data, seed, report: floods.run(data, progress=report)),
 )
 
 

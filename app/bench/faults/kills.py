@@ -176,13 +176,13 @@ def _begin(station: StationProcess, flow: str) -> None:
 
 
 def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
-    """Until so much is done in a step: by the operator in the first ones, then by the hand."""
+    """Until so much is done in a step: setup by command, the rest by the simulated operator."""
     step, count = place
     if step == "setup":
         station.wait(lambda: station.ask(flow, "confirm_devices"))
 
     def there() -> View | None:
-        """So far by the hand, which rests where something was declined until it is let again."""
+        """The view once reached; else restarts a simulated operator that rests after a refusal."""
         view: View = station.get(f"/api/{flow}")
         if _has_reached(view, step, count):
             return view
@@ -215,7 +215,7 @@ def differences(before: View, after: View) -> Iterator[str]:
         yield f"{before['step']}: the session is not resumed"
         return
     order = [step["id"] for step in after["steps"]]
-    # what the hand did between the last look and the kill may have ended the step
+    # the simulated operator may have ended the step between the last look and the kill
     if order.index(after["step"]) - order.index(before["step"]) not in (0, 1):
         yield f"{before['step']}: resumed at {after['step']}"
     elif after["step"] == before["step"] and not _list_items(before) <= _list_items(after):

@@ -1,4 +1,4 @@
-"""All that a station answers and tells, looked at once; what of it is a fault of the program."""
+"""All that a station answers and reports, read once; what of it is a fault of the program."""
 
 import re
 import time
@@ -85,7 +85,7 @@ def query_station(
 
 
 def _has_no_job(health: httpx.Response) -> bool:
-    """Whether the backup that was asked for has ended, or Health cannot tell."""
+    """Whether the requested backup has ended, or Health cannot report it."""
     return health.status_code != OK or '"share":null' in health.text
 
 

@@ -1,6 +1,6 @@
 """The simulated station as a process, begun again after each fault: ``python -m`` this, a folder.
 
-Its hand is four times as quick as the demonstration's, and what the console says is the same.
+Its simulated operator is four times as quick as the demonstration's; its console says the same.
 """
 
 import json

@@ -109,7 +109,7 @@ class StationProcess:
         )
 
     def wait(self, enough: Callable[[], Any]) -> Any:
-        """What ``enough`` tells, once it is something.
+        """What ``enough`` returns, once that is true.
 
         Raises:
             OperationError: the station ended, or it takes too long.
@@ -137,7 +137,7 @@ class StationProcess:
         return self.post(f"/api/{flow}/command", **body).status_code == 200
 
     def begin_scan(self, name: str) -> None:
-        """Starts a scan with the hand at it, once the station lets it."""
+        """Starts a scan by the simulated operator, once the station allows it."""
         self.wait(lambda: self.get("/api/scan")["state"] == "idle")
         self.wait(lambda: self.post("/api/scan/start", name=name).status_code == 200)
         self.post("/api/scan/hand", on=True).raise_for_status()
@@ -149,7 +149,7 @@ class StationProcess:
         return time.monotonic() - began_s
 
     def end(self, sign: int = signal.SIGTERM) -> float:
-        """Tells it to end; how long that took, in s.
+        """Asks it to end; how long that took, in s.
 
         Raises:
             OperationError: it does not.

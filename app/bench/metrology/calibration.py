@@ -112,7 +112,7 @@ def run(
     solves: int, setups: tuple[SetUp, ...] = SET_UPS, progress: Progress | None = None
 ) -> list[SetUpResult]:
     """``solves`` noisy sessions of each set-up, solved from a rough start."""
-    tell = progress or (lambda _share, _text: None)
+    report = progress or (lambda _share, _text: None)
     results = []
     for i, setup in enumerate(setups):
         station = draw_setup(setup)
@@ -121,13 +121,13 @@ def run(
         volume = measuring_volume(exact)
         done, failed = [], 0
         for trial in range(solves):
-            tell((i + trial / solves) / len(setups), setup.name)
+            report((i + trial / solves) / len(setups), setup.name)
             draw = draw_session(station, np.random.default_rng([setup.seed, trial]))
             try:
                 done.append(_solve_draw(draw, exact, volume))
             except Exception as refusal:  # counted, with what it was
                 failed += 1
-                tell((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
+                report((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
         results.append(_summarise(setup, station, exact, volume, done, failed))
     return results
 

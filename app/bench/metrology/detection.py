@@ -131,12 +131,12 @@ class DetectionBench:
             found.append(f"time: {np.median(plain):.2f} s for 1280 x 1024, median")
         if seconds:
             found.append(f"time: {np.mean(seconds):.2f} s mean, {max(seconds):.2f} s at most")
-        telling = [d for d in self.wrong_certificates if d.shift_px >= VISIBLE_SHIFT_PX]
-        named = sum(d.wrongly_accepted and d.named for d in telling)
+        visible = [d for d in self.wrong_certificates if d.shift_px >= VISIBLE_SHIFT_PX]
+        named = sum(d.wrongly_accepted and d.named for d in visible)
         found.append(
-            f"wrong certificates: {len(telling)} that the picture shows to be wrong,"
+            f"wrong certificates: {len(visible)} that the picture shows to be wrong,"
             f" {self.wrongly_accepted} accepted ({named} of them with the remark that the picture"
-            f" hides what is wrong); {len(self.wrong_certificates) - len(telling)} that it does not"
+            f" hides what is wrong); {len(self.wrong_certificates) - len(visible)} that it does not"
             " show,"
             f" {sum(d.accepted for d in self.wrong_certificates) - self.wrongly_accepted} accepted"
         )

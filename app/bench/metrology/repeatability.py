@@ -1,7 +1,7 @@
-"""The paper's test: the same clouds of a plane, rebuilt with ten calibrations each.
+"""The article's test: the same clouds of a plane, rebuilt with ten calibrations each.
 
 Whatever a calibration has wrong shows as a plane that turns and shifts from one
-calibration to the next (the paper, section 4: 230″ and 100 µm, with one pose).
+calibration to the next (the article, section 4: 230″ and 100 µm, with one pose).
 """
 
 from collections.abc import Callable
@@ -35,7 +35,7 @@ ARM_UM = 250.0
 CLOUDS, FRAMES, POINTS, STEP_MM = 10, 12, 30, 5.0
 ARTICLE_ARCSEC, ARTICLE_UM = 230.0, 100.0
 METHODS = (
-    ("the paper's method, one pose", 1, True),
+    ("the article's method, one pose", 1, True),
     ("joint, one pose", 1, False),
     ("joint, 8 poses", 8, False),
     ("joint, 20 poses", 20, False),
@@ -64,7 +64,7 @@ def run(
     arms: int, calibrations: int = 10, progress: Progress | None = None
 ) -> list[CalibrationRanges]:
     """``calibrations`` by each method on each of ``arms`` whose models are 250 µm off."""
-    tell = progress or (lambda _share, _text: None)
+    report = progress or (lambda _share, _text: None)
     found: dict[str, list[tuple[float, float]]] = {name: [] for name, _, _ in METHODS}
     seed, done = 200, 0
     while done < arms:
@@ -74,7 +74,7 @@ def run(
             clouds = [_cloud(rig, np.random.default_rng([seed, i])) for i in range(CLOUDS)]
             own = []
             for k, (name, poses, alone) in enumerate(METHODS):
-                tell((done + k / len(METHODS)) / arms, f"arm {done + 1}: {name}")
+                report((done + k / len(METHODS)) / arms, f"arm {done + 1}: {name}")
                 own.append(_ranges(rig, seed, poses, alone, calibrations, clouds))
         except UnreachableError:
             continue
@@ -89,10 +89,10 @@ def run(
 
 
 def table(results: list[CalibrationRanges]) -> list[tuple[str, ...]]:
-    """Rows to print, the paper's own figures last."""
+    """Rows to print, the article's own figures last."""
     rows = [(one.method, f"{one.angle_arcsec:.0f}″", f"{one.offset_um:.0f} µm") for one in results]
-    paper = ("the paper, on real hardware", f"{ARTICLE_ARCSEC:.0f}″", f"{ARTICLE_UM:.0f} µm")
-    return [*rows, paper]
+    article = ("the article, on real hardware", f"{ARTICLE_ARCSEC:.0f}″", f"{ARTICLE_UM:.0f} µm")
+    return [*rows, article]
 
 
 def _rig(seed: int) -> SimulatedRig:
@@ -164,7 +164,7 @@ def _design_setup(rig: SimulatedRig, poses: int, rng: np.random.Generator) -> Si
 
 
 def _place_by_contacts(station: SimulatedSetup, found: AdjustmentResult) -> Floats:
-    """``T_flange_cam`` as the paper has it: contacts alone place the object (Eq. 8)."""
+    """``T_flange_cam`` as the article has it: contacts alone place the object (Eq. 8)."""
     touches = found.problem.contacts
     assert touches is not None
     alignment = align(

@@ -109,7 +109,7 @@ Round = tuple[InstalledCopy, Callable[[], Iterator[Sample]]]
 def _rounds(
     folder: Path, copies: Sequence[InstalledCopy], rounds: Rounds, session: Path
 ) -> Iterator[Round]:
-    """Each of them in the order in which it is measured; whoever began begins last next time."""
+    """Each of them in the order in which it is measured, reversed every second time."""
     warm = {copy: folder / f"warm-{i}" for i, copy in enumerate(copies)}
     number = 0
     for kind, times in (("cold", rounds.cold), ("warm", rounds.warm), ("busy", rounds.busy)):

@@ -89,7 +89,7 @@ class InstalledCopy:
         asked = [str(python), "-P", "-c", DISTRIBUTIONS]  # not what lies in this folder
         done = subprocess.run(asked, capture_output=True, text=True, check=False)
         if done.returncode:
-            raise failure_error(f"{python} does not tell its packages", done.stderr)
+            raise failure_error(f"{python} does not list its packages", done.stderr)
         return float(done.stdout) / 1e6
 
 
@@ -170,7 +170,7 @@ class DemoProcess:
         return len(LOST.findall(self._output.read_text()))
 
     def calibration_s(self) -> float:
-        """Until a calibration is accepted that its hand has made, step by step."""
+        """Until a calibration by the simulated operator is accepted."""
         with httpx.Client(base_url=self._address, timeout=PATIENCE_S) as http:
             _enter(http, self._output.read_text())
             http.post("/api/flow/start").raise_for_status()

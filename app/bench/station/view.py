@@ -1,6 +1,6 @@
 """The 3D view after a long scan: how soon a second viewer has all of it, and what it takes.
 
-Points are handed to the display as a scan hands them, in a station of its own process; the
+Points go to the display as in a scan, in a station of its own process; the
 viewer reads the 3D view's socket through the station's server.
 """
 

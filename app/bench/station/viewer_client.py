@@ -44,11 +44,11 @@ def watch_view(
     until_whole: bool = False,
     coloured: int = 0,
 ) -> Iterator[Callable[[], ViewerReport]]:
-    """A viewer from now on. What it yields ends it, and tells what it saw.
+    """A viewer from now on. What it yields ends it, and returns what it saw.
 
     Args:
         signed_in: the header of a browser that is signed in.
-        start_ns, turn_rad_s: of the sweep: a point's azimuth tells when it was taken.
+        start_ns, turn_rad_s: of the sweep: a point's azimuth shows when it was taken.
         until_whole: it ends by itself once it has all that was shown before it came.
         coloured: it ends by itself once so many points were given other colours.
     """

@@ -201,6 +201,6 @@ def _serve(pipe: Connection, data: Path, pace: FastStationConfig) -> None:
 
 
 def _pulse(bus: Bus, ended: threading.Event) -> None:
-    """A state that tells when it was published, often."""
+    """Publishes the time, often."""
     while not ended.wait(PULSE_S):
         bus.publish(TOPIC, time.monotonic())

@@ -2,7 +2,7 @@
 
 Pictures are drawn beforehand and handed out in turn, so that what is measured on it is
 the program and not the simulation. The arm turns about its first joint alone, and the
-laser's plane holds that joint's axis: every point's azimuth tells when it was taken.
+laser's plane holds that joint's axis: every point's azimuth shows when it was taken.
 """
 
 import threading

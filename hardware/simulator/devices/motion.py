@@ -12,7 +12,7 @@ from hardware.simulator.devices.kinematics import ArmModel, Floats, flange_pose,
 
 KNOTS = 24
 FASTEST_RAD_S = 4.0
-"""No joint is moved faster by the hand."""
+"""The simulated operator moves no joint faster."""
 STORED_PIECES = 16
 HALT_S = 0.12
 RAMP_S = 0.15
@@ -39,7 +39,7 @@ class _Piece:
 
 
 class Motion:
-    """The true joint angles over time. Written by the hand, read by arm and sensor.
+    """The true joint angles over time. Written by the simulated operator, read by arm and sensor.
 
     Any thread may ask for a moment of the last seconds or of the near future.
     """
@@ -90,7 +90,7 @@ class Motion:
             )
 
     def is_resting(self, stamp_ns: int) -> bool:
-        """Whether the hand moved nothing at that moment (it may have trembled)."""
+        """Whether the simulated operator moved nothing at that moment (it may have trembled)."""
         with self._lock:
             return stamp_ns >= self._piece_at(stamp_ns).end_ns
 

@@ -118,7 +118,7 @@ def contact_pose(
     """``T_arm_flange`` (4, 4) with the ball's centre ``gap_mm`` off a spot of a face.
 
     The stylus comes from above and from outside of the face, turned by ``sway_rad`` or
-    so differently each time, as a hand does. ``flange_x`` (3,): where the flange's x
+    so differently each time, as an operator does. ``flange_x`` (3,): where the flange's x
     axis points about, in the arm frame; along the block's x where not given.
     """
     up, normal = np.array([0.0, 0.0, 1.0]), outward_normal(face)

@@ -1,4 +1,4 @@
-"""Where the hand holds the sensor for a picture: over the block, and over the chessboard."""
+"""Where the simulated operator holds the sensor for a picture: over block or chessboard."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from hardware.simulator.scene.camera import LightPlane, Optics
 from hardware.simulator.scene.world import Board, CrenellatedBlock
 
 PLACE_SD_MM, TURN_SD_RAD = 0.4, 0.015
-"""A hand's usual variation."""
+"""An operator's usual variation."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ five as the guide asks, from straight above to the right, back, left and front."
 
 
 def sensor_over_block(block: CrenellatedBlock, rng: np.random.Generator) -> Floats:
-    """``T_block_sensor`` (4, 4) with the block framed, as a hand would hold it."""
+    """``T_block_sensor`` (4, 4) with the block framed, as an operator would hold it."""
     middle = (block.crest_z_mm + block.floor_z_mm) / 2
     return np.asarray(translation(0.0, 0.0, middle) @ _draw_pose_error(rng))
 
@@ -87,7 +87,7 @@ def _view_at_laser(optics: Optics, light_plane: LightPlane) -> Floats:
 
 
 def _draw_pose_error(rng: np.random.Generator) -> Floats:
-    """(4, 4) by how much a hand misses the pose that it means."""
+    """(4, 4) by how much an operator misses the intended pose."""
     T = translation(*rng.normal(0.0, PLACE_SD_MM, 3).tolist())
     for axis in "xyz":
         T = T @ rotation_about(axis, float(rng.normal(0.0, TURN_SD_RAD)))

@@ -15,7 +15,7 @@ SETTLE_S, PRESS_S = 0.36, 0.05
 
 @dataclass(frozen=True)
 class OperatorState:
-    """What the hand does now; ``progress`` is from 0 to 1."""
+    """What the simulated operator does now; ``progress`` is from 0 to 1."""
 
     activity: str = ""
     progress: float = 0.0
@@ -75,7 +75,7 @@ class MoveExecutor:
                 self._state = OperatorState()
 
     def play(self, path: JointPath, begin: float, end: float, trembles: bool = False) -> None:
-        """Plays a path and waits for its end, telling progress from ``begin`` to ``end``."""
+        """Plays a path and waits for its end, reporting progress from ``begin`` to ``end``."""
         if self._cancelled.is_set():
             raise _CancelledError
         start_ns = now_ns() + LEAD_NS

@@ -1,4 +1,4 @@
-"""The scripted hand: it moves the true arm as an operator would, touches, holds and scans.
+"""The simulated operator moves the true arm as a person would: touches, holds and scans.
 
 Moves block until they are done. Any other thread may read ``state`` and ``cancel``.
 """
@@ -50,7 +50,7 @@ TRIES = 12
 GAUGE = "gauge"
 """Instead of a face's name, after a gauge was touched."""
 PATH_TRIES = 8
-"""Of which the hand takes the shortest."""
+"""Of which the shortest is taken."""
 INDEX_OFFSETS = (0.0, 0.3, 0.6, -0.3)
 """Places on a sphere between its numbered ones, tried where the arm does not get to one."""
 MIN_HEIGHT = 0.15
@@ -118,7 +118,7 @@ class ScriptedOperator:
         """
         if face not in (*self.faces, BOARD):
             known = ", ".join((*self.faces, BOARD))
-            raise KeyError(f"the hand cannot touch {face!r}; it can touch {known}")
+            raise KeyError(f"the simulated operator cannot touch {face!r}; it can touch {known}")
         thing = self._scene.find_object("board" if face == BOARD else "block")
         assert isinstance(thing.shape, CrenellatedBlock | Board)
         with self._executor.move(
@@ -151,7 +151,7 @@ class ScriptedOperator:
         """
         thing = self._scene.find_object(name)
         if not isinstance(thing.shape, CrenellatedBlock | Board):
-            raise KeyError(f"the hand does not hold the sensor over {name!r}")
+            raise KeyError(f"the simulated operator does not hold the sensor over {name!r}")
         with self._executor.move("placing the sensor"):
             for _ in range(TRIES):
                 T = thing.T_arm_obj @ self._draw_sensor_pose(thing.shape, view)
@@ -171,7 +171,7 @@ class ScriptedOperator:
         return sensor_over_block(shape, self._rng)
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
-        """Holds the arm at joint angles, as well as a hand can; False when cancelled."""
+        """Holds the arm at joint angles, as well as an operator can; False when cancelled."""
         with self._executor.move("going to the next pose"):
             self._executor.play(
                 self.planner.turn_joints(np.asarray(q_rad, dtype=np.float64)), 0.0, 0.9

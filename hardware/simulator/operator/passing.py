@@ -1,4 +1,4 @@
-"""How the hand passes over the plate so that the pass tells a delay between arm and camera."""
+"""How the simulated operator passes over the plate to show a delay between arm and camera."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ POSES = 121
 
 def passing_poses(T_arm_plate: Floats, half_y_mm: float) -> Floats:
     """Sensor poses (K, 4, 4), arm frame, even in time: over the plate and back again, in waves
-    nearer and away, as evenly as a hand does it."""
+    nearer and away, as evenly as an operator does it."""
     poses = []
     for s in np.linspace(0.0, 1.0, POSES):
         y = -half_y_mm * np.cos(2 * np.pi * s)

@@ -1,4 +1,4 @@
-"""The ways the hand takes to where it wants the arm, at an operator's speed or faster."""
+"""The simulated operator's ways to a pose of the arm, at an operator's speed or faster."""
 
 import numpy as np
 
@@ -55,7 +55,7 @@ class PathPlanner:
         return self._arm.tip_diameter_mm / 2 + float(self._rng.normal(0.0, self._contact_sd_mm))
 
     def apply_pace(self, path: JointPath) -> JointPath:
-        """An operator's path, as fast as this hand goes it."""
+        """An operator's path at this pace."""
         return JointPath(path.times_s / self.pace, path.q_rad)
 
     def path_through(self, poses: Floats, seconds: float) -> JointPath:
@@ -130,7 +130,7 @@ class PathPlanner:
         return self.turn_joints(solve_joints(self._arm, target, q, self._rng))
 
     def _duration_s(self, q: Floats, target: Floats, tool: Floats) -> float:
-        """How long a hand takes from here to a flange pose."""
+        """How long the simulated operator takes from here to a flange pose."""
         start = flange_pose(self._arm, q)
         way = target[:3, :3] @ tool + target[:3, 3] - start[:3, :3] @ tool - start[:3, 3]
         turn = start[:3, :3].T @ target[:3, :3]

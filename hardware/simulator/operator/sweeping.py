@@ -1,4 +1,4 @@
-"""How the hand sweeps the sensor over a part that is scanned."""
+"""How the simulated operator sweeps the sensor over a part that is scanned."""
 
 from dataclasses import dataclass
 

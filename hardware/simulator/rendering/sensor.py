@@ -25,8 +25,8 @@ from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 READOUT_NS = 3_000_000
 STILL, TREMBLING = 55, 34
-"""Rays over a pixel at an edge: while nothing moves at all; and while a hand holds the sensor
-and trembles."""
+"""Rays over a pixel at an edge: while nothing moves at all; and while an operator holds the
+sensor and trembles."""
 SMEAR_MM = 0.15
 """The sensor's way in one exposure from which on its pictures of the room are smeared."""
 LEVER_MM = 130.0

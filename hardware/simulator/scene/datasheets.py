@@ -151,9 +151,9 @@ def sphere_nominal(centre_mm: Floats, ball: GaugeSphere) -> JsonObject:
     }
 
 
-def write_document(path: Path, paper: JsonObject) -> None:
-    """Writes one paper as JSON."""
-    path.write_text(json.dumps(paper, indent=1) + "\n", encoding="utf-8")
+def write_document(path: Path, document: JsonObject) -> None:
+    """Writes one document as JSON."""
+    path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
 
 
 def write_table(path: Path, header: Sequence[str], rows: Sequence[Sequence[object]]) -> None:

@@ -103,7 +103,7 @@ def _symmetric_limits(limit: float) -> tuple[float, float]:
 def random_arm(rng: np.random.Generator, joints: int = 6) -> ArmModel:
     """A nominal arm of six or seven joints: any of the usual layouts, signs and offsets."""
     limits = _symmetric_limits(np.radians(175.0))
-    base, upper, fore, hand = (
+    base, upper, fore, end = (
         float(rng.uniform(low, high))
         for low, high in ((270, 330), (520, 650), (480, 570), (60, 100))
     )
@@ -116,7 +116,7 @@ def random_arm(rng: np.random.Generator, joints: int = 6) -> ArmModel:
 
     shoulder = [link(0.0, -1, base), link(small, 1, 0.0), link(-small, -1, upper)]
     elbow = [link(small, 1, 0.0), link(-small, -1, fore)]
-    wrist = [link(0.0, 1, 0.0), link(0.0, 0, hand)] if joints == 7 else [link(0.0, 0, hand)]
+    wrist = [link(0.0, 1, 0.0), link(0.0, 0, end)] if joints == 7 else [link(0.0, 0, end)]
     chain = [*shoulder, *elbow, *wrist]
     if joints == 6 and rng.uniform() < 0.5:
         chain = [
@@ -125,7 +125,7 @@ def random_arm(rng: np.random.Generator, joints: int = 6) -> ArmModel:
             link(small, -1, 0.0),
             link(0.0, 1, fore),
             link(0.0, -1, 0.0),
-            link(0.0, 0, hand),
+            link(0.0, 0, end),
         ]
     return ArmModel(
         tuple(chain),

@@ -1,10 +1,10 @@
 /* Preloaded into a station: logs its calls that reach the disk or the network, in their order,
- * and has those under one folder fail as on a full disk, when it is told to.
+ * and has those under one folder fail as on a full disk, on request.
  *
  * CRENEL_CALLS_UNDER  the folder, an absolute path; calls elsewhere are left alone
  * CRENEL_CALLS_LOG    a file that each call is added to: name, file descriptor, path or first bytes
  * CRENEL_CALLS_DISK   a file of three int64: calls until the disk is full, calls it stays full
- *                     (negative: for ever), calls so far; shared memory with whoever tells
+ *                     (negative: for ever), calls so far; shared memory with the bench
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>

@@ -1,7 +1,7 @@
 /* The shapes of things: where a ray crosses them, and which way their faces look.
  *
  * All in a thing's own frame. A ray starts at `o` and goes along `d`. Where it crosses a thing is
- * told in lengths of `d`; MISSED where it does not.
+ * given in lengths of `d`; MISSED where it does not.
  *
  * Faces of blocks and boxes are numbered as below; NEXT times the merlon's or groove's number is
  * added, so that two faces that only look alike have different numbers. Of a chessboard TOP is

@@ -1,13 +1,13 @@
 /* The laser's light: where its plane falls on things, and what of it the camera gets.
  *
  * All in the camera's frame, in which a pixel's ray is (x, y, 1). First a fan of rays from the
- * emitter tells which pixels may be lit; then rays through those pixels tell how brightly. */
+ * emitter shows which pixels may be lit; then rays through those pixels show how brightly. */
 
 #define REACH 4.0 /* half thicknesses of the light plane beyond which its light is nothing */
 #define NOTHING (-4) /* code of a pixel that sees no thing; even, as all that is not lit */
 
 enum { UNMARKED = -2, MARKED = -1 };
-enum { DEEPEST = 12 }; /* rays that wait to be told apart from the last one */
+enum { DEEPEST = 12 }; /* rays that wait to be distinguished from the last one */
 
 typedef struct {
     Vector normal;
