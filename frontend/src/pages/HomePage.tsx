@@ -38,7 +38,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
     t("ui-object-serial", { serial: calibration.object_serial }),
   ];
   return (
-    <div className={styles.active}>
+    <div>
       <p className={styles.label}>
         <QualityMark quality={calibration.verdict} /> {t("ui-in-use-name", { name: calibration.name })}
       </p>

@@ -97,7 +97,7 @@ function Inside({ report, station }: { report: StationReport; station: RemoteSta
   const event = station.events[0];
   return (
     <>
-      <div className={styles.doing}>
+      <div>
         <p className={styles.kind}>
           {live ? t(KINDS[report.activity.kind]) : t("ui-as-of", { when: moment(report.at) })}
         </p>

@@ -44,7 +44,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
           </div>
         </section>
       </div>
-      <div className={choice.block} style={{ alignItems: "center", justifyContent: "center" }}>
+      <div style={{ alignItems: "center", justifyContent: "center" }}>
         <GaugeDrawing shape={chosen?.shape ?? null} />
       </div>
     </div>
