@@ -8,13 +8,13 @@ from fastapi import APIRouter, Path
 from starlette.responses import Response
 
 from app.api.files.file_response import send_file
-from app.api.problems import NotFoundError
+from app.api.lookups import find_calibration
 from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
 from app.guide.calibration.accepted import restore_result
 from app.guide.calibration.session_folder import SessionFolder
 from app.messages.message import message
-from app.operations.context import Context, TheContext
+from app.operations.context import TheContext
 from app.operations.home import calibration_summary
 from app.store.calibrations import CalibrationRecord
 from app.wire.encoding import encode_json
@@ -36,7 +36,7 @@ def list_history(context: TheContext) -> list[CalibrationPoint]:
 @router.get("/calibrations/{calibration_id}", response_model=RecordedCalibration)
 def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
     """The result again, as it was looked at before it was accepted."""
-    record = _record(context, calibration_id)
+    record = find_calibration(context, calibration_id)
     folder = SessionFolder(record.file.parent)
     images = f"/api/calibrations/{record.id}/image/"
     picture, findings = restore_result(context.store.journal, folder, record.session_id, images)
@@ -58,17 +58,11 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
 @router.get("/calibrations/{calibration_id}/image/{name}")
 def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
     """One of its pictures."""
-    found: Folder | None = SessionFolder(_record(context, calibration_id).file.parent).image(name)
+    record = find_calibration(context, calibration_id)
+    found: Folder | None = SessionFolder(record.file.parent).image(name)
     return send_file(
         found, message("calibration-has-no-picture", name=name), "image/png", cached=True
     )
-
-
-def _record(context: Context, calibration_id: str) -> CalibrationRecord:
-    record = context.store.calibrations.get(calibration_id)
-    if record is None:
-        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
-    return record
 
 
 def _point(record: CalibrationRecord, entry: HistoryEntry) -> CalibrationPoint:

@@ -6,7 +6,7 @@ from fastapi import APIRouter
 from starlette.responses import Response
 
 from app.api.files.file_response import send_file
-from app.api.problems import NotFoundError
+from app.api.lookups import find_calibration, find_scan
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
@@ -30,9 +30,7 @@ def calibrations(context: TheContext) -> list[CalibrationSummary]:
 @router.get("/calibrations/{calibration_id}/calibration.json")
 def calibration_file(calibration_id: str, context: TheContext) -> Response:
     """An accepted calibration, as described in docs/formats.md."""
-    record = context.store.calibrations.get(calibration_id)
-    if record is None:
-        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
+    record = find_calibration(context, calibration_id)
     return _download(record.file, "application/json", f"calibration-{record.id}.json")
 
 
@@ -57,9 +55,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
 @router.get("/scans/{scan_id}/cloud.ply")
 def cloud(scan_id: str, context: TheContext) -> Response:
     """A scan's points in the arm frame."""
-    scan = context.store.scans.get(scan_id)
-    if scan is None:
-        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
+    scan = find_scan(context, scan_id)
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 
 

@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Path, Query
 from starlette.responses import Response
 
+from app.api.lookups import find_calibration
 from app.api.problems import NotFoundError
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from app.messages.message import Text, message
@@ -52,10 +53,7 @@ async def verification_report(
 
 
 def _calibration(context: Context, record_id: str) -> Folder:
-    record = context.store.calibrations.get(record_id)
-    if record is None:
-        raise NotFoundError(message("there-no-calibration", calibration_id=record_id))
-    return record.file.parent
+    return find_calibration(context, record_id).file.parent
 
 
 def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:

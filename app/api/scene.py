@@ -7,7 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.problems import NotFoundError
+from app.api.lookups import find_scan
 from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.messages.message import Text, message
@@ -55,7 +55,7 @@ def remove_fit(fit_id: int, context: TheContext) -> ViewState:
 def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
     """Puts a scan into the picture, or takes it out; its files stay."""
     if asked.on:
-        context.view_controller.show(_as_stored_scan(_scan(scan_id, context)))
+        context.view_controller.show(_as_stored_scan(find_scan(context, scan_id)))
     else:
         _refuse_running(scan_id, context, message("cannot-hidden-now"))
         context.view_controller.hide(scan_id)
@@ -65,7 +65,7 @@ def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
 @router.post("/scans/{scan_id}/name", status_code=HTTP_204_NO_CONTENT)
 def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
     """Gives a finished scan another name."""
-    scan = _scan(scan_id, context)
+    scan = find_scan(context, scan_id)
     name = " ".join(asked.name.split())
     if not name:
         raise OperationError("no-name", message("scan-needs-name"), remedy=message("write-one"))
@@ -77,7 +77,7 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
 def delete(scan_id: ScanId, context: TheContext) -> None:
     """Deletes a finished scan: recording, cloud, and its place in the list."""
     _refuse_running(scan_id, context, message("cannot-deleted-now"))
-    scan = _scan(scan_id, context)
+    scan = find_scan(context, scan_id)
     context.view_controller.hide(scan.id)
     context.scanner.forget(scan.id)
     # under another name first: killed in between, no half of it is taken for a scan
@@ -92,13 +92,6 @@ def delete(scan_id: ScanId, context: TheContext) -> None:
             with contextlib.suppress(FileNotFoundError):  # another request is at it
                 shutil.rmtree(left)
     context.bus.event("scan-deleted", message("deleted", name=scan.name))
-
-
-def _scan(scan_id: str, context: Context) -> ScanRecord:
-    scan = context.store.scans.get(scan_id)
-    if scan is None:
-        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
-    return scan
 
 
 def _as_stored_scan(scan: ScanRecord) -> StoredScan:
