@@ -9,7 +9,8 @@ from starlette.responses import Response
 
 from app.api.support import bundle
 from app.errors import OperationError
-from app.messages.catalogue import ENGLISH, translator
+from app.messages.catalogue import translator
+from app.messages.language_file import ENGLISH
 from app.messages.message import Text, message
 from app.monitoring.health import Health
 from app.monitoring.log_store import Level, LogLine

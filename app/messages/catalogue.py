@@ -6,10 +6,9 @@ from functools import cache, partial
 from typing import Any
 
 from app.messages.isolated import isolate_names
-from app.messages.language_file import FOLDER, LanguageFile
+from app.messages.language_file import ENGLISH, LanguageFile, languages
 from app.messages.message import Message, MessageList, Quantity, Text, Value
 
-ENGLISH = "en"
 MINUS, PLUS = "−", "+"
 TIGHT = frozenset(("", "°", "′", "″"))
 """Units that stand close behind their number."""
@@ -34,12 +33,6 @@ def _clause(text: object) -> str:
 FUNCTIONS: dict[str, Callable[[Any], Any]] = {"CAPITAL": _capital, "CLAUSE": _clause}
 """What the language files may do to a text that is put in: begin it with a capital letter, take
 its full stop away. The browser has the same."""
-
-
-def languages() -> tuple[str, ...]:
-    """The codes of all languages there are, English first."""
-    others = sorted(path.stem for path in FOLDER.glob("*.ftl") if path.stem != ENGLISH)
-    return (ENGLISH, *others)
 
 
 @cache

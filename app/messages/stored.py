@@ -9,8 +9,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, get_args
 
-from app.messages.catalogue import ENGLISH
-from app.messages.language_file import read_sources
+from app.messages.language_file import ENGLISH, read_sources
 from app.messages.message import (
     Message,
     MessageList,

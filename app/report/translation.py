@@ -1,7 +1,8 @@
 """A report's texts, rendered into one language."""
 
 from app.errors import OperationError
-from app.messages.catalogue import Render, languages, renderer
+from app.messages.catalogue import Render, renderer
+from app.messages.language_file import languages
 from app.messages.message import Text, join, message
 from app.report.content import (
     Block,

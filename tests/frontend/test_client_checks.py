@@ -9,14 +9,14 @@ from fluent.syntax.ast import Message as Entry
 from fluent.syntax.ast import VariableReference
 from fluent.syntax.visitor import Visitor
 
-from app.messages.catalogue import languages, renderer
-from app.messages.language_file import FOLDER
+from app.messages.catalogue import renderer
+from app.messages.language_file import FOLDER, languages
 from app.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
 
 
 def test_types() -> None:
-    run_node("scripts/places.mjs")
+    run_node("scripts/generate.mjs")
     run_tool("typescript/bin/tsc", "--noEmit")
 
 
@@ -25,7 +25,7 @@ def test_linter_and_formatter() -> None:
 
 
 def test_units() -> None:
-    run_node("scripts/places.mjs")
+    run_node("scripts/generate.mjs")
     run_tool("vitest/vitest.mjs", "run")
 
 

@@ -6,7 +6,7 @@ import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax.ast import Comment, Junk, Message, ResourceComment
 
-from app.messages.catalogue import languages
+from app.messages.language_file import languages
 from tests.frontend.node import FRONTEND
 from tests.frontend.test_client_checks import places_by_id
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from app.messages.catalogue import Catalogue, in_english, languages, renderer
-from app.messages.language_file import read_sources
+from app.messages.catalogue import Catalogue, in_english, renderer
+from app.messages.language_file import languages, read_sources
 from app.messages.message import (
     Message,
     MessageList,
@@ -125,7 +125,6 @@ def test_what_a_language_lacks_is_in_english(
 ) -> None:
     (tmp_path / "en.ftl").write_text("here = here\nsize = { $size } wide\n")
     (tmp_path / "fr.ftl").write_text("here = ici\n")
-    monkeypatch.setattr("app.messages.catalogue.FOLDER", tmp_path)
     monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
     renderer.cache_clear()
     read_sources.cache_clear()

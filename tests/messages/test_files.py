@@ -11,8 +11,8 @@ from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
 
-from app.messages.catalogue import ENGLISH, FUNCTIONS, languages
-from app.messages.language_file import FOLDER
+from app.messages.catalogue import FUNCTIONS
+from app.messages.language_file import ENGLISH, FOLDER, languages
 
 ROOT = Path(__file__).resolve().parents[2]
 OTHERS = languages()[1:]

@@ -24,7 +24,8 @@ from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
 from app.formats.software import SOFTWARE
-from app.messages.catalogue import languages, renderer
+from app.messages.catalogue import renderer
+from app.messages.language_file import languages
 from app.messages.message import Message, Text, message, quantity
 from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
 from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict

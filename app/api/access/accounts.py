@@ -8,7 +8,8 @@ from starlette.status import HTTP_204_NO_CONTENT
 from app.api.access.auth import ROLE_NAMES
 from app.api.access.authorization import TheVisitor
 from app.api.problems import NotFoundError
-from app.messages.catalogue import ENGLISH, translator
+from app.messages.catalogue import translator
+from app.messages.language_file import ENGLISH
 from app.messages.message import Text, join, message
 from app.operations.context import Context, TheContext
 from app.store.accounts import Account, Role
