@@ -25,7 +25,10 @@ from app.wire.schema import Problem, ProblemMessages, RecordedCalibration
 from app.workflows.measure_gauge import MapFile
 
 FILE = Path(__file__).parents[2] / "frontend/src/api/wire.schema.json"
-TEXTS = {kind.__name__ for kind in (Message, MessageList, Quantity)}
+REFERENCE = "#/$defs/"
+TEXTS = {REFERENCE + kind.__name__ for kind in (Message, MessageList, Quantity)}
+MESSAGES = REFERENCE + ProblemMessages.__name__
+"""The client puts a problem's messages in the place of its English."""
 BESIDE_ROUTES: tuple[Any, ...] = (
     Topics,
     HelloMessage,
@@ -37,7 +40,6 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     RecordedCalibration,
 )
 """What is sent and is not the declared answer of a route."""
-PROBLEM_MESSAGES = f"#/$defs/{ProblemMessages.__name__}"
 FILES: tuple[Any, ...] = (VerificationFile, MapFile)
 """The station's own files that are sent as they are."""
 Schema = dict[str, Any]
@@ -67,23 +69,16 @@ def make_schema() -> Schema:
         if "title" in schema and "$ref" not in schema:
             found.setdefault(schema["title"], schema)
     without_none = {Problem.__name__, *(part.__name__ for part in _subclasses(DocumentPart))}
-    requests = {name for name in found if found[name].get("additionalProperties") is False}
-    unsent = {*TEXTS, ProblemMessages.__name__}
-    shapes = {name: _simplify(found[name]) for name in sorted(found) if name not in unsent}
-    for name, shape in shapes.items():
-        shape.pop("title", None)
-        if name not in requests:
-            # a default is sent too, but in files and problems what is None is left out
-            shape["required"] = [
-                field
-                for field, one in shape["properties"].items()
-                if name not in without_none or one.get("default", "") is not None
-            ]
+    shapes = {
+        name: _shape(found[name], name in without_none)
+        for name in sorted(found)
+        if REFERENCE + name not in {*TEXTS, MESSAGES}
+    }
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "type": "object",
         "additionalProperties": False,
-        "properties": {name: {"$ref": f"#/$defs/{name}"} for name in shapes},
+        "properties": {name: {"$ref": REFERENCE + name} for name in shapes},
         "$defs": shapes,
     }
 
@@ -104,6 +99,20 @@ def _subclasses(kind: type) -> Iterator[type]:
         yield from _subclasses(part)
 
 
+def _shape(schema: Schema, without_none: bool) -> Schema:
+    """One shape; of what the station sends, every field is there that is not left out as None."""
+    shape: Schema = _simplify(schema)
+    shape.pop("title", None)
+    is_request = shape.get("additionalProperties") is False
+    if not is_request:
+        shape["required"] = [
+            name
+            for name, field in shape["properties"].items()
+            if not (without_none and field.get("default", "") is None)
+        ]
+    return shape
+
+
 def _simplify(schema: Any) -> Any:
     """Texts as strings, arrays of fixed length as draft 7 has them, no messages beside texts."""
     if isinstance(schema, list):
@@ -119,24 +128,18 @@ def _simplify(schema: Any) -> Any:
         simple["properties"] = {
             name: one
             for name, one in simple["properties"].items()
-            if not name.endswith(SUFFIX)
-            and one.get("$ref") != f"#/$defs/{ProblemMessages.__name__}"
+            if not name.endswith(SUFFIX) and one.get("$ref") != MESSAGES
         }
     return simple
 
 
 def _without_texts(union: Schema) -> Schema:
     """A union without the kinds of text: what arrives is a string."""
-    left = [one for one in union["anyOf"] if one.get("$ref", "").rpartition("/")[2] not in TEXTS]
+    left = [one for one in union["anyOf"] if one.get("$ref") not in TEXTS]
     if len(left) == 1:
         return {**{key: value for key, value in union.items() if key != "anyOf"}, **left[0]}
     return {**union, "anyOf": left}
 
 
-def render_schema() -> str:
-    """The file's text."""
-    return json.dumps(make_schema(), indent=1, ensure_ascii=False) + "\n"
-
-
 if __name__ == "__main__":
-    FILE.write_text(render_schema(), encoding="utf-8")
+    FILE.write_text(json.dumps(make_schema(), indent=1, ensure_ascii=False) + "\n", "utf-8")
