@@ -68,7 +68,7 @@ def run(names: list[str], seed: int = 0, progress: Progress = no_progress) -> li
             except OperationError as error:
                 if error.code != UNAVAILABLE or len(chosen) == 1:
                     raise
-                rows.append(FaultRow(kind.name, notes=[str(error.line)]))
+                rows.append(FaultRow(kind.name, notes=[error.line]))
     return rows
 
 

@@ -2,6 +2,7 @@ import { createContext, useContext, useEffect, useState } from "react";
 
 import { get } from "../api/http";
 import { Banners } from "../frame/Banners";
+import health from "../health/Health.module.css";
 import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
 import { t } from "../state/language";
 import records from "./RecordsPage.module.css";
@@ -30,22 +31,25 @@ function Reference({ description }: { description: OpenApi }) {
   return (
     <DataTypes value={new Set(Object.keys(schemas))}>
       <div className={records.records}>
-        <section className={styles.section}>
-          <h2>{t("ui-http-interface-version", { version: description.info.version })}</h2>
+        <section className={health.section}>
+          <h2 className={health.title}>{t("ui-http-interface-version", { version: description.info.version })}</h2>
           <p>
-            {t("ui-http-interface-explained")} <a href="/api/openapi.json">openapi.json</a>
+            {t("ui-http-interface-explained")}{" "}
+            <a className={styles.link} href="/api/openapi.json">
+              openapi.json
+            </a>
           </p>
         </section>
         {[...routesByGroup(description)].map(([group, routes]) => (
-          <section key={group} className={styles.section} aria-label={group}>
-            <h3>{group}</h3>
+          <section key={group} className={health.section} aria-label={group}>
+            <h3 className={styles.group}>{group}</h3>
             {routes.map((route) => (
               <RouteEntry key={`${route.method} ${route.path}`} route={route} />
             ))}
           </section>
         ))}
-        <section className={styles.section} aria-label={t("ui-data-types")}>
-          <h3>{t("ui-data-types")}</h3>
+        <section className={health.section} aria-label={t("ui-data-types")}>
+          <h3 className={styles.group}>{t("ui-data-types")}</h3>
           {shapes.map(([name, schema]) => (
             <Shape key={name} name={name} schema={schema} />
           ))}
@@ -111,7 +115,7 @@ function Line({ name, schema }: { name: string; schema: Schema }) {
         <code>
           {parts.map((part, index) =>
             known.has(part) ? (
-              <a key={`${index} ${part}`} href={`#type-${part}`}>
+              <a className={styles.link} key={`${index} ${part}`} href={`#type-${part}`}>
                 {part}
               </a>
             ) : (

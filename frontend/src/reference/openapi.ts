@@ -47,11 +47,7 @@ export interface Route extends Operation {
 export function routesByGroup({ paths }: OpenApi): Map<string, Route[]> {
   const groups = new Map<string, Route[]>();
   for (const [path, operations] of Object.entries(paths)) {
-    const group =
-      path
-        .replace(/^\/api\//, "")
-        .split(/[/.{]/)[0]
-        ?.replace(/^$/, path) ?? path;
+    const [, group = path] = /^\/api\/([^/.{]+)/.exec(path) ?? [];
     const routes = groups.get(group) ?? [];
     for (const [method, operation] of Object.entries(operations)) {
       routes.push({ ...operation, method: method.toUpperCase(), path });
