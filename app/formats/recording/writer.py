@@ -7,11 +7,15 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from foxglove import Channel, Context, Schema, open_mcap
-from foxglove.channels import JointStatesChannel, RawImageChannel
-from foxglove.mcap import MCAPCompression, MCAPWriteOptions
-from foxglove.messages import JointState, JointStates, RawImage, Timestamp
+from foxglove_schemas_protobuf.JointState_pb2 import JointState
+from foxglove_schemas_protobuf.JointStates_pb2 import JointStates
+from foxglove_schemas_protobuf.RawImage_pb2 import RawImage
+from google.protobuf.timestamp_pb2 import Timestamp
+from mcap.well_known import MessageEncoding, SchemaEncoding
+from mcap.writer import CompressionType, Writer
+from mcap_protobuf.schema import register_schema
 
+from app.errors import OperationError
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
 from app.formats.io_errors import convert_io_errors, error_from_os
@@ -45,21 +49,25 @@ class RecordingWriter:
             OperationError: the file exists or cannot be created.
         """
         self._names = tuple(joint_names)
-        self._sink = _Sink(path)
-        # kept: its channels close with it
-        self._context = context = Context()
-        options = MCAPWriteOptions(
-            compression=MCAPCompression.Lz4, chunk_size=CHUNK_BYTES, profile="crenel"
+        self._file = _SyncedFile(path)
+        self._writer = Writer(
+            self._file,  # type: ignore[arg-type]  # of a file it uses write, tell and flush
+            chunk_size=CHUNK_BYTES,
+            compression=CompressionType.LZ4,
         )
-        self._writer = open_mcap(self._sink, context=context, writer_options=options)
-        self._writer.write_metadata(STATION_METADATA, dict(station or {}))
-        self._joints = JointStatesChannel(JOINTS_TOPIC, context=context)
-        self._images = RawImageChannel(IMAGE_TOPIC, context=context)
-        self._stripes = Channel(
+        try:
+            self._writer.start(profile="crenel")
+            self.write_metadata(station or {})
+        except OperationError:
+            self._file.close()
+            raise
+        self._joints = self._channel(JOINTS_TOPIC, register_schema(self._writer, JointStates))
+        self._images = self._channel(IMAGE_TOPIC, register_schema(self._writer, RawImage))
+        self._stripes = self._channel(
             STRIPE_TOPIC,
-            message_encoding="protobuf",
-            schema=Schema(name=STRIPE_SCHEMA, encoding="protobuf", data=stripe_descriptors()),
-            context=context,
+            self._writer.register_schema(
+                STRIPE_SCHEMA, SchemaEncoding.Protobuf, stripe_descriptors()
+            ),
         )
         self._open = True
 
@@ -76,12 +84,11 @@ class RecordingWriter:
 
     def write_metadata(self, station: Mapping[str, str]) -> None:
         """What has changed of ``station``; a reader goes by what stands last."""
-        self._writer.write_metadata(STATION_METADATA, dict(station))
-        self._sink.check()
+        self._writer.add_metadata(STATION_METADATA, dict(station))
 
     @property
     def bytes_written(self) -> int:
-        return self._sink.written
+        return self._file.tell()
 
     def joints(self, stamp_ns: int, q_rad: Sequence[float] | Floats) -> None:
         """One reading of the arm, angles (n,) before sign and offset.
@@ -90,40 +97,33 @@ class RecordingWriter:
             OperationError: the disk is full or gone, as do the other two.
         """
         states = [
-            JointState(name=name, position=float(angle))
+            JointState(name=name, position=angle)
             for name, angle in zip(self._names, q_rad, strict=True)
         ]
         message = JointStates(timestamp=_timestamp(stamp_ns), joints=states)
-        self._joints.log(message, log_time=stamp_ns)
-        self._sink.check()
+        self._add(self._joints, stamp_ns, message.SerializeToString())
 
     def stripe(self, stamp_ns: int, stripe: Stripe, width_px: int, height_px: int) -> None:
         """The stripe of a frame, by the stamp of its mid-exposure."""
-        message = encode_stripe(stripe, stamp_ns, width_px, height_px)
-        self._stripes.log(message, log_time=stamp_ns)
-        self._sink.check()
+        self._add(self._stripes, stamp_ns, encode_stripe(stripe, stamp_ns, width_px, height_px))
 
     def image(self, stamp_ns: int, image: GreyImage) -> None:
         """A frame's picture (height, width), by the stamp of its mid-exposure."""
         height, width = image.shape
-        self._images.log(
-            RawImage(
-                timestamp=_timestamp(stamp_ns),
-                frame_id="sensor",
-                width=width,
-                height=height,
-                encoding="mono8" if image.itemsize == 1 else "mono16",
-                step=width * image.itemsize,
-                data=image.astype(image.dtype.newbyteorder("<"), copy=False).tobytes(),
-            ),
-            log_time=stamp_ns,
+        message = RawImage(
+            timestamp=_timestamp(stamp_ns),
+            frame_id="sensor",
+            width=width,
+            height=height,
+            encoding="mono8" if image.itemsize == 1 else "mono16",
+            step=width * image.itemsize,
+            data=image.astype(image.dtype.newbyteorder("<"), copy=False).tobytes(),
         )
-        self._sink.check()
+        self._add(self._images, stamp_ns, message.SerializeToString())
 
     def flush(self) -> None:
         """Passes to the system what has come so far: a killed process does not lose it."""
         self._writer.flush()
-        self._sink.check()
 
     def sync(self) -> None:
         """Brings to the disk what was flushed: a power failure does not lose it.
@@ -131,7 +131,7 @@ class RecordingWriter:
         From any thread, so that a slow disk holds up no writing; the next write raises
         where it failed.
         """
-        self._sink.sync()
+        self._file.sync()
 
     def close(self) -> None:
         """Completes the file on disk; idempotent. Raises ``OperationError`` where it could not."""
@@ -139,46 +139,50 @@ class RecordingWriter:
             return
         self._open = False
         try:
-            self._writer.close()
+            if self._file.failure is None:
+                self._writer.finish()
         finally:
-            self._sink.close()
-        self._sink.check()
+            self._file.close()
+        if self._file.failure is not None:
+            raise self._file.failure
+
+    def _channel(self, topic: str, schema_id: int) -> int:
+        return self._writer.register_channel(topic, MessageEncoding.Protobuf, schema_id)
+
+    def _add(self, channel_id: int, stamp_ns: int, data: bytes) -> None:
+        self._writer.add_message(channel_id, stamp_ns, data, publish_time=stamp_ns)
 
 
-class _Sink:
-    """The file under the writer. A failure is kept for ``check``: the writer prints its own.
+class _SyncedFile:
+    """The file under the writer, synced from any thread.
 
-    After a failure the writer gets no error, and the position where it would stand, so that
-    it ends in order; it does not bear to find itself elsewhere.
+    After a failure nothing more is written: what stands there is readable up to it.
     """
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._failure: OSError | None = None
-        self._at = self._end = 0
-        self.written = 0
+        self.failure: OperationError | None = None
+        self._written = 0
         self._closing = threading.Lock()
         with convert_io_errors(path):
             self._file = open(path, "xb", buffering=0)  # noqa: SIM115  closed by close()
             sync_folder(path.parent)
 
-    def write(self, data: bytes | bytearray) -> int:
+    def write(self, data: bytes) -> int:
+        """Writes all of it; raises ``OperationError``, as each write after a failure does."""
+        if self.failure is not None:
+            raise self.failure
         view = memoryview(data)
         try:
-            while len(view) and self._failure is None:
+            while len(view):
                 view = view[self._file.write(view) :]
         except OSError as error:
-            self._failure = error
-        self.written += len(data)
-        self._at += len(data)
-        self._end = max(self._end, self._at)
+            raise self._fail(error) from error
+        self._written += len(data)
         return len(data)
 
-    def seek(self, offset: int, whence: int = 0) -> int:
-        self._at = offset + (0, self._at, self._end)[whence]
-        if self._failure is None:
-            self._file.seek(self._at)
-        return self._at
+    def tell(self) -> int:
+        return self._written
 
     def flush(self) -> None:
         """Nothing is held back here."""
@@ -188,25 +192,26 @@ class _Sink:
             if not self._file.closed:
                 self._sync()
 
-    def _sync(self) -> None:
-        try:
-            os.fsync(self._file.fileno())
-        except OSError as error:
-            self._failure = self._failure or error
-
     def close(self) -> None:
         with self._closing:
             self._sync()
             try:
                 self._file.close()
             except OSError as error:
-                self._failure = self._failure or error
+                self._fail(error)
 
-    def check(self) -> None:
-        if self._failure is not None:
-            raise error_from_os(self._failure, self._path) from self._failure
+    def _sync(self) -> None:
+        try:
+            os.fsync(self._file.fileno())
+        except OSError as error:
+            self._fail(error)
+
+    def _fail(self, error: OSError) -> OperationError:
+        """Keeps the first failure, and gives it."""
+        self.failure = self.failure or error_from_os(error, self._path)
+        return self.failure
 
 
 def _timestamp(stamp_ns: int) -> Timestamp:
-    seconds, nanoseconds = divmod(stamp_ns, 1_000_000_000)
-    return Timestamp(sec=seconds, nsec=nanoseconds)
+    seconds, nanos = divmod(stamp_ns, 1_000_000_000)
+    return Timestamp(seconds=seconds, nanos=nanos)
