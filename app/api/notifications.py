@@ -94,14 +94,14 @@ async def send_test(context: TheContext) -> Notifications:
     return _notifications(context)
 
 
-@router.get("/scrapers")
+@router.get("/tokens")
 def api_tokens(context: TheContext) -> list[ApiTokenSummary]:
     """Every token for the metrics."""
     found = context.store.api_tokens.all()
     return [ApiTokenSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
 
 
-@router.post("/scrapers")
+@router.post("/tokens")
 def add_api_token(
     asked: NewApiToken, request: Request, context: TheContext, visitor: TheVisitor
 ) -> ApiTokenSummary:
@@ -111,12 +111,12 @@ def add_api_token(
     return ApiTokenSummary(one.id, one.name, one.made_by, one.made_at, token)
 
 
-@router.delete("/scrapers/{scraper_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_api_token(scraper_id: str, context: TheContext) -> None:
+@router.delete("/tokens/{token_id}", status_code=HTTP_204_NO_CONTENT)
+def remove_api_token(token_id: str, context: TheContext) -> None:
     """A token that is good for nothing from now on."""
-    if all(one.id != scraper_id for one in context.store.api_tokens.all()):
-        raise NotFoundError(message("there-no-token", scraper_id=scraper_id))
-    context.store.api_tokens.remove(scraper_id)
+    if all(one.id != token_id for one in context.store.api_tokens.all()):
+        raise NotFoundError(message("there-no-token", token_id=token_id))
+    context.store.api_tokens.remove(token_id)
 
 
 def _notifications(context: Context) -> Notifications:

@@ -39,7 +39,7 @@ def stop_scan(context: TheContext) -> ScanStatus:
     return context.scan_state()
 
 
-@router.post("/scan/hand")
+@router.post("/scan/simulation")
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
     """Lets the simulated operator move the sensor over the parts, or stops it."""
     if asked.on:

@@ -14,7 +14,7 @@ PATTERNS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\$argon2\S+"), GONE),
     (re.compile(r"(?i)\b(bearer|basic)\s+[a-z0-9._~+/=-]{6,}"), rf"\1 {GONE}"),
     (re.compile(r"(?<=://)[^/\s@\"']+@"), f"{GONE}@"),
-    (re.compile(r"(?i)#(code|wall)=\w[\w-]*"), rf"#\1={GONE}"),
+    (re.compile(r"(?i)#(code|kiosk|wall)=\w[\w-]*"), rf"#\1={GONE}"),
     (
         re.compile(
             r"(?i)((?:password|passwd|secret|token|api_?key|authorization|cookie))"

@@ -59,7 +59,7 @@ class Context:
         """The scan as the browser shows it."""
         known = state or self.scanner.state()
         values = {one.name: getattr(known, one.name) for one in fields(known)}
-        return ScanStatus(**values, hand_running=self.simulated_scan.running)
+        return ScanStatus(**values, simulation_running=self.simulated_scan.running)
 
 
 def context_of(connection: HTTPConnection) -> Context:

@@ -58,7 +58,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("DELETE", "/api/session"): ENTER,
     ("POST", "/api/session/code"): ENTER,
     ("POST", "/api/session/admin"): ENTER,
-    ("POST", "/api/session/wall"): ENTER,
+    ("POST", "/api/session/kiosk"): ENTER,
     ("POST", "/api/session/password"): Rule(Right.be, message("changed-own-password")),
     ("GET", "/api/openapi.json"): LOOK,
     (WEBSOCKET, "/api/live"): LOOK,
@@ -110,7 +110,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/scan"): LOOK,
     ("POST", "/api/scan/start"): Rule(Right.act, message("started-scan")),
     ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),
-    ("POST", "/api/scan/hand"): Rule(Right.act, message("moved-simulated-hand-stopped")),
+    ("POST", "/api/scan/simulation"): Rule(Right.act, message("moved-simulation-stopped")),
     ("POST", "/api/laser/on"): Rule(Right.act, message("switched-laser")),
     # whoever sees a danger ends it, whoever has control
     ("POST", "/api/laser/off"): Rule(Right.be, message("switched-laser-off")),
@@ -120,7 +120,9 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/settings"): Rule(Right.act, message("changed-settings")),
     ("POST", "/api/settings/exposure"): Rule(Right.act, message("set-exposure-picture")),
     ("POST", "/api/settings/delay/find"): Rule(Right.act, message("looked-arms-delay")),
-    ("POST", "/api/settings/delay/pass"): Rule(Right.act, message("had-hand-pass-over-plate")),
+    ("POST", "/api/settings/delay/pass"): Rule(
+        Right.act, message("had-simulation-pass-over-plate")
+    ),
     ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
     ("POST", "/api/control/ask"): Rule(Right.operate, message("asked-control")),
     ("POST", "/api/control/answer"): Rule(Right.operate, message("answered-who-asked-control")),
@@ -130,9 +132,9 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/accounts"): Rule(Right.administer, message("added-account")),
     ("POST", "/api/account"): Rule(Right.administer, message("changed-account")),
     ("DELETE", "/api/account"): Rule(Right.administer, message("removed-account")),
-    ("GET", "/api/walls"): Rule(Right.administer),
-    ("POST", "/api/walls"): Rule(Right.administer, message("made-wall-screen-link")),
-    ("DELETE", "/api/walls/{wall_id}"): Rule(Right.administer, message("removed-wall-screen-link")),
+    ("GET", "/api/kiosk-links"): Rule(Right.administer),
+    ("POST", "/api/kiosk-links"): Rule(Right.administer, message("made-kiosk-link")),
+    ("DELETE", "/api/kiosk-links/{link_id}"): Rule(Right.administer, message("removed-kiosk-link")),
     ("GET", "/api/audit"): Rule(Right.administer),
     ("GET", "/metrics"): Rule(Right.scrape),
     ("GET", "/api/health"): LOOK,
@@ -142,11 +144,9 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/notifications"): Rule(Right.administer),
     ("POST", "/api/notifications"): Rule(Right.administer, message("changed-notifications")),
     ("POST", "/api/notifications/test"): Rule(Right.administer, message("tried-notifications")),
-    ("GET", "/api/scrapers"): Rule(Right.administer),
-    ("POST", "/api/scrapers"): Rule(Right.administer, message("made-token-metrics")),
-    ("DELETE", "/api/scrapers/{scraper_id}"): Rule(
-        Right.administer, message("ended-token-metrics")
-    ),
+    ("GET", "/api/tokens"): Rule(Right.administer),
+    ("POST", "/api/tokens"): Rule(Right.administer, message("made-token-metrics")),
+    ("DELETE", "/api/tokens/{token_id}"): Rule(Right.administer, message("ended-token-metrics")),
 } | {(method, "/api/{path:path}"): ENTER for method in ("GET", "POST", "PUT", "PATCH", "DELETE")}
 
 MESSAGES: dict[str, Right] = {

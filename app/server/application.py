@@ -16,6 +16,7 @@ from app.operations.publishers import observe
 from app.operations.ticker import tick
 from app.security.anonymous_queue import AnonymousQueue
 from app.server.composition import StationParts, close_context, open_context
+from app.server.former_paths import FormerPaths
 from app.server.middleware import Guard
 
 
@@ -40,6 +41,7 @@ def build_app(parts: StationParts) -> FastAPI:
     problems.install(app)
     for router in ROUTERS:
         app.include_router(router)
+    app.add_middleware(FormerPaths)
     app.add_middleware(Guard, hosts=parts.hosts)
     app.add_middleware(AnonymousQueue)
     return app

@@ -152,7 +152,9 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         _button_handler(guide, arm_guide, verify_guide),
         there=lambda: rig.arm.link().state == "connected",
     ).edge
-    station = StationInfo(parts.name, SOFTWARE.version, has_hand=simulated, simulated=simulated)
+    station = StationInfo(
+        parts.name, SOFTWARE.version, has_simulation=simulated, simulated=simulated
+    )
     return Context(
         station,
         bus,

@@ -35,7 +35,7 @@ class ApiTokenStore:
         api_token = ApiToken(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.transaction() as connection:
             connection.execute(
-                "INSERT INTO scraper (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
+                "INSERT INTO api_token (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
                 (
                     api_token.id,
                     _digest(token),
@@ -48,18 +48,18 @@ class ApiTokenStore:
 
     def all(self) -> list[ApiToken]:
         """Every one, oldest first."""
-        rows = self._database.read("SELECT * FROM scraper ORDER BY made_at")
+        rows = self._database.read("SELECT * FROM api_token ORDER BY made_at")
         return [ApiToken(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
     def is_valid(self, token: str) -> bool:
         """Whether the token is one of these."""
-        found = self._database.read("SELECT 1 FROM scraper WHERE token = ?", _digest(token))
+        found = self._database.read("SELECT 1 FROM api_token WHERE token = ?", _digest(token))
         return bool(token) and bool(found)
 
     def remove(self, token_id: str) -> None:
         """Its token is good for nothing from now on."""
         with self._database.transaction() as connection:
-            connection.execute("DELETE FROM scraper WHERE id = ?", (token_id,))
+            connection.execute("DELETE FROM api_token WHERE id = ?", (token_id,))
 
 
 def _digest(token: str) -> str:

@@ -88,7 +88,7 @@ class LoginSessionStore:
             return self._principal(digest, rows[0])
         if digest in self._in_memory:
             return self._memory_principal(digest)
-        links = self._database.read("SELECT * FROM wall_link WHERE token = ?", digest)
+        links = self._database.read("SELECT * FROM kiosk_link WHERE token = ?", digest)
         if links:
             return Principal(digest[:ID_DIGITS], links[0]["name"], Role.viewer, kiosk=True)
         return None
@@ -165,20 +165,20 @@ class LoginSessionStore:
         link = KioskLink(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.transaction() as connection:
             connection.execute(
-                "INSERT INTO wall_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
+                "INSERT INTO kiosk_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
                 (link.id, _digest(token), link.name, link.made_by, link.made_at),
             )
         return link, token
 
     def kiosk_links(self) -> list[KioskLink]:
         """Every kiosk link, oldest first."""
-        rows = self._database.read("SELECT * FROM wall_link ORDER BY made_at")
+        rows = self._database.read("SELECT * FROM kiosk_link ORDER BY made_at")
         return [KioskLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
 
     def remove_kiosk_link(self, link_id: str) -> None:
         """Its screens show nothing from now on."""
         with self._database.transaction() as connection:
-            connection.execute("DELETE FROM wall_link WHERE id = ?", (link_id,))
+            connection.execute("DELETE FROM kiosk_link WHERE id = ?", (link_id,))
 
 
 def _digest(token: str) -> str:

@@ -130,7 +130,20 @@ ALTER TABLE audit ADD COLUMN outcome_message TEXT;
 ALTER TABLE scan ADD COLUMN name_message TEXT;
 ALTER TABLE scan ADD COLUMN interrupted_message TEXT;
 """
-SCHEMAS = (FIRST, ACCESS, SUPERVISION, VERIFICATIONS, KNOWN_BROWSERS, RECORDINGS, MESSAGES)
+KIOSKS = """
+ALTER TABLE wall_link RENAME TO kiosk_link;
+ALTER TABLE scraper RENAME TO api_token;
+"""
+SCHEMAS = (
+    FIRST,
+    ACCESS,
+    SUPERVISION,
+    VERIFICATIONS,
+    KNOWN_BROWSERS,
+    RECORDINGS,
+    MESSAGES,
+    KIOSKS,
+)
 """What each version of the database adds to the one before."""
 SCHEMA_VERSION = len(SCHEMAS)
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from app.findings import Finding, Quality
 from app.formats.datasheets.gauge import Shape
@@ -25,8 +25,16 @@ class RequestBody(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
+FORMER_COMMANDS = {"let_hand": "run_simulation", "stop_hand": "stop_simulation"}
+"""Commands by the names that they had; scripts may still send these."""
+
+
+def _present_name(name: object) -> object:
+    return FORMER_COMMANDS.get(name, name) if isinstance(name, str) else name
+
+
 class FlowCommand(RequestBody):
-    name: Annotated[str, Field(max_length=64)]
+    name: Annotated[str, Field(max_length=64), BeforeValidator(_present_name)]
     args: dict[str, object]
     rev: int
     key: Annotated[str, Field(min_length=1, max_length=128)]
@@ -116,7 +124,7 @@ class Problem:
 class ScanStatus(scan_state.ScanState):
     """The station's scan state, and whether the simulated operator moves."""
 
-    hand_running: bool
+    simulation_running: bool
 
 
 ReplayPhase = Literal["playing", "ended", "failed"]
@@ -171,7 +179,7 @@ class ScanSummary:
 class StationInfo:
     name: str
     version: str
-    has_hand: bool
+    has_simulation: bool
     simulated: bool
 
 
@@ -243,7 +251,7 @@ class CurrentUser:
     id: str
     name: str
     role: RoleName
-    wall: bool
+    kiosk: bool
 
 
 @dataclass(frozen=True)

@@ -47,7 +47,7 @@ export function App() {
   }, [title]);
   if (session && !session.you) return <EntrancePage session={session} />;
   // a kiosk display has no controls: the page fills it
-  if (session?.you?.wall) return <SupervisePage key={`${language} ${units}`} />;
+  if (session?.you?.kiosk) return <SupervisePage key={`${language} ${units}`} />;
   return (
     <div className={styles.frame}>
       <TopBar page={page} />

@@ -77,7 +77,7 @@ def test_points_pictures_and_an_acceptance(library: Path, tmp_path: Path) -> Non
             elif view["step"] == "review" and view["busy"] is None:
                 break
             if view["busy"] is None:
-                station.ask("flow", "let_hand", all=True)
+                station.ask("flow", "run_simulation", all=True)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/flow/command", **body)
     (session,) = (data / "sessions").iterdir()
@@ -138,7 +138,7 @@ def test_clouds_and_acceptance_of_a_verification(library: Path, tmp_path: Path) 
             if view["step"] == "review" and view["busy"] is None:
                 break
             if view["busy"] is None:
-                station.ask("verify", "let_hand", all=True)
+                station.ask("verify", "run_simulation", all=True)
         body = {"name": "accept", "args": {}, "rev": view["rev"], "key": "accepted"}
         accepted, _ = bench.ask("POST", "/api/verify/command", **body)
     trace, marks = bench.trace(), [*reported.values()]

@@ -65,7 +65,7 @@ def test_a_check_by_the_simulated_operator_is_judged_and_recorded(
     view = session("check")
     assert view["step"] == "seat"
     do(server, "set_limit", limit_um=2000)
-    do(server, "let_hand")
+    do(server, "run_simulation")
     swinging = wait(server, lambda view: len(view["picture"]["tips_um"]) > 5)
     assert swinging["step"] == "swing"
     assert swinging["number"]["value"] > 0
@@ -122,7 +122,7 @@ def test_an_old_view_and_a_repeated_key_do_nothing(
 
 def test_stop_ends_the_simulated_operator(server: Server, session: Callable[[str], View]) -> None:
     session("check")
-    do(server, "let_hand")
+    do(server, "run_simulation")
     wait(server, lambda view: view["step"] == "swing")
     assert server.http.post("/api/stop").status_code == 204
     view = wait(server, lambda view: view["busy"] is None)
@@ -140,17 +140,17 @@ def test_the_simulated_operator_takes_a_ball_bar_and_a_sphere(
         "size_mm": server.simulation.operator.ball_mm,
         "standard_uncertainty_mm": 0.0,
     }
-    do(server, "let_hand")
+    do(server, "run_simulation")
     view = wait(server, lambda view: view["busy"] is None, 60.0)
     assert len(view["picture"]["seats"]) == 1, view["findings"]
     (sphere,) = view["picture"]["seats"]
     assert (english(sphere["name"]), sphere["points"]) == ("Sphere 1", 15)
     do(server, "choose_artefact", kind="bar")
-    do(server, "let_hand")
+    do(server, "run_simulation")
     view = wait(
         server, lambda view: view["step"] == "swing" and len(view["picture"]["seats"]) == 4, 150.0
     )
-    do(server, "stop_hand")
+    do(server, "stop_simulation")
     view = wait(server, lambda view: view["busy"] is None)
     names = [english(seat["name"]) for seat in view["picture"]["seats"]]
     assert names == ["Sphere 1", "Bar 1, end A", "Bar 1, end B", "Bar 2, end A"]
@@ -210,7 +210,7 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
 
 def fit_by_operator(server: Server) -> View:
     """The simulated operator takes six places first and then one more; the arm is fitted."""
-    do(server, "let_hand")
+    do(server, "run_simulation")
     wait(server, lambda view: view["busy"] is None)
     do(server, "fit")
     return wait(server, lambda view: view["busy"] is None)
@@ -250,5 +250,5 @@ def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
 
 
 def check_by_operator(server: Server) -> View:
-    do(server, "let_hand")
+    do(server, "run_simulation")
     return wait(server, lambda view: view["step"] == "result" and view["busy"] is None, 60.0)

@@ -187,11 +187,11 @@ def test_a_full_disk_is_reported_and_keeps_nobody_from_stop(server: Server) -> N
             fill(database)
         assert server.http.post("/api/stop").status_code == 204
         assert server.http.post("/api/laser/off").status_code == 200
-        answer = server.http.post("/api/walls", json={"name": "w" * 60})
+        answer = server.http.post("/api/kiosk-links", json={"name": "w" * 60})
         for _ in range(60):
             if answer.status_code != 200:
                 break
-            answer = server.http.post("/api/walls", json={"name": "w" * 60})
+            answer = server.http.post("/api/kiosk-links", json={"name": "w" * 60})
         assert answer.status_code == 507
         assert answer.json()["detail"] == "This was not saved: the station's disk is full."
         for _ in range(300):  # small rows still fit for a while
@@ -207,8 +207,8 @@ def test_a_full_disk_is_reported_and_keeps_nobody_from_stop(server: Server) -> N
     assert server.http.post("/api/flow/start").json()["running"]
     server.do("confirm_devices")
     server.do("abandon")
-    for kiosk in server.http.get("/api/walls").json():
-        server.http.delete(f"/api/walls/{kiosk['id']}").raise_for_status()
+    for kiosk in server.http.get("/api/kiosk-links").json():
+        server.http.delete(f"/api/kiosk-links/{kiosk['id']}").raise_for_status()
 
 
 def test_every_page_states_what_it_may_load(server: Server) -> None:
@@ -229,9 +229,9 @@ def test_every_page_states_what_it_may_load(server: Server) -> None:
         ("GET", "/api/flow/image/..%2f..%2fstation.db", None, 404),
         ("GET", "/api/scans/none/cloud.ply", None, 404),
         ("GET", "/api/calibrations/..%2f..%2fstation.db/calibration.json", None, 404),
-        ("POST", "/api/scan/hand", b'{"on": 1}', 422),
-        ("POST", "/api/scan/hand", b'{"on"', 422),
-        ("POST", "/api/scan/hand", b"", 422),
+        ("POST", "/api/scan/simulation", b'{"on": 1}', 422),
+        ("POST", "/api/scan/simulation", b'{"on"', 422),
+        ("POST", "/api/scan/simulation", b"", 422),
         ("POST", "/api/exposure", b'{"exposure_us": -5}', 422),
         ("POST", "/api/exposure", b'{"exposure_us": NaN}', 422),
         ("POST", "/api/flow/command", b'{"name": "undo"}', 422),

@@ -120,10 +120,10 @@ def test_starting_twice_resumes_the_open_session(touching: Server) -> None:
 
 
 def test_the_simulated_operator_stops_on_command(touching: Server) -> None:
-    touching.do("let_hand")
+    touching.do("run_simulation")
     touching.wait(lambda view: len(points(view)) >= 2, 20.0)
     # stopping needs no fresh view
-    assert touching.command("stop_hand", rev=0).status_code == 200
+    assert touching.command("stop_simulation", rev=0).status_code == 200
     touching.wait(lambda view: view["busy"] is None, 10.0)
     taken = points(touching.flow())
     time.sleep(0.5)
@@ -134,7 +134,7 @@ def test_the_simulated_operator_stops_on_command(touching: Server) -> None:
 
 def test_a_whole_calibration_by_the_simulated_operator(at_setup: Server, tmp_path: Path) -> None:
     server, http = at_setup, at_setup.http
-    server.do("let_hand", all=True)
+    server.do("run_simulation", all=True)
     server.wait(lambda view: view["busy"] is None, PATIENCE_S)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]
@@ -246,7 +246,7 @@ def scan_with_it(http: httpx.Client, server: Server) -> None:
     """A short scan with the calibration just made, saved when stopped."""
     assert http.post("/api/scan/start", json={"name": "Shell"}).json()["state"] == "running"
     assert http.post("/api/scan/start", json={}).json()["code"] == "busy"
-    assert http.post("/api/scan/hand", json={"on": True}).json()["hand_running"] is True
+    assert http.post("/api/scan/simulation", json={"on": True}).json()["simulation_running"] is True
     deadline = time.monotonic() + 30
     while http.get("/api/scan").json()["points"] < 1000:
         assert time.monotonic() < deadline
@@ -272,7 +272,7 @@ def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     view = server.do("choose", field="object", id="chessboard")
     assert view["picture"]["object"]["kind"] == "board"
     server.do("confirm_setup")
-    server.do("let_hand", all=True)
+    server.do("run_simulation", all=True)
     server.wait(lambda view: view["busy"] is None, PATIENCE_S)
     view = http.get("/api/flow").json()
     assert view["step"] == "review", view["findings"]

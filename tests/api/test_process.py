@@ -101,7 +101,7 @@ def test_a_server_killed_at_the_touch_step_loses_no_point(tmp_path: Path) -> Non
 
 def start_operator(http: httpx.Client) -> dict[str, Any]:
     view = http.get("/api/flow").json()
-    asked = {"name": "let_hand", "args": {"all": True}, "rev": view["rev"], "key": "k"}
+    asked = {"name": "run_simulation", "args": {"all": True}, "rev": view["rev"], "key": "k"}
     answer = http.post("/api/flow/command", json=asked)
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
@@ -147,7 +147,7 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
             assert http.get("/api/home").json()["station"] == {
                 "name": "Room 2",
                 "version": SOFTWARE.version,
-                "has_hand": False,
+                "has_simulation": False,
                 "simulated": False,
             }
             http.post("/api/flow/start").raise_for_status()
@@ -156,7 +156,7 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
                 assert time.monotonic() < deadline, view
                 time.sleep(0.1)
             assert "TWIN-A1" in english(view["picture"]["devices"][0]["text"])
-            assert "let_hand" not in [action["name"] for action in view["actions"]]
+            assert "run_simulation" not in [action["name"] for action in view["actions"]]
             laser = http.post("/api/laser/on")
             assert laser.status_code == 422
             assert laser.json()["code"] == "no-laser-switch"

@@ -38,7 +38,7 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
     with demonstration(tmp_path, calibrated=True) as (http, pid):
         until(http, "/api/scan", lambda scan: scan["state"] == "idle")
         http.post("/api/scan/start", json={"name": "Bracket"}).raise_for_status()
-        http.post("/api/scan/hand", json={"on": True}).raise_for_status()
+        http.post("/api/scan/simulation", json={"on": True}).raise_for_status()
         before = until(http, "/api/scan", lambda scan: scan["seconds"] > 2.0)
         os.kill(pid, signal.SIGKILL)
     scans = tmp_path / "scans"

@@ -227,13 +227,11 @@ def test_a_user_who_loses_the_account_loses_control_at_once(server: Server, peop
 
 def test_what_was_done_is_in_the_audit_log_before_it_is_answered(server: Server) -> None:
     for number in range(20):
-        made = server.http.post("/api/walls", json={"name": f"Audit {number}"}).json()
+        made = server.http.post("/api/kiosk-links", json={"name": f"Audit {number}"}).json()
         newest = server.context.store.audit.newest(1)[0]
-        assert str(newest.act) == f"made a wall-screen link: Audit {number}"
-        server.http.delete(f"/api/walls/{made['id']}").raise_for_status()
-        assert str(server.context.store.audit.newest(1)[0].act).startswith(
-            "removed a wall-screen link"
-        )
+        assert str(newest.act) == f"created a kiosk link: Audit {number}"
+        server.http.delete(f"/api/kiosk-links/{made['id']}").raise_for_status()
+        assert str(server.context.store.audit.newest(1)[0].act).startswith("revoked a kiosk link")
 
 
 def test_the_last_administrator_stays(server: Server) -> None:
@@ -247,20 +245,22 @@ def test_the_last_administrator_stays(server: Server) -> None:
 
 
 def test_a_kiosk_shows_and_does_nothing(server: Server) -> None:
-    made = server.http.post("/api/walls", json={"name": "Hall 3"}).json()
+    made = server.http.post("/api/kiosk-links", json={"name": "Hall 3"}).json()
     with browser(server) as screen:
+        assert screen.post("/api/session/kiosk", json={"code": "guess"}).status_code == 401
+        # by the path that it had before
         assert screen.post("/api/session/wall", json={"code": "guess"}).status_code == 401
-        entered = screen.post("/api/session/wall", json={"code": made["token"]}).json()
+        entered = screen.post("/api/session/kiosk", json={"code": made["token"]}).json()
         assert entered["you"] == {
             "id": entered["you"]["id"],
             "name": "Hall 3",
             "role": "viewer",
-            "wall": True,
+            "kiosk": True,
         }
         assert screen.get("/api/flow").status_code == 200
         assert screen.post("/api/stop").status_code == 403
-        (listed,) = (w for w in server.http.get("/api/walls").json() if w["id"] == made["id"])
+        (listed,) = (w for w in server.http.get("/api/kiosk-links").json() if w["id"] == made["id"])
         assert (listed["name"], listed["token"]) == ("Hall 3", None)
-        assert server.http.delete(f"/api/walls/{made['id']}").status_code == 204
+        assert server.http.delete(f"/api/kiosk-links/{made['id']}").status_code == 204
         assert screen.get("/api/flow").status_code == 401
-    assert server.http.delete("/api/walls/none").status_code == 404
+    assert server.http.delete("/api/kiosk-links/none").status_code == 404

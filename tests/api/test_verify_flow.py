@@ -111,7 +111,7 @@ def test_a_plate_is_verified_by_the_simulated_operator_and_kept(
     desk.start("plate")
     desk.do("back")
     server.http.post("/api/temperature", json={"celsius": 20.5}).raise_for_status()
-    desk.do("let_hand", all=True)
+    desk.do("run_simulation", all=True)
     view = desk.wait(lambda view: view["step"] == "review" and view["busy"] is None, 120.0)
     # how well a busy machine's pass is known differs; what is found does not
     result = view["picture"]["verdict"]["result"]

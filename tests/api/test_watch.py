@@ -111,10 +111,10 @@ def test_what_runs_is_reported_step_by_step(touching: Server) -> None:
 
 
 def test_metrics_are_for_those_who_have_a_token(server: Server) -> None:
-    made = server.http.post("/api/scrapers", json={"name": "Prometheus"}).json()
+    made = server.http.post("/api/tokens", json={"name": "Prometheus"}).json()
     token = made["token"]
     assert "token" in made
-    listed = server.http.get("/api/scrapers").json()
+    listed = server.http.get("/api/tokens").json()
     assert token not in json.dumps(listed)
     with httpx.Client(base_url=server.address) as http:
         assert http.get("/metrics").status_code == 401, "loopback is no right"
@@ -124,9 +124,9 @@ def test_metrics_are_for_those_who_have_a_token(server: Server) -> None:
         assert http.get("/metrics", headers=good).status_code == 200
         for path in ("/api/home", "/api/health", "/api/audit"):
             assert http.get(path, headers=good).status_code == 401, "it opens nothing else"
-        assert server.http.delete(f"/api/scrapers/{made['id']}").status_code == 204
+        assert server.http.delete(f"/api/tokens/{made['id']}").status_code == 204
         assert http.get("/metrics", headers=good).status_code == 401
-    assert server.http.delete(f"/api/scrapers/{made['id']}").status_code == 404
+    assert server.http.delete(f"/api/tokens/{made['id']}").status_code == 404
 
 
 def test_metrics_are_named_and_counted_as_prometheus_wants_them(server: Server) -> None:

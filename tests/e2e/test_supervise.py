@@ -170,7 +170,7 @@ def test_it_ends_in_order_while_it_scans_and_is_watched(
     kiosk.set_viewport_size({"width": 1120, "height": 630})  # it is drawn without a graphics card
     kiosk.get_by_role("button", name="This station").click()
     assert ask(admin, "scan/start") == 200
-    assert ask(admin, "scan/hand", '{"on": true}') == 200
+    assert ask(admin, "scan/simulation", '{"on": true}') == 200
     expect(kiosk.get_by_text("points/s")).to_be_visible()
     expect(kiosk.get_by_text("laser is on")).to_be_visible()
     kiosk.wait_for_timeout(1500)

@@ -119,9 +119,9 @@ def make_live(
         to_move=None,
         scanning=False,
         tip=None,
-        has_hand=False,
+        has_simulation=False,
         busy=None,
-        hand_running=False,
+        simulation_running=False,
         trouble=None,
     )
     return replace(live, **changes)

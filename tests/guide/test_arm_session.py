@@ -51,8 +51,8 @@ def live_of(arm: Arm | None, **changes: Any) -> ArmLive:
         "connected_joints": 6,
         "q_rad": None,
         "left_mm": None,
-        "has_hand": False,
-        "hand_running": False,
+        "has_simulation": False,
+        "simulation_running": False,
         "busy": None,
         "trouble": None,
     }
@@ -151,7 +151,7 @@ def test_commands_belong_to_their_step(arm: Arm) -> None:
     assert "7 joints" in str(rejection_reason(state, live_of(arm, connected_joints=7), "begin", {}))
     busy = live_of(arm, busy=Busy("At work", None))
     assert str(rejection_reason(state, busy, "begin", {})) == "Wait: At work."
-    assert "simulated operator" in str(rejection_reason(state, live, "let_hand", {}))
+    assert "simulated operator" in str(rejection_reason(state, live, "run_simulation", {}))
     assert rejection_reason(state, live, "set_limit", {"limit_um": 40}) == ""
     for wrong in (0, -3, "40", True):
         assert "number of micrometres" in str(

@@ -375,8 +375,8 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(
         ("void_point", {"index": "0"}),
         ("back", {"to": "review"}),
         ("back", {"to": 3}),
-        ("let_hand", {}),
-        ("stop_hand", {}),
+        ("run_simulation", {}),
+        ("stop_simulation", {}),
         ("accept", {}),
         ("capture", {}),
     ],
@@ -396,11 +396,11 @@ def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: C
         arm,
         block,
         busy=Busy("The simulated operator at work", 0.3),
-        hand_running=True,
-        has_hand=True,
+        simulation_running=True,
+        has_simulation=True,
     )
     view = build_view(state, busy)
-    assert action(view, "stop_hand").enabled
+    assert action(view, "stop_simulation").enabled
     assert not action(view, "undo").enabled
     assert "The simulated operator at work" in str(action(view, "undo").why_not)
 

@@ -75,8 +75,8 @@ def live_of(**changes: Any) -> VerifyLive:
         still=True,
         scan_why_not="",
         scan_points=0,
-        has_hand=False,
-        hand_running=False,
+        has_simulation=False,
+        simulation_running=False,
         busy=None,
         trouble=None,
     )
@@ -136,8 +136,8 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
         ({}, "confirm_clouds", "No cloud"),
         ({}, "touch", "another step"),
         ({}, "fly", "no command"),
-        ({}, "stop_hand", "not moving"),
-        ({}, "let_hand", "no simulated operator"),
+        ({}, "stop_simulation", "not moving"),
+        ({}, "run_simulation", "no simulated operator"),
     ],
 )
 def test_what_cannot_be_done_says_why(changes: dict[str, object], name: str, said: str) -> None:

@@ -166,7 +166,7 @@ def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:
     assert left_out[6].endswith("it fits the robot's pose of pose 3")
 
 
-def test_a_pose_slightly_astray_is_left_out(given: BoardInputs) -> None:
+def test_a_slightly_wrong_pose_is_left_out(given: BoardInputs) -> None:
     readings = given.readings.copy()
     readings[4, :3, 3] += [0.8, -0.8, 0.8]
     poses = calibrate_board(replace(given, readings=readings)).poses

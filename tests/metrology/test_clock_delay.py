@@ -136,7 +136,7 @@ def moved(across: Path, along_mm: float = 30.0) -> Path:
         (Setting(path=moved(lambda t: 8 * np.sin(5 * t), 0.0)), "pass-along-the-plane"),
         (
             Setting(path=moved(lambda t: 2 * np.sin(5 * t)), frame_sd_mm=0.2),
-            "pass-tells-too-little",
+            "pass-not-informative",
         ),
         (Setting(shape="sphere"), "not-a-plane"),
         (Setting(seconds=0.9), "pass-too-short"),

@@ -24,13 +24,13 @@ OF_RATES = "rate_hz", RATES
 
 @pytest.mark.parametrize("bits", ENCODERS)
 @pytest.mark.parametrize(*OF_RATES)
-def test_single_readings_astray_are_left_out_and_nothing_else(rate_hz: float, bits: int) -> None:
+def test_single_wrong_readings_are_left_out_and_nothing_else(rate_hz: float, bits: int) -> None:
     for degrees in SPIKES[rate_hz]:
         q = sweep(rate_hz)
-        astray = np.arange(len(q)) % 41 == 20
-        q[astray, 2] += np.radians(degrees)
+        wrong = np.arange(len(q)) % 41 == 20
+        q[wrong, 2] += np.radians(degrees)
         found = judged(samples(read(q, bits), rate_hz), rate_hz)
-        np.testing.assert_array_equal(found.passed[:-3], ~astray[:-3])
+        np.testing.assert_array_equal(found.passed[:-3], ~wrong[:-3])
         assert found.judge.first is not None
         assert found.judge.first.joint == "J3"
 
@@ -79,7 +79,7 @@ def test_what_slipped_stays_refused_over_a_gap_and_beside_other_faults() -> None
     assert "J3 jumped by 10.0°" in found.judge.newest.error.line
 
 
-def test_a_first_reading_astray_is_not_what_the_others_are_held_against() -> None:
+def test_a_wrong_first_reading_is_not_what_the_others_are_held_against() -> None:
     q = sweep(1000.0)
     q[0, 2] += 1.0
     found = judged(samples(read(q), 1000.0))

@@ -83,13 +83,13 @@ def test_a_few_equal_readings_are_let_go_in_their_order() -> None:
     np.testing.assert_array_equal(passed, np.arange(3000))
 
 
-def test_one_reading_astray_is_left_out_alone() -> None:
+def test_one_wrong_reading_is_left_out_alone() -> None:
     q = swept(4000)
-    astray = np.arange(100, 4000, 211)
-    q[astray, 2] += np.pi / 2
+    wrong = np.arange(100, 4000, 211)
+    q[wrong, 2] += np.pi / 2
     judge, passed = judged(samples(q))
-    assert judge.impossible == len(astray)
-    assert not set(passed) & set(astray.tolist())
+    assert judge.impossible == len(wrong)
+    assert not set(passed) & set(wrong.tolist())
     assert judge.first is not None
     assert "90.0° from where it can be" in judge.first.error.line
 

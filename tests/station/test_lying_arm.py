@@ -33,11 +33,11 @@ def three_turns_on(faults: Faults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
 
 
-def astray(faults: Faults) -> None:
+def one_wrong_reading(faults: Faults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
 
 
-LIES = {"J4": frozen, "J1": three_turns_on, "J3": astray}
+LIES = {"J4": frozen, "J1": three_turns_on, "J3": one_wrong_reading}
 
 
 @pytest.fixture(scope="module")

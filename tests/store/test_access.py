@@ -1,5 +1,6 @@
 """Accounts, sign-ins and the audit log in the database."""
 
+import hashlib
 import sqlite3
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
@@ -14,7 +15,7 @@ from app.monitoring.log_store import LogStore
 from app.store import login_sessions as sign_ins
 from app.store.accounts import Role
 from app.store.database import Database
-from app.store.schemas import FIRST, KNOWN_BROWSERS, MESSAGES, SCHEMA_VERSION, SCHEMAS
+from app.store.schemas import FIRST, KIOSKS, KNOWN_BROWSERS, MESSAGES, SCHEMA_VERSION, SCHEMAS
 from app.store.store import Store
 
 PASSWORD = "three unrelated words"
@@ -180,6 +181,22 @@ def test_a_log_of_the_version_before_stays_english(tmp_path: Path) -> None:
     store = Store(tmp_path)
     assert [entry.act for entry in store.audit.newest(9)] == ["signed in"]
     assert [(scan.name, scan.interrupted) for scan in store.scans.all()] == [("Plate", "The disk.")]
+    store.close()
+
+
+def test_links_and_tokens_of_the_version_before_stay_valid(tmp_path: Path) -> None:
+    place = SCHEMAS.index(KIOSKS)
+    old = sqlite3.connect(tmp_path / "station.db")
+    old.executescript(f"{' '.join(SCHEMAS[:place])} PRAGMA user_version = {place};")
+    digest = hashlib.sha256(b"secret").hexdigest()
+    for table in ("wall_link", "scraper"):
+        old.execute(f"INSERT INTO {table} VALUES ('1', ?, 'Hall 3', 'Anna', 'then')", (digest,))
+    old.commit()
+    old.close()
+    store = Store(tmp_path)
+    assert [link.name for link in store.login_sessions.kiosk_links()] == ["Hall 3"]
+    assert [token.name for token in store.api_tokens.all()] == ["Hall 3"]
+    assert store.api_tokens.is_valid("secret")
     store.close()
 
 

@@ -112,7 +112,7 @@ def test_a_database_of_the_version_before_gets_the_new_tables(tmp_path: Path) ->
     old.close()
     database = Database(path)
     assert database.read("SELECT name FROM account")[0]["name"] == "Ada"
-    assert database.read("SELECT * FROM scraper") == []
+    assert database.read("SELECT * FROM api_token") == []
     database.close()
 
 

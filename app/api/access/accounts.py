@@ -70,14 +70,14 @@ def remove(name: Name, request: Request, context: TheContext) -> None:
     _sign_out(context, account)
 
 
-@router.get("/walls")
+@router.get("/kiosk-links")
 def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
     """Every kiosk link."""
     found = context.store.login_sessions.kiosk_links()
     return [KioskLinkSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
 
 
-@router.post("/walls")
+@router.post("/kiosk-links")
 def add_kiosk_link(
     asked: NewKioskLink, request: Request, context: TheContext, visitor: TheVisitor
 ) -> KioskLinkSummary:
@@ -87,12 +87,12 @@ def add_kiosk_link(
     return KioskLinkSummary(link.id, link.name, link.made_by, link.made_at, token)
 
 
-@router.delete("/walls/{wall_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_kiosk_link(wall_id: str, context: TheContext) -> None:
+@router.delete("/kiosk-links/{link_id}", status_code=HTTP_204_NO_CONTENT)
+def remove_kiosk_link(link_id: str, context: TheContext) -> None:
     """A kiosk link that shows nothing from now on."""
-    if all(link.id != wall_id for link in context.store.login_sessions.kiosk_links()):
-        raise NotFoundError(message("there-no-wall-screen-link", wall_id=wall_id))
-    context.store.login_sessions.remove_kiosk_link(wall_id)
+    if all(link.id != link_id for link in context.store.login_sessions.kiosk_links()):
+        raise NotFoundError(message("there-no-kiosk-link", link_id=link_id))
+    context.store.login_sessions.remove_kiosk_link(link_id)
 
 
 @router.get("/audit")

@@ -100,7 +100,7 @@ def first_admin(
     return _begin(account.name, request, response, context)
 
 
-@router.post("/session/wall")
+@router.post("/session/kiosk")
 def sign_in_kiosk(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
@@ -109,12 +109,12 @@ def sign_in_kiosk(
     if visitor is None:
         raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
-            "wall-link",
+            "kiosk-link",
             message("link-good-any-more"),
             message("ask-administrator-new-one"),
         )
     set_cookie(response, request, asked.code, kiosk=True)
-    context.store.audit.note(visitor.name, address_of(request), message("opened-wall-screen"))
+    context.store.audit.note(visitor.name, address_of(request), message("opened-kiosk"))
     return _session(context, visitor)
 
 

@@ -94,7 +94,7 @@ def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | No
         denied = AccessDeniedError(
             HTTPStatus.FORBIDDEN,
             "role",
-            message("wall-screen-may-look-do"),
+            message("kiosk-can-only-view"),
             message("sign-browser-your-own"),
         )
     else:

@@ -67,7 +67,7 @@ def furnish(data: Path, progress: Progress = no_progress) -> FolderRecords:
         station.wait(lambda: station.ask("verify", "choose_gauge", id="plate"))
         station.post("/api/flow/start").raise_for_status()
         station.wait(lambda: station.ask("flow", "confirm_devices"))
-        station.wait(lambda: station.ask("flow", "let_hand", all=True))
+        station.wait(lambda: station.ask("flow", "run_simulation", all=True))
         station.wait(lambda: len(station.get("/api/flow")["picture"].get("points") or ()) > 3)
         station.post("/api/stop").raise_for_status()
         station.post("/api/backup").raise_for_status()

@@ -84,7 +84,7 @@ ODD: tuple[bytes, ...] = (
     post(b"/api/session", b'{"name": NaN, "password": 1e999}', JSON),
     post(b"/api/session", b"{}", b"Content-Type: \xff/\xff; charset=\x00"),
     post(b"/api/session/code", b'{"code": "\\u0000"}', JSON),
-    post(b"/api/session/wall", b'{"token": "\xed\xa0\x80"}', JSON),
+    post(b"/api/session/kiosk", b'{"token": "\xed\xa0\x80"}', JSON),
     post(b"/api/stop", b"", b"Sec-Fetch-Site: cross-site"),
     post(b"/api/session", b"x", b"Transfer-Encoding: chunked"),
     b"POST /api/session HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\nxx\r\n",

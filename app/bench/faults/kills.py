@@ -187,7 +187,7 @@ def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
         if _has_reached(view, step, count):
             return view
         if view["busy"] is None and step != "setup":
-            station.ask(flow, "let_hand", all=True)
+            station.ask(flow, "run_simulation", all=True)
         return None
 
     return dict(station.wait(there))

@@ -26,7 +26,7 @@ REQUESTS: tuple[tuple[str, Mapping[str, object]], ...] = (
     ("/api/arm/start", {"purpose": "check"}),
     ("/api/verify/start", {}),
     ("/api/scan/start", {"name": "Afterwards"}),
-    ("/api/scan/hand", {"on": True}),
+    ("/api/scan/simulation", {"on": True}),
     ("/api/scan/stop", {}),
     ("/api/backup", {}),
     ("/api/stop", {}),

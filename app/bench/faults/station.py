@@ -140,7 +140,7 @@ class StationProcess:
         """Starts a scan by the simulated operator, once the station allows it."""
         self.wait(lambda: self.get("/api/scan")["state"] == "idle")
         self.wait(lambda: self.post("/api/scan/start", name=name).status_code == 200)
-        self.post("/api/scan/hand", on=True).raise_for_status()
+        self.post("/api/scan/simulation", on=True).raise_for_status()
 
     def stop_s(self) -> float:
         """How long Stop takes to be answered, in s."""

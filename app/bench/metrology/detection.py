@@ -209,9 +209,9 @@ def search_image(shot: DegradedImage, seed: int) -> SearchOutcome:
         far = np.hypot(*errors.T)
         count, rms = len(errors), float(np.sqrt(np.mean(far**2))) if len(errors) else 0.0
         normalised = float(np.sqrt(np.mean(sigmas**2) / 2)) if len(errors) else 0.0
-        astray = (far > CORNER_PX) & (sigmas > CORNER_SIGMAS)
+        wrong = (far > CORNER_PX) & (sigmas > CORNER_SIGMAS)
         together = rms <= RMS_PX or normalised <= RMS_SIGMAS
-        if astray.any() or not together or count == 0:
+        if wrong.any() or not together or count == 0:
             worst = int(np.argmax(far)) if count else -1
             outcome = "wrong"
             why = (

@@ -176,7 +176,7 @@ class DemoProcess:
             http.post("/api/flow/start").raise_for_status()
             while (view := self._view(http))["step"] != "review" or view["busy"] is not None:
                 if view["busy"] is None:  # at first, and after a device was lost
-                    _command(http, view, "let_hand", all=True)
+                    _command(http, view, "run_simulation", all=True)
                 time.sleep(VIEW_S)
             while _command(http, self._view(http), "accept") != 200:
                 time.sleep(VIEW_S)

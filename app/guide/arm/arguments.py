@@ -23,5 +23,5 @@ ARGUMENTS: ArgumentTable = {
     "choose_arm": IdArguments,
     "set_limit": _Limit,
     "choose_artefact": _Artefact,
-    "let_hand": OperatorArguments,
+    "run_simulation": OperatorArguments,
 }

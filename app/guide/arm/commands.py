@@ -43,7 +43,7 @@ def press(guide: ArmGuide, event: Press) -> bool:
         try:
             if guide.state.touching:
                 # whether the arm was still is judged as of the press, not as of now
-                guide.check_allowed("touch", {}, None, guide.hand_running)
+                guide.check_allowed("touch", {}, None, guide.simulation_running)
                 guide.touch(event.stamp_ns, None)
             else:
                 guide.check_allowed(name, {}, None)
@@ -61,7 +61,7 @@ def _fit(guide: ArmGuide, args: Args, key: str | None) -> None:
 def _start_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
     operator = guide.station.simulated_operator
     assert operator is not None
-    guide.append("hand_started", {}, key)
+    guide.append("simulation_started", {}, key)
     start_simulation(guide, simulation_job(guide, operator))
 
 
@@ -72,7 +72,7 @@ def _drop(guide: ArmGuide, args: Args, key: str | None) -> None:
 
 def _stop_simulation(guide: ArmGuide, args: Args, key: str | None) -> None:
     stop_simulation(guide)
-    guide.append("hand_stopped", {}, key)
+    guide.append("simulation_stopped", {}, key)
 
 
 ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
@@ -91,8 +91,8 @@ ACTS: dict[str, Callable[[ArmGuide, Args, str | None], None]] = {
     "restore": lambda guide, args, key: tasks.restore(guide, key),
     "reopen": lambda guide, args, key: guide.append("reopened", {}, key),
     "again": lambda guide, args, key: _again(guide, key),
-    "let_hand": _start_simulation,
-    "stop_hand": _stop_simulation,
+    "run_simulation": _start_simulation,
+    "stop_simulation": _stop_simulation,
     "end": lambda guide, args, key: guide.append("ended", {}, key),
 }
 

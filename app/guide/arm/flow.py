@@ -320,9 +320,11 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         reason = rejection_reason(state, live, name, args or {})
         return Action(name, label, args or {}, primary, not reason, reason, confirm)
 
-    operator_actions = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
-    if live.hand_running:
-        operator_actions = [offer("stop_hand", message("stop-hand"), primary=True)]
+    operator_actions = (
+        [offer("run_simulation", message("let-simulation-do"))] if live.has_simulation else []
+    )
+    if live.simulation_running:
+        operator_actions = [offer("stop_simulation", message("stop-simulation"), primary=True)]
     leave = offer("end", message("leave"), confirm=message("leave-session-points-yet-used-kept"))
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)

@@ -92,8 +92,8 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             connected_joints=side.info.joint_count if side.info else None,
             q_rad=None if newest is None else tuple(float(q) for q in newest.joints_rad),
             left_mm=self._left_mm,
-            has_hand=self.station.simulated_operator is not None,
-            hand_running=self.hand_running,
+            has_simulation=self.station.simulated_operator is not None,
+            simulation_running=self.simulation_running,
             busy=self.busy,
             trouble=self._trouble,
         )

@@ -23,7 +23,7 @@ class ArmLive:
     """The newest sample."""
     left_mm: float | None
     """How far the tip is from its seat, where it has left it."""
-    has_hand: bool
-    hand_running: bool
+    has_simulation: bool
+    simulation_running: bool
     busy: Busy | None
     trouble: Finding | None

@@ -34,8 +34,8 @@ ONLY_IN = {
     "restore": ("result",),
     "reopen": ("result",),
     "again": ("result",),
-    "let_hand": ("seat", "swing"),
-    "stop_hand": ("seat", "swing", "result"),
+    "run_simulation": ("seat", "swing"),
+    "stop_simulation": ("seat", "swing", "result"),
     "end": ("seat", "swing", "result"),
 }
 
@@ -44,8 +44,8 @@ def rejection_reason(state: ArmState, live: ArmLive, name: str, args: Mapping[st
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN:
         return message("there-no-command", name=name)
-    if name == "stop_hand":
-        return "" if live.hand_running else message("hand-moving")
+    if name == "stop_simulation":
+        return "" if live.simulation_running else message("simulation-moving")
     if state.ended or not state.session_id:
         return message("session-closed-start-new-one")
     if live.busy is not None:
@@ -185,7 +185,7 @@ def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text
 
 
 def _simulation(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
-    return "" if live.has_hand else message("there-no-simulated-hand-real-devices")
+    return "" if live.has_simulation else message("there-no-simulation-real-devices")
 
 
 Rule = Callable[[ArmState, ArmLive, Mapping[str, object]], Text]
@@ -200,5 +200,5 @@ RULES: dict[str, Rule] = {
     "drop_seat": _drop_seat,
     "save": _save,
     "restore": _restore,
-    "let_hand": _simulation,
+    "run_simulation": _simulation,
 }

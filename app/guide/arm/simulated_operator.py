@@ -31,14 +31,14 @@ def simulation_job(guide: ArmGuide, operator: SimulatedOperator) -> Callable[[Pr
                 return
             wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
             wanted = max(wanted, len(guide.state.seats) + 1)
-            while guide.hand_running:
+            while guide.simulation_running:
                 done = len(guide.state.seats)
                 if done >= wanted and not guide.state.half_bar:
                     return
                 if not _take_seat(guide, operator, min(done / wanted, 1.0), progress):
                     return
         finally:
-            guide.hand_running = False
+            guide.simulation_running = False
 
     return work
 
@@ -62,18 +62,18 @@ def _take_seat(
         return operator.go_to_seat(seat, posture)
 
     name = message("bars-end", value="AB"[end]) if on_bar else message("seat-named", name=seat + 1)
-    progress(message("hand-goes", name=name), share)
+    progress(message("simulation-goes", name=name), share)
     if not go(0):
         return False
     time.sleep(SETTLE_S)
     if not _begin(guide):
         return False
-    progress(message("hand-swings-arm-about", name=name), share)
+    progress(message("simulation-swings-arm-about", name=name), share)
     for posture in range(POSTURES[guide.state.purpose]):
         if posture and not go(posture):
             return False
         time.sleep(SETTLE_S)
-        if not guide.hand_running or not operator.swing_in_seat():
+        if not guide.simulation_running or not operator.swing_in_seat():
             return False
     time.sleep(SETTLE_S)
     _finish(guide)
@@ -87,8 +87,8 @@ def _take_sphere(guide: ArmGuide, operator: SimulatedOperator, progress: Progres
         return
     of = touches_wanted(guide.state)
     for index in range(of):
-        progress(message("hand-touches-sphere"), index / of)
-        if not guide.hand_running or not operator.touch_ball(ball, index):
+        progress(message("simulation-touches-sphere"), index / of)
+        if not guide.simulation_running or not operator.touch_ball(ball, index):
             return
     time.sleep(SETTLE_S)
     _finish(guide)
@@ -96,7 +96,7 @@ def _take_sphere(guide: ArmGuide, operator: SimulatedOperator, progress: Progres
 
 def _begin(guide: ArmGuide) -> bool:
     with guide.lock:
-        if not guide.hand_running:
+        if not guide.simulation_running:
             return False
         guide.check_allowed("begin", {}, None, by_simulation=True)
         guide.begin_seat(None)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from app.guide.common.journal import JournalEntry
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
 from app.messages.message import Text, Value, message
 
 Purpose = Literal["check", "tip", "identify"]
@@ -177,7 +177,6 @@ CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
         state, saved=payload["name"], replaced=payload["replaced"]
     ),
     "restored": lambda state, payload: replace(state, saved="", replaced=""),
-    "hand_started": lambda state, payload: state,
-    "hand_stopped": lambda state, payload: state,
+    **dict.fromkeys(SIMULATION_NOTES, lambda state, payload: state),
     "ended": lambda state, payload: replace(state, ended=True, swinging=False),
 }

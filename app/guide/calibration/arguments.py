@@ -29,5 +29,5 @@ ARGUMENTS: ArgumentTable = {
     "void_pose": NumberArguments,
     "restore_pose": NumberArguments,
     "back": BackArguments,
-    "let_hand": OperatorArguments,
+    "run_simulation": OperatorArguments,
 }

@@ -45,7 +45,7 @@ def button_command(guide: CalibrationGuide, button: ButtonName) -> tuple[str, Ar
         return ("back" if step != STEPS[0] else ""), {}
     if step == "touch":
         return ("take_point" if button == "primary" else "undo"), {}
-    if button == "primary" and step in BY_MAIN_BUTTON and not guide.hand_running:
+    if button == "primary" and step in BY_MAIN_BUTTON and not guide.simulation_running:
         for action in guide.view().actions:
             if action.primary:
                 return action.name, action.args
@@ -59,11 +59,11 @@ def press(guide: CalibrationGuide, event: Press) -> bool:
         name, args = button_command(guide, event.button)
         if not name:
             return False
-        by_simulation = guide.hand_running and guide.state.step == "touch"
+        by_simulation = guide.simulation_running and guide.state.step == "touch"
         try:
             if name == "take_point":
                 # whether the arm was still is judged as of the press, not as of now
-                source = "hand" if by_simulation else "button"
+                source = "simulation" if by_simulation else "button"
                 taking.take_point(guide, source, event.stamp_ns, None)
             else:
                 undoing = by_simulation and name == "undo"
@@ -152,13 +152,13 @@ def _start_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> N
     operator = guide.station.simulated_operator
     assert operator is not None
     whole = args.get("all") is True
-    guide.append("hand_started", {"all": whole}, key)
+    guide.append("simulation_started", {"all": whole}, key)
     start_simulation(guide, simulation_job(guide, operator, whole))
 
 
 def _stop_simulation(guide: CalibrationGuide, args: Args, key: str | None) -> None:
     stop_simulation(guide)
-    guide.append("hand_stopped", {}, key)
+    guide.append("simulation_stopped", {}, key)
 
 
 def _accept(guide: CalibrationGuide, args: Args, key: str | None) -> None:
@@ -190,8 +190,8 @@ ACTS: dict[str, Callable[[CalibrationGuide, Args, str | None], None]] = {
     "restore_pose": _restore_pose,
     "capture": _capture,
     "solve": _solve,
-    "let_hand": _start_simulation,
-    "stop_hand": _stop_simulation,
+    "run_simulation": _start_simulation,
+    "stop_simulation": _stop_simulation,
     "accept": _accept,
     "repeat": _repeat,
     "abandon": _abandon,

@@ -78,13 +78,21 @@ def _step_state(state: CalibrationState, step: str) -> StepState:
 def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the simulated operator, the way back, the way out."""
     actions = []
-    if live.hand_running:
-        actions.append(offer(state, live, "stop_hand", message("stop-hand"), primary=True))
-    elif live.has_hand and state.step != "review":
-        actions.append(offer(state, live, "let_hand", message("let-hand-do")))
+    if live.simulation_running:
+        actions.append(
+            offer(state, live, "stop_simulation", message("stop-simulation"), primary=True)
+        )
+    elif live.has_simulation and state.step != "review":
+        actions.append(offer(state, live, "run_simulation", message("let-simulation-do")))
         if state.step == "devices":
             actions.append(
-                offer(state, live, "let_hand", message("let-hand-do-everything"), {"all": True})
+                offer(
+                    state,
+                    live,
+                    "run_simulation",
+                    message("let-simulation-do-everything"),
+                    {"all": True},
+                )
             )
     if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", message("back")))

@@ -139,9 +139,9 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             to_move=self._to_move(),
             scanning=self._scanning(),
             tip=self.tip() if state.step == "setup" else None,
-            has_hand=self.station.simulated_operator is not None,
+            has_simulation=self.station.simulated_operator is not None,
             busy=self.busy,
-            hand_running=self.hand_running,
+            simulation_running=self.simulation_running,
             trouble=self._trouble,
         )
 

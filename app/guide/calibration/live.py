@@ -81,8 +81,8 @@ class CalibrationLive:
     scanning: bool
     tip: Finding | None
     """What the last check of the tip says, while the set-up is looked at."""
-    has_hand: bool
+    has_simulation: bool
     busy: Busy | None
-    hand_running: bool
+    simulation_running: bool
     trouble: Finding | None
     """Why the last thing asked for was not done."""

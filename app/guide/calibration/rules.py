@@ -33,17 +33,17 @@ ONLY_IN = {
     "solve": ("solve", "review"),
     "accept": ("review",),
     "back": ("setup", "touch", "place", "capture", "solve", "review"),
-    "let_hand": ("devices", "setup", "touch", "place", "capture", "solve"),
+    "run_simulation": ("devices", "setup", "touch", "place", "capture", "solve"),
 }
-ALWAYS = ("stop_hand", "repeat", "abandon")
+ALWAYS = ("stop_simulation", "repeat", "abandon")
 
 
 def rejection_reason(state: CalibrationState, live: CalibrationLive, name: str, args: Args) -> Text:
     """Why the command ``name`` cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
         return message("there-no-command", name=name)
-    if name == "stop_hand":
-        return "" if live.hand_running else message("hand-moving")
+    if name == "stop_simulation":
+        return "" if live.simulation_running else message("simulation-moving")
     if live.busy is not None:
         return message("wait-2", text=live.busy.text)
     if (state.ended or not state.session_id) and name != "repeat":
@@ -244,7 +244,7 @@ def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 
 
 def _simulation(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
-    return "" if live.has_hand else message("there-no-simulated-hand-real-devices")
+    return "" if live.has_simulation else message("there-no-simulation-real-devices")
 
 
 RULES: dict[str, Rule] = {
@@ -265,5 +265,5 @@ RULES: dict[str, Rule] = {
     "solve": _solve,
     "accept": _accept,
     "back": _back,
-    "let_hand": _simulation,
+    "run_simulation": _simulation,
 }

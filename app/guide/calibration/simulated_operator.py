@@ -29,13 +29,13 @@ def simulation_job(
             # the sensor may have been elsewhere since: a simulated arm begins at its rest
             if guide.state.step == "capture" and not _hold(guide, operator, progress):
                 return
-            while guide.hand_running:
+            while guide.simulation_running:
                 step = guide.state.step
                 STEP_JOBS[step](guide, operator, progress)
                 if not whole or guide.state.step in (step, "review"):
                     break
         finally:
-            guide.hand_running = False
+            guide.simulation_running = False
 
     return work
 
@@ -44,7 +44,7 @@ def _confirm(guide: CalibrationGuide, name: str) -> None:
     """Goes on as a person would, by the same rules; not once the job was stopped."""
     _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
     with guide.lock:
-        if guide.hand_running:
+        if guide.simulation_running:
             guide.check_allowed(name, {}, None, by_simulation=True)
             confirm(guide, name, None)
 
@@ -76,8 +76,8 @@ def _touch(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progr
     faces = face_progress(report, guide.state.face, item)
     todo = [(face, i) for face in faces for i in range(face.taken, face.wanted)]
     for done, (face, index) in enumerate(todo):
-        progress(message("hand-touches", face=face.title), done / len(todo))
-        if not guide.hand_running or not _touch_one(guide, operator, face.face, index):
+        progress(message("simulation-touches", face=face.title), done / len(todo))
+        if not guide.simulation_running or not _touch_one(guide, operator, face.face, index):
             return
     _confirm(guide, "confirm_touch")
 
@@ -96,14 +96,14 @@ def _touch_one(guide: CalibrationGuide, operator: SimulatedOperator, face: str, 
         if _await_point(guide, before, declined):
             return True
     raise OperationError(
-        "hand-declined",
+        "simulation-declined",
         message(
             "hands-point-face-declined-times",
             index=index + 1,
             where=where_on_object(face),
             attempts=ATTEMPTS,
         ),
-        remedy=message("look-last-message-let-hand-try"),
+        remedy=message("look-last-message-let-simulation-try"),
     )
 
 
@@ -120,18 +120,18 @@ def _hold(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progre
     """Brings the sensor to where the next picture is wanted; False when it was stopped."""
     advice = guide.live().advice
     if advice is None:
-        progress(message("hand-holds-sensor-over-object"), 0.2)
+        progress(message("simulation-holds-sensor-over-object"), 0.2)
         if guide.datasheets.selection(guide.state).board is None:
             return operator.hold_over("block")
         view = next_view(guide.state.listed)
         return operator.hold_over("board", len(guide.state.pictures) if view is None else view)
-    progress(message("hand-goes-next-pose", words=advice.words), 0.2)
+    progress(message("simulation-goes-next-pose", words=advice.words), 0.2)
     return operator.hold_at(advice.q_rad)
 
 
 def _place(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:
     if _hold(guide, operator, progress):
-        progress(message("hand-holds-still"), 0.8)
+        progress(message("simulation-holds-still"), 0.8)
         _await(guide, lambda: _ready_to_capture(guide), SENSOR_TIMEOUT_S)
         _confirm(guide, "confirm_place")
 
@@ -143,7 +143,7 @@ def _capture(guide: CalibrationGuide, operator: SimulatedOperator, progress: Pro
         try:
             tasks.capture(guide, progress)
         except OperationError:
-            if attempt == ATTEMPTS - 1 or not guide.hand_running:
+            if attempt == ATTEMPTS - 1 or not guide.simulation_running:
                 raise
         else:
             break
@@ -176,7 +176,7 @@ def _await(guide: CalibrationGuide, ready: Callable[[], bool], timeout_s: float)
     """Waits a little for the station to be ready; what follows judges it again."""
     deadline_s = time.monotonic() + timeout_s
     with guide.changed:
-        while guide.hand_running and not ready() and time.monotonic() < deadline_s:
+        while guide.simulation_running and not ready() and time.monotonic() < deadline_s:
             guide.changed.wait(0.1)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from app.guide.common.journal import JournalEntry
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
 from app.guide.common.recorded_error import RecordedError, error_from_payload
 from app.guide.common.undo import put_back, take_back
 
@@ -164,7 +164,7 @@ FORWARD = {
     "capture_kept": "solve",
 }
 ENDS = ("accepted", "abandoned", "repeated")
-NOTES = ("capture_started", "solve_started", "hand_started", "hand_stopped")
+NOTES = ("capture_started", "solve_started", *SIMULATION_NOTES)
 """Rows that record what was done, and change nothing that the flow hangs on."""
 
 

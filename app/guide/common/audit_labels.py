@@ -47,8 +47,8 @@ AUDIT_LABELS = {
     "reopen": message("went-back-points"),
     "repeat": message("began-again"),
     "again": message("began-again"),
-    "let_hand": message("let-simulated-hand-do"),
-    "stop_hand": message("stopped-simulated-hand"),
+    "run_simulation": message("started-simulation"),
+    "stop_simulation": message("stopped-simulation"),
     "end": message("ended"),
     "abandon": message("abandoned"),
 }

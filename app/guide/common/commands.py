@@ -8,7 +8,7 @@ from app.guide.common.guided_session import GuidedSession
 from app.messages.message import Text, message
 from app.station.jobs import Job, Progress
 
-AT_ANY_REV = ("stop_hand",)
+AT_ANY_REV = ("stop_simulation",)
 """Stopping must not wait for a fresh view."""
 
 
@@ -27,16 +27,16 @@ def start_job(
 
 def start_simulation(guide: GuidedSession[Any, Any, Any], work: Callable[[Progress], None]) -> None:
     """Starts the simulated operator; raises ``OperationError`` while another job runs."""
-    guide.hand_running = True
+    guide.simulation_running = True
     try:
-        start_job(guide, message("hand-work"), work)
+        start_job(guide, message("simulation-work"), work)
     except OperationError:
-        guide.hand_running = False
+        guide.simulation_running = False
         raise
 
 
 def stop_simulation(guide: GuidedSession[Any, Any, Any]) -> None:
     """Ends the simulated operator's work in this session early; idempotent."""
-    if guide.hand_running and guide.station.simulated_operator is not None:
-        guide.hand_running = False
+    if guide.simulation_running and guide.station.simulated_operator is not None:
+        guide.simulation_running = False
         guide.station.simulated_operator.cancel()

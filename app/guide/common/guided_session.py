@@ -92,7 +92,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     ) -> None:
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
-        self.hand_running = False
+        self.simulation_running = False
         self.declined = 0
         """Counts what was asked for and declined."""
         self.station = station

@@ -6,6 +6,10 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 State = TypeVar("State")
+FORMER_NOTES = ("hand_started", "hand_stopped")
+SIMULATION_NOTES = ("simulation_started", "simulation_stopped", *FORMER_NOTES)
+"""Rows that record when the simulated operator ran, and change nothing; journals of earlier
+versions have the former ones."""
 
 
 class JournalEntry(Protocol):

@@ -26,7 +26,7 @@ class SimulatedScan:
         """Begins; nothing happens when it is at work already.
 
         Raises:
-            OperationError: ``no-hand`` on real devices, ``busy`` while another job runs.
+            OperationError: ``no-simulation`` on real devices, ``busy`` while another job runs.
         """
         if self._running:
             return
@@ -36,13 +36,13 @@ class SimulatedScan:
 
         def work(progress: Progress) -> None:
             for done, part in enumerate(operator.parts):
-                progress(message("hand-scans", part=word(part)), done / len(operator.parts))
+                progress(message("simulation-scans", part=word(part)), done / len(operator.parts))
                 if not self._running or not operator.scan_part(part):
                     return
 
         self._running = True
         try:
-            self._jobs.start(message("hand-work"), work, self._finish)
+            self._jobs.start(message("simulation-work"), work, self._finish)
         except OperationError:
             self._running = False
             raise
@@ -51,14 +51,16 @@ class SimulatedScan:
     def pass_over_plate(self) -> bool:
         """Goes over the plate, nearer and away again, within a job of the caller's.
 
-        Returns False when it was stopped. Raises ``OperationError``: ``no-hand``, or ``busy`` while
-        it scans.
+        Returns False when it was stopped. Raises ``OperationError``: ``no-simulation``, or
+        ``busy`` while it scans.
         """
         operator = self._operator
         if operator is None:
             raise _no_simulation_error()
         if self._running:
-            raise OperationError("busy", message("hand-scanning"), remedy=message("stop-first"))
+            raise OperationError(
+                "busy", message("simulation-scanning"), remedy=message("stop-first")
+            )
         self._running = True
         self._changed()
         try:
@@ -82,7 +84,7 @@ class SimulatedScan:
 
 def _no_simulation_error() -> OperationError:
     return OperationError(
-        "no-hand",
-        message("there-no-simulated-hand-real-devices-2"),
+        "no-simulation",
+        message("there-no-simulation-real-devices-2"),
         remedy=message("move-sensor-over-part-yourself"),
     )

@@ -15,5 +15,5 @@ ARGUMENTS: ArgumentTable = {
     "void_cloud": NumberArguments,
     "restore_cloud": NumberArguments,
     "back": BackArguments,
-    "let_hand": OperatorArguments,
+    "run_simulation": OperatorArguments,
 }

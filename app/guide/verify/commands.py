@@ -72,7 +72,7 @@ def press(guide: VerifyGuide, event: Press) -> bool:
         try:
             if name == "touch":
                 # whether the arm was still is judged as of the press, not as of now
-                if guide.hand_running or guide.station.jobs.current is None:
+                if guide.simulation_running or guide.station.jobs.current is None:
                     guide.touch(event.stamp_ns, None)
             else:
                 guide.check_allowed(name, {}, None)
@@ -161,13 +161,13 @@ def _start_simulation(guide: VerifyGuide, context: CommandContext) -> None:
     operator = guide.station.simulated_operator
     assert operator is not None
     whole = context.args.get("all") is True
-    guide.append("hand_started", {"all": whole}, context.key)
+    guide.append("simulation_started", {"all": whole}, context.key)
     start_simulation(guide, simulation_job(guide, operator, whole))
 
 
 def _stop_simulation(guide: VerifyGuide, context: CommandContext) -> None:
     stop_simulation(guide)
-    guide.append("hand_stopped", {}, context.key)
+    guide.append("simulation_stopped", {}, context.key)
 
 
 Act = Callable[[VerifyGuide, CommandContext], None]
@@ -191,8 +191,8 @@ ACTS: dict[str, Act] = {
     "more_clouds": lambda guide, context: guide.append("went_back", {"to": "scan"}, context.key),
     "accept": _accept,
     "back": _back,
-    "let_hand": _start_simulation,
-    "stop_hand": _stop_simulation,
+    "run_simulation": _start_simulation,
+    "stop_simulation": _stop_simulation,
     "abandon": _just("abandoned"),
     "again": _again,
 }

@@ -261,15 +261,17 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     )
     if change_reason(state, live) and state.open_cloud is None:
         return [offer("again", message("begin-again"), primary=True), leave]
-    operator_actions = [offer("let_hand", message("let-hand-do"))] if live.has_hand else []
-    if live.hand_running:
-        operator_actions = [offer("stop_hand", message("stop-hand"), primary=True)]
+    operator_actions = (
+        [offer("run_simulation", message("let-simulation-do"))] if live.has_simulation else []
+    )
+    if live.simulation_running:
+        operator_actions = [offer("stop_simulation", message("stop-simulation"), primary=True)]
     back = offer("back", message("back"))
     if state.step == "gauge":
-        if live.has_hand and not live.hand_running:
+        if live.has_simulation and not live.simulation_running:
             whole = {"all": True}
             operator_actions.append(
-                offer("let_hand", message("let-hand-do-everything"), args=whole)
+                offer("run_simulation", message("let-simulation-do-everything"), args=whole)
             )
         return [
             offer("confirm_gauge", message("gauge-clamped"), primary=True),

@@ -155,8 +155,8 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
             still=side.stillness().still,
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_cloud else 0,
-            has_hand=station.simulated_operator is not None,
-            hand_running=self.hand_running,
+            has_simulation=station.simulated_operator is not None,
+            simulation_running=self.simulation_running,
             busy=self.busy,
             trouble=self._trouble,
         )

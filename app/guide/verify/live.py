@@ -54,7 +54,7 @@ class VerifyLive:
     still: bool
     scan_why_not: Text
     scan_points: int
-    has_hand: bool
-    hand_running: bool
+    has_simulation: bool
+    simulation_running: bool
     busy: Busy | None
     trouble: Finding | None

@@ -35,10 +35,10 @@ ONLY_IN = {
     "more_clouds": ("review",),
     "accept": ("review",),
     "back": ("touch", "scan", "review"),
-    "let_hand": ("gauge", "touch", "scan"),
+    "run_simulation": ("gauge", "touch", "scan"),
 }
-ALWAYS = ("stop_hand", "abandon", "again")
-WHATEVER_IS_IN_USE = ("stop_hand", "abandon", "again", "finish_cloud", "drop_cloud")
+ALWAYS = ("stop_simulation", "abandon", "again")
+WHATEVER_IS_IN_USE = ("stop_simulation", "abandon", "again", "finish_cloud", "drop_cloud")
 """What can be done although another calibration is in use by now."""
 
 
@@ -46,8 +46,8 @@ def rejection_reason(state: VerifyState, live: VerifyLive, name: str, args: Args
     """Why a command cannot be done now; empty when it can."""
     if name not in ONLY_IN and name not in ALWAYS:
         return message("there-no-command", name=name)
-    if name == "stop_hand":
-        return "" if live.hand_running else message("hand-moving")
+    if name == "stop_simulation":
+        return "" if live.simulation_running else message("simulation-moving")
     if state.ended or not state.session_id:
         return message("verification-closed-start-new-one")
     if live.busy is not None:
@@ -171,8 +171,8 @@ def _back(state: VerifyState, live: VerifyLive, args: Args) -> Text:
 
 
 def _simulation(state: VerifyState, live: VerifyLive, args: Args) -> Text:
-    if not live.has_hand:
-        return message("there-no-simulated-hand-real-devices")
+    if not live.has_simulation:
+        return message("there-no-simulation-real-devices")
     return message("finish-cloud-drop") if state.open_cloud is not None else ""
 
 
@@ -197,7 +197,7 @@ RULES: dict[str, Rule] = {
     "confirm_clouds": _enough,
     "accept": _enough,
     "back": _back,
-    "let_hand": _simulation,
+    "run_simulation": _simulation,
     "abandon": _leave,
     "again": _leave,
 }

@@ -25,13 +25,13 @@ def simulation_job(
 
     def work(progress: Progress) -> None:
         try:
-            while guide.hand_running and guide.state.step in STEP_JOBS:
+            while guide.simulation_running and guide.state.step in STEP_JOBS:
                 step = guide.state.step
                 STEP_JOBS[step](guide, operator, progress)
                 if not whole or guide.state.step == step:
                     break
         finally:
-            guide.hand_running = False
+            guide.simulation_running = False
 
     return work
 
@@ -39,7 +39,7 @@ def simulation_job(
 def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
     """Goes on as a person would, by the same rules; not once the job was stopped."""
     with guide.lock:
-        if guide.hand_running:
+        if guide.simulation_running:
             guide.check_allowed(name, {}, None, by_simulation=True)
             guide.append(kind, {})
 
@@ -59,8 +59,8 @@ def _name(guide: VerifyGuide) -> str:
 def _touch(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
     name, of = _name(guide), touches_wanted(guide.live())
     for index in range(len(guide.state.counted), of):
-        progress(message("hand-touches-2", name=word(name)), index / of)
-        if not guide.hand_running or not _touch_one(guide, operator, name, index):
+        progress(message("simulation-touches-2", name=word(name)), index / of)
+        if not guide.simulation_running or not _touch_one(guide, operator, name, index):
             return
     _confirm(guide, "confirm_touch", "touch_confirmed")
 
@@ -80,9 +80,9 @@ def _touch_one(guide: VerifyGuide, operator: SimulatedOperator, name: str, index
             if len(guide.state.touches) > before:
                 return True
     raise OperationError(
-        "hand-declined",
+        "simulation-declined",
         message("hands-touch-declined-times", index=index + 1, attempts=ATTEMPTS),
-        remedy=message("look-last-message-let-hand-try"),
+        remedy=message("look-last-message-let-simulation-try"),
     )
 
 
@@ -90,9 +90,9 @@ def _scan(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -
     name = _name(guide)
     at_least_one = max(CLOUDS_WANTED, len(guide.state.good) + 1)
     for done in range(len(guide.state.good), at_least_one):
-        text = message("hand-scans-cloud", name=word(name), done=done + 1)
+        text = message("simulation-scans-cloud", name=word(name), done=done + 1)
         progress(text, done / at_least_one)
-        if not guide.hand_running or not _scan_one(guide, operator, name, progress):
+        if not guide.simulation_running or not _scan_one(guide, operator, name, progress):
             return
     _confirm(guide, "confirm_clouds", "clouds_confirmed")
 
@@ -103,7 +103,7 @@ def _scan_one(
     """One cloud from its begin to its measure; False when it was stopped or is of no use."""
     _await_scanner(guide)
     with guide.lock:
-        if not guide.hand_running:
+        if not guide.simulation_running:
             return False
         guide.check_allowed("begin_cloud", {}, None, by_simulation=True)
         tasks.begin_cloud(guide, None)

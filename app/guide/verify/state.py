@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.guide.common.journal import JournalEntry
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
 from app.guide.common.undo import put_back, take_back
 
 STEPS = ("gauge", "touch", "scan", "review")
@@ -167,8 +167,7 @@ CHANGES: dict[str, Callable[[VerifyState, Payload], VerifyState]] = {
     "cloud_restored": _with_cloud(voided="voided"),
     "clouds_confirmed": lambda state, payload: replace(state, step="review"),
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
-    "hand_started": lambda state, payload: state,
-    "hand_stopped": lambda state, payload: state,
+    **dict.fromkeys(SIMULATION_NOTES, lambda state, payload: state),
     "accepted": lambda state, payload: replace(state, ended="accepted"),
     "abandoned": lambda state, payload: replace(state, ended="abandoned"),
 }

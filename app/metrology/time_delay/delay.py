@@ -79,7 +79,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
     Raises:
         OperationError: ``pass-too-short``, ``no-joints-around-frames``, ``not-a-plane``,
             ``pass-too-slow``, ``pass-along-the-plane``, ``pass-without-reversal`` or
-            ``pass-tells-too-little``.
+            ``pass-not-informative``.
     """
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     _check_frames(len(usable))
@@ -201,7 +201,7 @@ def _check_delay(found: DelayEstimate) -> None:
         code = "pass-without-reversal"
         why = message("sensor-only-went-one-way-delay")
     elif u_ms > MOST_UNCERTAINTY_MS:
-        code = "pass-tells-too-little"
+        code = "pass-not-informative"
         why = message("known-limit-is", known=known, limit=rounded(MOST_UNCERTAINTY_MS, "ms"))
         again = message("go-faster-farther-over-plate-nearer")
     else:

@@ -12,7 +12,7 @@ import { useReread } from "./useReread";
 
 /** Links for kiosk displays, which give a full view and allow no action. */
 export function KioskLinks() {
-  const { list, reread } = useReread<KioskLinkSummary>("/api/walls");
+  const { list, reread } = useReread<KioskLinkSummary>("/api/kiosk-links");
   const [name, setName] = useState("");
   const [address, setAddress] = useState("");
   const add = async () => {

@@ -86,7 +86,7 @@ export const startScan = () => scanCommand("/api/scan/start", {}, t("ui-the-scan
 export const stopScan = () => scanCommand("/api/scan/stop", {}, t("ui-the-scan-may-still-run"));
 export const setSimulatedOperator = (on: boolean) =>
   scanCommand(
-    "/api/scan/hand",
+    "/api/scan/simulation",
     { on },
     on ? t("ui-the-simulated-operator-was-not-started") : t("ui-simulated-operator-may-still-moving"),
   );

@@ -128,7 +128,7 @@ async function again(): Promise<void> {
   await readSession();
   if (getState().session?.you) return connect();
   waiting = true;
-  if (before?.wall) {
+  if (before?.kiosk) {
     notify({
       quality: "attention",
       title: t("ui-kiosk-link-screen-revoked"),

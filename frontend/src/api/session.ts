@@ -8,12 +8,12 @@ import type { AccountSummary, Control, KioskLinkSummary, SignInState } from "./w
 
 const AGAIN_MS = 1000;
 
-/** What a link brought along after its #, taken out of the address at once. */
-function fragment(): { way: "code" | "wall"; value: string } | null {
-  const found = /^#(code|wall)=([\w-]+)$/.exec(window.location.hash);
+/** What a link brought along after its #, taken out of the address at once. Earlier kiosk links say "wall". */
+function fragment(): { way: "code" | "kiosk"; value: string } | null {
+  const found = /^#(code|kiosk|wall)=([\w-]+)$/.exec(window.location.hash);
   if (!found) return null;
   window.history.replaceState(null, "", window.location.pathname);
-  return { way: found[1] as "code" | "wall", value: found[2] ?? "" };
+  return { way: found[1] === "code" ? "code" : "kiosk", value: found[2] ?? "" };
 }
 
 /** Enters by the link that opened this page, or goes on as whoever is signed in here. */
@@ -101,11 +101,11 @@ export const removeAccount = (name: string) =>
 export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {
-    const link = await post<KioskLinkSummary>("/api/walls", { name });
-    if (link?.token) address = `${window.location.origin}/#wall=${link.token}`;
+    const link = await post<KioskLinkSummary>("/api/kiosk-links", { name });
+    if (link?.token) address = `${window.location.origin}/#kiosk=${link.token}`;
   }, t("ui-the-link-was-not-created"));
   return address;
 }
 
 export const removeKioskLink = (id: string) =>
-  done(async () => void (await drop(`/api/walls/${id}`)), t("ui-the-link-may-still-be-valid"));
+  done(async () => void (await drop(`/api/kiosk-links/${id}`)), t("ui-the-link-may-still-be-valid"));

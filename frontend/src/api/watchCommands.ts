@@ -37,7 +37,7 @@ export const readNotifications = () =>
   done(() => get<Notifications>("/api/notifications"), t("ui-result-test-message-unknown"));
 
 export const addMetricsToken = (name: string) =>
-  done(() => post<ApiTokenSummary>("/api/scrapers", { name }), t("ui-the-token-was-not-created"));
+  done(() => post<ApiTokenSummary>("/api/tokens", { name }), t("ui-the-token-was-not-created"));
 
 export const removeMetricsToken = (id: string) =>
-  done(() => drop(`/api/scrapers/${id}`), t("ui-the-token-may-still-be-valid"));
+  done(() => drop(`/api/tokens/${id}`), t("ui-the-token-may-still-be-valid"));

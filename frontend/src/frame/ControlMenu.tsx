@@ -47,9 +47,9 @@ export function ControlMenu() {
         <hr className={styles.rule} />
         <p>
           {t("ui-you-are-signed-in-as")} <strong>{isolated(you.name)}</strong>,{" "}
-          {you.wall ? t("ui-a-kiosk-display") : t(ROLES[you.role])}.
+          {you.kiosk ? t("ui-a-kiosk-display") : t(ROLES[you.role])}.
         </p>
-        {!you.wall && !guest && <PasswordForm />}
+        {!you.kiosk && !guest && <PasswordForm />}
         <PressButton free onPress={async () => void (await signOut())}>
           {t("ui-sign-out")}
         </PressButton>
@@ -67,7 +67,7 @@ interface WhoseProps {
 function Whose({ you, control, whose }: WhoseProps) {
   const [reason, setReason] = useState("");
   const holder = control?.holder;
-  if (you.wall || you.role === "viewer") {
+  if (you.kiosk || you.role === "viewer") {
     return (
       <p>
         {holder ? t("ui-has-control", { name: holder.name }) : t("ui-nobody-has-control")}{" "}

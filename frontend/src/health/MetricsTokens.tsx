@@ -13,7 +13,7 @@ import { t } from "../state/language";
 
 /** Tokens by which programs read the metrics. */
 export function MetricsTokens() {
-  const { list, reread } = useReread<ApiTokenSummary>("/api/scrapers");
+  const { list, reread } = useReread<ApiTokenSummary>("/api/tokens");
   const [name, setName] = useState("");
   const [token, setToken] = useState("");
   const add = async () => {

@@ -23,7 +23,7 @@ const WORDS: Record<ScanStatus["state"], { title: PlainId; text: PlainId }> = {
 
 export function ScanPage() {
   const scan = useLive((s) => s.scan);
-  const hasOperator = useLive((s) => s.station?.has_hand ?? false);
+  const hasOperator = useLive((s) => s.station?.has_simulation ?? false);
   const replay = useLive((s) => s.replay);
   if (replay) return <Layout picture={<ScanPicture />} card={<ReplayCard replay={replay} />} />;
   if (!scan)
@@ -83,7 +83,7 @@ function actionsOf(scan: ScanStatus, hasOperator: boolean): Action[] {
         scan.state === "stopping" ? t("ui-saving-the-last-scan") : scan.why_not,
       );
   if (!hasOperator || scan.state === "blocked") return [main];
-  const operator = scan.hand_running
+  const operator = scan.simulation_running
     ? action("operator_off", t("ui-stop-the-simulated-operator"), false)
     : action("operator_on", t("ui-let-the-simulated-operator-do-it"), false);
   return [main, operator];

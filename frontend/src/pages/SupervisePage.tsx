@@ -24,7 +24,7 @@ export function SupervisePage() {
   const others = useLive((s) => s.stations);
   const at = useLive((s) => s.stationsAt);
   useEffect(watchStations, []);
-  const kiosk = useLive((s) => s.session?.you?.wall ?? false);
+  const kiosk = useLive((s) => s.session?.you?.kiosk ?? false);
   const { live, silent_s } = useSilence();
   const [chosen, choose] = useState<Scope>(() => (localStorage.getItem(KEY) === "all" ? "all" : "this"));
   const several = (others?.length ?? 0) > 0;

@@ -11,7 +11,7 @@ import styles from "./Settings.module.css";
 
 /** The constant delay between arm and camera: found from a pass over a plane, then used. */
 export function DelaySettings({ settings }: { settings: StationSettings }) {
-  const hasOperator = useLive((s) => s.station?.has_hand ?? false);
+  const hasOperator = useLive((s) => s.station?.has_simulation ?? false);
   const scanning = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");
   const { delay, finding_delay } = settings;
   return (

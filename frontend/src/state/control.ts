@@ -6,7 +6,7 @@ export function useBarred(): string {
   const you = useLive((s) => s.session?.you ?? null);
   const holder = useLive((s) => s.control?.holder ?? null);
   if (!you) return "";
-  if (you.wall) return t("ui-a-kiosk-display-can-only-view");
+  if (you.kiosk) return t("ui-a-kiosk-display-can-only-view");
   if (you.role === "viewer") return t("ui-your-account-only-view-acting-requires");
   if (holder && holder.id !== you.id) return t("ui-has-control", { name: holder.name });
   return "";

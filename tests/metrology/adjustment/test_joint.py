@@ -62,7 +62,7 @@ def test_poses_with_swapped_joints_are_left_out_with_the_pose_that_they_fit(
     assert "pose-left-out" in codes(result)
 
 
-def test_a_pose_that_is_slightly_astray_is_left_out_too(
+def test_a_slightly_wrong_pose_is_left_out_too(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
     q = inputs.q_rad.copy()

@@ -41,10 +41,10 @@ static void *real(const char *name, void **found) {
 
 __attribute__((constructor)) static void begin(void) {
     under = getenv("CRENEL_CALLS_UNDER");
-    const char *log = getenv("CRENEL_CALLS_LOG"), *told = getenv("CRENEL_CALLS_DISK");
+    const char *log = getenv("CRENEL_CALLS_LOG"), *shared = getenv("CRENEL_CALLS_DISK");
     if (log) log_file = (int)syscall(SYS_openat, AT_FDCWD, log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-    if (told) {
-        int file = (int)syscall(SYS_openat, AT_FDCWD, told, O_RDWR | O_CLOEXEC);
+    if (shared) {
+        int file = (int)syscall(SYS_openat, AT_FDCWD, shared, O_RDWR | O_CLOEXEC);
         void *memory = mmap(0, NUMBERS * sizeof *disk, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         if (file >= 0 && memory != MAP_FAILED) disk = memory;
     }

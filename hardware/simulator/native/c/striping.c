@@ -73,13 +73,13 @@ static inline double distance_px(const Landing *a, double u, double v)
     return max_f64(fabs(a->u - u), fabs(a->v - v));
 }
 
-/* Where the laser's light lands, in order along the fan: (room_for, 5); returns how many.
+/* Where the laser's light lands, in order along the fan: (capacity, 5); returns how many.
  *
  * angles (angle_count), fan (2, 3): its middle and sideways direction; emitter (3), plane (5),
  * lens (9); kinds (count), rows (count, 64), lamps (count, 16).
  * Where two rays at `angles` land apart, more are traced between them, so that no lit part of a
  * face is missed. */
-EXPORT(int64_t, trace_fan)(int64_t angle_count, int64_t count, int64_t room_for,
+EXPORT(int64_t, trace_fan)(int64_t angle_count, int64_t count, int64_t capacity,
                            const double *angles, const double *fan, const double *emitter,
                            const double *plane, const double *lens, const int64_t *kinds,
                            const double *rows, const double *lamps, double *landed)
@@ -94,7 +94,7 @@ EXPORT(int64_t, trace_fan)(int64_t angle_count, int64_t count, int64_t room_for,
     for (int64_t i = 1; i < angle_count; i++) {
         waiting[0] = land(&laser, directions, camera, angles[i]);
         int height = 1;
-        while (height > 0 && done_count < room_for) {
+        while (height > 0 && done_count < capacity) {
             const Landing *last = done + done_count - 1, *next = waiting + height - 1;
             bool apart = distance_px(next, last->u, last->v) > 3.0 || next->face != last->face;
             if (apart && height < DEEPEST && (next->half_px > 0.0 || last->half_px > 0.0)) {

@@ -1,0 +1,31 @@
+"""Names of earlier versions, in requests and journals, are still understood."""
+
+import pytest
+
+from app.guide.arm import state as arm
+from app.guide.calibration import state as calibration
+from app.guide.common.journal import FORMER_NOTES, SIMULATION_NOTES
+from app.guide.verify import state as verify
+from app.server.former_paths import FORMER_PATHS, present_path
+from app.wire.schema import FORMER_COMMANDS, FlowCommand
+
+
+@pytest.mark.parametrize(("former", "present"), FORMER_COMMANDS.items())
+def test_a_command_is_understood_by_its_former_name(former: str, present: str) -> None:
+    assert FlowCommand(name=former, args={}, rev=0, key="k").name == present
+    assert FlowCommand(name=present, args={}, rev=0, key="k").name == present
+
+
+def test_a_path_is_replaced_whole_or_at_its_beginning() -> None:
+    assert present_path("/api/walls") == "/api/kiosk-links"
+    assert present_path("/api/walls/7") == "/api/kiosk-links/7"
+    assert present_path("/api/wallspace") == "/api/wallspace"
+    assert not set(FORMER_PATHS) & set(FORMER_PATHS.values())
+
+
+@pytest.mark.parametrize("note", FORMER_NOTES)
+def test_a_journal_of_an_earlier_version_is_read(note: str) -> None:
+    assert note in SIMULATION_NOTES
+    assert note in calibration.KINDS
+    assert note in arm.CHANGES
+    assert note in verify.CHANGES
