@@ -7,7 +7,7 @@ import pytest
 from hypothesis import settings
 
 import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 

@@ -15,7 +15,7 @@ from app.guide.calibration.guide import StaleCommandError
 from app.guide.common.guided_session import STALE
 from app.messages.message import Text, join, message, quantity
 from app.messages.validation import validation_text
-from app.security.errors import AccessDeniedError, TooManyAttemptsError
+from app.security.authentication import AccessDeniedError, TooManyAttemptsError
 from app.store.database import NOT_SAVED
 from app.wire.problem import RequestError, problem
 

@@ -1,4 +1,8 @@
-"""Rigid transforms between frames, and the best one between two sets of points."""
+"""Rigid transforms between frames, the best one between two sets of points, and small motions.
+
+A small motion is a twist ``(rx, ry, rz, tx, ty, tz)`` in rad and mm. A left twist of ``T_ab``
+moves it to ``se3_exp(twist) @ T_ab``: it turns about the origin of frame a, and then shifts.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -188,3 +192,29 @@ def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None =
     U, _, Vt = np.linalg.svd((a - centre_a).T @ ((b - centre_b) * w[:, None]))
     rotation = U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt
     return rigid(rotation, centre_a - rotation @ centre_b)
+
+
+def se3_exp(twist: Floats) -> Floats:
+    """The (4, 4) transform of a twist (6,)."""
+    return rigid(rotation_from_vector(twist[:3]), twist[3:])
+
+
+def adjoint(T_ab: Floats) -> Floats:
+    """(6, 6): a small twist given in frame b, as seen in frame a (the adjoint of ``T_ab``)."""
+    R = T_ab[:3, :3]
+    matrix = np.zeros((6, 6))
+    matrix[:3, :3] = matrix[3:, 3:] = R
+    matrix[3:, :3] = skew(T_ab[:3, 3]) @ R
+    return matrix
+
+
+def adjoint_inverse(T_ab: Floats) -> Floats:
+    """(6, 6): a small twist given in frame a, as seen in frame b."""
+    return adjoint(inverse(T_ab))
+
+
+def pivot_adjoint(pivot_mm: Floats) -> Floats:
+    """(6, 6): a twist that turns about a pivot (3,), as one that turns about the origin."""
+    matrix = np.eye(6)
+    matrix[3:, :3] = skew(pivot_mm)
+    return matrix

@@ -7,6 +7,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from app.formats.io_errors import error_from_os
 from app.messages.message import Text
@@ -84,3 +85,7 @@ def writable(folder: Path) -> Text:
     except OSError as error:
         return error_from_os(error).why
     return ""
+
+
+Network = Literal["here", "encrypted", "proxied", "open"]
+"""From where the station is reached: from this machine alone, or from others in some way."""

@@ -1,4 +1,7 @@
-"""Finding, checking and loading a compiled library, and choosing its processor variant."""
+"""Finding, checking and loading a compiled library, and choosing its processor variant.
+
+``CRENEL`` is the product's own.
+"""
 
 import ctypes
 import os
@@ -7,7 +10,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
 
-from app.native.sources import BuildTarget, LibraryError, LibrarySource, source_hash, variant_flags
+from app.native.sources import (
+    LIBRARIES,
+    BuildTarget,
+    LibraryError,
+    LibrarySource,
+    source_hash,
+    variant_flags,
+)
 
 VARIANT_SETTING = "CRENEL_VARIANT"
 """Environment variable that names a variant, such as v1; else the best one is used."""
@@ -95,3 +105,6 @@ class NativeLibrary:
 
 if sys.byteorder != "little":  # pragma: no cover - the formats read by the loops are, too
     raise LibraryError("Crenel needs a little-endian processor")
+
+
+CRENEL = NativeLibrary(LIBRARIES[0])

@@ -8,10 +8,9 @@ from app.errors import OperationError, sentence
 from app.messages.message import join
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
-from app.operations.payload_text import payload_text
 from app.operations.status_report import build_report
 from app.station.bus import Event
-from app.supervision.message_data import readable
+from app.supervision.message_data import payload_text, readable
 from app.supervision.messages import StationEvent
 from app.supervision.notifications import notice_kind
 from app.timestamps import utc_now

@@ -14,9 +14,7 @@ from app.messages.message import Text, message
 from app.monitoring.health import Health
 from app.monitoring.log_store import LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog
-from app.monitoring.network import Network
-from app.monitoring.system_info import WallClock
-from app.operations.payload_text import payload_text
+from app.monitoring.system_info import Network, WallClock
 from app.station.bus import Bus
 from app.station.devices.link_state import LossWindow
 from app.station.devices.temperature import TemperatureWatch, Thermometer
@@ -25,7 +23,7 @@ from app.station.scan.state import ScanResult
 from app.store.backup import BackupRecord, backup, display_backup, last_backup, new_backup_name
 from app.store.store import Store
 from app.supervision.broker_settings import BrokerSettings
-from app.supervision.message_data import readable
+from app.supervision.message_data import payload_text, readable
 from app.supervision.messages import new_instance, station_id
 from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind
 from app.supervision.remote_stations import Fleet

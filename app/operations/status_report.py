@@ -10,8 +10,8 @@ from app.guide.common.view import FlowView
 from app.guide.verify.view import VerifyView
 from app.messages.message import Text, join, message
 from app.operations.context import Context
-from app.operations.payload_text import LONGEST, payload_text
 from app.station.devices.link_state import DeviceState
+from app.supervision.message_data import LONGEST_TEXT, payload_text
 from app.supervision.messages import (
     MOST_ALARMS,
     ActivityReport,
@@ -126,7 +126,7 @@ def _verification(home: Home | None, context: Context) -> VerificationReport | N
         return None
     return VerificationReport.model_validate(
         {
-            "title": record.figures.gauge[:LONGEST],
+            "title": record.figures.gauge[:LONGEST_TEXT],
             "at": record.accepted_at,
             "quality": line.quality,
             **payload_text(text=record.figures.text),
@@ -140,7 +140,7 @@ def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None
     if summary is None or line is None:
         return None
     return CalibrationReport(
-        name=summary.name[:LONGEST],
+        name=summary.name[:LONGEST_TEXT],
         accepted_at=summary.accepted_at,
         age_days=summary.age_days,
         total_um=round(summary.total_um, 3),

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from functools import cache
 
 from app.formats.software import SOFTWARE
-from app.messages.catalogue import Render, renderer
-from app.messages.isolated import isolate_names
+from app.messages.catalogue import Render, isolate_names, renderer
 from app.messages.message import Message, message
 from app.report.content import (
     Block,

@@ -24,8 +24,7 @@ from reportlab.platypus import (
 )
 from reportlab.platypus import Table as Grid
 
-from app.messages.catalogue import Render, renderer
-from app.messages.isolated import TURNING
+from app.messages.catalogue import TURNING, Render, renderer
 from app.messages.message import message
 from app.report.content import (
     Block,

@@ -3,7 +3,7 @@
 import base64
 from html import escape
 
-from app.messages.isolated import isolate_names
+from app.messages.catalogue import isolate_names
 from app.report.figure import Dot, Figure, Item, Photo, Polyline
 from app.report.formatting import join_units
 

@@ -1,15 +1,45 @@
-"""The ways to sign in: by name and password, by the console's code, and by a kiosk link."""
+"""The ways to sign in: by name and password, by the console's code, and by a kiosk link.
 
+Beside them the refusals of a request, and the code that the console shows.
+"""
+
+import secrets
 import threading
 from hmac import compare_digest
+from http import HTTPStatus
 
 from app.errors import OperationError
-from app.messages.message import message
-from app.security.errors import TooManyAttemptsError
+from app.messages.message import Text, message
 from app.security.login_throttle import Throttle, address_key
 from app.store.accounts import Account, AccountStore, Role, plain_name
 from app.store.api_tokens import ApiTokenStore
 from app.store.login_sessions import LoginSessionStore, Principal
+
+
+class AccessDeniedError(Exception):
+    """A request that its sender has no right to."""
+
+    def __init__(self, status: HTTPStatus, code: str, detail: Text, remedy: Text) -> None:
+        super().__init__(detail)
+        self.status, self.code, self.detail, self.remedy = status, code, detail, remedy
+
+
+class TooManyAttemptsError(Exception):
+    """Passwords or codes are tried too fast."""
+
+    def __init__(self, wait_s: float) -> None:
+        super().__init__(f"wait {wait_s:.0f} s")
+        self.wait_s = wait_s
+
+
+LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
+"""Without those that are taken for others."""
+CODE_LENGTH = 12
+
+
+def new_code() -> str:
+    """A code for one run of the program."""
+    return "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
 
 
 class Authenticator:

@@ -16,8 +16,7 @@ from app.operations.publishers import observe
 from app.operations.ticker import tick
 from app.security.anonymous_queue import AnonymousQueue
 from app.server.composition import StationParts, close_context, open_context
-from app.server.former_paths import FormerPaths
-from app.server.middleware import Guard
+from app.server.middleware import FormerPaths, Guard
 
 
 def build_app(parts: StationParts) -> FastAPI:

@@ -13,7 +13,7 @@ from app.messages.message import join, message
 from app.operations.services import MonitoringSettings
 from app.server.composition import StationParts
 from hardware.registry import arm_driver
-from hardware.simulator.scene.room import RoomThermometer
+from hardware.simulator.scene.world import RoomThermometer
 from hardware.simulator.station import SimulatedStation
 
 PLACES = {

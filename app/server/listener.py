@@ -17,7 +17,7 @@ from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
-from app.monitoring.network import Network
+from app.monitoring.system_info import Network
 from app.server.connections import BoundedWebSocket, http_protocol, make_space
 from app.settings.settings import Serving
 

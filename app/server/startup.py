@@ -17,8 +17,8 @@ from starlette.applications import Starlette
 
 from app.errors import OperationError
 from app.monitoring.log_text import RepeatFilter
-from app.monitoring.network import Network
-from app.security.console_code import new_code
+from app.monitoring.system_info import Network
+from app.security.authentication import new_code
 from app.server.listener import (
     LOCAL,
     NETWORK_WORDS,
@@ -284,6 +284,6 @@ def _import_step(*modules: str) -> Callable[[], object]:
 
 def _load_libraries() -> None:
     """Says now that a library is missing or stale, not in the middle of a calibration."""
-    from app.native.product import CRENEL
+    from app.native.library import CRENEL
 
     CRENEL.load()

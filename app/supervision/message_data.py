@@ -11,6 +11,8 @@ from app.messages.stored import RENDERED, SUFFIX, restore_text
 
 MOST_DEPTH, MOST_PARTS, MOST_CHARACTERS = 20, 160, 1200
 """Of one text: what is nested in one another, how many values, and the signs of all of them."""
+LONGEST_TEXT = 400
+"""Letters of the English; what is longer is cut off."""
 LARGEST = 2**53
 """Of a number: every reader has it exactly."""
 
@@ -21,6 +23,14 @@ def message_data(text: Text) -> object:
         return None
     data = text_to_json(text)
     return data if _is_bounded(data) else None
+
+
+def payload_text(**texts: Text) -> dict[str, object]:
+    """The fields of a payload for each text by its name: ``text`` and ``text_message``."""
+    fields: dict[str, object] = {}
+    for name, text in texts.items():
+        fields |= {name: str(text)[:LONGEST_TEXT], f"{name}{SUFFIX}": message_data(text)}
+    return fields
 
 
 def _check(data: object) -> object:

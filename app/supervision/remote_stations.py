@@ -9,9 +9,9 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, PlainSerializer, ValidationError
 
+from app.supervision.inbox import Unread
 from app.supervision.message_data import readable
 from app.supervision.messages import EVENTS_STORED, KINDS, Presence, StationEvent, StationReport
-from app.supervision.unread import Unread
 
 LOST_AFTER_S = 3.5
 """Without a report: three beats missed, so that one late message is no alarm."""

@@ -6,7 +6,7 @@ from app.guide.arm import state as arm
 from app.guide.calibration import state as calibration
 from app.guide.common.journal import FORMER_NOTES, SIMULATION_NOTES
 from app.guide.verify import state as verify
-from app.server.former_paths import FORMER_PATHS, present_path
+from app.server.middleware import FORMER_PATHS, present_path
 from app.wire.schema import FORMER_COMMANDS, FlowCommand
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from app.errors import OperationError
 from app.guide.common.datasheet_library import read_library
-from app.guide.common.mentions import mentions
+from app.messages.message import mentions
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
 from app.operations.home import build_home

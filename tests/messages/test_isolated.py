@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.messages.isolated import isolate_names
+from app.messages.catalogue import isolate_names
 from app.report.html import escape
 from app.report.pdf import _replace_missing
 

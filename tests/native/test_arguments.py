@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.native.arguments import F64, I64, ArgumentError, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 frame_points = Function(
     CRENEL,

@@ -8,7 +8,7 @@ from app.metrology.image import Image, saturation_level
 from app.metrology.stripe import StripeTracker, extract_stripe
 from app.metrology.stripe.workspace import Fields, Workspace
 from app.native.arguments import I32, Array, Function, Real, Record
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 KINDS = [np.uint8, np.uint16]
 BREAK, NARROWEST, WIDEST = 2, 5, 64

@@ -23,7 +23,7 @@ from app.metrology.sensor.camera import Camera, project, undistort_pixels
 from app.metrology.sensor.line_projection import across_lines
 from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
 from app.metrology.transforms import Floats, rotation_from_vector
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 from tests.metrology.builders import BLOCK
 
 WIDTH, HEIGHT = 640, 512

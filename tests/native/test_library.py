@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 
 from app.native.build import BuildError, build
-from app.native.library import VARIANT_SETTING, NativeLibrary
-from app.native.product import CRENEL
+from app.native.library import CRENEL, VARIANT_SETTING, NativeLibrary
 from app.native.sources import LIBRARIES, LibraryError, LibrarySource, source_hash
 
 
@@ -51,7 +50,7 @@ def test_the_hash_distinguishes_files(tmp_path: Path) -> None:
 
 
 def test_an_unknown_variant_is_refused_with_those_that_run() -> None:
-    script = "from app.native.product import CRENEL; print(CRENEL.variant)"
+    script = "from app.native.library import CRENEL; print(CRENEL.variant)"
     environment = os.environ | {VARIANT_SETTING: "v1"}
     reported = subprocess.run(
         [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True

@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from app.native.arguments import F64, I32, Array, Function, Integer
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 keep_long_runs = Function(
     CRENEL,

@@ -11,7 +11,7 @@ from app.metrology.image import Image
 from app.metrology.stripe import Stripe, StripeTracker, extract_stripe
 from app.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspace
 from app.native.arguments import F32, I32, Array, Function, Integer, Record
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 from tests.pictures import Depth, of_depth
 
 KINDS = [np.uint8, np.uint16]

@@ -19,7 +19,7 @@ from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
 from app.monitoring.system_info import Memory, WallClock, memory, writable
 from app.station.devices.link_state import Losses, LossWindow
 from app.station.devices.temperature import Temperature, TemperatureWatch
-from hardware.simulator.scene.room import RoomThermometer
+from hardware.simulator.scene.world import RoomThermometer
 from hardware.thermometer import FileThermometer
 
 

@@ -24,7 +24,7 @@ LISTED = (Path(__file__).name, "test_names.py")
 """Files that name the words to find them."""
 FORMER = (
     "app/store/schemas.py",
-    "app/server/former_paths.py",
+    "app/server/middleware.py",
     "tests/store/test_access.py",
     "tests/api/test_former_names.py",
 )

@@ -6,9 +6,9 @@ from app.supervision.inbox import (
     MOST_UNKNOWN_BYTES,
     TOLERATED,
     Inbox,
+    Unread,
 )
 from app.supervision.messages import EVENTS_STORED
-from app.supervision.unread import Unread
 
 
 def made() -> tuple[Inbox, Unread]:

@@ -16,7 +16,7 @@ from app.api.access.authorization import (
 )
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
-from app.security.errors import AccessDeniedError
+from app.security.authentication import AccessDeniedError
 from app.station.control_lease import Control
 from app.store.accounts import Role
 from app.store.login_sessions import Principal

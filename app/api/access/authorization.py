@@ -16,7 +16,7 @@ from starlette.websockets import WebSocket
 from app.errors import OperationError
 from app.messages.message import Text, message
 from app.operations.context import context_of
-from app.security.errors import AccessDeniedError
+from app.security.authentication import AccessDeniedError
 from app.security.permissions import ROUTES, WEBSOCKET, Right, Rule, has_right
 from app.station.control_lease import Person
 from app.store.login_sessions import LONGEST, Principal

@@ -19,8 +19,7 @@ import numpy as np
 from app.bench.stripe.frames import simulate_frame
 from app.errors import OperationError
 from app.metrology.transforms import Floats
-from app.native.library import VARIANT_SETTING
-from app.native.product import CRENEL
+from app.native.library import CRENEL, VARIANT_SETTING
 from app.progress import Progress
 
 POOL, ROUNDS = 24, 60

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, U8, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 POINT = np.dtype(
     [

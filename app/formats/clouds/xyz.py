@@ -12,7 +12,7 @@ from app.formats.clouds.points import Cloud, Points, cloud_from_columns
 from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
 from app.native.arguments import I64, U8, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 COLUMNS = {"x": 4, "y": 4, "z": 4, "intensity": 1, "uncertainty_um": 2, "frame": 0}
 """In their order, with their decimals: coordinates to 0.1 µm."""

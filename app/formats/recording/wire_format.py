@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, U8, Array, Function, Integer
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 Bytes = NDArray[np.uint8]
 Table = NDArray[np.int64]

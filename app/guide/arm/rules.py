@@ -1,4 +1,7 @@
-"""Why a command of an arm session is not possible now; empty means that it is. Pure."""
+"""What the commands of an arm session take, and why one is not possible now. Pure.
+
+An empty reason means that it is possible.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -6,6 +9,12 @@ import numpy as np
 
 from app.guide.arm.live import ArmLive
 from app.guide.arm.state import Angles, ArmState, Kind
+from app.guide.common.arguments import (
+    Arguments,
+    ArgumentTable,
+    IdArguments,
+    OperatorArguments,
+)
 from app.messages.message import Text, message, quantity, rounded
 
 WANTED = 60
@@ -201,4 +210,22 @@ RULES: dict[str, Rule] = {
     "save": _save,
     "restore": _restore,
     "run_simulation": _simulation,
+}
+
+
+class _Limit(Arguments):
+    limit_um: float | None = None
+
+
+class _Artefact(Arguments):
+    kind: Kind
+    size_mm: float | None = None
+    standard_uncertainty_mm: float = 0.0
+
+
+ARGUMENTS: ArgumentTable = {
+    "choose_arm": IdArguments,
+    "set_limit": _Limit,
+    "choose_artefact": _Artefact,
+    "run_simulation": OperatorArguments,
 }

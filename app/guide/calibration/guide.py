@@ -9,14 +9,13 @@ import numpy as np
 
 from app.errors import OperationError
 from app.findings import Finding
-from app.guide.calibration.arguments import ARGUMENTS
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import CalibrationLive, ConnectedArm, ConnectedSensor
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.poses.advice import Advice, remaining
 from app.guide.calibration.poses.advice import from_payload as advice_from
 from app.guide.calibration.poses.detection import DetectionCache
-from app.guide.calibration.rules import rejection_reason
+from app.guide.calibration.rules import ARGUMENTS, rejection_reason
 from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import ENDS, FIELDS, KINDS, CalibrationState, apply_row

@@ -1,6 +1,10 @@
-"""Why a command is not possible now; an empty answer means that it is. Pure."""
+"""What the commands of a calibration take, and why one is not possible now. Pure.
+
+An empty reason means that it is possible.
+"""
 
 from collections.abc import Callable, Mapping
+from typing import Literal
 
 from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
@@ -8,6 +12,15 @@ from app.guide.calibration.poses.board_views import still_missing
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
 from app.guide.calibration.touch.report import face_names, where_on_object
+from app.guide.common.arguments import (
+    Arguments,
+    ArgumentTable,
+    BackArguments,
+    IndexArguments,
+    NumberArguments,
+    OperatorArguments,
+    ShortText,
+)
 from app.messages.message import Text, join, message, quantity, word
 
 Args = Mapping[str, object]
@@ -266,4 +279,24 @@ RULES: dict[str, Rule] = {
     "accept": _accept,
     "back": _back,
     "run_simulation": _simulation,
+}
+
+
+class _Choice(Arguments):
+    field: Literal["arm", "object", "sensor"]
+    id: ShortText
+
+
+class _Face(Arguments):
+    face: ShortText
+
+
+ARGUMENTS: ArgumentTable = {
+    "choose": _Choice,
+    "select_face": _Face,
+    "void_point": IndexArguments,
+    "void_pose": NumberArguments,
+    "restore_pose": NumberArguments,
+    "back": BackArguments,
+    "run_simulation": OperatorArguments,
 }

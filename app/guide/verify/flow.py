@@ -7,7 +7,6 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.findings import Finding, Quality
 from app.formats.datasheets.gauge import GaugeFile
-from app.guide.common.mentions import mentions
 from app.guide.common.recorded_error import error_from_payload
 from app.guide.common.view import Action, LiveNumber, Step, StepProgress
 from app.guide.verify.live import VerifyLive
@@ -25,7 +24,7 @@ from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
 )
-from app.messages.message import Text, join, message, quantity, rounded, word
+from app.messages.message import Text, join, mentions, message, quantity, rounded, word
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
 TITLES = {

@@ -22,11 +22,10 @@ from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.journal import Check, Journal, JournalEntry
 from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.verify.arguments import ARGUMENTS
 from app.guide.verify.flow import build_view
 from app.guide.verify.gauges import gauge_path, read_gauges
 from app.guide.verify.live import CloudResults, Gauges, VerifyLive
-from app.guide.verify.rules import rejection_reason
+from app.guide.verify.rules import ARGUMENTS, rejection_reason
 from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity

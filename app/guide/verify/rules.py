@@ -1,8 +1,19 @@
-"""Why a command of a verification is not possible now; empty means that it is. Pure."""
+"""What the commands of a verification take, and why one is not possible now. Pure.
+
+An empty reason means that it is possible.
+"""
 
 from collections.abc import Callable, Mapping
 
 from app.errors import OperationError
+from app.guide.common.arguments import (
+    ArgumentTable,
+    BackArguments,
+    IdArguments,
+    IndexArguments,
+    NumberArguments,
+    OperatorArguments,
+)
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
 from app.messages.message import Text, message
@@ -200,4 +211,14 @@ RULES: dict[str, Rule] = {
     "run_simulation": _simulation,
     "abandon": _leave,
     "again": _leave,
+}
+
+
+ARGUMENTS: ArgumentTable = {
+    "choose_gauge": IdArguments,
+    "void_touch": IndexArguments,
+    "void_cloud": NumberArguments,
+    "restore_cloud": NumberArguments,
+    "back": BackArguments,
+    "run_simulation": OperatorArguments,
 }

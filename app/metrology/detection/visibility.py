@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from app.metrology.targets.crenellated_block import Crenellated, corners, edges
 from app.metrology.transforms import Floats
 from app.native.arguments import BOOL, F64, I64, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 _pieces = Function(
     CRENEL,

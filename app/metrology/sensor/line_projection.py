@@ -7,7 +7,7 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.projection import COUNT
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 _across = Function(
     CRENEL,

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 _alike = Function(CRENEL, "neighbours_alike", Array(F64, "n", 2), Array(F64, "n"), returns=float)
 _variances = Function(

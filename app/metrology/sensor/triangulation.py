@@ -10,7 +10,7 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import Floats, apply
 from app.native.arguments import F64, I64, Array, Function
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 PixelCounts = NDArray[np.int64]
 

@@ -18,7 +18,7 @@ from app.metrology.stripe.workspace import (
     release_workspace,
 )
 from app.native.arguments import U8, U16, Function, Record
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 EXTRACT = {
     U8: Function(CRENEL, "extract_8", Record(Fields), returns=int),

@@ -8,7 +8,7 @@ from app.metrology.stripe.extraction import extract_parts, orient_image, orient_
 from app.metrology.stripe.points import Stripe
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 BLOCK_PX = 256
 """Columns that are read over the same rows, as in ``tracking.c``."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.metrology.image import Image
 from app.metrology.stripe.settings import CHOICES, StripeSettings
 from app.native.arguments import BOOL, F32, I64, Array, Function, Integer, pointer
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 ALIGNED_BYTES = 64
 MOST_SIZES, MOST_WORKSPACES = 4, 16

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I8, I64, Array, Function, Integer, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 Tiers = NDArray[np.int8]
 """(N,) where each point belongs: 2 n, or 2 n + 1 for the cubes that stay a step longer, for

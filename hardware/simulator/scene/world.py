@@ -4,6 +4,8 @@ Shapes are data for the ray caster: a kind and a row of numbers, in the shape's 
 frame, and a pose in the arm's.
 """
 
+import math
+import time
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
@@ -251,3 +253,13 @@ def make_table() -> SceneObject:
     return SceneObject(
         "table", Box((-1500.0, -1500.0, -30.0), (1500.0, 1500.0, 0.0)), np.eye(4), 0.15
     )
+
+
+MEAN_C, SWING_C, PERIOD_S = 21.4, 0.4, 1500.0
+
+
+class RoomThermometer:
+    """Reads to a hundredth of a degree."""
+
+    def read_c(self) -> float:
+        return round(MEAN_C + SWING_C * math.sin(2 * math.pi * time.time() / PERIOD_S), 2)

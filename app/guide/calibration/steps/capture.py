@@ -11,7 +11,6 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, device_findings, offer
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
-from app.guide.common.mentions import mentions
 from app.guide.common.view import (
     Action,
     CameraPicture,
@@ -19,7 +18,7 @@ from app.guide.common.view import (
     StepProgress,
     StillPicture,
 )
-from app.messages.message import Text, message, quantity
+from app.messages.message import Text, mentions, message, quantity
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 
 FEWEST_CORNERS = 8

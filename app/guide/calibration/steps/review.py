@@ -7,10 +7,9 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry, offer
 from app.guide.calibration.steps.capture import solve_step
 from app.guide.calibration.steps.poses import pose_pictures
-from app.guide.common.mentions import mentions
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.view import Action, LiveNumber, ResultPicture
-from app.messages.message import Text, message
+from app.messages.message import Text, mentions, message
 
 
 def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.adjustment.core.se3 import adjoint
 from app.metrology.arm.kinematics import Arm, link_transforms
-from app.metrology.transforms import Floats
+from app.metrology.transforms import Floats, adjoint
 
 # An error in turning, of a robot or of a link, times this length, is as large as one in place.
 LEVER_MM = 400.0

@@ -5,11 +5,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.metrology.adjustment.core.observations import AdjustmentProblem
-from app.metrology.adjustment.core.se3 import adjoint_inverse, se3_exp
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.sensor.projection import COUNT
-from app.metrology.transforms import Floats, inverse, nearest_rotation, skew
+from app.metrology.transforms import (
+    Floats,
+    adjoint_inverse,
+    inverse,
+    nearest_rotation,
+    se3_exp,
+    skew,
+)
 
 INTRINSIC = ("fx", "fy", "u0", "v0", "k1", "k2", "p1", "p2")
 # Where the intrinsic parameters stand among ``projection.PARAMETERS``, and the pose's twist.

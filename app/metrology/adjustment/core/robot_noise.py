@@ -13,8 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.adjustment.core.arm_errors import FlangeMotion
-from app.metrology.adjustment.core.se3 import adjoint, pivot_adjoint, se3_exp
-from app.metrology.transforms import Floats, apply, inverse, vector_from_rotation
+from app.metrology.transforms import (
+    Floats,
+    adjoint,
+    apply,
+    inverse,
+    pivot_adjoint,
+    se3_exp,
+    vector_from_rotation,
+)
 
 # What is usual where the poses show little: turn (rad), shift (mm) and tilt (rad), known to
 # this factor (as the standard deviation of a logarithm).

@@ -18,13 +18,12 @@ from app.metrology.adjustment.core.parameters import (
     SENSOR,
     AdjustmentState,
 )
-from app.metrology.adjustment.core.se3 import adjoint, pivot_adjoint
 from app.metrology.calibration.uncertainty_budget import PROBE_NAMES, BudgetContribution
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame, tangents
 from app.metrology.sensor.projection import PARAMETERS
 from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import Floats, apply, inverse, skew
+from app.metrology.transforms import Floats, adjoint, apply, inverse, pivot_adjoint, skew
 
 # What each part of the normal matrix is called in a budget.
 BUDGET = (

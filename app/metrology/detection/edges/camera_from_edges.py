@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats, nearest_rotation, rotation_from_vector
 from app.native.arguments import F64, Array, Function, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 # fx, fy, cx, cy, three turns, three shifts, k1, k2
 _COUNT = 12

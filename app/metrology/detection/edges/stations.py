@@ -9,7 +9,7 @@ from app.metrology.detection.visibility import Wireframe, find_visible_edges
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Integer, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 # Faces that are seen at less than this, as sines, may as well be hidden, or seen.
 _EDGE_ON = 0.004

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Integer, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 # The window reaches this far from the edge: so many blurs and pixels, at least three.
 _REACH_BLURS, _REACH_PX, _LEAST_REACH_PX = 2.5, 1.0, 3.0

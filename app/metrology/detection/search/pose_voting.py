@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 # So many bearings of each direction vote; so many places are returned for one reading of them.
 _BEARINGS, _READINGS = 12, 12

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from app.metrology.detection.search.line_segments import Segments
 from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Real
-from app.native.product import CRENEL
+from app.native.library import CRENEL
 
 # Focal lengths tried, over the longer side: 95 to 5 degrees of view, half an octave apart.
 _FOCALS = tuple(0.5 * 2.0 ** (k / 2) for k in range(10))
