@@ -5,6 +5,7 @@ import threading
 import time
 import uuid
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -42,6 +43,8 @@ class Server:
     simulation: SimulatedStation
     http: httpx.Client
     application: FastAPI
+    sent: TextCollector
+    """The texts that it sent to browsers."""
 
     @property
     def address(self) -> str:
@@ -83,9 +86,9 @@ class Server:
             time.sleep(0.05)
 
 
-@pytest.fixture(scope="session")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    data = tmp_path_factory.mktemp("station")
+@contextmanager
+def running_server(data: Path) -> Iterator[Server]:
+    """A server on a data folder, with a client that has entered; it ends in order."""
     with SimulatedStation(SimulationConfig(pace=3.0)) as simulation, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
@@ -100,7 +103,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         with httpx.Client(base_url=address, timeout=20.0, event_hooks=hooks) as http:
             enter(http, app.state.context.authenticator.code)
             context = app.state.context
-            yield Server(port, data, context, simulation, http, app)
+            yield Server(port, data, context, simulation, http, app, sent)
             # the live connection's newest topics, and the events that it still has
             latest = context.bus._take({}, {"preview"}, 0)
             sent.value(to_jsonable_python(latest.topics, inf_nan_mode="null"))
@@ -109,8 +112,14 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         running.should_exit = True
         thread.join(20.0)
         assert not thread.is_alive()
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with running_server(tmp_path_factory.mktemp("station")) as server:
+        yield server
     # every language has all that it sent
-    assert not sent.untranslated()
+    assert not server.sent.untranslated()
 
 
 @pytest.fixture
