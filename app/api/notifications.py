@@ -1,14 +1,11 @@
-"""Who is notified: by webhook, and programs that read the metrics."""
+"""Who is notified by webhook, and of what."""
 
 from dataclasses import dataclass
 from typing import Annotated
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter
 from pydantic import Field
-from starlette.status import HTTP_204_NO_CONTENT
 
-from app.api.access.authorization import TheVisitor
-from app.api.problems import NotFoundError
 from app.errors import OperationError
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
@@ -41,21 +38,6 @@ class NotificationsChange(Asked):
     done: bool
     fault: bool
     due: bool
-
-
-class NewApiToken(Asked):
-    name: Annotated[str, Field(min_length=1, max_length=60)]
-
-
-@dataclass(frozen=True)
-class ApiTokenSummary:
-    """``token`` only where it was made just now."""
-
-    id: str
-    name: str
-    made_by: str
-    made_at: str
-    token: str | None = None
 
 
 @router.get("/notifications")
@@ -92,31 +74,6 @@ async def send_test(context: TheContext) -> Notifications:
         )
     context.monitoring.notify("test", message("says-hello", name=context.station.name))
     return _notifications(context)
-
-
-@router.get("/tokens")
-def api_tokens(context: TheContext) -> list[ApiTokenSummary]:
-    """Every token for the metrics."""
-    found = context.store.api_tokens.all()
-    return [ApiTokenSummary(one.id, one.name, one.made_by, one.made_at) for one in found]
-
-
-@router.post("/tokens")
-def add_api_token(
-    asked: NewApiToken, request: Request, context: TheContext, visitor: TheVisitor
-) -> ApiTokenSummary:
-    """A new token, which is shown this once."""
-    request.state.detail = asked.name
-    one, token = context.store.api_tokens.add(asked.name, visitor.name)
-    return ApiTokenSummary(one.id, one.name, one.made_by, one.made_at, token)
-
-
-@router.delete("/tokens/{token_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_api_token(token_id: str, context: TheContext) -> None:
-    """A token that is good for nothing from now on."""
-    if all(one.id != token_id for one in context.store.api_tokens.all()):
-        raise NotFoundError(message("there-no-token", token_id=token_id))
-    context.store.api_tokens.remove(token_id)
 
 
 def _notifications(context: Context) -> Notifications:

@@ -12,7 +12,7 @@ from app.api import (
     scene,
     settings,
 )
-from app.api.access import accounts, auth
+from app.api.access import accounts, auth, tokens
 from app.api.files import client
 from app.api.sessions import arm, calibration, verification
 from app.api.viewer import proxy
@@ -20,6 +20,7 @@ from app.api.viewer import proxy
 ROUTERS = (
     auth.router,
     accounts.router,
+    tokens.router,
     calibration.router,
     arm.router,
     verification.router,

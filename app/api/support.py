@@ -121,7 +121,7 @@ def _redactor(context: Context) -> Redactor:
             secrets.append(watch.settings.mqtt.password() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}
-    people |= {link.made_by for link in store.login_sessions.kiosk_links()}
+    people |= {link.made_by for link in (*store.kiosk_links.all(), *store.api_tokens.all())}
     return Redactor(secrets, people, {"DATA": store.folder, "HOME": Path.home()})
 
 

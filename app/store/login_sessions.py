@@ -6,7 +6,6 @@ nothing: there a password is looked at though others guess at the same name.
 Of cookies and links only the SHA-256 is kept, so that a copied database opens no door.
 """
 
-import hashlib
 import logging
 import secrets
 import sqlite3
@@ -14,6 +13,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
 from app.errors import OperationError
+from app.store.access_tokens import TOKEN_BYTES, AccessTokenStore, token_digest
 from app.store.accounts import Role
 from app.store.database import NOT_SAVED, Database
 from app.timestamps import is_moment, parse_moment, utc_now
@@ -24,7 +24,6 @@ IDLE = timedelta(hours=14)
 LONGEST = timedelta(days=7)
 """So long after signing in a person signs in again, used or not: a page may be left open."""
 ACTIVITY_STEP = timedelta(minutes=1)
-TOKEN_BYTES = 32
 ID_DIGITS = 12
 
 
@@ -40,21 +39,12 @@ class Principal:
     """A screen on the shop floor, which nobody stands at."""
 
 
-@dataclass(frozen=True, slots=True)
-class KioskLink:
-    """A link that shows the station and lets nobody do anything."""
-
-    id: str
-    name: str
-    made_by: str
-    made_at: str
-
-
 class LoginSessionStore:
-    """Cookies that are good, and kiosk links."""
+    """Cookies that are good, and who is behind a cookie or a kiosk link."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
+        self._kiosk_links = AccessTokenStore(database, "kiosk_link")
         self._in_memory: dict[str, tuple[str, str]] = {}
         """Of browsers that were signed in while the disk was full: account and since when."""
 
@@ -67,18 +57,18 @@ class LoginSessionStore:
                 connection.execute(
                     "INSERT INTO sign_in (token, account, device, begun_at, seen_at)"
                     " VALUES (?, ?, ?, ?, ?)",
-                    (_digest(token), account, device[:200], now, now),
+                    (token_digest(token), account, device[:200], now, now),
                 )
         except OperationError as error:  # a full disk keeps nobody out; the next start does
             if error.code != NOT_SAVED:
                 raise
             log.warning("a sign-in is kept in memory alone: %s", error.why)
-            self._in_memory[_digest(token)] = account, now
+            self._in_memory[token_digest(token)] = account, now
         return token
 
     def principal(self, token: str) -> Principal | None:
         """Whose cookie or kiosk link it is; None for one that is not good (any more)."""
-        digest = _digest(token)
+        digest = token_digest(token)
         rows = self._database.read(
             "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
             " JOIN account ON account.name = sign_in.account WHERE token = ?",
@@ -88,10 +78,8 @@ class LoginSessionStore:
             return self._principal(digest, rows[0])
         if digest in self._in_memory:
             return self._memory_principal(digest)
-        links = self._database.read("SELECT * FROM kiosk_link WHERE token = ?", digest)
-        if links:
-            return Principal(digest[:ID_DIGITS], links[0]["name"], Role.viewer, kiosk=True)
-        return None
+        link = self._kiosk_links.find(token)
+        return Principal(digest[:ID_DIGITS], link.name, Role.viewer, kiosk=True) if link else None
 
     def _memory_principal(self, digest: str) -> Principal | None:
         account, begun_at = self._in_memory[digest]
@@ -123,8 +111,8 @@ class LoginSessionStore:
 
     def end(self, token: str) -> None:
         """Signs one browser out."""
-        self._in_memory.pop(_digest(token), None)
-        self._end("token = ?", _digest(token))
+        self._in_memory.pop(token_digest(token), None)
+        self._end("token = ?", token_digest(token))
 
     def end_all(self, account: str) -> None:
         """Signs a person out everywhere."""
@@ -136,14 +124,14 @@ class LoginSessionStore:
     def remember_browser(self, token: str, account: str) -> str:
         """From now on a browser is known for this account; its token, a new one if it had none."""
         query = "SELECT 1 FROM known_browser WHERE token = ?"
-        if not self._database.read(query, _digest(token)):
+        if not self._database.read(query, token_digest(token)):
             token = secrets.token_urlsafe(TOKEN_BYTES)
         try:
             with self._database.transaction() as connection:
                 connection.execute(
                     "INSERT OR IGNORE INTO known_browser (token, account, made_at)"
                     " VALUES (?, ?, ?)",
-                    (_digest(token), account, utc_now()),
+                    (token_digest(token), account, utc_now()),
                 )
         except OperationError as error:  # it is known from the next time on
             if error.code != NOT_SAVED:
@@ -153,33 +141,8 @@ class LoginSessionStore:
     def is_known_browser(self, token: str, account: str) -> bool:
         """Whether this account was signed in at the token's browser before."""
         query = "SELECT 1 FROM known_browser WHERE token = ? AND account = ?"
-        return bool(token) and bool(self._database.read(query, _digest(token), account))
+        return bool(token) and bool(self._database.read(query, token_digest(token), account))
 
     def _end(self, clause: str, value: str) -> None:
         with self._database.transaction() as connection:
             connection.execute(f"DELETE FROM sign_in WHERE {clause}", (value,))
-
-    def add_kiosk_link(self, name: str, made_by: str) -> tuple[KioskLink, str]:
-        """A new kiosk link and its token, which is shown this once."""
-        token = secrets.token_urlsafe(TOKEN_BYTES)
-        link = KioskLink(secrets.token_hex(6), name, made_by, utc_now())
-        with self._database.transaction() as connection:
-            connection.execute(
-                "INSERT INTO kiosk_link (id, token, name, made_by, made_at) VALUES (?, ?, ?, ?, ?)",
-                (link.id, _digest(token), link.name, link.made_by, link.made_at),
-            )
-        return link, token
-
-    def kiosk_links(self) -> list[KioskLink]:
-        """Every kiosk link, oldest first."""
-        rows = self._database.read("SELECT * FROM kiosk_link ORDER BY made_at")
-        return [KioskLink(row["id"], row["name"], row["made_by"], row["made_at"]) for row in rows]
-
-    def remove_kiosk_link(self, link_id: str) -> None:
-        """Its screens show nothing from now on."""
-        with self._database.transaction() as connection:
-            connection.execute("DELETE FROM kiosk_link WHERE id = ?", (link_id,))
-
-
-def _digest(token: str) -> str:
-    return hashlib.sha256(token.encode()).hexdigest()

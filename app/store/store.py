@@ -7,8 +7,8 @@ from app.formats.atomic_write import ensure_folder
 from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.formats.io_errors import error_from_os
 from app.messages.message import join, message
+from app.store.access_tokens import AccessTokenStore
 from app.store.accounts import AccountStore
-from app.store.api_tokens import ApiTokenStore
 from app.store.audit import AuditLog
 from app.store.backup import DATABASE, last_backup
 from app.store.calibrations import CalibrationStore
@@ -71,7 +71,8 @@ class Store:
         self.accounts = AccountStore(self._database)
         self.login_sessions = LoginSessionStore(self._database)
         self.audit = AuditLog(self._database)
-        self.api_tokens = ApiTokenStore(self._database)
+        self.kiosk_links = AccessTokenStore(self._database, "kiosk_link")
+        self.api_tokens = AccessTokenStore(self._database, "api_token")
 
     def _check_database_exists(self) -> None:
         """Raises ``OperationError`` where folders are full and the database is missing or empty."""

@@ -232,7 +232,7 @@ class AccountChange(RequestBody):
     password: Secret | None = None
 
 
-class NewKioskLink(RequestBody):
+class NewAccessToken(RequestBody):
     name: Annotated[str, Field(min_length=1, max_length=60)]
 
 
@@ -272,8 +272,8 @@ class AccountSummary:
 
 
 @dataclass(frozen=True)
-class KioskLinkSummary:
-    """``token`` only where it was made just now."""
+class AccessTokenSummary:
+    """A kiosk link, or a token for the metrics; ``token`` only where it was made just now."""
 
     id: str
     name: str

@@ -36,12 +36,12 @@ def tokens(server: Server) -> Iterator[dict[str, str]]:
     store = server.context.store
     for name in ("viewer", "operator", "admin"):
         store.accounts.add(f"the {name}", Role[name], None)
-    kiosk, token = store.login_sessions.add_kiosk_link("the kiosk", "the admin")
+    kiosk, token = store.kiosk_links.add("the kiosk", "the admin")
     people = {
         n: store.login_sessions.begin(f"the {n}", "test") for n in ("viewer", "operator", "admin")
     }
     yield {"nobody": "", "kiosk": token, **people}
-    store.login_sessions.remove_kiosk_link(kiosk.id)
+    store.kiosk_links.remove(kiosk.id)
     for name in ("viewer", "operator", "admin"):
         store.accounts.remove(f"the {name}")
     server.http.post("/api/control/take", json={"reason": "the test is over"}).raise_for_status()

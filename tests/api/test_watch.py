@@ -238,7 +238,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     person = PLANTED["a person"]
     store.accounts.add(person, Role.operator, "three unrelated words")
     cookie = store.login_sessions.begin(person, "a browser")
-    _, kiosk = store.login_sessions.add_kiosk_link("Hall", person)
+    _, kiosk = store.kiosk_links.add("Hall", person)
     _, api_token = store.api_tokens.add("Prometheus", person)
     store.audit.note(person, PLANTED["a remote address"], f"hello from {person}")
     (tmp_path / "password").write_text(PLANTED["an MQTT password"])

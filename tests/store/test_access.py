@@ -31,7 +31,7 @@ def store(tmp_path: Path) -> Iterator[Store]:
 def test_neither_password_nor_token_stands_in_the_database(store: Store) -> None:
     store.accounts.add("Anna", Role.operator, PASSWORD)
     cookie = store.login_sessions.begin("Anna", "a browser")
-    _, link = store.login_sessions.add_kiosk_link("Hall", "Anna")
+    _, link = store.kiosk_links.add("Hall", "Anna")
     content = b"".join(path.read_bytes() for path in store.folder.glob("station.db*"))
     for secret in (PASSWORD, cookie, link):
         assert secret.encode() not in content
@@ -194,9 +194,9 @@ def test_links_and_tokens_of_the_version_before_stay_valid(tmp_path: Path) -> No
     old.commit()
     old.close()
     store = Store(tmp_path)
-    assert [link.name for link in store.login_sessions.kiosk_links()] == ["Hall 3"]
+    assert [link.name for link in store.kiosk_links.all()] == ["Hall 3"]
     assert [token.name for token in store.api_tokens.all()] == ["Hall 3"]
-    assert store.api_tokens.is_valid("secret")
+    assert store.api_tokens.find("secret") is not None
     store.close()
 
 

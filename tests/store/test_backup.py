@@ -139,9 +139,9 @@ def test_a_database_without_one_of_its_columns_is_refused(
 def test_an_api_token_is_shown_once_and_can_be_ended(store: Store) -> None:
     api_token, token = store.api_tokens.add("Prometheus", "Ada")
     assert store.api_tokens.all() == [api_token]
-    assert store.api_tokens.is_valid(token)
-    assert not store.api_tokens.is_valid("")
-    assert not store.api_tokens.is_valid(f"{token}x")
+    assert store.api_tokens.find(token) == api_token
+    assert not store.api_tokens.find("")
+    assert not store.api_tokens.find(f"{token}x")
     assert store.login_sessions.principal(token) is None, "it opens nothing else"
     store.api_tokens.remove(api_token.id)
-    assert not store.api_tokens.is_valid(token)
+    assert not store.api_tokens.find(token)

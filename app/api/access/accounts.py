@@ -1,4 +1,4 @@
-"""What administrators do: accounts, kiosk links, and the audit log."""
+"""What administrators do: accounts, and the audit log."""
 
 from typing import Annotated
 
@@ -6,7 +6,6 @@ from fastapi import APIRouter, Query, Request
 from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.access.auth import ROLE_NAMES
-from app.api.access.authorization import TheVisitor
 from app.api.problems import NotFoundError
 from app.messages.catalogue import translator
 from app.messages.language_file import ENGLISH
@@ -17,9 +16,7 @@ from app.store.audit import AuditEntry
 from app.wire.schema import (
     AccountChange,
     AccountSummary,
-    KioskLinkSummary,
     NewAccount,
-    NewKioskLink,
 )
 
 router = APIRouter(prefix="/api")
@@ -68,31 +65,6 @@ def remove(name: Name, request: Request, context: TheContext) -> None:
     account = _account(context, name)
     context.store.accounts.remove(account.name)
     _sign_out(context, account)
-
-
-@router.get("/kiosk-links")
-def kiosk_links(context: TheContext) -> list[KioskLinkSummary]:
-    """Every kiosk link."""
-    found = context.store.login_sessions.kiosk_links()
-    return [KioskLinkSummary(link.id, link.name, link.made_by, link.made_at) for link in found]
-
-
-@router.post("/kiosk-links")
-def add_kiosk_link(
-    asked: NewKioskLink, request: Request, context: TheContext, visitor: TheVisitor
-) -> KioskLinkSummary:
-    """A new kiosk link; its token is shown this once."""
-    request.state.detail = asked.name
-    link, token = context.store.login_sessions.add_kiosk_link(asked.name, visitor.name)
-    return KioskLinkSummary(link.id, link.name, link.made_by, link.made_at, token)
-
-
-@router.delete("/kiosk-links/{link_id}", status_code=HTTP_204_NO_CONTENT)
-def remove_kiosk_link(link_id: str, context: TheContext) -> None:
-    """A kiosk link that shows nothing from now on."""
-    if all(link.id != link_id for link in context.store.login_sessions.kiosk_links()):
-        raise NotFoundError(message("there-no-kiosk-link", link_id=link_id))
-    context.store.login_sessions.remove_kiosk_link(link_id)
 
 
 @router.get("/audit")

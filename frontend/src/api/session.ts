@@ -4,7 +4,7 @@ import { setState } from "../state/store";
 import { done, notifyOfError } from "./commands";
 import { drop, get, NoAnswer, post } from "./http";
 import type { Role } from "./types";
-import type { AccountSummary, Control, KioskLinkSummary, SignInState } from "./wire";
+import type { AccessTokenSummary, AccountSummary, Control, SignInState } from "./wire";
 
 const AGAIN_MS = 1000;
 
@@ -101,7 +101,7 @@ export const removeAccount = (name: string) =>
 export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {
-    const link = await post<KioskLinkSummary>("/api/kiosk-links", { name });
+    const link = await post<AccessTokenSummary>("/api/kiosk-links", { name });
     if (link?.token) address = `${window.location.origin}/#kiosk=${link.token}`;
   }, t("ui-the-link-was-not-created"));
   return address;

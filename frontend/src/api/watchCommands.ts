@@ -3,7 +3,7 @@ import { t } from "../state/language";
 import { localized } from "../state/localized";
 import { notifyOfError } from "./commands";
 import { drop, get, post } from "./http";
-import type { ApiTokenSummary, BackupState, Notifications } from "./wire";
+import type { AccessTokenSummary, BackupState, Notifications } from "./wire";
 
 async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
   try {
@@ -36,8 +36,11 @@ export const tryNotifications = () =>
 export const readNotifications = () =>
   done(() => get<Notifications>("/api/notifications"), t("ui-result-test-message-unknown"));
 
-export const addMetricsToken = (name: string) =>
-  done(() => post<ApiTokenSummary>("/api/tokens", { name }), t("ui-the-token-was-not-created"));
+/** The new token, which is displayed only once; empty where it was not created. */
+export async function addMetricsToken(name: string): Promise<string> {
+  const made = await done(() => post<AccessTokenSummary>("/api/tokens", { name }), t("ui-the-token-was-not-created"));
+  return made?.token ?? "";
+}
 
 export const removeMetricsToken = (id: string) =>
   done(() => drop(`/api/tokens/${id}`), t("ui-the-token-may-still-be-valid"));
