@@ -16,6 +16,8 @@ from app.bench.faults.station import StationProcess, View
 PARAMETER = re.compile(r"{(\w+)}")
 OK, FAULT_STATUS, NOT_STORED_STATUS = 200, 500, 507
 LIVE_S = 1.0
+MOST_READ = 16 << 20
+"""Bytes of an answer."""
 TRACE = "Traceback (most recent call last)"
 REQUESTS: tuple[tuple[str, Mapping[str, object]], ...] = (
     ("/api/temperature", {"celsius": 20.5}),
@@ -45,11 +47,11 @@ class StationResponses:
     texts: dict[str, str] = field(default_factory=dict)
     """Of each route that answered with JSON."""
 
-    def note(self, asked: str, answer: httpx.Response) -> None:
+    def note(self, asked: str, answer: httpx.Response, content: bytes) -> None:
         if answer.status_code >= FAULT_STATUS and answer.status_code != NOT_STORED_STATUS:
             self.faults.append(f"{asked}: {answer.status_code}")
         if "json" in answer.headers.get("content-type", ""):
-            self.texts[asked] = answer.text
+            self.texts[asked] = content.decode("utf-8", "replace")
 
     def mentions(self, words: str) -> bool:
         """Whether something that people are shown has these words, a regular expression."""
@@ -76,7 +78,7 @@ def query_station(
         for path in CHECK_ROUTES:
             _ask(look, station, "GET", path)
     logged = station.http.get("/api/logs")
-    look.note("GET /api/logs", logged)
+    look.note("GET /api/logs", logged, logged.content)
     if logged.status_code == OK:
         look.faults += [describe_fault(line) for line in logged.json() if line["level"] == "error"]
     if TRACE in station.console_text:
@@ -103,9 +105,20 @@ def _ask(
     body: Mapping[str, object] | None = None,
 ) -> None:
     try:
-        look.note(f"{method} {path}", station.http.request(method, path, json=body))
+        with station.http.stream(method, path, json=body) as answer:
+            look.note(f"{method} {path}", answer, _read(answer))
     except httpx.TransportError as error:
         look.faults.append(f"{method} {path}: {type(error).__name__}")
+
+
+def _read(answer: httpx.Response) -> bytes:
+    """The beginning of what was answered: a damaged cloud may have terabytes."""
+    content = bytearray()
+    for part in answer.iter_bytes():
+        content += part
+        if len(content) >= MOST_READ:
+            break
+    return bytes(content)
 
 
 def _paths(station: StationProcess, ids: Mapping[str, list[str]]) -> list[str]:
