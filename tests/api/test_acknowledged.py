@@ -13,7 +13,7 @@ from app.bench.faults.station import StationProcess
 from app.errors import OperationError
 from tests.api.traced import Trace
 
-pytestmark = pytest.mark.timeout(300)
+pytestmark = [pytest.mark.timeout(300), pytest.mark.slow]
 
 
 @pytest.fixture(scope="module")

@@ -20,6 +20,8 @@ from app.bench.station.viewer_client import PROTOCOL
 from tests.api.processes import demonstration
 from tests.entering import cookie
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 TRIES = 5
 SIGNS_OUT = ("DELETE", "/api/session")

@@ -16,6 +16,8 @@ from tests.api.conftest import Server, run_command
 from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
 
+pytestmark = pytest.mark.slow
+
 View = dict[str, Any]
 
 

@@ -13,6 +13,8 @@ from app.messages.message import text_from_json
 from app.wire.live_messages import Topics
 from tests.api.conftest import Server
 
+pytestmark = pytest.mark.slow
+
 PATIENCE_S = 20.0
 OF_A_STATION = {"control", "devices", "flow", "scan", "settings", "home", "view", "report"}
 """Topics that every station has from its start."""

@@ -19,6 +19,8 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button
 from tests.api.conftest import Server, is_enabled
 
+pytestmark = pytest.mark.slow
+
 # A whole calibration by the simulated operator, on a machine with other work.
 PATIENCE_S = 240.0
 

@@ -7,6 +7,8 @@ import pytest
 from app.bench.faults import kills
 from app.bench.faults.row import FaultRow, table
 
+pytestmark = pytest.mark.slow
+
 
 def assert_kept(row: FaultRow) -> None:
     assert row.tries

@@ -17,6 +17,8 @@ from websockets.sync.client import connect
 from tests.api.processes import demonstration
 from tests.entering import cookie
 
+pytestmark = pytest.mark.slow
+
 TEXTS = (
     "\ud800",
     "\udcfc",

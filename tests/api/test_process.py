@@ -27,6 +27,8 @@ from hardware.simulator.station import SimulatedStation
 from tests.entering import client
 from tests.sent_texts import english
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
 Running = tuple[subprocess.Popen[str], str]

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import pytest
 
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.raw import MAGIC
@@ -15,6 +16,8 @@ from app.store.store import Store
 from tests.api.processes import PATIENCE_S, demonstration
 from tests.formats.test_recording_bombs import LARGE, lz4_zeros, zstd
 from tests.sent_texts import english
+
+pytestmark = pytest.mark.slow
 
 Scan = dict[str, Any]
 

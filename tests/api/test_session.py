@@ -15,6 +15,8 @@ from tests.api.conftest import Server
 from tests.entering import cookie
 from tests.sent_texts import english
 
+pytestmark = pytest.mark.slow
+
 PASSWORD = "three unrelated words"
 
 

@@ -20,6 +20,8 @@ from app.errors import OperationError
 from app.server.listener import make_server
 from app.server.starting_page import StartingApp, StartStep
 
+pytestmark = pytest.mark.slow
+
 PATIENCE_S = 20.0
 
 

@@ -30,6 +30,8 @@ from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, run_command
 from tests.sent_texts import english
 
+pytestmark = pytest.mark.slow
+
 View = dict[str, Any]
 
 

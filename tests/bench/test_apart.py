@@ -9,6 +9,8 @@ import pytest
 from app.bench.station import subprocess_station as apart
 from app.errors import OperationError
 
+pytestmark = pytest.mark.slow
+
 
 def _gone(pipe: Connection) -> None:
     pipe.send("ready")

@@ -15,6 +15,8 @@ from app.bench.metrology.detection import (
 )
 from hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
 
+pytestmark = pytest.mark.slow
+
 SEED = 3
 
 

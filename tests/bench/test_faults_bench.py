@@ -1,6 +1,10 @@
 """Devices that fail in every step of the flow come back, and nothing that was taken is lost."""
 
+import pytest
+
 from app.bench.faults.devices import FAILURES, run, table
+
+pytestmark = pytest.mark.slow
 
 STEPS = ("devices", "setup", "touch", "capture", "review", "scan")
 

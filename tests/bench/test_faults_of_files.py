@@ -7,7 +7,7 @@ import pytest
 from app.bench.faults import damage, disk, floods
 from app.bench.faults.row import FaultRow, table
 
-pytestmark = pytest.mark.timeout(400)
+pytestmark = [pytest.mark.timeout(400), pytest.mark.slow]
 
 
 def assert_survived(row: FaultRow) -> None:

@@ -1,7 +1,11 @@
 """The bench of the live station, for a few seconds at a pace that any machine keeps."""
 
+import pytest
+
 from app.bench.station.live import run, table
 from hardware.simulator.devices.fast_simulator import FastStationConfig
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_scan_is_recorded_whole_and_seen_by_its_viewers() -> None:

@@ -1,6 +1,10 @@
 """The bench of the 3D view, on a short scan."""
 
+import pytest
+
 from app.bench.station.view import PIECE, run, table
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_second_viewer_gets_all_and_the_colours_change() -> None:

@@ -1,7 +1,11 @@
 """The bench of many viewers, with a few of them for a few seconds."""
 
+import pytest
+
 from app.bench.station.viewers import run, table
 from hardware.simulator.devices.fast_simulator import FastStationConfig
+
+pytestmark = pytest.mark.slow
 
 
 def test_viewers_get_states_pictures_and_points_while_one_takes_nothing() -> None:

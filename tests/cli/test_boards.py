@@ -48,6 +48,8 @@ from tests.metrology.seen_boards import camera_at
 from tests.metrology.test_board_calibration import touching
 from tests.real_sessions import write_real_session
 
+pytestmark = pytest.mark.slow
+
 START_RAD = np.deg2rad([0.0, 20.0, 90.0, 45.0, 25.0, 5.0])
 MS = 1_000_000
 

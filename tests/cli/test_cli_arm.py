@@ -9,6 +9,8 @@ from app.formats.datasheets.arm import read_arm
 from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from tests.cli.test_cli import crenel, names_in, refused
 
+pytestmark = pytest.mark.slow
+
 PLAN = ArmSessionPlan(
     seats=6, points_per_seat=14, spheres=0, bar_lengths_mm=(600.0,), positions_per_bar=4
 )

@@ -20,6 +20,8 @@ from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibrat
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES
 
+pytestmark = pytest.mark.slow
+
 DELAY_MS = 12.0
 
 

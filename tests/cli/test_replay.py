@@ -23,6 +23,8 @@ from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_cali
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES, expected, record_image, record_stripe
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 PORT = ("--port", "0")
 STAMPS = [100 * MS + i * 10 * MS for i in range(60)]

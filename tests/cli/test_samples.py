@@ -18,6 +18,8 @@ from tests.cli.test_cli import crenel, names_in, refused
 from tests.formats.builders import edit_json
 from tests.pictures import blur, read_picture
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def calibrated(samples: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:

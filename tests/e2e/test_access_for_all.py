@@ -2,10 +2,13 @@
 
 import gzip
 
+import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page, Response
 
 from tests.e2e.conftest import Demo
+
+pytestmark = pytest.mark.slow
 
 PAGES = (
     *("", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings"),

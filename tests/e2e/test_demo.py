@@ -15,6 +15,8 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, expect
 from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
 
+pytestmark = pytest.mark.slow
+
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve")
 PATIENCE_S = 120
 """How long one step of the simulated operator may take on a busy machine."""

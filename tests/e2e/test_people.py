@@ -2,9 +2,12 @@
 
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import Demo
+
+pytestmark = pytest.mark.slow
 
 PASSWORD = "three unrelated words"
 

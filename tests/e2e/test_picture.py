@@ -11,6 +11,8 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import Demo, wait_in_page
 
+pytestmark = pytest.mark.slow
+
 ROUNDS = 2
 DRAWN = """
 window.drawn = [];

@@ -3,9 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import Demo
+
+pytestmark = pytest.mark.slow
 
 
 def test_the_reference_lists_every_route_for_whoever_is_signed_in(

@@ -2,10 +2,13 @@
 
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import Demo
 from tests.e2e.test_demo import Visit
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_zone_is_drawn_pulled_undone_and_kept(

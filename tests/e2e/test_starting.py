@@ -2,9 +2,12 @@
 
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.conftest import START_UP_S, Demo
+
+pytestmark = pytest.mark.slow
 
 
 def test_the_starting_page_becomes_the_client(

@@ -24,6 +24,8 @@ from app.supervision.messages import schema
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
 from tests.supervision.mosquitto import BINARY, Mosquitto
 
+pytestmark = pytest.mark.slow
+
 COLLECT_NOTIFICATIONS = """
 const Plain = Notification;
 window.notifications = [];

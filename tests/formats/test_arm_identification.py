@@ -17,6 +17,8 @@ from app.workflows.identify_arm import identify_folder
 from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, render_arm_session
 from tests.metrology.arm_sessions import collect_observations, volumetric_error_um
 
+pytestmark = pytest.mark.slow
+
 PLAN = ArmSessionPlan(
     seats=6,
     points_per_seat=14,

@@ -21,6 +21,8 @@ from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES, record_stripe
 
+pytestmark = pytest.mark.slow
+
 changes = st.lists(
     st.tuples(st.floats(0, 1), st.binary(max_size=4), st.integers(0, 4)), min_size=1, max_size=3
 )

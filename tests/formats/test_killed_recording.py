@@ -15,6 +15,8 @@ from app.formats.recording.reader import open_recording
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, little_calibration
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 RATE_HZ, POINTS = 600, 2000
 WRITE = f"""

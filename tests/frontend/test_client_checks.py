@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax.ast import Message as Entry
 from fluent.syntax.ast import VariableReference
@@ -13,6 +14,8 @@ from app.messages.catalogue import renderer
 from app.messages.language_file import FOLDER, languages
 from app.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
+
+pytestmark = pytest.mark.slow
 
 
 def test_types() -> None:

@@ -37,6 +37,8 @@ from tests.api.calibrated import use_truth
 from tests.guide.builders import capture_row, point_row
 from tests.guide.test_verify_session import cloud
 
+pytestmark = pytest.mark.slow
+
 Rows = Sequence[tuple[str, Mapping[str, object]]]
 SEQUENCES, COMMANDS = 4, 12
 PURPOSES = ("check", "tip", "identify")

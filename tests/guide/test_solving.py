@@ -29,6 +29,8 @@ from app.workflows.calibrate import calibration_origin, joint_inputs
 from hardware.interfaces import Frame
 from hardware.simulator.session import SessionPlan, render_session
 
+pytestmark = pytest.mark.slow
+
 
 @dataclass(frozen=True)
 class InUse:

@@ -34,6 +34,8 @@ from tests.hardware.speaking_arm import (
     packet,
 )
 
+pytestmark = pytest.mark.slow
+
 BITS = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 
 

@@ -23,6 +23,8 @@ from tests.hardware.conformance import (
     select_samples,
 )
 
+pytestmark = pytest.mark.slow
+
 REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 

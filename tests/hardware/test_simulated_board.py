@@ -25,6 +25,8 @@ from hardware.simulator.scene.world import (
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.hardware.conformance import LONG_S, button_edges, read_until
 
+pytestmark = pytest.mark.slow
+
 SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 PLAIN = Detector(blur_px=0.0, speckle_contrast=0.0)
 OVERHEAD = Light(direction=(0.0, 0.0, 1.0), directed=1.0, ambient=0.0, texture=0.0)

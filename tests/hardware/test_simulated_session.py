@@ -18,6 +18,8 @@ from hardware.simulator.scene.world import CrenellatedBlock, GaugeSphere
 from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
 from tests.pictures import read_picture
 
+pytestmark = pytest.mark.slow
+
 
 def read_rows(path: Path) -> list[dict[str, str]]:
     header, *lines = path.read_text().splitlines()

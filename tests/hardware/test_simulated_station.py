@@ -27,6 +27,8 @@ from tests.hardware.conformance import (
     select_samples,
 )
 
+pytestmark = pytest.mark.slow
+
 SMALL = SimulationConfig(width_px=640, height_px=512, pace=2.0, rate_hz=500.0)
 
 

@@ -20,6 +20,8 @@ from hardware.simulator.scene.world import (
     make_table,
 )
 
+pytestmark = pytest.mark.slow
+
 AT = translation(300.0, 40.0, 12.0) @ rotation_about("z", 0.4)
 LAMP = Light(groove_shade=0.5, lamp_mm=(80.0, 20.0, 150.0), lamp_radius_mm=15.0)
 SEED = 3

@@ -13,6 +13,8 @@ from app.metrology.probing.contacts import missing_contacts
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 
+pytestmark = pytest.mark.slow
+
 FACE_SETS = (
     ("crest", "front", "left"),
     ("crest", "front", "right"),

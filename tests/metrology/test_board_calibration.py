@@ -43,6 +43,8 @@ from tests.metrology.builders import BLOCK
 from tests.metrology.seen_boards import BoardErrors, session
 from tests.real_sessions import write_real_session
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def given() -> BoardInputs:

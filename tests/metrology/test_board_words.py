@@ -23,6 +23,8 @@ from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, camera_p
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, error_um, session
 from tests.metrology.test_board_calibration import touching
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def given() -> BoardInputs:

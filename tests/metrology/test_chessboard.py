@@ -13,6 +13,8 @@ from app.metrology.targets.chessboard import Chessboard, corner_points, numberin
 from app.metrology.transforms import Floats, apply
 from tests.metrology.boards import BOARD, K1, POSES, K, Look, camera_pose, picture
 
+pytestmark = pytest.mark.slow
+
 CROSSED = POSES[6]
 
 

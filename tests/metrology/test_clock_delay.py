@@ -13,6 +13,8 @@ from app.metrology.time_delay.delay import estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass
 from app.metrology.transforms import Floats
 
+pytestmark = pytest.mark.slow
+
 Path = Callable[[Floats], Floats]
 AT_NS = 10**12
 NORMAL = np.array([0.02, -0.03, 1.0]) / np.linalg.norm([0.02, -0.03, 1.0])

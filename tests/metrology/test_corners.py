@@ -25,6 +25,8 @@ from app.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, render_block
 from tests.pictures import blur
 
+pytestmark = pytest.mark.slow
+
 
 def corner_errors(found: ObjectDetection, shown: RenderedBlock) -> Floats:
     """Distances (N,) in px of the corners from where the true camera has them."""

@@ -17,6 +17,8 @@ from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats, rotation_from_vector
 from tests.pictures import read_picture
 
+pytestmark = pytest.mark.slow
+
 PICTURES = [("one-pose", 0), ("many-poses", 0), ("many-poses", 7), ("metal", 0), ("metal", 2)]
 
 

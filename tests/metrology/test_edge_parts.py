@@ -11,6 +11,8 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_
 from app.metrology.detection.visibility import wireframe
 from tests.metrology.rendered_block import RenderedBlock, render_block
 
+pytestmark = pytest.mark.slow
+
 MADE_MM = 0.002
 SIDE = "crest:1:L"
 

@@ -20,6 +20,8 @@ from hardware.simulator.rendering.degradations import draw_degraded_image
 from tests.metrology.rendered_block import RenderedBlock, render_block
 from tests.pictures import blur
 
+pytestmark = pytest.mark.slow
+
 
 def refused(image: Image, block: Crenellated) -> DetectionError:
     with pytest.raises(DetectionError) as caught:

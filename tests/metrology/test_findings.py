@@ -23,6 +23,8 @@ from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_p
 from tests.metrology.seen_block import camera_over
 from tests.metrology.test_one_pose import read_inputs
 
+pytestmark = pytest.mark.slow
+
 
 def size_said(faces: tuple[str, ...], tip_radius_mm: float) -> CalibrationFinding:
     rng = np.random.default_rng(21)

@@ -23,6 +23,8 @@ from tests.metrology.arm_sessions import (
     volumetric_error_um,
 )
 
+pytestmark = pytest.mark.slow
+
 PLAN = ArmSessionPlan(
     seats=7,
     points_per_seat=20,

@@ -15,6 +15,8 @@ from app.metrology.fitting.cylinder import (
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
 
+pytestmark = pytest.mark.slow
+
 seeds = st.integers(0, 10**6)
 FRAMES = 60
 

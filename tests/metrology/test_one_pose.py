@@ -24,6 +24,8 @@ from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
 from tests.pictures import read_picture
 
+pytestmark = pytest.mark.slow
+
 SESSIONS = ("one-pose", "many-poses", "metal")
 
 

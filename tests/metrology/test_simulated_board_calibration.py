@@ -10,6 +10,8 @@ from app.metrology.transforms import inverse
 from hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:

@@ -13,6 +13,8 @@ from app.metrology.transforms import apply, rigid_fit
 from app.workflows.calibrate import one_pose_inputs
 from hardware.simulator.session import SessionPlan, render_session
 
+pytestmark = pytest.mark.slow
+
 PLANS = {
     "upside down, seven joints": SessionPlan(joints=7, roll_rad=np.pi),
     "stripe along the rows, both lights": SessionPlan(roll_rad=np.pi / 2, lighting="both"),

@@ -46,6 +46,8 @@ from hardware.simulator.session import SessionPlan, render_session
 from tests.formats.builders import ARM
 from tests.workflows.test_verification import RECORD
 
+pytestmark = pytest.mark.slow
+
 TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
 DECIMAL_POINT = re.compile(r"(?<![\d.])\d+\.\d+ ?(?:µm|mm|px|°|″)")
 SIMULATED = ("Drawn at random", "Simulated stripe sensor", "Simulated crenellated block")

@@ -5,8 +5,12 @@ import sys
 import time
 from pathlib import Path
 
+import pytest
+
 from app.formats.recording.decoders import JointRecord, StripeRecord
 from app.formats.recording.reader import open_recording
+
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 SCAN = """

@@ -12,6 +12,8 @@ from app.monitoring.log_store import FILE, LogStore
 from app.monitoring.log_text import FIRST, FORGOTTEN_S, RepeatFilter
 from app.server.listener import OneLineFormatter
 
+pytestmark = pytest.mark.slow
+
 HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
 
 

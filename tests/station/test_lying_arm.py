@@ -22,6 +22,8 @@ from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_simulation import CONFIG, true_calibration
 
+pytestmark = pytest.mark.slow
+
 Lie = Callable[[Faults], None]
 
 

@@ -12,6 +12,8 @@ from app.station.scan.scanner import Scanner
 from tests.station.conftest import HEIGHT, WIDTH, Bench, until
 from tests.station.test_scanner import scanner, scene
 
+pytestmark = pytest.mark.slow
+
 __all__ = ["scanner", "scene"]  # fixtures
 
 

@@ -21,6 +21,8 @@ from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, de
 from tests.pictures import decode_picture
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def preview(bus: Bus, rig: Rig) -> Iterator[Preview]:

@@ -13,6 +13,8 @@ from hardware.clock import now_ns
 from hardware.interfaces import Button, ButtonEvent
 from tests.station.conftest import REST_RAD, TAKEN_S, Bench, until
 
+pytestmark = pytest.mark.slow
+
 
 def ready(rig: Rig) -> None:
     until(lambda: rig.arm.stillness().still and rig.sensor.fresh)

@@ -27,6 +27,8 @@ from app.station.view3d.scene import Scene
 from app.workflows.reconstruct import reconstruct_cloud
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 
+pytestmark = pytest.mark.slow
+
 
 def calibration() -> ScanCalibration:
     matrix = np.array([[400.0, 0, WIDTH / 2], [0, 400.0, HEIGHT / 2], [0, 0, 1]])

@@ -22,6 +22,8 @@ from app.station.view3d.scene import WINDOW_MESSAGES, Scene
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer
 
+pytestmark = pytest.mark.slow
+
 BLOCK = Crenellated("block", "B-1", (-22, -14, -7, -2, 5, 10, 17, 22), -12, 12, 15, 0, -12, 0.002)
 CAMERA = Camera(
     np.array([[1400.0, 0, 640], [0, 1400, 512], [0, 0, 1]]), np.eye(3), np.zeros(3), 1280, 1024

@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 
 import aiomqtt
+import pytest
 from jsonschema import Draft202012Validator
 
 from app.supervision.broker import Broker
@@ -20,6 +21,8 @@ from app.supervision.messages import new_instance, parse_topic, schema
 from app.supervision.remote_stations import Fleet, RemoteStation
 from tests.supervision.mosquitto import PASSWORD, USER, Mosquitto
 from tests.supervision.publishing import make_event, make_report, publish
+
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 20.0

@@ -16,6 +16,8 @@ from tests.supervision.mosquitto import Mosquitto
 from tests.supervision.publishing import make_report
 from tests.supervision.test_broker import PATIENCE_S, Watch, station, watching
 
+pytestmark = pytest.mark.slow
+
 LONG = b"x" * 20_000_000
 ACCEPTED = b"\x20\x02\x00\x00"
 

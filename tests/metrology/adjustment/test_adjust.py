@@ -22,6 +22,8 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
 
+pytestmark = pytest.mark.slow
+
 SMALL = SetUp("three poses", 3, joints=7, contacts_per_face=5, seed=3)
 
 

@@ -15,6 +15,8 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply
 from app.workflows.calibrate import joint_inputs
 
+pytestmark = pytest.mark.slow
+
 # Points of the picture that are rebuilt with two calibrations and compared.
 PIXELS = np.array([[u, v] for u in (200.0, 640.0, 1080.0) for v in (400.0, 500.0, 600.0)])
 

@@ -20,6 +20,8 @@ from app.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, camera_pose
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, simulate_detection
 
+pytestmark = pytest.mark.slow
+
 REST_RAD = np.radians([0.0, -70.0, 40.0, 0.0, 70.0, 0.0])
 ENCODER_SD_RAD = 1e-5
 PLANE = LaserPlane(NORMAL, 137.0)  # across the board's middle where it is looked at from above

@@ -16,6 +16,8 @@ from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.limits import LIMITS
 from app.metrology.transforms import Floats
 
+pytestmark = pytest.mark.slow
+
 THREE = ("crest", "front", "left")
 ALL_AROUND = ("crest", "front", "back", "left", "right")
 # The links of an arm whose tip is off by some 100 and 250 um.

@@ -19,6 +19,8 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
 from app.workflows.calibrate import joint_inputs
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def inputs(samples: Path) -> BlockInputs:
