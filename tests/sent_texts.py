@@ -19,7 +19,10 @@ TEXT_FIELDS = frozenset(
 """The fields that have texts; a plain string in them is a name, a number or empty."""
 TWO_WORDS = re.compile(r"\b[a-z]{2,}\b \b[a-z]{2,}\b")
 """Of prose; names, paths and numbers have none."""
-OWN_TEXTS = ("at lunch", "a test", "the admin", "the operator", "the viewer", "Simulated ")
+OWN_TEXTS = (
+    *("at lunch", "a test", "the test is over"),
+    *("the admin", "the operator", "the viewer", "Simulated "),
+)
 """What the tests write themselves: reasons, names, and events of their own; and the names in
 datasheets of simulated devices."""
 
