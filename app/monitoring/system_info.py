@@ -12,6 +12,9 @@ from typing import Literal
 from app.formats.io_errors import error_from_os
 from app.messages.message import Text
 
+Network = Literal["here", "encrypted", "proxied", "open"]
+"""From where the station is reached: from this machine alone, or from others in some way."""
+
 MEMINFO = Path("/proc/meminfo")
 JUMP_S = 1.0
 
@@ -85,7 +88,3 @@ def writable(folder: Path) -> Text:
     except OSError as error:
         return error_from_os(error).why
     return ""
-
-
-Network = Literal["here", "encrypted", "proxied", "open"]
-"""From where the station is reached: from this machine alone, or from others in some way."""

@@ -1,9 +1,8 @@
 """The ways to sign in: by name and password, by the console's code, and by a kiosk link.
 
-Beside them the refusals of a request, and the code that the console shows.
+Beside them the refusals of a request.
 """
 
-import secrets
 import threading
 from hmac import compare_digest
 from http import HTTPStatus
@@ -30,16 +29,6 @@ class TooManyAttemptsError(Exception):
     def __init__(self, wait_s: float) -> None:
         super().__init__(f"wait {wait_s:.0f} s")
         self.wait_s = wait_s
-
-
-LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
-"""Without those that are taken for others."""
-CODE_LENGTH = 12
-
-
-def new_code() -> str:
-    """A code for one run of the program."""
-    return "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
 
 
 class Authenticator:

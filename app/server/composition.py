@@ -31,7 +31,8 @@ from app.operations.context import Context
 from app.operations.home import last_tip_finding
 from app.operations.recovery import Recovery
 from app.operations.services import MonitoringServices, MonitoringSettings
-from app.security.authentication import Authenticator, new_code
+from app.security.authentication import Authenticator
+from app.security.console_code import new_code
 from app.station.bus import Bus
 from app.station.control_lease import Lease
 from app.station.devices.rig import Rig

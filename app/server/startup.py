@@ -18,7 +18,7 @@ from starlette.applications import Starlette
 from app.errors import OperationError
 from app.monitoring.log_text import RepeatFilter
 from app.monitoring.system_info import Network
-from app.security.authentication import new_code
+from app.security.console_code import new_code
 from app.server.listener import (
     LOCAL,
     NETWORK_WORDS,

@@ -97,7 +97,7 @@ def ask(page: Page, path: str) -> Any:
 
 def test_a_link_may_ask_for_its_language(browser: Browser, station: Demo) -> None:
     page = browser.new_page(locale="en-US")
-    page.goto(f"{station.address}?lang=de#kiosk=nonsense")
+    page.goto(f"{station.address}?lang=de#wall=nonsense")
     expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     assert page.url == station.address
     page.reload()

@@ -3,10 +3,6 @@
 import ast
 from pathlib import Path
 
-import pytest
-
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).parents[2]
 OF_THE_PROGRAM = ("app/bench/", "app/native/", "app/messages/", "app/report/html.py")
 """They read what was installed with them, or wrote it themselves."""
