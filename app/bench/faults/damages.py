@@ -310,6 +310,6 @@ def folder_damages() -> list[Damage]:
     ]
     return [
         *found,
-        Damage("names in Latin-1", _latin, "Rename it"),
+        Damage("names in Latin-1", _latin, "file-name-is-not-utf-8"),
         Damage("leftovers among the scans", _leftovers),
     ]

@@ -1,5 +1,6 @@
 """A flat chessboard as the target of a calibration: its certificate, and finding it.
 
-Entry point: ``detect_board``. ``saddle_points`` finds candidates, ``grid`` joins them to a
-lattice, ``corner_fit`` measures each corner, and ``failure_evidence`` says why not.
+Entry point: ``detect_board``. ``saddle_points`` finds candidates, ``lattice`` joins them to grids,
+``opencv_finders`` helps where that fails, ``corner_fit`` measures each corner, ``window`` finds
+the board's own among them, and ``failure_evidence`` says why not.
 """

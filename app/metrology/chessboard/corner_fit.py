@@ -13,11 +13,14 @@ WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0
 # Share of the window that must be free of the laser's light, and inside the picture.
 LEAST_FREE = 0.85
 MOST_SHIFT_PX = 3.0
-ROUNDS = 20
-SETTLED_PX = 1e-4
+ROUNDS = 30
+SETTLED_PX = 1e-3
 BLUR_PX = (0.3, 6.0)
 # What a fit explains of the picture's variance in the window, at least.
 LEAST_EXPLAINED = 0.8
+# How far each of the four squares lies above or below their middle, of half the step between
+# bright and dark: about 1 at a corner, 0 where a square ends at the board's outline.
+LEAST_SQUARE = 0.4
 # Grey levels are whole numbers.
 ROUNDING = 1 / 12
 
@@ -51,28 +54,55 @@ def fit_corner(
         return None
     places, values = window
     bright = -phase / 2
-    p = np.array([0.0, 0.0, bright - np.pi / 4, bright + np.pi / 4, 1.2, 0.0, 0.0, 0.0, 0.0])
-    p[5:] = _brightness(places, values, p)
-    for _ in range(ROUNDS):
-        model, J = _model(places, p)
-        step = np.linalg.lstsq(J, values - model, rcond=None)[0]
-        step[:2] = np.clip(step[:2], -1.0, 1.0)
-        step[2:4] = np.clip(step[2:4], -0.3, 0.3)
-        p += step
-        p[4] = float(np.clip(p[4], *BLUR_PX))
-        if np.linalg.norm(p[:2]) > MOST_SHIFT_PX:
-            return None
-        if np.max(np.abs(step[:2])) < SETTLED_PX:
-            break
-    else:
+    start = np.array([0.0, 0.0, bright - np.pi / 4, bright + np.pi / 4, 1.2, 0.0, 0.0, 0.0, 0.0])
+    start[5:] = _brightness(places, values, start)
+    p = _settle(places, values, start)
+    if p is None:
         return None
     model, J = _model(places, p)
     left = values - model
     variance = float(left @ left) / (len(values) - len(p))
     if variance > (1 - LEAST_EXPLAINED) * float(np.var(values)) or p[5] <= 0:
         return None
+    if not _has_four_squares(places, values, p):
+        return None
     covariance = np.asarray(np.linalg.inv(J.T @ J)[:2, :2], np.float64)
     return FittedCorner(uv_px + p[:2], covariance * max(variance, ROUNDING), float(p[4]))
+
+
+def _settle(places: Floats, values: Floats, start: Floats) -> Floats | None:
+    """The unknowns (9,) by least squares; None where they run away or do not settle.
+
+    Sharp edges between few pixels make a whole step go too far: it is halved until it helps.
+    """
+    p, least = start, np.inf
+    step: Floats = np.zeros(len(start))
+    for _ in range(ROUNDS):
+        model, J = _model(places, p + step)
+        left = values - model
+        if float(left @ left) > least:
+            step = np.asarray(step / 2)
+        else:
+            p, least = p + step, float(left @ left)
+            step = np.asarray(np.linalg.lstsq(J, left, rcond=None)[0], np.float64)
+            step[:2] = np.clip(step[:2], -1.0, 1.0)
+            step[2:4] = np.clip(step[2:4], -0.3, 0.3)
+            step[4] = float(np.clip(p[4] + step[4], *BLUR_PX)) - p[4]
+        if np.linalg.norm(p[:2]) > MOST_SHIFT_PX:
+            return None
+        if np.max(np.abs(step[:2])) < SETTLED_PX:
+            return p
+    return None
+
+
+def _has_four_squares(places: Floats, values: Floats, p: Floats) -> bool:
+    """Whether each of the four sectors (M pixels in all) is as bright or dark as is due."""
+    f1, f2, _, _ = _edges(places, p)
+    due = (p[6] - values) * np.sign(f1 * f2) / p[5]
+    sectors = (f1 > 0).astype(np.int64) + 2 * (f2 > 0)
+    counts = np.bincount(sectors, minlength=4)
+    means = np.bincount(sectors, due, minlength=4) / np.maximum(counts, 1)
+    return bool((means[counts > 0] > LEAST_SQUARE).all())
 
 
 def _window(

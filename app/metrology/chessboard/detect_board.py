@@ -1,5 +1,6 @@
 """The inner corners of a chessboard in a picture, each known by its place on the board."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import cv2
@@ -10,8 +11,11 @@ from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.chessboard.corner_fit import fit_corner
 from app.metrology.chessboard.failure_evidence import with_board_evidence
-from app.metrology.chessboard.grid import Lattice, fit_perspective, largest_lattice, map_places
+from app.metrology.chessboard.lattice import Lattice, find_lattices
+from app.metrology.chessboard.opencv_finders import find_by_opencv
+from app.metrology.chessboard.perspective import fit_perspective, map_places, predict_corner
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
+from app.metrology.chessboard.window import find_window
 from app.metrology.image import Image, saturation_level
 from app.metrology.stripe import Stripe, empty_stripe
 from app.metrology.targets.chessboard import Chessboard
@@ -19,12 +23,21 @@ from app.metrology.transforms import Floats
 
 # Pixels this near to clipped ones or to the stripe's middle show laser light.
 CLIPPED_MARGIN_PX, STRIPE_MARGIN_PX = 8, 12
+# Clipped pixels this near to the stripe's middle are its own, and not a white square's.
+CLIPPED_REACH_PX = 30
 # Weaker points than this share of the stripe's usual brightness are none of it.
 STRIPE_SHARE = 0.5
 # The laser's line outshines the board by this, and the board's white this share of a picture.
 OUTSHINES, DARKER_SHARE = 1.15, 0.95
-# Share of the corners that must be seen, and on each side of the pattern.
-LEAST_VISIBLE, LEAST_ON_A_SIDE = 0.5, 2
+# A board that covers less than this of one that cannot be numbered is a picture of it, or far off.
+SMALLER = 0.5
+# Share of the corners that must be seen; and by which more than it has show a larger board.
+LEAST_VISIBLE, SURELY_MORE = 0.5, 0.08
+# Sizes in which the board is looked for, by the picture's longer side, where they differ from
+# the picture's own by more than this; and how many grids of each are considered.
+LONGER_SIDES_PX = (1280, 640, 2560)
+ALIKE, MOST_ENLARGED = 1.45, 2.0
+GRIDS = 2
 # Corners further than this off a perspective of all, and this often the usual, are left out.
 MISFIT_PX, MISFIT_TIMES = 0.5, 6.0
 
@@ -47,15 +60,20 @@ class BoardDetection:
         return len(self.number)
 
 
-def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) -> BoardDetection:
+def detect_board(
+    image: Image, board: Chessboard, stripe: Stripe | None = None, *, thorough: bool = True
+) -> BoardDetection:
     """Every inner corner of the board that can be measured, without a starting guess.
 
-    Corners under the laser stripe are left out.
+    The board's size is what is looked for: corners of outlines, shadows and patterns beside it
+    are left out, and so is each corner that is covered, glared over or under the laser stripe.
 
     Args:
         image: (H, W) grey, 8 to 16 bits.
         board: the board by its certificate.
         stripe: the laser stripe in the same image, where the laser was on.
+        thorough: also in other sizes of the picture and by OpenCV's finders, which a live
+            picture has no time for.
 
     Returns:
         Pixels (N, 2) with their covariance, and which corner each one is. Where the colours of
@@ -65,37 +83,73 @@ def detect_board(image: Image, board: Chessboard, stripe: Stripe | None = None) 
         DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen`` or
             ``board-blurred``, with what is at fault and what was found of the board.
     """
-    blocked = _laser_mask(image, stripe)
-    saddles = find_saddles(image, blocked)
     columns, rows = board.inner_corners
-    lattice = largest_lattice(saddles, columns * rows)
-    try:
-        return _number_corners(image, blocked, board, saddles, lattice)
-    except OperationError as refusal:
-        raise with_board_evidence(refusal, image, saddles, lattice) from refusal
+    blocked = _laser_mask(image, stripe)
+    nearest: _Refused | None = None
+    for saddles, lattice in _find_grids(image, blocked, board, thorough):
+        measured = _measure_corners(image, blocked, saddles, lattice)
+        seen, area_px2 = len(measured.index), _hull_area_px2(measured.uv_px)
+        try:
+            if nearest is None or area_px2 > SMALLER * nearest.area_px2:
+                return _number_corners(board, saddles, lattice, measured)
+        except OperationError as refusal:
+            if nearest is None or seen > nearest.seen:
+                area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
+                nearest = _Refused(seen, area_px2, refusal, saddles, lattice)
+            if refusal.code == "another-board" and seen > (1 + SURELY_MORE) * columns * rows:
+                break
+    assert nearest is not None
+    raise with_board_evidence(
+        nearest.refusal, image, nearest.saddles, nearest.lattice
+    ) from nearest.refusal
+
+
+@dataclass(frozen=True)
+class _Refused:
+    """A grid that cannot be numbered: corners measured, and the area of one that is a board."""
+
+    seen: int
+    area_px2: float
+    refusal: OperationError
+    saddles: Saddles
+    lattice: Lattice
+
+
+def _hull_area_px2(uv: Floats) -> float:
+    return float(cv2.contourArea(cv2.convexHull(uv.astype(np.float32)))) if len(uv) > 2 else 0.0
+
+
+def _find_grids(
+    image: Image, blocked: NDArray[np.bool_], board: Chessboard, thorough: bool
+) -> Iterator[tuple[Saddles, Lattice]]:
+    """What may be the board's corners, the likeliest first; at least one, if an empty one."""
+    columns, rows = board.inner_corners
+    longer_px = max(image.shape)
+    scales = [1.0] if longer_px < 2 * LONGER_SIDES_PX[0] else []
+    for wanted_px in LONGER_SIDES_PX:
+        scale = min(wanted_px / longer_px, MOST_ENLARGED)
+        if all(max(scale, one) / min(scale, one) > ALIKE for one in scales):
+            scales.append(scale)
+    for scale in scales if thorough else scales[:1]:
+        saddles = find_saddles(image, blocked, scale)
+        lattices = find_lattices(saddles, columns * rows)
+        for lattice in lattices[:GRIDS] or [{}]:
+            yield saddles, lattice
+    if thorough:
+        yield from find_by_opencv(image, board.inner_corners, find_saddles(image, blocked))
 
 
 def _number_corners(
-    image: Image,
-    blocked: NDArray[np.bool_],
-    board: Chessboard,
-    saddles: Saddles,
-    lattice: Lattice,
+    board: Chessboard, saddles: Saddles, lattice: Lattice, measured: "_Measured"
 ) -> BoardDetection:
     columns, rows = board.inner_corners
-    _refuse_other_board(lattice, board)
-    ways = _numberings(saddles, lattice, board)
-    uv, covariance, taken = _measure_corners(image, blocked, saddles, lattice)
-    if len(taken) < LEAST_VISIBLE * columns * rows:
-        raise OperationError(
-            "board-blurred",
-            message(
-                "corners-can-measured", found=len(taken), corners=columns * rows, name=board.name
-            ),
-            message("picture-blurred-noisy-lasers-line-lies"),
-            message("focus-light-board-evenly"),
-        )
-    numbers = [way[taken] for way in ways]
+    places = np.array(list(lattice), dtype=np.int64).reshape(-1, 2)
+    within = find_window(places[measured.index], board.inner_corners)
+    if within is None or within.sum() < LEAST_VISIBLE * columns * rows:
+        raise _refusal(places, measured, board)
+    index = measured.index[within]
+    uv, covariance = measured.uv_px[within], measured.covariance_px2[within]
+    numbers = _numberings(places[index], saddles.phase[list(lattice.values())][index], uv, board)
     kept = _agreeing(board, uv, numbers[0])
     return BoardDetection(
         uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
@@ -123,36 +177,52 @@ def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
 
 
 def _laser_mask(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
-    """(H, W) pixels that the laser's line has spoilt."""
-    size = 2 * CLIPPED_MARGIN_PX + 1
-    spoilt = (image >= saturation_level(image)).astype(np.uint8)
-    spoilt = np.asarray(cv2.dilate(spoilt, np.ones((size, size), np.uint8)), np.uint8)
-    if stripe is not None and len(stripe.u):
-        own = stripe.intensity > STRIPE_SHARE * float(np.median(stripe.intensity))
-        middle = np.zeros(image.shape, np.uint8)
-        u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
-        middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1
-        size = 2 * STRIPE_MARGIN_PX + 1
-        spoilt |= np.asarray(cv2.dilate(middle, np.ones((size, size), np.uint8)), np.uint8)
-    return spoilt.astype(np.bool_)
+    """(H, W) pixels that the laser's line has spoilt: its own, and the clipped ones about it."""
+    if stripe is None or not len(stripe.u):
+        return np.zeros(image.shape, dtype=np.bool_)
+    own = stripe.intensity > STRIPE_SHARE * float(np.median(stripe.intensity))
+    middle = np.zeros(image.shape, np.uint8)
+    u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
+    middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1
+    near = _dilate(middle, CLIPPED_REACH_PX)
+    clipped = (image >= saturation_level(image)).astype(np.uint8) & near
+    return (_dilate(middle, STRIPE_MARGIN_PX) | _dilate(clipped, CLIPPED_MARGIN_PX)) > 0
 
 
-def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
-    """Refuses what cannot be numbered for certain."""
+def _dilate(mask: NDArray[np.uint8], margin_px: int) -> NDArray[np.uint8]:
+    size = 2 * margin_px + 1
+    return np.asarray(cv2.dilate(mask, np.ones((size, size), np.uint8)), np.uint8)
+
+
+def _refusal(places: NDArray[np.int64], measured: "_Measured", board: Chessboard) -> OperationError:
+    """Why the corners found cannot be numbered for certain."""
     columns, rows = board.inner_corners
-    if len(lattice) < 4:
-        raise OperationError(
+    if len(places) < 4:
+        return OperationError(
             "board-not-found",
             message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows),
             message("out-picture-covered-blurred-another-object"),
             message("bring-whole-board-into-picture-sharp"),
         )
-    places = np.array(list(lattice))
+    within = find_window(places, board.inner_corners)
+    if within is not None and within.sum() >= LEAST_VISIBLE * columns * rows:
+        return OperationError(
+            "board-blurred",
+            message(
+                "corners-can-measured",
+                found=len(measured.index),
+                corners=columns * rows,
+                name=board.name,
+            ),
+            message("picture-blurred-noisy-lasers-line-lies"),
+            message("focus-light-board-evenly"),
+        )
+    seen = places[measured.index] if len(measured.index) >= 4 else places
     # given in the certificate's order, whichever way the picture lies
-    found = sorted((int(n) for n in np.ptp(places, axis=0) + 1), reverse=columns >= rows)
-    if sorted(found) != sorted((columns, rows)):
-        more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
-        raise OperationError(
+    found = sorted((int(n) for n in np.ptp(seen, axis=0) + 1), reverse=columns >= rows)
+    more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
+    if more or sorted(found) != sorted((columns, rows)):
+        return OperationError(
             "another-board" if more else "board-partly-seen",
             message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1]),
             message("board-has-corners", name=board.name, columns=columns, rows=rows)
@@ -164,33 +234,26 @@ def _refuse_other_board(lattice: Lattice, board: Chessboard) -> None:
             if more
             else message("bring-whole-board-into-picture-outermost"),
         )
-    low, high = places.min(axis=0), places.max(axis=0)
-    on_sides = [int(np.sum(places[:, k] == end[k])) for k in (0, 1) for end in (low, high)]
-    if len(lattice) < LEAST_VISIBLE * columns * rows or min(on_sides) < LEAST_ON_A_SIDE:
-        raise OperationError(
-            "board-partly-seen",
-            message(
-                "corners-were-found", found=len(lattice), corners=columns * rows, name=board.name
-            ),
-            message("others-covered-lost-lasers-light"),
-            message("bring-whole-board-into-picture-sharp"),
-        )
+    return OperationError(
+        "board-partly-seen",
+        message("corners-were-found", found=len(seen), corners=columns * rows, name=board.name),
+        message("others-covered-lost-lasers-light"),
+        message("bring-whole-board-into-picture-sharp"),
+    )
 
 
-def _numberings(saddles: Saddles, lattice: Lattice, board: Chessboard) -> list[NDArray[np.int64]]:
-    """Each way to number the lattice's corners that turns and colours allow.
+def _numberings(
+    places: NDArray[np.int64], phase: Floats, uv: Floats, board: Chessboard
+) -> list[NDArray[np.int64]]:
+    """Each way to number the corners (N,) that turns and colours allow.
 
     Z points to the camera, so that Y is to the left of X in the picture; the square
     outside the first corner is black where any at such a corner is.
     """
     columns, rows = board.inner_corners
-    places = np.array(list(lattice))
-    places = places - places.min(axis=0)
-    uv = saddles.uv_px[list(lattice.values())]
-    phase = saddles.phase[list(lattice.values())]
     black: list[NDArray[np.int64]] = []
     white: list[NDArray[np.int64]] = []
-    for turned in _grid_orientations(places):
+    for turned in _grid_orientations(places - places.min(axis=0)):
         if tuple(turned.max(axis=0) + 1) != (columns, rows):
             continue
         H = fit_perspective(turned, uv)
@@ -215,11 +278,19 @@ def _grid_orientations(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
     return ways
 
 
+@dataclass(frozen=True)
+class _Measured:
+    """Corners that could be measured: pixels, covariances, and which of the grid's they are."""
+
+    uv_px: Floats  # (M, 2)
+    covariance_px2: Floats  # (M, 2, 2)
+    index: NDArray[np.int64]  # (M,)
+
+
 def _measure_corners(
     image: Image, blocked: NDArray[np.bool_], saddles: Saddles, lattice: Lattice
-) -> tuple[Floats, Floats, NDArray[np.int64]]:
-    """Pixels, covariances, and which of the lattice's corners these are."""
-    uv, covariance, taken = [], [], []
+) -> _Measured:
+    uv, covariance, index = [], [], []
     for k, (place, saddle) in enumerate(lattice.items()):
         at = saddles.uv_px[saddle]
         spacing = _spacing(saddles, lattice, place)
@@ -227,11 +298,11 @@ def _measure_corners(
         if found is not None:
             uv.append(found.uv_px)
             covariance.append(found.covariance_px2)
-            taken.append(k)
-    return (
+            index.append(k)
+    return _Measured(
         np.array(uv).reshape(-1, 2),
         np.array(covariance).reshape(-1, 2, 2),
-        np.array(taken, dtype=np.int64),
+        np.array(index, dtype=np.int64),
     )
 
 
@@ -245,9 +316,14 @@ def _spacing(saddles: Saddles, lattice: Lattice, place: tuple[int, int]) -> floa
 
 
 def _agreeing(board: Chessboard, uv: Floats, number: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which corners lie where a perspective of all puts them, to a lens's distortion."""
+    """Which corners lie where a perspective of those around puts them, to a lens's distortion."""
     columns = board.inner_corners[0]
     places = np.column_stack([number % columns, number // columns])
-    H = fit_perspective(places, uv, cv2.LMEDS)
-    off = np.linalg.norm(map_places(H, places) - uv, axis=1)
+    predicted = [predict_corner(places, uv, place) for place in places]
+    off = np.array(
+        [
+            0.0 if one is None else float(np.linalg.norm(one[0] - at))
+            for one, at in zip(predicted, uv, strict=True)
+        ]
+    )
     return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * float(np.median(off))))

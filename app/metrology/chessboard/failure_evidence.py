@@ -1,7 +1,7 @@
 """What of a refused picture of a chessboard is at fault, and where in the picture that shows."""
 
 from app.errors import OperationError
-from app.metrology.chessboard.grid import Lattice
+from app.metrology.chessboard.lattice import Lattice
 from app.metrology.chessboard.saddle_points import Saddles
 from app.metrology.detection.failure_evidence import (
     DetectionError,

@@ -31,9 +31,26 @@ class Saddles:
     phase: Floats
 
 
-def find_saddles(image: Image, blocked: NDArray[np.bool_]) -> Saddles:
-    """Candidates outside the blocked pixels (H, W), each once."""
+def find_saddles(image: Image, blocked: NDArray[np.bool_], scale: float = 1.0) -> Saddles:
+    """Candidates outside the blocked pixels (H, W), each once.
+
+    Args:
+        scale: of the picture in which they are sought: below 1 for large squares, noise and
+            blur, above 1 for small ones.
+    """
     grey = image.astype(np.float32)
+    if scale != 1.0:
+        size = (round(image.shape[1] * scale), round(image.shape[0] * scale))
+        method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
+        grey = np.asarray(cv2.resize(grey, size, interpolation=method), np.float32)
+        covered = cv2.resize(blocked.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST)
+        found = _find_in(grey, covered > 0)
+        across = np.array(image.shape[::-1]) / size
+        return Saddles((found.uv_px + 0.5) * across - 0.5, found.phase)
+    return _find_in(grey, blocked)
+
+
+def _find_in(grey: NDArray[np.float32], blocked: NDArray[np.bool_]) -> Saddles:
     noise = _noise(grey)
     smooth = np.asarray(cv2.GaussianBlur(grey, (0, 0), 1.0), np.float32)
     places: list[Floats] = []
@@ -47,7 +64,7 @@ def find_saddles(image: Image, blocked: NDArray[np.bool_]) -> Saddles:
             good &= (share > LEAST_ALTERNATING) & (amplitude > LEAST_STEP_SIGMAS * noise)
         places.append(uv[good])
         phases.append(phase[good])
-    return _drop_duplicates(np.concatenate(places), np.concatenate(phases))
+    return drop_duplicates(np.concatenate(places), np.concatenate(phases))
 
 
 def _noise(grey: NDArray[np.float32]) -> float:
@@ -69,6 +86,12 @@ def _peaks(grey: NDArray[np.float32], blur: float, blocked: NDArray[np.bool_]) -
     rows, columns = np.nonzero(peak)
     order = np.argsort(-strength[rows, columns])[:MOST_CANDIDATES]
     return np.column_stack([columns, rows])[order].astype(np.float64)
+
+
+def phases_at(image: Image, uv_px: Floats, ring_px: float) -> Floats:
+    """The phase (N,) of the bright sectors about places (N, 2), on rings of a radius."""
+    smooth = np.asarray(cv2.GaussianBlur(image.astype(np.float32), (0, 0), 1.0), np.float32)
+    return _alternating(smooth, uv_px, ring_px)[2]
 
 
 def _alternating(
@@ -94,8 +117,8 @@ def _alternating(
     return share, amplitude, np.angle(spectrum[:, 2])
 
 
-def _drop_duplicates(uv: Floats, phase: Floats) -> Saddles:
-    """Candidates of several blurs that lie on one another count once."""
+def drop_duplicates(uv: Floats, phase: Floats) -> Saddles:
+    """Of candidates (N, 2) that lie on one another, the first."""
     kept: list[int] = []
     for i, place in enumerate(uv):
         if not kept or np.min(np.sum((uv[kept] - place) ** 2, axis=1)) > 3.0**2:

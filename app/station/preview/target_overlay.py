@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.metrology.chessboard.detect_board import BoardDetection, detect_board, drop_faint_stripe
-from app.metrology.chessboard.grid import fit_perspective, map_places
+from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
 from app.metrology.detection.image_quality import Image
 from app.metrology.detection.visibility import visible_parts
@@ -44,9 +44,8 @@ def detect_target(image: Image, item: CalibrationTarget, stripe: Stripe | None) 
         stripe: of the same picture, where the laser was on.
     """
     if isinstance(item, Chessboard):
-        return board_overlay(
-            detect_board(image, item, stripe and drop_faint_stripe(image, stripe)), item
-        )
+        line = stripe and drop_faint_stripe(image, stripe)
+        return board_overlay(detect_board(image, item, line, thorough=False), item)
     return block_overlay(detect_object(image, item, stripe), item)
 
 

@@ -2,10 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from app.metrology.chessboard.perspective import predict_corner
 from app.metrology.chessboard.saddle_points import Saddles
 from app.metrology.transforms import Floats
 
@@ -13,29 +12,30 @@ if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
 # A corner is looked for around where its neighbours put it, in shares of their distance:
-# first by the nearest alone, then by a perspective through all.
-NEAR, NEARER = 0.25, 0.12
+# first by the next two alone, then by a perspective through those around it.
+NEAR, NEARER = 0.25, 0.15
 # Neighbours lie along the edges through a corner, to this angle, and are of opposite phase.
 ALONG_DEG, OPPOSITE_RAD = 30.0, 2.2
 NEIGHBOURS = 16
 # Columns and rows beyond those found, in which further ones are sought.
 REACH = 2
+ROUNDS = 6
 
 Lattice = dict[tuple[int, int], int]
 
 
-def largest_lattice(saddles: Saddles, wanted: int) -> Lattice:
-    """Saddle by its place (column, row), of the largest regular grid, counted from anywhere.
+def find_lattices(saddles: Saddles, wanted: int) -> list[Lattice]:
+    """Regular grids of saddles, the largest first: saddle by place (column, row).
 
     Args:
         wanted: a grid of so many corners ends the search.
     """
     if len(saddles.uv_px) < 4:
-        return {}
+        return []
     from scipy.spatial import cKDTree  # slow to load, and needed for boards alone
 
     tree = cKDTree(saddles.uv_px)
-    best: Lattice = {}
+    found: list[Lattice] = []
     used: set[int] = set()
     for seed in range(len(saddles.uv_px)):
         if seed in used:
@@ -43,13 +43,13 @@ def largest_lattice(saddles: Saddles, wanted: int) -> Lattice:
         square = _first_square(saddles, tree, seed)
         if square is None:
             continue
-        found = _complete_lattice(saddles, tree, _grow_lattice(saddles, tree, square))
-        used.update(found.values())
-        if len(found) > len(best):
-            best = found
-        if len(best) >= wanted:
+        lattice = _complete(saddles, tree, _grow_lattice(saddles, tree, square))
+        used.update(lattice.values())
+        if len(lattice) >= 4:
+            found.append(lattice)
+        if len(lattice) >= wanted:
             break
-    return best
+    return sorted(found, key=len, reverse=True)
 
 
 def _opposite(saddles: Saddles, one: int, other: int) -> bool:
@@ -131,46 +131,68 @@ def _step(
     return None
 
 
-def _complete_lattice(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
-    """With those beyond gaps, where a perspective through all puts them; without misfits."""
-    for _ in range(6):
-        if len(lattice) < 6:
-            return lattice
-        places = np.array(list(lattice))
-        uv = saddles.uv_px[list(lattice.values())]
-        H, _ = cv2.findHomography(places.astype(np.float64), uv, cv2.RANSAC, 3.0)
-        if H is None:
-            return lattice
-        low, high = places.min(axis=0) - REACH, places.max(axis=0) + REACH
-        wanted = [
-            (int(i), int(j)) for i in range(low[0], high[0] + 1) for j in range(low[1], high[1] + 1)
-        ]
-        found = _by_perspective(saddles, tree, lattice, np.asarray(H), wanted)
+def complete_lattice(saddles: Saddles, lattice: Lattice) -> Lattice:
+    """With the corners beyond gaps and borders, where those around put them; without misfits."""
+    from scipy.spatial import cKDTree  # slow to load, and needed for boards alone
+
+    return _complete(saddles, cKDTree(saddles.uv_px), lattice)
+
+
+def _complete(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
+    for _ in range(ROUNDS):
+        found = _add_missing(saddles, tree, _drop_misfits(saddles, lattice))
         if found == lattice:
             break
         lattice = found
-    return lattice
+    return _drop_misfits(saddles, lattice)
 
 
-def _by_perspective(
-    saddles: Saddles, tree: "cKDTree", lattice: Lattice, H: Floats, wanted: list[tuple[int, int]]
-) -> Lattice:
-    """The saddles at the wanted places, of the phase that the lattice so far wants there."""
+def _drop_misfits(saddles: Saddles, lattice: Lattice) -> Lattice:
+    """Without those that lie off the perspective of the corners around, the worst first."""
+    kept = dict(lattice)
+    while len(kept) > 4:
+        places = np.array(list(kept))
+        uv = saddles.uv_px[list(kept.values())]
+        worst, at = 1.0, -1
+        for k, place in enumerate(places):
+            predicted = predict_corner(places, uv, place)
+            if predicted is None:
+                continue
+            off = float(np.linalg.norm(predicted[0] - uv[k])) / (NEARER * predicted[1])
+            if off > worst:
+                worst, at = off, k
+        if at < 0:
+            break
+        del kept[int(places[at, 0]), int(places[at, 1])]
+    return kept
+
+
+def _add_missing(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
+    """With the saddles where the corners around put them, of the phase that is due there."""
+    if len(lattice) < 6:
+        return lattice
+    places = np.array(list(lattice))
+    uv = saddles.uv_px[list(lattice.values())]
     even = _even_phase(saddles, lattice)
-    here: Lattice = {}
-    at = map_places(H, np.array(wanted))
-    steps = np.minimum(
-        np.linalg.norm(map_places(H, np.array(wanted) + [1, 0]) - at, axis=1),
-        np.linalg.norm(map_places(H, np.array(wanted) + [0, 1]) - at, axis=1),
-    )
-    for place, uv, step in zip(wanted, at, steps, strict=True):
-        distance, found = tree.query(uv, distance_upper_bound=NEARER * float(step))
-        if not np.isfinite(distance):
+    low, high = places.min(axis=0) - REACH, places.max(axis=0) + REACH
+    taken = set(lattice.values())
+    found = dict(lattice)
+    for place in np.ndindex(*(high - low + 1)):
+        wanted = np.array(place) + low
+        key = (int(wanted[0]), int(wanted[1]))
+        if key in lattice or np.abs(places - wanted).max(axis=1).min() > REACH:
             continue
-        turned = saddles.phase[found] + np.pi * (sum(place) % 2)
+        predicted = predict_corner(places, uv, wanted)
+        if predicted is None:
+            continue
+        distance, saddle = tree.query(predicted[0], distance_upper_bound=NEARER * predicted[1])
+        if not np.isfinite(distance) or int(saddle) in taken:
+            continue
+        turned = saddles.phase[saddle] + np.pi * (sum(key) % 2)
         if np.cos(turned - even) > -np.cos(OPPOSITE_RAD):
-            here[place] = int(found)
-    return here
+            found[key] = int(saddle)
+            taken.add(int(saddle))
+    return found
 
 
 def _even_phase(saddles: Saddles, lattice: Lattice) -> float:
@@ -178,32 +200,3 @@ def _even_phase(saddles: Saddles, lattice: Lattice) -> float:
     sums = np.array([sum(place) % 2 for place in lattice])
     phase = saddles.phase[list(lattice.values())] + np.pi * sums
     return float(np.angle(np.mean(np.exp(1j * phase))))
-
-
-def fit_perspective(places: NDArray[np.int64], uv_px: Floats, method: int = 0) -> Floats:
-    """The homography from places on a board to pixels.
-
-    Args:
-        places: (N, 2) columns and rows, N >= 4.
-        uv_px: (N, 2) distorted pixels.
-        method: of ``cv2.findHomography``; 0 is least squares.
-
-    Returns:
-        (3, 3).
-    """
-    H, _ = cv2.findHomography(places.astype(np.float64), uv_px, method)
-    return np.asarray(H, dtype=np.float64)
-
-
-def map_places(H: Floats, places: NDArray[np.int64] | Floats) -> Floats:
-    """Pixels of places on a board.
-
-    Args:
-        H: (3, 3) as of ``fit_perspective``.
-        places: (N, 2) columns and rows; fractions are allowed.
-
-    Returns:
-        (N, 2) px.
-    """
-    at = np.column_stack([places, np.ones(len(places))]) @ H.T
-    return np.asarray(at[:, :2] / at[:, 2:])

@@ -1,0 +1,79 @@
+"""Boards in pictures by others: held in the hand, on walls, soft, compressed, bent by the lens."""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.metrology.chessboard.detect_board import BoardDetection, detect_board
+from app.metrology.image import Image
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.transforms import Floats
+
+pytestmark = pytest.mark.slow
+
+SETS = {"opencv-stereo": (9, 6), "carnd": (9, 6), "wide": (8, 6)}
+EVERY = 4
+"""Pictures of a set that are looked at: every fourth."""
+CLASSIC = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
+
+
+def read(path: Path) -> Image:
+    return np.asarray(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), np.uint8)
+
+
+def board(columns: int, rows: int) -> Chessboard:
+    return Chessboard("board", "", (columns, rows), 25.0, 0.1)
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_what_opencv_finds_is_found_and_numbered_alike(real: Path, name: str) -> None:
+    columns, rows = SETS[name]
+    for path in sorted((real / "boards" / name).glob("*.jpg"))[::EVERY]:
+        image = read(path)
+        found, corners = cv2.findChessboardCorners(image, (columns, rows), None, CLASSIC)
+        if not found:
+            continue
+        detection = detect_board(image, board(columns, rows))
+        steps = np.linalg.norm(np.diff(corners[:, 0], axis=0), axis=1)
+        assert len(detection) > 0.8 * columns * rows, path.name
+        theirs = np.asarray(corners, np.float64).reshape(rows, columns, 2)
+        assert off_px(detection, theirs) < 0.3 * np.median(steps), path.name
+
+
+def off_px(detection: BoardDetection, theirs: Floats) -> float:
+    """The usual distance from OpenCV's corners (rows, columns, 2), counted from either end."""
+    ways = (theirs, theirs[::-1, ::-1], theirs[:, ::-1], theirs[::-1])
+    off = [way.reshape(-1, 2)[detection.number] - detection.uv_px for way in ways]
+    return min(float(np.median(np.linalg.norm(one, axis=1))) for one in off)
+
+
+def test_white_that_is_clipped_costs_no_corner(real: Path) -> None:
+    image = read(real / "boards" / "opencv-stereo" / "left01.jpg")
+    bright = np.clip(image * 1.6, 0, 255).astype(np.uint8)
+    assert np.mean(bright == 255) > 0.1
+    assert len(detect_board(bright, board(9, 6))) == 54
+
+
+@pytest.mark.parametrize("size", [(8, 6), (9, 5), (7, 6), (10, 6)])
+def test_a_certificate_of_another_size_is_refused(real: Path, size: tuple[int, int]) -> None:
+    image = read(real / "boards" / "opencv-stereo" / "left02.jpg")
+    with pytest.raises(OperationError) as refused:
+        detect_board(image, board(*size))
+    assert refused.value.code in ("another-board", "board-partly-seen")
+
+
+def test_a_row_out_of_the_picture_is_not_made_up_by_an_outline(real: Path) -> None:
+    image = read(real / "boards" / "opencv-stereo" / "left04.jpg")
+    top = float(detect_board(image, board(9, 6)).uv_px[:, 1].min())
+    with pytest.raises(OperationError):
+        detect_board(image[int(top) + 60 :].copy(), board(9, 6))
+
+
+def test_a_board_on_a_screen_is_not_taken_for_the_one_that_is_cut_off(real: Path) -> None:
+    image = read(real / "boards" / "opencv-stereo" / "left12.jpg")
+    right = float(detect_board(image, board(9, 6)).uv_px[:, 0].max())
+    with pytest.raises(OperationError):
+        detect_board(image[:, : int(right) - 15].copy(), board(9, 6))
