@@ -9,7 +9,7 @@ from app.metrology.chessboard.saddle_points import Saddles, drop_duplicates, pha
 from app.metrology.image import Image, saturation_level
 from app.metrology.transforms import Floats
 
-# Of the distance between corners: the ring on which bright squares are told from dark ones.
+# Of the distance between corners: the ring on which bright and dark squares are distinguished.
 RING_SHARE, LEAST_RING_PX = 0.3, 2.0
 # In a large picture of something else the finders take very long.
 LONGER_SIDE_PX = 1300
