@@ -65,6 +65,14 @@ class Axis(StrEnum):
     V = "v"
 
 
+class ColourOption(StrEnum):
+    """A laser's colour."""
+
+    RED = "red"
+    GREEN = "green"
+    BLUE = "blue"
+
+
 class ShapeOption(StrEnum):
     """What a gauge is."""
 
@@ -201,6 +209,10 @@ def extract(
     mask: Annotated[
         Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
     ] = None,
+    colour: Annotated[
+        ColourOption | None,
+        typer.Option(help="Of the laser: its channel is taken of colour pictures."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Extract the laser stripe: columns u, v, intensity, sigma_px.
@@ -217,7 +229,9 @@ def extract(
     zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
     with progress_bar("Extracting", not as_json) as progress:
-        stripes = extract_all(images, axis.value, progress, settings, zones)
+        stripes = extract_all(
+            images, axis.value, progress, settings, zones, colour.value if colour else None
+        )
         write_stripes(output, stripes)
     if as_json:
         found = [

@@ -1,8 +1,9 @@
-"""Grey images: read and checked to the last byte, written losslessly."""
+"""Images: read and checked to the last byte, one grey channel each; written losslessly."""
 
 import struct
 import zlib
 from pathlib import Path
+from typing import cast
 
 import cv2
 import numpy as np
@@ -15,26 +16,32 @@ from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file, read_bounded
 from app.messages.message import Text, message
+from app.metrology.colour import LaserColour, select_channel
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 """(height, width)"""
 
 MOST_PIXELS = 100_000_000
+"""Of all channels together."""
 
 
-def read_grey(path: Path) -> GreyImage:
-    """Reads a grey image of 8 or 16 bits a pixel: PNG, TIFF, BMP, PGM or JPEG.
+def read_grey(path: Path, colour: LaserColour | None = None) -> GreyImage:
+    """Reads an image of 8 or 16 bits a channel: PNG, TIFF, BMP, PGM or JPEG.
+
+    Args:
+        colour: of the laser, by which a colour picture becomes grey. Pictures whose channels
+            are all equal are grey without it.
 
     Raises:
-        OperationError: missing, no image, damaged or cut off, in colour, or of more than
-            ``MOST_PIXELS``.
+        OperationError: missing, no image, damaged or cut off, in colour while the laser's
+            colour is not known, or of more than ``MOST_PIXELS``.
     """
     with convert_io_errors(path):
         raw = read_bounded(path)
-    return decode_grey(raw, display_path(path))
+    return decode_grey(raw, display_path(path), colour)
 
 
-def decode_grey(raw: bytes, named: Text) -> GreyImage:
+def decode_grey(raw: bytes, named: Text, colour: LaserColour | None = None) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what an error calls it."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
@@ -48,27 +55,24 @@ def decode_grey(raw: bytes, named: Text) -> GreyImage:
         image = None
     if image is None:
         raise _no_image(raw, named)
-    if image.ndim != 2:
-        raise _not_grey(message("image-has-channels", name=named, channels=image.shape[2]))
-    if image.dtype == np.uint8:
-        return image.astype(np.uint8, copy=False)
-    if image.dtype == np.uint16:
-        return image.astype(np.uint16, copy=False)
-    raise _not_so_deep(named, str(image.dtype))
+    if image.dtype not in (np.uint8, np.uint16):
+        raise _not_so_deep(named, str(image.dtype))
+    grey = select_channel(cast(GreyImage, image), colour)
+    if grey is None:
+        raise _in_colour(named)
+    return grey
 
 
 def _check_announced(announced: Announced, named: Text) -> None:
     """Raises ``OperationError`` for what would be decoded only to be refused, or is too large:
     a file of a megabyte may open to gigabytes."""
-    if announced.pixels > MOST_PIXELS:
+    if announced.pixels * announced.channels > MOST_PIXELS:
         raise OperationError(
             "image-too-large",
             message("image-has-pixels", name=named, width=announced.width, height=announced.height),
             message("most-pixels-read", millions=MOST_PIXELS // 1000000),
             message("give-cameras-own-picture"),
         )
-    if announced.channels > 1:
-        raise _not_grey(message("image-has-channels", name=named, channels=announced.channels))
     if announced.bits > 16:
         raise _not_so_deep(named, message("bits-per-pixel", bits=announced.bits))
 
@@ -78,12 +82,12 @@ def _no_image(raw: bytes, named: Text) -> OperationError:
     return OperationError("image-unreadable", named, why, message("restore-take-picture-again"))
 
 
-def _not_grey(what: Text) -> OperationError:
+def _in_colour(named: Text) -> OperationError:
     return OperationError(
-        "image-not-grey",
-        what,
-        message("only-grey-image-shows-brightness"),
-        message("give-cameras-own-grey-picture"),
+        "image-in-colour",
+        message("image-in-colour", name=named),
+        message("laser-colour-not-known"),
+        message("state-laser-colour"),
     )
 
 
@@ -103,11 +107,11 @@ def write_png(path: Path, image: GreyImage) -> None:
     write_atomically(path, encoded.tobytes())
 
 
-def grey_png_size(path: Path) -> tuple[int, int]:
-    """Width and height in pixels from the header of a grey PNG, without decoding it.
+def png_size(path: Path) -> tuple[int, int]:
+    """Width and height in pixels from the header of a PNG, without decoding it.
 
     Raises:
-        OperationError: missing, no PNG, or in colour.
+        OperationError: missing, or no PNG.
     """
     with convert_io_errors(path), open_file(path) as file:
         head = file.read(29)
@@ -118,9 +122,7 @@ def grey_png_size(path: Path) -> tuple[int, int]:
             message("no-png-image") if head else message("empty"),
             message("restore-take-picture-again"),
         )
-    width, height, _bits, colour = struct.unpack(">IIBB", head[16:26])
-    if colour != 0:
-        raise _not_grey(message("image-has-colour", path=display_path(path)))
+    width, height = struct.unpack(">II", head[16:24])
     return width, height
 
 

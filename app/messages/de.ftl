@@ -945,7 +945,6 @@ give-arm-json-arm-took = Die arm.json des Messarms angeben, der dies aufgenommen
 give-arm-json-arm-took-recording = Die arm.json des Messarms angeben, der dies aufgezeichnet hat
 give-arms-own-model-columns = Das Modell dieses Arms angeben, oder die Spalten { $names }
 give-calibration-sensor-took-recording = Die Kalibrierung des Sensors angeben, der dies aufgezeichnet hat
-give-cameras-own-grey-picture = Das Graubild der Kamera selbst angeben
 give-cameras-own-picture = Das eigene Bild der Kamera angeben
 give-certificate-board-picture = den Kalibrierschein der Tafel im Bild angeben
 give-certificate-crenellated-object-calibrate-command = Den Kalibrierschein eines Zinnenkörpers angeben oder auf der Kommandozeile kalibrieren
@@ -1098,14 +1097,9 @@ image-ends-after-bytes =
         [one] { $bytes } Byte
        *[other] { $bytes } Bytes
     }
-image-has-channels =
-    { $name } hat { $channels ->
-        [one] { $channels } Kanal
-       *[other] { $channels } Kanäle
-    }
-image-has-colour = { $path } enthält Farbe oder Transparenz
 image-has-depth = { $name } enthält { $depth }
 image-has-pixels = { $name } hat { $width } × { $height } Pixel
+image-in-colour = { $name } ist ein Farbbild
 image-processing = Bildverarbeitung
 image-shape-type = ein Bild der Form { $shape } und des Typs { $dtype }
 inner-corners-mm-apart = { $columns } × { $rows } innere Ecken, Abstand { $square }, { $known }
@@ -1178,6 +1172,7 @@ largest-distance-touch-sphere = Größter Abstand einer Antastung von der Kugel
 largest-max-min-2 = Größtes (max − min)/2
 largest-swing = { $points }, größter Schwenk { $swing }
 laser-beside-object-may-too-dark = Der Laser ist an, und daneben ist das Objekt vielleicht zu dunkel, um gefunden zu werden.
+laser-colour-not-known = die Farbe des Lasers, in deren Kanal gemessen würde, ist nicht angegeben
 laser-line-left-out-off-plane = ihre Laserlinie wurde ausgelassen, { $off } neben der Ebene der anderen
 laser-line-lies-off-plane-others = ihre Laserlinie liegt { $off } neben der Ebene der anderen
 laser-off = der Laser ist aus
@@ -1595,7 +1590,6 @@ only-administrator = { $name } ist der einzige Administrator
 only-corners-can-measured = nur { $found } seiner Ecken lassen sich messen
 only-edge-points-lie-edges = nur { $agreeing } der Kantenpunkte liegen auf seinen Kanten
 only-free-disk = nur { $free } sind auf dem Datenträger von { $folder } frei
-only-grey-image-shows-brightness = nur ein Graubild zeigt, wie hell die Laserlinie an einem Pixel war
 only-joint-samples-came = nur { $count } Gelenkwerte kamen in { $duration }
 only-machines-browsers-reach-station = Nur Browser auf diesem Rechner erreichen die Station.
 only-one-row-corners-each-level = mit nur einer Eckenreihe je Ebene ist die Kamera nicht festgelegt
@@ -2189,6 +2183,7 @@ start-again = Neu beginnen
 start-again-2 = neu beginnen
 start-new-calibration = Neue Kalibrierung beginnen
 started-scan = einen Scan begonnen
+state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben, oder --colour auf der Kommandozeile; oder Graubilder verwenden
 stated = nicht angegeben
 station-does-answer-name-names-added = Diese Station hört nicht auf den Namen '{ $name }'. Namen kommen mit hosts in station.toml hinzu.
 station-ended-during-scan = Die Station endete während dieses Scans.

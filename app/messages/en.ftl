@@ -941,7 +941,6 @@ give-arm-json-arm-took = Give the arm.json of the arm that took this
 give-arm-json-arm-took-recording = Give the arm.json of the arm that took this recording
 give-arms-own-model-columns = Give the arm's own model, or columns { $names }
 give-calibration-sensor-took-recording = Give the calibration of the sensor that took this recording
-give-cameras-own-grey-picture = Give the camera's own grey picture
 give-cameras-own-picture = Give the camera's own picture
 give-certificate-board-picture = give the certificate of the board in the picture
 give-certificate-crenellated-object-calibrate-command = Give the certificate of a crenellated object, or calibrate on the command line
@@ -1094,14 +1093,9 @@ image-ends-after-bytes =
         [one] { $bytes } byte
        *[other] { $bytes } bytes
     }
-image-has-channels =
-    { $name } has { $channels ->
-        [one] { $channels } channel
-       *[other] { $channels } channels
-    }
-image-has-colour = { $path } holds colour or transparency
 image-has-depth = { $name } holds { $depth }
 image-has-pixels = { $name } has { $width } × { $height } pixels
+image-in-colour = { $name } is in colour
 image-processing = Image processing
 image-shape-type = an image of shape { $shape } and type { $dtype }
 inner-corners-mm-apart = { $columns } × { $rows } inner corners, { $square } apart, { $known }
@@ -1174,6 +1168,7 @@ largest-distance-touch-sphere = Largest distance of a touch from the sphere
 largest-max-min-2 = Largest (max − min)/2
 largest-swing = { $points }, largest swing { $swing }
 laser-beside-object-may-too-dark = The laser is on, and beside it the object may be too dark to be found.
+laser-colour-not-known = the laser's colour, whose channel would be measured, is not stated
 laser-line-left-out-off-plane = its laser line was left out, { $off } off the plane of the others
 laser-line-lies-off-plane-others = its laser line lies { $off } off the plane of the others
 laser-off = the laser is off
@@ -1582,7 +1577,6 @@ only-administrator = { $name } is the only administrator
 only-corners-can-measured = only { $found } of its corners can be measured
 only-edge-points-lie-edges = only { $agreeing } of the edge points lie on its edges
 only-free-disk = only { $free } are free on the disk of { $folder }
-only-grey-image-shows-brightness = only a grey image shows how bright the laser's line was at a pixel
 only-joint-samples-came = only { $count } joint samples came in { $duration }
 only-machines-browsers-reach-station = Only this machine's browsers reach the station.
 only-one-row-corners-each-level = with only one row of corners on each level, the camera is not fixed
@@ -2176,6 +2170,7 @@ start-again = Start it again
 start-again-2 = start it again
 start-new-calibration = Start a new calibration
 started-scan = started a scan
+state-laser-colour = State laser_wavelength_nm in the sensor's datasheet, or --colour on the command line; or give grey pictures
 stated = not stated
 station-does-answer-name-names-added = This station does not answer to the name '{ $name }'. Names are added with hosts in station.toml.
 station-ended-during-scan = The station ended during this scan.

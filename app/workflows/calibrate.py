@@ -124,14 +124,15 @@ def _solve_progress(progress: Progress) -> Callable[[Text, float], None]:
 
 def one_pose_inputs(session: BlockSession, pose: Pose) -> OnePoseInputs:
     """The pictures of a pose read, and what goes with them; ``OperationError`` if damaged."""
+    colour = session.sensor.laser_colour
     return OnePoseInputs(
         arm=session.arm,
         block=session.block,
         features=session.contacts.features,
         contact_q_rad=session.contacts.q_rad,
         pose_q_rad=pose.q_rad,
-        ambient=read_grey(pose.ambient),
-        laser=None if pose.laser is None else read_grey(pose.laser),
+        ambient=read_grey(pose.ambient, colour),
+        laser=None if pose.laser is None else read_grey(pose.laser, colour),
         stripe_axis=session.sensor.stripe_axis,
         size_px=(session.sensor.width_px, session.sensor.height_px),
     )
@@ -222,8 +223,9 @@ def _detect_one(
     pose: Pose,
 ) -> DetectionT | OperationError:
     """A pose's pictures looked at; the refusal where they show nothing usable."""
-    ambient = read_grey(pose.ambient)
-    laser = None if pose.laser is None else read_grey(pose.laser)
+    colour = session.sensor.laser_colour
+    ambient = read_grey(pose.ambient, colour)
+    laser = None if pose.laser is None else read_grey(pose.laser, colour)
     try:
         return see(pose.number, target, ambient, laser, session.sensor.stripe_axis)
     except OperationError as refusal:

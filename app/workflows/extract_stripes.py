@@ -13,6 +13,7 @@ from app.formats.file_names import display_path
 from app.formats.images import GreyImage, read_grey
 from app.formats.settings.mask import Mask
 from app.messages.message import message, quantity
+from app.metrology.colour import LaserColour
 from app.metrology.image import saturation_level
 from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 from app.progress import Progress, no_progress
@@ -36,8 +37,12 @@ def extract_stripes(
     progress: Progress = no_progress,
     settings: StripeSettings = AUTOMATIC,
     mask: Mask | None = None,
+    colour: LaserColour | None = None,
 ) -> list[ImageStripe]:
     """The stripe of every picture, outside a mask's zones.
+
+    Args:
+        colour: of the laser, whose channel is taken of colour pictures.
 
     Raises:
         OperationError: a picture cannot be read, has none, or is of another size than the mask.
@@ -46,7 +51,7 @@ def extract_stripes(
     where = None if mask is None else mask.where()
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        picture = read_grey(path)
+        picture = read_grey(path, colour)
         if mask is not None:
             mask.check_size(path, picture.shape[1], picture.shape[0])
         stripe = extract_stripe(picture, axis, where, settings)

@@ -1,7 +1,8 @@
 """The ``folder`` driver: a folder of pictures as a sensor.
 
-Pictures (png, tif, bmp, jpg; 8 or 16 bits; colour is made grey) are shown in the order
-of their names, numbers counted as numbers, so that 10 comes after 9. In station.toml::
+Pictures (png, tif, bmp, jpg; 8 or 16 bits; of colour ones the laser's channel, or their
+luma) are shown in the order of their names, numbers counted as numbers, so that 10 comes
+after 9. In station.toml::
 
     [sensor]
     driver = "folder"
@@ -9,6 +10,7 @@ of their names, numbers counted as numbers, so that 10 comes after 9. In station
     rate_hz = 20.0       # optional
     loop = true          # optional: begin again after the last one
     exposure_us = 2000   # optional: what the pictures were taken with
+    laser_colour = "red" # optional, of colour pictures: red, green or blue
 """
 
 import re
@@ -30,7 +32,7 @@ from hardware.sensor.grabbing import (
     ImageSource,
     PlaybackTimer,
 )
-from hardware.sensor.grey import to_grey
+from hardware.sensor.grey import LaserColour, to_grey
 
 _SUFFIXES = {".png", ".tif", ".tiff", ".bmp", ".jpg", ".jpeg"}
 
@@ -42,6 +44,7 @@ class FolderOptions(Options):
     rate_hz: float = Field(default=20.0, gt=0, le=1000)
     loop: bool = True
     exposure_us: float = Field(default=0.0, ge=0)
+    laser_colour: LaserColour | None = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:
@@ -91,7 +94,8 @@ class _Folder(ImageSource):
             raise DeviceError(
                 message("picture-cannot-read", path=path), message("is-it-there-and-complete")
             )
-        image = to_grey(raw, raw.shape[0]) if raw.dtype in (np.uint8, np.uint16) else None
+        colour = self._options.laser_colour
+        image = to_grey(raw, raw.shape[0], colour) if raw.dtype in (np.uint8, np.uint16) else None
         if image is None:
             raise DeviceError(
                 message("picture-of-numbers", path=path, kind=str(raw.dtype)),

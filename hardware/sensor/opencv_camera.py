@@ -12,10 +12,11 @@ In station.toml::
     exposure_range_us = [100.0, 20000.0]   # optional: lets the operator set it within this
     latency_us = 0.0            # optional: from the end of the exposure to the stamp, see below
     loop = false                # optional, of a file
+    laser_colour = "red"        # optional, of a colour camera: red, green or blue
 
-Grey: where the camera sends a luma channel (grey, YUYV, NV12, motion JPEG) that is
-taken as it is; elsewhere BGR is converted. Motion JPEG, H.264 and the like are lossy:
-good for a look, not for measuring.
+Grey: with ``laser_colour``, that channel of the colour picture. Else, where the camera sends a
+luma channel (grey, YUYV, NV12, motion JPEG), that is taken as it is; elsewhere BGR is converted.
+Motion JPEG, H.264 and the like are lossy: good for a look, not for measuring.
 
 Stamps: a picture's event is the V4L2 driver's monotonic time of the buffer where there
 is one, else the moment at which ``grab`` returned. The middle of the exposure is
@@ -45,7 +46,7 @@ from hardware.sensor.grabbing import (
     ImageSource,
     PlaybackTimer,
 )
-from hardware.sensor.grey import to_grey
+from hardware.sensor.grey import LaserColour, to_grey
 
 _OPEN_MS, _READ_MS = 5000, 3000
 _STAMP_AGE_NS = 1_000_000_000
@@ -63,6 +64,7 @@ class OpenCvOptions(Options):
     exposure_range_us: list[PositiveFloat] | None = Field(default=None, min_length=2, max_length=2)
     latency_us: float = Field(default=0.0, ge=0, le=1_000_000)
     loop: bool = False
+    laser_colour: LaserColour | None = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:
@@ -95,6 +97,7 @@ class _Recording(ImageSource):
                     message("take-out", key=key),
                 )
         self._loop = options.loop
+        self._laser_colour = options.laser_colour
         self._capture = self._open()
         rate_hz = options.rate_hz or self._capture.get(cv2.CAP_PROP_FPS)
         if not (math.isfinite(rate_hz) and rate_hz > 0):
@@ -116,7 +119,7 @@ class _Recording(ImageSource):
                 raise DeviceError(
                     message("video-has-no-picture", title=self._title), message("is-file-complete")
                 )
-        image = to_grey(raw, raw.shape[0])
+        image = to_grey(raw, raw.shape[0], self._laser_colour)
         due_ns = self._pace.wait()
         return None if image is None else GrabbedImage(image, due_ns, 0.0)
 
@@ -144,6 +147,7 @@ class _Camera(ImageSource):
 
     def __init__(self, options: OpenCvOptions) -> None:
         self._title = _title(options.source)
+        self._laser_colour = options.laser_colour
         self._latency_ns = round(options.latency_us * 1000)
         self._exposure_us = 0.0
         self._last_ns = 0
@@ -163,7 +167,8 @@ class _Camera(ImageSource):
             )
         event_ns = self._event_ns(now_ns())
         there, raw = self._capture.retrieve()
-        image = to_grey(raw, self._height_px or raw.shape[0]) if there else None
+        height_px = self._height_px or raw.shape[0] if there else 0
+        image = to_grey(raw, height_px, self._laser_colour) if there else None
         if image is None:
             return None
         exposure_us = self._exposure_us
@@ -209,7 +214,7 @@ class _Camera(ImageSource):
                     message("correct-sensor-take-out", key=key),
                 )
         # The camera's own luma, where the system passes it on unconverted.
-        if self._backend == "V4L2":
+        if self._backend == "V4L2" and self._laser_colour is None:
             self._capture.set(cv2.CAP_PROP_CONVERT_RGB, 0)
         self._height_px = int(self._capture.get(cv2.CAP_PROP_FRAME_HEIGHT))
         if options.exposure_us is not None:

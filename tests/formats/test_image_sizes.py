@@ -95,8 +95,7 @@ def test_what_would_be_refused_once_decoded_is_not_decoded(
 ) -> None:
     monkeypatch.setattr(cv2, "imdecode", None)
     for raw, code in (
-        (png(9000, 9000, colour=6, bits=16), "image-not-grey"),
-        (b"RIFF\0\0\0\0WEBPVP8L\0\0\0\0/\0\0\0\0", "image-not-grey"),
+        (png(9000, 9000, colour=6, bits=16), "image-too-large"),
         (b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n", "image-unreadable"),
         (b"P7\nWIDTH 100000\nHEIGHT 100000\nDEPTH 4\n", "image-unreadable"),
         (b"", "image-unreadable"),

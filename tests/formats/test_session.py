@@ -178,7 +178,6 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (radians("probing.csv"), "joints-in-radians", "radians where degrees"),
         (radians("images.csv"), "joints-in-radians", "images.csv"),
         (picture(np.zeros((HEIGHT, WIDTH + 1), np.uint8)), "image-size", "65 × 48"),
-        (picture(np.zeros((HEIGHT, WIDTH, 3), np.uint8)), "image-not-grey", "l.png"),
         (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "no PNG"),
         (lambda s: (s / "images/l.png").write_bytes(b""), "image-unreadable", "empty"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 65'), "image-size", "64 × 48"),
@@ -239,8 +238,24 @@ def test_a_damaged_picture_is_refused_wherever_it_is_damaged(tmp_path: Path) -> 
             read_grey(path)
 
 
-def test_a_colour_picture_is_refused(tmp_path: Path) -> None:
+def test_a_colour_picture_is_read_in_its_lasers_channel(tmp_path: Path) -> None:
     path = tmp_path / "picture.png"
-    cv2.imwrite(str(path), np.zeros((HEIGHT, WIDTH, 3), np.uint8))
-    with pytest.raises(OperationError, match="3 channels"):
+    colours = np.random.default_rng(2).integers(0, 255, (HEIGHT, WIDTH, 3)).astype(np.uint8)
+    cv2.imwrite(str(path), colours)
+    np.testing.assert_array_equal(read_grey(path, "red"), colours[..., 2])
+    np.testing.assert_array_equal(read_grey(path, "green"), colours[..., 1])
+    with pytest.raises(OperationError, match="laser_wavelength_nm") as refused:
         read_grey(path)
+    assert refused.value.code == "image-in-colour"
+
+
+@pytest.mark.parametrize("kind", ["png", "tiff"])
+@pytest.mark.parametrize("channels", [3, 4])
+def test_a_grey_picture_with_equal_channels_is_grey(
+    tmp_path: Path, kind: str, channels: int
+) -> None:
+    path = tmp_path / f"picture.{kind}"
+    grey = np.random.default_rng(2).integers(0, 65535, (HEIGHT, WIDTH)).astype(np.uint16)
+    opaque = [np.full_like(grey, 65535)] * (channels - 3)
+    cv2.imwrite(str(path), np.dstack([grey] * 3 + opaque))
+    np.testing.assert_array_equal(read_grey(path), grey)

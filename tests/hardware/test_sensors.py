@@ -336,6 +336,20 @@ def test_every_layout_of_a_camera_gives_its_luma() -> None:
     assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT) is None
 
 
+def test_a_lasers_channel_is_taken_of_a_colour_camera() -> None:
+    colours = np.dstack([picture(1), picture(2), picture(3)])
+    got = to_grey(colours, HEIGHT, "red")
+    assert got is not None
+    np.testing.assert_array_equal(got, colours[..., 2])
+    jpeg = cv2.imencode(".jpg", colours)[1].reshape(1, -1)
+    got = to_grey(jpeg, HEIGHT, "green")
+    assert got is not None
+    decoded = cv2.imdecode(jpeg, cv2.IMREAD_COLOR)
+    assert decoded is not None
+    np.testing.assert_array_equal(got, decoded[..., 1])
+    assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT, "red") is None
+
+
 @pytest.mark.parametrize("exposure_us", [1.0, 149.0, 2000.0, 20_000.0])
 def test_exposures_are_set_in_the_systems_own_units(exposure_us: float) -> None:
     steps, actual_us = opencv_camera.exposure_setting("V4L2", exposure_us)

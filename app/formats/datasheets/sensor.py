@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.json_document import Document, Positive
+from app.metrology.colour import LaserColour, laser_colour
 
 
 class SensorDatasheet(Document):
@@ -21,6 +22,11 @@ class SensorDatasheet(Document):
     laser_wavelength_nm: Positive | None = None
     focal_px: Positive | None = None
     standoff_mm: Positive | None = None
+
+    @property
+    def laser_colour(self) -> LaserColour | None:
+        """The channel in which a colour camera sees the laser, where the wavelength is known."""
+        return None if self.laser_wavelength_nm is None else laser_colour(self.laser_wavelength_nm)
 
 
 def read_sensor(path: Path) -> SensorDatasheet:

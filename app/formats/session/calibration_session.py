@@ -13,7 +13,7 @@ from app.formats.datasheets.arm import read_any_arm, read_arm
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_block, read_object
 from app.formats.file_names import display_path
-from app.formats.images import grey_png_size
+from app.formats.images import png_size
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
 from app.messages.message import Text, join, message, quantity
 from app.metrology.arm.kinematics import Arm, RobotArm
@@ -285,7 +285,7 @@ def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
             message("no-such-file"),
             message("restore-picture-delete-row"),
         )
-    width, height = grey_png_size(path)
+    width, height = png_size(path)
     if (width, height) != (sensor.width_px, sensor.height_px):
         raise OperationError(
             "image-size",

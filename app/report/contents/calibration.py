@@ -272,7 +272,9 @@ def _pictures(
         )
     by_number = {pose.number: pose for pose in session.poses}
     images = [
-        figures.image_figure(by_number[part.number], part, camera, _fit_basis(session))
+        figures.image_figure(
+            by_number[part.number], session.sensor.laser_colour, part, camera, _fit_basis(session)
+        )
         for part in _worst_poses(document)
         if part.number in by_number
     ]

@@ -13,6 +13,7 @@ from app.formats.results.calibration import PosePart, Uncertainty
 from app.formats.session.calibration_session import Pose
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.calibration.uncertainty_budget import source_text
+from app.metrology.colour import LaserColour
 from app.metrology.image import saturation_level
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -152,7 +153,7 @@ def _view(
 
 
 def image_figure(
-    pose: Pose, part: PosePart, camera: Camera, fitted: FitBasis
+    pose: Pose, colour: LaserColour | None, part: PosePart, camera: Camera, fitted: FitBasis
 ) -> tuple[Figure[Text], Text]:
     """A pose's image with the residuals of corners and stripe as arrows, magnified."""
     size = (camera.width_px, camera.height_px)
@@ -160,7 +161,7 @@ def image_figure(
         250, 250 * size[1] / size[0], message("residuals-pose-picture", number=part.number)
     )
     scale = figure.width / size[0]
-    figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose)))
+    figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose, colour)))
 
     def at(u: float, v: float) -> Point:
         return (u + 0.5) * scale, (v + 0.5) * scale
@@ -203,9 +204,9 @@ def image_figure(
     )
 
 
-def _encode_jpeg(pose: Pose) -> bytes:
-    image = read_grey(pose.ambient if pose.laser is None else pose.laser)
-    ambient = read_grey(pose.ambient)
+def _encode_jpeg(pose: Pose, colour: LaserColour | None) -> bytes:
+    image = read_grey(pose.ambient if pose.laser is None else pose.laser, colour)
+    ambient = read_grey(pose.ambient, colour)
     both = np.maximum(image, ambient)
     if both.dtype != np.uint8:
         both = cv2.convertScaleAbs(both, alpha=255.0 / saturation_level(both))
