@@ -80,6 +80,14 @@ class ShapeOption(StrEnum):
     SPHERE = "sphere"
 
 
+class UnitOption(StrEnum):
+    """Of coordinates."""
+
+    MM = "mm"
+    M = "m"
+    INCH = "inch"
+
+
 def main() -> None:
     """The entry point of ``crenel``."""
     signal.signal(signal.SIGTERM, _terminate)
@@ -269,6 +277,7 @@ def verify(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="Write the report here, too.")
     ] = None,
+    unit: Annotated[UnitOption, typer.Option(help="Of the clouds' coordinates.")] = UnitOption.MM,
     as_json: AsJson = False,
 ) -> None:
     """Check clouds of a gauge plane or sphere against its nominal, in arcsec and µm."""
@@ -279,11 +288,13 @@ def verify(
     if output is not None:
         check_output_path(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as progress:
-        report = verify_all(shape.value, clouds, nominal, progress)
+        report, warnings = verify_all(shape.value, clouds, nominal, progress, unit.value)
         if output is not None:
             report.write(output)
+    for text in warnings:
+        warn(text)
     if as_json:
-        print_json(report.fields())
+        print_json({**report.fields(), "warnings": list(map(str, warnings))})
         return
     against = f" against {nominal}" if nominal else ", no nominal given"
     print_table(f"Gauge {shape.value}{against}", *report_table(report))

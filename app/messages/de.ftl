@@ -479,6 +479,11 @@ clock-set-since-start-last =
 close-other-programs-restart-station-between = Andere Programme schließen oder die Station zwischen zwei Scans neu starten.
 close-program-second-station-same-port = Jenes Programm oder eine zweite Station am selben Anschluss schließen.
 close-what-else-uses-machine = Schließen, was den Rechner sonst beansprucht.
+cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $shape ->
+        [plane] Ebene
+       *[sphere] Kugel
+    }: Sie gehören kaum zu einer. Nur die Punktwolke des Normals angeben
+cloud-of-odd-size = { $file } ist { $size } groß, wenn die Einheit { $unit } ist. Die Einheit mit --unit m, mm oder inch angeben
 cloud = Wolke
 cloud-being-scanned-already = Eine Wolke wird schon gescannt.
 cloud-cloud = { $title }, Wolke für Wolke.

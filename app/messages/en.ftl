@@ -479,6 +479,11 @@ clock-set-since-start-last =
 close-other-programs-restart-station-between = Close other programs, or restart the station between two scans.
 close-program-second-station-same-port = Close that program, or a second station on the same port.
 close-what-else-uses-machine = Close what else uses the machine.
+cloud-of-another-shape = { $file }: the points lie { $rms } (rms) about the { $shape ->
+        [plane] plane
+       *[sphere] sphere
+    }: they are hardly of one. Give the cloud of the gauge alone
+cloud-of-odd-size = { $file } is { $size } large if its unit is { $unit }. State the unit with --unit m, mm or inch
 cloud = Cloud
 cloud-being-scanned-already = A cloud is being scanned already.
 cloud-cloud = { $title }, cloud by cloud.

@@ -11,7 +11,7 @@ from app.formats.clouds.files import read_cloud
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.gauge_report import CloudReport, GaugeReport, SpreadReport
-from app.messages.message import message
+from app.messages.message import Text, message, quantity
 from app.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
@@ -23,6 +23,12 @@ from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 
 Shape = Literal["plane", "sphere"]
+Unit = Literal["mm", "m", "inch"]
+MM: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
+SMALLEST_MM, LARGEST_MM = 2.0, 20_000.0
+"""Between these lie the sizes of clouds that an arm or a robot measures."""
+MOST_ROUGH = 0.01
+"""The rms about a gauge's shape, of the cloud's size: more is another shape."""
 
 FIGURES = {
     "angle_arcsec": ("angle ″", 1),
@@ -42,8 +48,15 @@ def verify(
     clouds: Sequence[Path],
     nominal_path: Path | None = None,
     progress: Progress = no_progress,
-) -> GaugeReport:
+    unit: Unit = "mm",
+) -> tuple[GaugeReport, list[Text]]:
     """Fits every cloud and, given a nominal, says how far it is off.
+
+    Args:
+        unit: of the clouds' coordinates.
+
+    Returns:
+        The report, and what the user should know in addition.
 
     Raises:
         OperationError: a cloud or the nominal cannot be read, the nominal is of another
@@ -51,18 +64,44 @@ def verify(
     """
     nominal = None if nominal_path is None else read_nominal(nominal_path)
     found: list[CloudReport] = []
+    warnings: list[Text] = []
     for done, path in enumerate(clouds):
         progress(done / len(clouds), path.name)
-        points_mm = read_cloud(path).points_mm
+        points_mm = read_cloud(path).points_mm * MM[unit]
         with prefix_errors(path):
-            found.append(_check_cloud(shape, path, points_mm, nominal))
+            cloud = _check_cloud(shape, path, points_mm, nominal)
+        found.append(cloud)
+        warnings += _find_implausible(shape, cloud, points_mm, unit)
     progress(1.0, "")
-    return GaugeReport(
+    report = GaugeReport(
         shape=shape,
         nominal=None if nominal_path is None else str(nominal_path),
         clouds=tuple(found),
         spread=_spreads(found),
     )
+    return report, warnings
+
+
+def _find_implausible(
+    shape: Shape, cloud: CloudReport, points_mm: Floats, unit: Unit
+) -> list[Text]:
+    """Whether a cloud is of a size or a shape that it can hardly have."""
+    size_mm = float(np.linalg.norm(np.ptp(points_mm, axis=0)))
+    found: list[Text] = []
+    if not SMALLEST_MM <= size_mm <= LARGEST_MM:
+        found.append(
+            message("cloud-of-odd-size", file=cloud.file, size=quantity(size_mm, "mm"), unit=unit)
+        )
+    if cloud.rms_um * 1e-3 > MOST_ROUGH * size_mm:
+        found.append(
+            message(
+                "cloud-of-another-shape",
+                file=cloud.file,
+                shape=shape,
+                rms=quantity(cloud.rms_um * 1e-3, "mm", 3),
+            )
+        )
+    return found
 
 
 def _check_cloud(

@@ -220,6 +220,7 @@ def test_verify_a_plane(tmp_path: Path) -> None:
     result = crenel("verify", "plane", cloud, "--nominal", nominal, "-o", report, "--json")
     assert result.exit_code == 0, result.output
     fields = json.loads(result.stdout)
+    assert fields.pop("warnings") == []
     assert fields == GaugeReport.read(report).fields()
     (found,) = fields["clouds"]
     assert found["z_error_um"] == pytest.approx(-50, abs=3)
@@ -250,6 +251,28 @@ def test_verify_a_sphere(tmp_path: Path) -> None:
     (found,) = json.loads(result.stdout)["clouds"]
     assert found["radius_error_um"] == pytest.approx(-20, abs=0.1)
     assert found["centre_error_um"] == pytest.approx(30, abs=0.1)
+
+
+def test_a_cloud_in_metres_is_warned_of_and_read_with_its_unit(tmp_path: Path) -> None:
+    directions = np.random.default_rng(0).normal(size=(800, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    np.savetxt(tmp_path / "s.xyz", 0.0003 * directions)
+    assert "--unit m" in crenel("verify", "sphere", tmp_path / "s.xyz").stderr
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--unit", "m", "--json")
+    assert json.loads(result.stdout)["clouds"][0]["radius_mm"] == pytest.approx(0.3)
+    np.savetxt(tmp_path / "s.xyz", 0.05 * directions)
+    result = crenel("verify", "sphere", tmp_path / "s.xyz", "--unit", "m", "--json")
+    assert json.loads(result.stdout)["clouds"][0]["radius_mm"] == pytest.approx(50)
+    assert result.stderr == ""
+
+
+def test_points_that_are_no_plane_are_warned_of(tmp_path: Path) -> None:
+    directions = np.random.default_rng(0).normal(size=(800, 3))
+    np.savetxt(tmp_path / "s.xyz", 50 * directions / np.linalg.norm(directions, axis=1)[:, None])
+    result = crenel("verify", "plane", tmp_path / "s.xyz", "--json")
+    (warning,) = json.loads(result.stdout)["warnings"]
+    assert "plane" in warning
+    assert result.stderr.strip()
 
 
 def test_verify_without_a_nominal_reports_the_form(tmp_path: Path) -> None:

@@ -8,8 +8,11 @@ import laspy
 import numpy as np
 import pye57
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from app.errors import OperationError
+from app.formats.clouds import pcd
 from app.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
 from app.formats.clouds.xyz import XyzSink
 from app.metrology.sensor.camera import project
@@ -82,9 +85,80 @@ def test_pcd_of_others_is_read(tmp_path: Path) -> None:
     lines = [" ".join(f"{c:.9g}" for c in p) + " 0 0 0 0 1 2 3" for p in points]
     (tmp_path / "a.pcd").write_text(head + "ascii\n" + "\n".join(lines) + "\n")
     np.testing.assert_allclose(read_cloud(tmp_path / "a.pcd").points_mm, points, rtol=1e-8)
-    (tmp_path / "c.pcd").write_text(head + "binary_compressed\n")
-    with pytest.raises(OperationError, match="binary_compressed"):
+    (tmp_path / "c.pcd").write_text(head + "zipped\n")
+    with pytest.raises(OperationError, match="zipped"):
         read_cloud(tmp_path / "c.pcd")
+
+
+def test_pcd_as_pcl_compresses_it_is_read(tmp_path: Path) -> None:
+    points = np.random.default_rng(2).uniform(-9, 9, (500, 3)).astype(np.float32)
+    points[100:300, 2] = 7.0
+    head = "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 2\nTYPE F F F U\nCOUNT 1 1 1 2\n"
+    head += "WIDTH 500\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 500\nDATA binary_compressed\n"
+    plain = points.T.tobytes() + np.arange(1000, dtype="<u2").tobytes()
+    packed = compress_lzf(plain)
+    assert len(packed) < len(plain)
+    sizes = np.array([len(packed), len(plain)], "<u4").tobytes()
+    path = tmp_path / "c.pcd"
+    path.write_bytes(head.encode() + sizes + packed)
+    np.testing.assert_array_equal(read_cloud(path).points_mm, points)
+    damaged = bytearray(packed)
+    damaged[0] = 0xFF  # a copy of what was never written
+    for sizes_and_data in (
+        sizes + packed[:-1],
+        sizes[:5],
+        sizes + bytes(damaged),
+        np.array([len(packed), 1 << 31], "<u4").tobytes() + packed,
+    ):
+        path.write_bytes(head.encode() + sizes_and_data)
+        with pytest.raises(OperationError, match=r"c\.pcd"):
+            read_cloud(path)
+
+
+def compress_lzf(plain: bytes) -> bytes:
+    """As LZF has it: copies of three bytes or more that stood before, and literal bytes."""
+    packed, literals, at = bytearray(), bytearray(), 0
+    seen: dict[bytes, int] = {}
+
+    def flush() -> None:
+        for begin in range(0, len(literals), 32):
+            part = literals[begin : begin + 32]
+            packed.append(len(part) - 1)
+            packed.extend(part)
+        literals.clear()
+
+    while at < len(plain):
+        back = at - seen.get(plain[at : at + 3], at)
+        seen[plain[at : at + 3]] = at
+        if not 0 < back <= 8192 or at + 3 > len(plain):
+            literals.append(plain[at])
+            at += 1
+            continue
+        count = 3
+        while (
+            count < 264
+            and at + count < len(plain)
+            and plain[at + count - back] == plain[at + count]
+        ):
+            count += 1
+        flush()
+        length = count - 2
+        packed.append((min(length, 7) << 5) + ((back - 1) >> 8))
+        if length >= 7:
+            packed.append(length - 7)
+        packed.append((back - 1) & 255)
+        at += count
+    flush()
+    return bytes(packed)
+
+
+@given(packed=st.binary(max_size=200), wanted=st.integers(0, 2000))
+@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_foreign_bytes_never_expand_beyond_what_is_wanted(packed: bytes, wanted: int) -> None:
+    guarded = np.full(wanted + 64, 170, np.uint8)
+    done = pcd._expand_lzf(np.frombuffer(packed, np.uint8), guarded[:wanted])
+    assert done in (0, 1)
+    assert (guarded[wanted:] == 170).all()
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -1,8 +1,9 @@
-"""PCD, the Point Cloud Library's format: written as binary, read as binary or ascii.
+"""PCD, the Point Cloud Library's format: written as binary; read as binary, compressed, ascii.
 
 Coordinates are floats, since the library's own readers take nothing else for x, y, z.
 """
 
+import struct
 from pathlib import Path
 from typing import BinaryIO
 
@@ -16,9 +17,12 @@ from app.formats.clouds.rows import (
     format_error,
     read_binary_rows,
     read_text_rows,
+    truncation_error,
 )
 from app.formats.file_names import display_path
 from app.metrology.transforms import Floats
+from app.native.arguments import U8, Array, Function
+from app.native.library import CRENEL
 
 RECORD = np.dtype(
     [
@@ -34,6 +38,12 @@ FARTHEST_MM = 2.0**14
 """A float's step is below 1 µm up to here."""
 LONGEST_HEADER = 100
 KINDS = {"F": "f", "I": "i", "U": "u"}
+MOST_EXPANDED = 88
+"""Bytes that a byte of compressed data can stand for: three stand for 264."""
+
+_expand_lzf = Function(
+    CRENEL, "expand_lzf", Array(U8, "size"), Array(U8, "wanted", written=True), returns=int
+)
 
 
 class PcdSink:
@@ -90,10 +100,12 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         return cloud_from_columns(_read_binary(path, file, layout, count))
     if data == "ascii":
         return cloud_from_columns(_read_ascii(path, file, layout, count))
+    if data == "binary_compressed":
+        return cloud_from_columns(_read_compressed(path, file, layout, count))
     raise OperationError(
         "cloud-compressed",
         display_path(path),
-        f"its data is {data}, which is not read here",
+        f"its data is {data}, which is not one of ascii, binary, binary_compressed",
         "Export it as binary PCD or as PLY",
     )
 
@@ -103,6 +115,31 @@ def _read_binary(
 ) -> dict[str, Floats]:
     table = read_binary_rows(path, file, file.tell(), layout, count)
     return {name: as_doubles(table[name][:, 0]) for name in layout.names or ()}
+
+
+def _read_compressed(
+    path: Path, file: BinaryIO, layout: np.dtype[np.void], count: int
+) -> dict[str, Floats]:
+    """Field after field, each of all points, as PCL compresses them."""
+    sizes = file.read(8)
+    if len(sizes) < 8:
+        raise truncation_error(path, 0, count)
+    size, wanted = struct.unpack("<II", sizes)
+    if wanted != count * layout.itemsize or wanted > MOST_EXPANDED * size:
+        raise format_error(path, f"{wanted} bytes are announced for {count} points")
+    packed = np.frombuffer(file.read(size), np.uint8)
+    if len(packed) < size:
+        raise truncation_error(path, count * len(packed) // max(size, 1), count)
+    expanded = np.empty(wanted, np.uint8)
+    if not _expand_lzf(packed, expanded):
+        raise format_error(path, "its compressed data cannot be expanded")
+    columns, at = {}, 0
+    for name in layout.names or ():
+        kind = layout[name]
+        end = at + count * kind.itemsize
+        field = expanded[at:end].view(kind.base).reshape(count, *kind.shape)
+        columns[name], at = as_doubles(field[:, 0]), end
+    return columns
 
 
 def _read_ascii(

@@ -6,6 +6,7 @@
 #include "sorting.h"
 #include "vectors.h"
 
+#include "points/expand_lzf.c"
 #include "points/frame_points.c"
 #include "points/pack_points.c"
 #include "points/write_decimals.c"
