@@ -11,6 +11,7 @@ import typer
 
 from app.cli.arm import articulation, identify
 from app.cli.bench import bench
+from app.cli.pictures import detect, extract
 from app.cli.report import report
 from app.cli.scan import reconstruct, replay, study, sync
 from app.cli.station import backup, mqtt_schema, password
@@ -49,28 +50,6 @@ class Method(StrEnum):
 
     JOINT = "joint"
     ONE_POSE = "one-pose"
-
-
-class PeakOption(StrEnum):
-    CONTINUITY = "continuity"
-    STRENGTH = "strength"
-    FIRST = "first"
-    LAST = "last"
-
-
-class Axis(StrEnum):
-    """Along which image axis stripe points are counted."""
-
-    U = "u"
-    V = "v"
-
-
-class ColourOption(StrEnum):
-    """A laser's colour."""
-
-    RED = "red"
-    GREEN = "green"
-    BLUE = "blue"
 
 
 class ShapeOption(StrEnum):
@@ -194,78 +173,6 @@ def calibrate(
 
 @cli.command()
 @report_errors
-def extract(
-    images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
-        "stripe.csv"
-    ),
-    axis: Annotated[
-        Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
-    ] = Axis.U,
-    threshold: Annotated[
-        float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
-    ] = None,
-    min_width: Annotated[
-        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
-    ] = None,
-    max_width: Annotated[
-        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
-    ] = None,
-    choice: Annotated[
-        PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
-    ] = PeakOption.CONTINUITY,
-    mask: Annotated[
-        Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
-    ] = None,
-    colour: Annotated[
-        ColourOption | None,
-        typer.Option(help="Of the laser: its channel is taken of colour pictures."),
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Extract the laser stripe: columns u, v, intensity, sigma_px.
-
-    Of several pictures, a last column ``image`` names the picture of each row.
-    """
-    from app.formats.atomic_write import check_output_path
-    from app.formats.settings.mask import Mask
-    from app.metrology.stripe import StripeSettings
-    from app.workflows.extract_stripes import extract_stripes as extract_all
-    from app.workflows.extract_stripes import write_stripes
-
-    check_output_path(output, images if mask is None else [*images, mask])
-    zones = None if mask is None else Mask.read(mask)
-    settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
-    with progress_bar("Extracting", not as_json) as progress:
-        stripes = extract_all(
-            images, axis.value, progress, settings, zones, colour.value if colour else None
-        )
-        write_stripes(output, stripes)
-    if as_json:
-        found = [
-            {
-                "image": str(one.file),
-                "u": one.stripe.u.tolist(),
-                "v": one.stripe.v.tolist(),
-                "intensity": one.stripe.intensity.tolist(),
-                "sigma_px": one.stripe.sigma_px.tolist(),
-            }
-            for one in stripes
-        ]
-        print_json({"file": str(output), "axis": axis.value, "images": found})
-        return
-    import numpy as np
-
-    rows = [
-        (str(one.file), str(len(one.stripe.u)), f"{float(np.median(one.stripe.sigma_px)):.3f}")
-        for one in stripes
-    ]
-    print_table("Laser stripe", ("picture", "points", "median σ px"), rows)
-    print(f"{output} written")
-
-
-@cli.command()
-@report_errors
 def verify(
     shape: Annotated[ShapeOption, typer.Argument(help="What the gauge is.")],
     clouds: Annotated[
@@ -302,6 +209,8 @@ def verify(
         print(f"{output} written")
 
 
+cli.command()(extract)
+cli.command()(detect)
 cli.command()(reconstruct)
 cli.command()(sync)
 cli.command()(study)

@@ -1,0 +1,181 @@
+"""The command line's part for single pictures: ``extract`` and ``detect``."""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.console import print_json, print_table, progress_bar, report_errors
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+
+
+class PeakOption(StrEnum):
+    CONTINUITY = "continuity"
+    STRENGTH = "strength"
+    FIRST = "first"
+    LAST = "last"
+
+
+class Axis(StrEnum):
+    """Along which image axis stripe points are counted."""
+
+    U = "u"
+    V = "v"
+
+
+class ColourOption(StrEnum):
+    """A laser's colour."""
+
+    RED = "red"
+    GREEN = "green"
+    BLUE = "blue"
+
+
+Colour = Annotated[
+    ColourOption | None,
+    typer.Option(help="Of the laser: its channel is measured in colour pictures."),
+]
+Draw = Annotated[
+    Path | None,
+    typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
+]
+
+
+@report_errors
+def extract(
+    images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "stripe.csv"
+    ),
+    axis: Annotated[
+        Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
+    ] = Axis.U,
+    threshold: Annotated[
+        float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
+    ] = None,
+    min_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    max_width: Annotated[
+        float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+    ] = None,
+    choice: Annotated[
+        PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
+    ] = PeakOption.CONTINUITY,
+    mask: Annotated[
+        Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
+    ] = None,
+    colour: Colour = None,
+    draw: Draw = None,
+    as_json: AsJson = False,
+) -> None:
+    """Extract the laser stripe: columns u, v, intensity, sigma_px.
+
+    Of several pictures, a last column ``image`` names the picture of each row.
+    """
+    from app.formats.atomic_write import check_output_path
+    from app.formats.images import read_grey
+    from app.formats.settings.mask import Mask
+    from app.metrology.stripe import StripeSettings
+    from app.workflows.pictures.draw_pictures import draw_stripe, write_drawings
+    from app.workflows.pictures.extract_stripes import extract_stripes as extract_all
+    from app.workflows.pictures.extract_stripes import write_stripes
+
+    check_output_path(output, images if mask is None else [*images, mask])
+    zones = None if mask is None else Mask.read(mask)
+    settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
+    of_laser = colour.value if colour else None
+    with progress_bar("Extracting", not as_json) as progress:
+        stripes = extract_all(images, axis.value, progress, settings, zones, of_laser)
+        write_stripes(output, stripes)
+        if draw is not None:
+            drawings = (
+                (one.file, draw_stripe(read_grey(one.file, of_laser), one.stripe))
+                for one in stripes
+            )
+            write_drawings(draw, drawings)
+    if as_json:
+        found = [
+            {
+                "image": str(one.file),
+                "u": one.stripe.u.tolist(),
+                "v": one.stripe.v.tolist(),
+                "intensity": one.stripe.intensity.tolist(),
+                "sigma_px": one.stripe.sigma_px.tolist(),
+            }
+            for one in stripes
+        ]
+        print_json({"file": str(output), "axis": axis.value, "images": found})
+        return
+    import numpy as np
+
+    rows = [
+        (str(one.file), str(len(one.stripe.u)), f"{float(np.median(one.stripe.sigma_px)):.3f}")
+        for one in stripes
+    ]
+    print_table("Laser stripe", ("picture", "points", "median σ px"), rows)
+    print(f"{output} written")
+
+
+@report_errors
+def detect(
+    images: Annotated[list[Path], typer.Argument(help="Pictures of the calibration object.")],
+    target: Annotated[
+        Path, typer.Option("--object", help="object.json: the block or board by its certificate.")
+    ],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the corners here, as CSV.")
+    ] = None,
+    laser: Annotated[
+        Axis | None, typer.Option(help="The laser is on in the pictures; its stripe's axis.")
+    ] = None,
+    colour: Colour = None,
+    draw: Draw = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show what is seen of a block or a chessboard in pictures: corners, or why none.
+
+    The file has the columns image, number, u, v, sigma_px, refusal.
+    """
+    from app.formats.atomic_write import check_output_path
+    from app.formats.datasheets.target import read_object
+    from app.formats.images import read_grey
+    from app.workflows.pictures.detect_targets import detect_targets, write_detections
+    from app.workflows.pictures.draw_pictures import draw_detection, write_drawings
+
+    if output is not None:
+        check_output_path(output, [*images, target])
+    channel = colour.value if colour else "green"  # of which colour cameras have most pixels
+    with progress_bar("Detecting", not as_json) as progress:
+        found = detect_targets(
+            images, read_object(target), laser.value if laser else None, channel, progress
+        )
+        if output is not None:
+            write_detections(output, found)
+        if draw is not None:
+            drawings = (
+                (one.file, draw_detection(read_grey(one.file, channel), one)) for one in found
+            )
+            write_drawings(draw, drawings)
+    if as_json:
+        pictures = [
+            {
+                "image": str(one.file),
+                "corners": [vars(corner) for corner in one.corners],
+                "refusal": None
+                if one.refusal is None
+                else {"code": one.refusal.code, "text": one.refusal.line},
+            }
+            for one in found
+        ]
+        print_json({"images": pictures})
+        return
+    rows = [(str(one.file), str(len(one.corners) or "none")) for one in found]
+    print_table(f"Corners of {target}", ("picture", "corners"), rows)
+    for one in found:
+        if one.refusal is not None:
+            print(f"{one.file}: {one.refusal.line}")
+    if output is not None:
+        print(f"{output} written")

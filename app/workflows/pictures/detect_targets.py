@@ -1,0 +1,105 @@
+"""What is seen of a calibration target in pictures: corners, or why there are none."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.errors import OperationError
+from app.formats.atomic_write import write_atomically
+from app.formats.csv_table import table_text
+from app.formats.images import GreyImage, read_grey
+from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.colour import LaserColour
+from app.metrology.detection.detect_block import detect_object
+from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.target import CalibrationTarget
+from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
+
+COLUMNS = ("image", "number", "u", "v", "sigma_px", "refusal")
+
+
+@dataclass(frozen=True)
+class DetectedPoint:
+    """A corner: its number on a board or its name on a block, where it is, and how sure that is.
+
+    ``sigma_px`` is the standard deviation along the direction in which it is largest.
+    """
+
+    number: str
+    u: float
+    v: float
+    sigma_px: float
+
+
+@dataclass(frozen=True)
+class ImageDetection:
+    """What a picture shows: corners, or the refusal."""
+
+    file: Path
+    corners: tuple[DetectedPoint, ...]
+    refusal: OperationError | None = None
+
+
+def detect_targets(
+    images: Sequence[Path],
+    target: CalibrationTarget,
+    axis: str | None = None,
+    colour: LaserColour | None = None,
+    progress: Progress = no_progress,
+) -> list[ImageDetection]:
+    """Looks for a block or a board in every picture, each by itself.
+
+    Args:
+        axis: of the laser stripe (``u`` or ``v``), where the pictures show it too.
+        colour: of the laser, whose channel is taken of colour pictures.
+
+    Raises:
+        OperationError: a picture cannot be read.
+    """
+    found: list[ImageDetection] = []
+    for done, path in enumerate(images):
+        progress(done / len(images), path.name)
+        image = read_grey(path, colour)
+        stripe = None if axis is None else extract_stripe(image, axis)
+        try:
+            found.append(ImageDetection(path, _detect(image, target, stripe)))
+        except OperationError as refusal:
+            found.append(ImageDetection(path, (), refusal))
+    progress(1.0, "")
+    return found
+
+
+def _detect(
+    image: GreyImage, target: CalibrationTarget, stripe: Stripe | None
+) -> tuple[DetectedPoint, ...]:
+    if isinstance(target, Chessboard):
+        board = detect_board(image, target, stripe and drop_faint_stripe(image, stripe))
+        rows = zip(board.number.tolist(), board.uv_px, board.covariance_px2, strict=True)
+        return tuple(
+            DetectedPoint(str(number), float(uv[0]), float(uv[1]), _largest_sigma_px(covariance))
+            for number, uv, covariance in sorted(rows, key=lambda row: row[0])
+        )
+    block = detect_object(image, target, stripe)
+    return tuple(
+        DetectedPoint(one.name, one.u, one.v, _largest_sigma_px(one.covariance_px2))
+        for one in block.corners
+    )
+
+
+def _largest_sigma_px(covariance_px2: Floats) -> float:
+    return float(np.sqrt(np.linalg.eigvalsh(covariance_px2)[-1]))
+
+
+def write_detections(path: Path, found: Sequence[ImageDetection]) -> None:
+    """Writes ``image,number,u,v,sigma_px,refusal``: a row a corner, or one with the refusal."""
+    rows: list[tuple[float | str, ...]] = []
+    for picture in found:
+        name = str(picture.file)
+        if picture.refusal is not None:
+            rows.append((name, "", "", "", "", picture.refusal.code))
+        rows.extend((name, one.number, one.u, one.v, one.sigma_px, "") for one in picture.corners)
+    write_atomically(path, table_text(COLUMNS, rows).encode())

@@ -1,0 +1,92 @@
+"""``crenel detect`` and ``--draw``: corners or refusals of pictures, drawn and as a table."""
+
+import csv
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from tests.cli.test_cli import crenel
+
+
+@pytest.fixture
+def board(tmp_path: Path) -> Path:
+    path = tmp_path / "object.json"
+    path.write_text(
+        json.dumps(
+            {
+                "format": "crenel/object",
+                "version": 1,
+                "kind": "chessboard",
+                "name": "B",
+                "serial_number": "1",
+                "inner_corners": [5, 4],
+                "square_mm": 20.0,
+            }
+        )
+    )
+    return path
+
+
+def picture(path: Path) -> Path:
+    squares = np.indices((5, 6)).sum(axis=0) % 2
+    grey = np.kron(squares, np.ones((40, 40))) * 180 + 40
+    grey = cv2.GaussianBlur(np.pad(grey, 60, constant_values=220), (0, 0), 1.0)
+    noise = np.random.default_rng(0).normal(0, 1.5, grey.shape)
+    cv2.imwrite(str(path), np.clip(grey + noise, 0, 255).astype(np.uint8))
+    return path
+
+
+def test_corners_are_listed_and_drawn(tmp_path: Path, board: Path) -> None:
+    seen = picture(tmp_path / "seen.png")
+    empty = tmp_path / "empty.png"
+    cv2.imwrite(str(empty), np.full((200, 200), 90, np.uint8))
+    table, drawn = tmp_path / "corners.csv", tmp_path / "drawn"
+    arguments = (seen, empty, "--object", board, "-o", table, "--draw", drawn)
+    result = crenel("detect", *arguments)
+    assert result.exit_code == 0, result.output
+    assert f"{empty}: no chessboard" in result.stdout
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    corners = [row for row in rows if row["image"] == str(seen)]
+    assert [int(row["number"]) for row in corners] == list(range(20))
+    u = sorted(float(row["u"]) for row in corners)
+    np.testing.assert_allclose(u, np.repeat(99.5 + 40 * np.arange(5), 4), atol=0.2)
+    assert all(0 < float(row["sigma_px"]) < 0.2 for row in corners)
+    (refused,) = (row for row in rows if row["image"] == str(empty))
+    assert refused["refusal"] == "board-not-found"
+    image = cv2.imread(str(drawn / "seen.png"))
+    assert image is not None
+    assert (image[..., 0] != image[..., 1]).any()
+    assert (drawn / "empty.png").is_file()
+
+
+def test_the_result_is_there_for_programs(tmp_path: Path, board: Path) -> None:
+    result = crenel("detect", picture(tmp_path / "a.png"), "--object", board, "--json")
+    (found,) = json.loads(result.stdout)["images"]
+    assert len(found["corners"]) == 20
+    assert found["refusal"] is None
+
+
+def test_drawings_of_one_name_are_refused(tmp_path: Path, board: Path) -> None:
+    (tmp_path / "other").mkdir()
+    seen = picture(tmp_path / "a.png"), picture(tmp_path / "other" / "a.png")
+    result = crenel("detect", *seen, "--object", board, "--draw", tmp_path / "drawn")
+    assert result.exit_code == 1
+    assert "two pictures are named a" in result.stderr
+
+
+def test_stripes_are_drawn(tmp_path: Path) -> None:
+    rows = np.arange(80.0)[:, None]
+    grey = 20 + 150 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 120))
+    noise = np.random.default_rng(0).normal(0, 1.0, grey.shape)
+    cv2.imwrite(str(tmp_path / "line.png"), (grey + noise).round().astype(np.uint8))
+    drawn = tmp_path / "drawn"
+    result = crenel("extract", tmp_path / "line.png", "-o", tmp_path / "s.csv", "--draw", drawn)
+    assert result.exit_code == 0, result.output
+    image = cv2.imread(str(drawn / "line.png"))
+    assert image is not None
+    red = (image[..., 2] > image[..., 0]).any(axis=1)
+    assert np.flatnonzero(red).tolist() == [39, 40, 41]
