@@ -8,7 +8,7 @@ import socket
 import tempfile
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -40,7 +40,8 @@ from app.server.starting_page import (
     StartingApp,
     StartStep,
 )
-from app.settings.settings import DEFAULT_FILE, Serving, Settings, read_settings, user_data_folder
+from app.settings.settings import Serving, Settings, user_data_folder
+from app.settings.station_toml import DEFAULT_FILE, read_settings
 
 if TYPE_CHECKING:
     from app.operations.context import Context
@@ -77,11 +78,11 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     _check_drivers(settings, config)
     listening = listen(host, port, 1)
     plan = Plan(
-        settings.name,
+        settings.station.name,
         lambda: _load_parts(settings, data),
         host,
-        settings.hosts,
-        serving=settings.serving,
+        settings.station.hosts,
+        serving=settings.station,
     )
     print("Starting the station.", flush=True)
     run(plan, listening, open_browser)
@@ -106,16 +107,17 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
 
 def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
     """The parts that the settings name; no device is touched yet."""
+    from app.metrology.limits import Limits
     from app.server.composition import StationParts
     from hardware.registry import arm_driver, sensor_driver
 
-    arm, sensor = settings.arm, settings.sensor
+    station, arm, sensor = settings.station, settings.arm, settings.sensor
     return StationParts(
-        name=settings.name,
-        data=data or settings.data,
+        name=station.name,
+        data=data or station.data,
         arm=lambda: arm_driver(arm.driver, arm.options),
         sensor=lambda: sensor_driver(sensor.driver, sensor.options),
-        limits=settings.limits,
+        limits=Limits(settings.limits.good_um, settings.limits.usable_um),
         verification=settings.verification,
         due=settings.due,
         monitoring=_monitoring_settings(settings),
@@ -127,23 +129,23 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
     from app.operations.services import MonitoringSettings
     from hardware.thermometer import FileThermometer
 
-    mqtt = settings.mqtt
-    file = settings.temperature
+    station, mqtt = settings.station, settings.mqtt
+    file = settings.temperature.file if settings.temperature else None
     effective_settings = {
         "drivers": {"arm": settings.arm.driver, "sensor": settings.sensor.driver},
-        "name": settings.name,
-        "data": str(settings.data),
-        "hosts": list(settings.hosts),
-        "limits": asdict(settings.limits),
-        "tls": settings.serving.tls_certificate is not None,
+        "name": station.name,
+        "data": str(station.data),
+        "hosts": list(station.hosts),
+        "limits": settings.limits.model_dump(),
+        "tls": station.tls_certificate is not None,
         "arm": dict(settings.arm.options),
         "sensor": dict(settings.sensor.options),
-        "mqtt": None if mqtt is None else {k: str(v) for k, v in asdict(mqtt).items()},
+        "mqtt": None if mqtt is None else {k: str(v) for k, v in mqtt},
         "temperature": None if file is None else str(file),
     }
     return MonitoringSettings(
-        address=settings.address,
-        backups=settings.backups,
+        address=station.address,
+        backups=station.backups,
         mqtt=mqtt,
         thermometer=None if file is None else FileThermometer(file),
         effective_settings=effective_settings,

@@ -1,1 +1,1 @@
-"""``station.toml``: ``station_toml`` reads and checks it, ``settings`` are what it means."""
+"""``station.toml``: ``station_toml`` reads it, ``settings`` are what it says and check it."""

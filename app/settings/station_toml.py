@@ -50,23 +50,21 @@ file = "/sys/bus/w1/devices/28-0316a4d5e6ff/temperature"  # thousandths of a deg
 
 import tomllib
 from pathlib import Path
-from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ValidationError
 
 from app.errors import OperationError
-from app.formats.datasheets.gauge import VerificationLimits
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
-from app.guide.common.validity import DUE
 from app.messages.validation import validation_text
-from app.metrology.limits import LIMITS
-from app.supervision.broker_settings import BrokerSettings
+from app.settings.settings import Settings
 
+DEFAULT_FILE = "station.toml"
 WORDS = {
     "string_type": "it must be text in quotes",
+    "is_instance_of": "it must be text in quotes",
     "string_too_short": "it is empty",
-    "list_type": 'it must be a list, as ["one", "two"]',
+    "tuple_type": 'it must be a list, as ["one", "two"]',
     "int_type": "it must be a whole number",
     "float_type": "it must be a number",
     "bool_type": "it must be true or false",
@@ -78,90 +76,16 @@ PATTERN_WORDS = {
     "prefix": "it must be words with / between them, without spaces, # and +",
     "station": "it must be small letters, digits and hyphens, 40 at most",
 }
-Limit = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
 
 
-class StationTable(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    name: Annotated[str, Field(min_length=1, max_length=60)] = "Crenel"
-    data: Annotated[str, Field(min_length=1)] | None = None
-    hosts: list[Annotated[str, Field(min_length=1)]] = []
-    tls_certificate: Annotated[str, Field(min_length=1)] | None = None
-    tls_key: Annotated[str, Field(min_length=1)] | None = None
-    proxies: list[Annotated[str, Field(min_length=1)]] = []
-    address: Annotated[str, Field(max_length=200, pattern="^https?://[^/]")] | None = None
-    backups: Annotated[str, Field(min_length=1)] | None = None
-
-
-class DeviceTable(BaseModel):
-    model_config = ConfigDict(extra="allow", strict=True)
-
-    driver: Annotated[str, Field(min_length=1)]
-
-
-class LimitsTable(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    good_um: Limit = LIMITS.good_um
-    usable_um: Limit = LIMITS.usable_um
-
-
-class MqttTable(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    host: Annotated[str, Field(min_length=1)]
-    port: Annotated[int, Field(ge=1, le=65535)] = BrokerSettings.port
-    user: Annotated[str, Field(min_length=1)] | None = None
-    password_file: Annotated[str, Field(min_length=1)] | None = None
-    tls: bool = BrokerSettings.tls
-    ca_file: Annotated[str, Field(min_length=1)] | None = None
-    prefix: Annotated[str, Field(pattern=r"^[^#+/\s]+(/[^#+/\s]+)*$", max_length=80)] = (
-        BrokerSettings.prefix
-    )
-    station: Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")] | None = None
-
-
-class TemperatureTable(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    file: Annotated[str, Field(min_length=1)]
-
-
-class VerificationTable(VerificationLimits):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class DueTable(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    calibration_days: Limit = DUE.calibration_days
-    verification_days: Limit = DUE.verification_days
-    arm_days: Limit = DUE.arm_days
-    tip_hours: Limit = DUE.tip_hours
-    temperature_c: Limit = DUE.temperature_c
-
-
-class StationFile(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    station: StationTable = StationTable()
-    arm: DeviceTable
-    sensor: DeviceTable
-    limits: LimitsTable = LimitsTable()
-    verification: VerificationTable = VerificationTable()
-    due: DueTable = DueTable()
-    mqtt: MqttTable | None = None
-    temperature: TemperatureTable | None = None
-
-
-def read_file(path: Path) -> StationFile:
-    """Reads the file as it stands.
+def read_settings(path: Path | None) -> Settings:
+    """Reads ``station.toml``, by default the one in the working folder.
 
     Raises:
-        OperationError: there is no such file, it is not TOML, or a key is missing, unknown
-            or of the wrong kind; the key is named.
+        OperationError: there is no such file, it is not TOML, a key is missing, unknown or of
+            the wrong kind, values do not go together, or a file that is named is not there.
     """
+    path = path or Path(DEFAULT_FILE)
     if not path.exists():
         raise OperationError(
             "settings-missing",
@@ -172,7 +96,7 @@ def read_file(path: Path) -> StationFile:
     with convert_io_errors(path):
         raw = read_bounded(path)
     try:
-        return StationFile.model_validate(tomllib.loads(raw.decode()))
+        return Settings.model_validate(tomllib.loads(raw.decode()), context=path)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise OperationError("settings-not-toml", str(path), f"it is not TOML: {error}") from error
     except ValidationError as error:

@@ -1,25 +1,26 @@
 """Which broker a station talks to, and as whom."""
 
-from dataclasses import dataclass
-from pathlib import Path
+from typing import Annotated
+
+from pydantic import Field
 
 from app.errors import OperationError
 from app.formats.open_file import read_bounded
+from app.formats.settings.toml_table import NonEmpty, SettingsPath, TomlTable
 from app.messages.message import message
 
 
-@dataclass(frozen=True)
-class BrokerSettings:
+class BrokerSettings(TomlTable):
     """``[mqtt]`` of station.toml."""
 
-    host: str
-    port: int = 1883
-    user: str | None = None
-    password_file: Path | None = None
+    host: NonEmpty
+    port: Annotated[int, Field(ge=1, le=65535)] = 1883
+    user: NonEmpty | None = None
+    password_file: SettingsPath | None = None
     tls: bool = False
-    ca_file: Path | None = None
-    prefix: str = "crenel"
-    station: str | None = None
+    ca_file: SettingsPath | None = None
+    prefix: Annotated[str, Field(pattern=r"^[^#+/\s]+(/[^#+/\s]+)*$", max_length=80)] = "crenel"
+    station: Annotated[str, Field(pattern="^[a-z0-9-]{1,40}$")] | None = None
     """As a part of topics; else by the station's name."""
 
     def password(self) -> str | None:

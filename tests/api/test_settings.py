@@ -7,8 +7,9 @@ import pytest
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS
 from app.guide.common.validity import DUE
-from app.metrology.limits import LIMITS, Limits
-from app.settings.settings import read_settings
+from app.metrology.limits import LIMITS
+from app.settings.settings import LimitsTable
+from app.settings.station_toml import read_settings
 
 GOOD = """
 [station]
@@ -34,15 +35,15 @@ def write(tmp_path: Path, text: str) -> Path:
 
 def test_a_whole_file(tmp_path: Path) -> None:
     settings = read_settings(write(tmp_path, GOOD))
-    assert settings.name == "Room 2"
-    assert settings.data == tmp_path / "records"
-    assert settings.hosts == ("station.local",)
+    assert settings.station.name == "Room 2"
+    assert settings.station.data == tmp_path / "records"
+    assert settings.station.hosts == ("station.local",)
     assert (settings.arm.driver, settings.arm.options) == (
         "serial-encoder",
         {"url": "/dev/ttyUSB0"},
     )
     assert (settings.sensor.driver, settings.sensor.options) == ("opencv", {"source": 0})
-    assert settings.limits == Limits(good_um=30.0, usable_um=LIMITS.usable_um)
+    assert settings.limits == LimitsTable(good_um=30.0, usable_um=LIMITS.usable_um)
 
 
 def test_a_broker_and_a_thermometer(tmp_path: Path) -> None:
@@ -67,8 +68,9 @@ file = "/sys/room"
         False,
     )
     assert broker.password() == "a word"
-    assert settings.temperature == Path("/sys/room")
-    assert settings.backups == tmp_path / "copies"
+    assert settings.temperature is not None
+    assert settings.temperature.file == Path("/sys/room")
+    assert settings.station.backups == tmp_path / "copies"
     (tmp_path / "secret").unlink()
     with pytest.raises(OperationError, match="secret"):
         read_settings(write(tmp_path, text + more))
@@ -77,8 +79,10 @@ file = "/sys/room"
 def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
     settings = read_settings(write(tmp_path, '[arm]\ndriver="a"\n[sensor]\ndriver="b"\n'))
-    assert settings.data == tmp_path / "share/crenel/station"
-    assert settings.limits == LIMITS
+    assert settings.station.data == tmp_path / "share/crenel/station"
+    assert settings.limits == LimitsTable(good_um=LIMITS.good_um, usable_um=LIMITS.usable_um)
+    assert settings.verification.model_dump() == DEFAULT_LIMITS.model_dump()
+    assert settings.due == DUE
 
 
 @pytest.mark.parametrize(
@@ -100,6 +104,9 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
         (('name = "Room 2"', 'address = "room-2"'), "begin with http:// or https://"),
         (('["station.local"]', '"room-2"'), "it must be a list"),
         (('name = "Room 2"', 'proxies = ["proxy.local"]'), "it is no address"),
+        (('name = "Room 2"', 'tls_key = "station.toml"'), "tls_key is given alone"),
+        (('data = "records"', "data = 5"), "data = 5: it must be text in quotes"),
+        (('data = "records"', 'data = ""'), "it is empty"),
         (("[arm]", '[mqtt]\nhost = "h"\nstation = "Room 2"\n[arm]'), "small letters"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "station.toml"\n[arm]'), "no certificates"),
         (("[arm]", '[mqtt]\nhost = "h"\nca_file = "gone"\n[arm]'), "there is no such file"),
@@ -111,6 +118,18 @@ def test_what_is_wrong_is_named(tmp_path: Path, change: tuple[str, str], named: 
         read_settings(write(tmp_path, GOOD.replace(*change, 1)))
     assert named in caught.value.line
     assert "station.toml" in caught.value.line
+
+
+def test_certificate_and_key_are_beside_the_file(tmp_path: Path) -> None:
+    both = 'name = "Room 2"\ntls_certificate = "cert.pem"\ntls_key = "key.pem"'
+    file = write(tmp_path, GOOD.replace('name = "Room 2"', both))
+    with pytest.raises(OperationError, match="settings-tls") as caught:
+        read_settings(file)
+    gone = f"tls_certificate = {str(tmp_path / 'cert.pem')!r}: there is no such file"
+    assert gone in caught.value.line
+    for name in ("cert.pem", "key.pem"):
+        (tmp_path / name).touch()
+    assert read_settings(file).station.tls_key == tmp_path / "key.pem"
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:

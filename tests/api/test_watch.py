@@ -252,7 +252,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
         },
     }
     watching = MonitoringSettings(
-        mqtt=BrokerSettings("broker.local", password_file=tmp_path / "password"),
+        mqtt=BrokerSettings(host="broker.local", password_file=tmp_path / "password"),
         effective_settings=reported,
     )
     monkeypatch.setattr(context.monitoring, "settings", watching)

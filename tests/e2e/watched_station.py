@@ -23,7 +23,9 @@ def serve(data: Path, broker_port: int) -> None:
         context = SimpleNamespace(store=store, guide=guide)
         use_truth(SimpleNamespace(simulation=simulation, data=data, context=context), "truth")
         store.close()
-        watching = replace(parts.monitoring, mqtt=BrokerSettings("127.0.0.1", broker_port))
+        watching = replace(
+            parts.monitoring, mqtt=BrokerSettings(host="127.0.0.1", port=broker_port)
+        )
         parts = replace(parts, monitoring=watching)
         run(Plan("Watched", lambda: parts, "127.0.0.1", by_link=True), listening, False)
 

@@ -19,7 +19,7 @@ from app.formats.images import png_size, read_grey
 from app.formats.json_document import file_sha256, read_text
 from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.recording.reader import find_damage, last_stamp_ns, open_recording
-from app.settings.station_toml import read_file
+from app.settings.station_toml import read_settings
 from app.store.backup import last_backup
 from app.store.scan_settings import SettingsStore
 from app.supervision.webhook import WebhookStore
@@ -68,7 +68,7 @@ READERS: tuple[Callable[[Path], object], ...] = (
     lambda path: list(open_recording(path).records()),
     last_stamp_ns,
     lambda path: read_table(path, ()),
-    read_file,
+    read_settings,
 )
 
 

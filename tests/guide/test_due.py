@@ -101,7 +101,7 @@ def test_other_devices_than_calibrated_come_before_verifying() -> None:
 
 
 def test_limits_are_the_stations_own() -> None:
-    strict = replace(DUE, verification_days=0.5)
+    strict = DUE.model_copy(update={"verification_days": 0.5})
     found = {line.id: line for line in check_validity(ALL, NOW, strict)}
     assert found["verification"].state == "due"
 

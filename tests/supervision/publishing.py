@@ -73,7 +73,8 @@ def make_event(station: str, instance: str, number: int) -> StationEvent:
 
 async def publish(port: int, station: str) -> None:
     instance = new_instance()
-    broker = Broker(BrokerSettings("127.0.0.1", port), station, station.title(), instance, Fleet())
+    settings = BrokerSettings(host="127.0.0.1", port=port)
+    broker = Broker(settings, station, station.title(), instance, Fleet())
     running = asyncio.create_task(broker.run())
     number = 0
     while not running.done():

@@ -83,7 +83,7 @@ def watching(
     port: int, look: Callable[[Watch], Coroutine[object, object, None]], name: str = "watcher"
 ) -> None:
     async def run() -> None:
-        watch = Watch(BrokerSettings("127.0.0.1", port), name)
+        watch = Watch(BrokerSettings(host="127.0.0.1", port=port), name)
         running = asyncio.create_task(watch.broker.run())
         try:
             await look(watch)
@@ -178,7 +178,7 @@ def test_a_broker_with_passwords(tmp_path: Path, broker: Mosquitto) -> None:
         async def look() -> None:
             for name, connects in (("right", True), ("wrong", False), ("none", False)):
                 settings = BrokerSettings(
-                    "127.0.0.1", own.port, user=USER, password_file=tmp_path / name
+                    host="127.0.0.1", port=own.port, user=USER, password_file=tmp_path / name
                 )
                 watch = Watch(settings, "watcher")
                 running = asyncio.create_task(watch.broker.run())
@@ -230,7 +230,7 @@ def test_a_station_ends_at_once_also_amid_its_events(broker: Mosquitto) -> None:
 
     async def run() -> None:
         for turn in range(40):
-            watch = Watch(BrokerSettings("127.0.0.1", broker.port), "ending")
+            watch = Watch(BrokerSettings(host="127.0.0.1", port=broker.port), "ending")
             running = asyncio.create_task(watch.broker.run())
             await watch.until(partial(lambda watch: watch.broker.state.connected, watch))
             for number in range(60):

@@ -1,1 +1,1 @@
-"""Settings of scanning: masks, and how stripes are extracted."""
+"""Settings: of scanning, and what the tables of ``station.toml`` are made of."""

@@ -6,6 +6,7 @@ from datetime import datetime
 from typing import Literal
 
 from app.findings import Finding, Quality
+from app.formats.settings.toml_table import Limit, TomlTable
 from app.messages.message import Text, message, quantity, rounded, signed
 from app.timestamps import parse_moment
 
@@ -15,15 +16,14 @@ State = Literal["valid", "due", "missing", "failed", "unsure"]
 SECONDS_A_DAY = 86400.0
 
 
-@dataclass(frozen=True)
-class DueLimits:
-    """When what is done again."""
+class DueLimits(TomlTable):
+    """``[due]`` of station.toml: when what is done again."""
 
-    calibration_days: float = 30.0
-    verification_days: float = 7.0
-    arm_days: float = 30.0
-    tip_hours: float = 24.0
-    temperature_c: float = 3.0
+    calibration_days: Limit = 30.0
+    verification_days: Limit = 7.0
+    arm_days: Limit = 30.0
+    tip_hours: Limit = 24.0
+    temperature_c: Limit = 3.0
     """Change since the calibration: steel grows by 11.5 µm a metre and degree, and an arm's
     tubes and encoders answer to less."""
 
