@@ -8,8 +8,8 @@ from app.errors import OperationError
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
-from app.station.operator_settings import PassRecord, StationSettings
-from app.wire.schema import OnOff, SettingsChange
+from app.station.operator_settings import PassRecord, SettingsChange, StationSettings
+from app.wire.schema import OnOff
 
 router = APIRouter(prefix="/api/settings")
 
@@ -22,9 +22,8 @@ def settings(context: TheContext) -> StationSettings:
 
 @router.post("")
 def change(asked: SettingsChange, context: TheContext) -> StationSettings:
-    """Sets all of them but the delay; applied at once, also to a running scan."""
-    fields = asked.model_dump(exclude={"zones"})
-    context.settings.change(fields, asked.zones)
+    """Sets those that are given; applied at once, also to a running scan."""
+    context.settings.change(asked)
     return context.settings.view()
 
 

@@ -1,11 +1,12 @@
 """The operator's settings of scans: shown to every browser, kept, and applied at once."""
 
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
-from pydantic import ValidationError
+from pydantic import ConfigDict, ModelWrapValidatorHandler, ValidationError, model_validator
 
 from app.errors import OperationError
 from app.findings import Finding
@@ -13,10 +14,9 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import error_from_validation
 from app.formats.results.calibration import read_calibration
 from app.formats.results.delay import Sync
-from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings
+from app.formats.settings.mask import Corner, Mask
+from app.formats.settings.scan_settings import ScanOptions, ScanSettings
 from app.messages.message import Text, message
-from app.metrology.stripe import PeakChoice
 from app.station.bus import Bus
 from app.station.devices.auto_exposure import better_line_exposure_us
 from app.station.devices.rig import Rig
@@ -27,37 +27,33 @@ from app.workflows.estimate_delay import estimate_recording_delay
 from hardware.interfaces import Frame
 
 TOPIC = "settings"
-Corner = tuple[float, float]
-Zones = Sequence[Sequence[Sequence[float]]]
+Zones = tuple[tuple[Corner, ...], ...]
 
 
-@dataclass(frozen=True)
-class Delay:
-    """Between arm and camera, as it was found."""
+class SettingsChange(ScanOptions):
+    """What is given is set, null is automatic; what is not given stays."""
 
-    delay_ms: float
-    standard_uncertainty_ms: float
-    rms_without_um: float
-    rms_um: float
-    scan: str
-    """Of which scan."""
-    applied: bool
+    model_config = ConfigDict(extra="forbid")
+
+    zones: Zones = ()
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _convert_error(cls, given: object, validate: ModelWrapValidatorHandler[Self]) -> Self:
+        try:
+            return validate(given)
+        except ValidationError as error:
+            raise error_from_validation("settings", error) from error
 
 
-@dataclass(frozen=True)
-class StationSettings:
+class StationSettings(ScanOptions):
     """As the browser shows them; null is automatic."""
 
-    threshold: float | None
-    min_width_px: float | None
-    choice: PeakChoice
-    exposure_us: float | None
-    zones: tuple[tuple[Corner, ...], ...]
+    zones: Zones
     """Where nothing is measured: corners in pixels of the full frame."""
-    blur_limit_mm: float | None
-    record_pictures: bool
-    delay: Delay | None
+    delay: Sync | None
     """In use, or found and not yet used."""
+    delay_applied: bool
     finding_delay: bool
     findings: tuple[Finding, ...]
 
@@ -105,36 +101,28 @@ class OperatorSettings:
         with self._lock:
             now = self._settings
             return StationSettings(
-                threshold=now.threshold,
-                min_width_px=now.min_width_px,
-                choice=now.choice,
-                exposure_us=now.exposure_us,
+                **now.model_dump(exclude={"mask", "sync"}),
                 zones=now.mask.zones if now.mask is not None else (),
-                blur_limit_mm=now.blur_limit_mm,
-                record_pictures=now.record_pictures,
-                delay=self._delay(),
+                delay=self._delay_estimate or now.sync,
+                delay_applied=self._delay_estimate is None and now.sync is not None,
                 finding_delay=self._finding,
                 findings=self._findings(),
             )
 
-    def change(self, fields: Mapping[str, object], zones: Zones) -> None:
-        """Sets everything but the delay.
+    def change(self, change: SettingsChange) -> None:
+        """Sets what the change has.
 
         Raises:
-            OperationError: a value out of its range, zones while no sensor is connected, or a disk
-                that does not take it; nothing is then changed.
+            OperationError: zones that cannot be meant, or while no sensor is connected; or a disk
+                that does not take it. Nothing is then changed.
         """
         with self._lock:
-            mask = self._mask(zones)
-            try:
-                new = ScanSettings.model_validate(
-                    {**fields, "mask": mask, "sync": self._settings.sync}
-                )
-            except ValidationError as error:
-                raise error_from_validation("settings", error) from error
-            self._set(new)
-            if new.exposure_us is not None and self._rig.sensor.fresh:
-                self._rig.sensor.set_exposure_us(new.exposure_us)
+            changed = change.model_dump(exclude_unset=True, exclude={"zones"})
+            if "zones" in change.model_fields_set:
+                changed["mask"] = self._mask(change.zones)
+            self._set(self._settings.model_copy(update=changed))
+            if change.exposure_us is not None and self._rig.sensor.fresh:
+                self._rig.sensor.set_exposure_us(change.exposure_us)
 
     def expose_by_the_line(self) -> None:
         """Sets the exposure so that the laser's line is at 70 % of full scale; takes a second.
@@ -224,25 +212,12 @@ class OperatorSettings:
             self._bus.event("refused", job.refusal.text, "attention")
         self._publish()
 
-    def _delay(self) -> Delay | None:
-        found = self._delay_estimate or self._settings.sync
-        if found is None:
-            return None
-        return Delay(
-            found.delay_ms,
-            found.standard_uncertainty_ms,
-            found.rms_without_um,
-            found.rms_um,
-            found.recording,
-            applied=self._delay_estimate is None,
-        )
-
     def _mask(self, zones: Zones) -> Mask | None:
         """The zones as a mask of the connected sensor."""
         if not zones:
             return None
         held = self._settings.mask
-        if held is not None and held.zones == tuple(tuple(map(tuple, zone)) for zone in zones):
+        if held is not None and held.zones == zones:
             return held
         info = self._rig.sensor.info
         if info is None:
@@ -253,13 +228,11 @@ class OperatorSettings:
                 message("wait-until"),
             )
         try:
-            return Mask.model_validate(
-                {
-                    "width_px": info.width_px,
-                    "height_px": info.height_px,
-                    "sensor_serial": info.serial_number,
-                    "zones": zones,
-                }
+            return Mask(
+                width_px=info.width_px,
+                height_px=info.height_px,
+                sensor_serial=info.serial_number,
+                zones=zones,
             )
         except ValidationError as error:
             raise error_from_validation("zones", error) from error

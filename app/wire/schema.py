@@ -13,7 +13,6 @@ from app.guide.common import validity as due
 from app.guide.common.view import FlowView, ResultPicture
 from app.messages.message import Text
 from app.metrology.fitting.shape import ShapeName
-from app.metrology.stripe import PeakChoice
 from app.station.scan import state as scan_state
 from app.station.view3d.cloud_colouring import Measure
 from app.workflows.verification_study import StudyFile
@@ -83,18 +82,6 @@ class Region(RequestBody):
     top: Share
     right: Share
     bottom: Share
-
-
-class SettingsChange(RequestBody):
-    """The whole of the settings; null is automatic. Their ranges are the station's."""
-
-    threshold: float | None
-    min_width_px: float | None
-    choice: PeakChoice
-    exposure_us: float | None
-    zones: list[list[list[float]]]
-    blur_limit_mm: float | None
-    record_pictures: bool
 
 
 @dataclass(frozen=True)

@@ -39,6 +39,8 @@ def test_settings_are_set_read_and_kept(server: Server) -> None:
     assert (now["threshold"], now["choice"], now["zones"]) == (20, "strength", [zone])
     assert now["delay"] is None
     assert '"threshold": 20.0' in (server.data / "scan_settings.json").read_text()
+    answer = server.http.post("/api/settings", json={"record_pictures": True})
+    assert answer.json() == {**now, "record_pictures": True}
     assert server.http.post("/api/settings", json=PLAIN).json()["zones"] == []
 
 

@@ -16,7 +16,7 @@ from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
-from app.station.operator_settings import OperatorSettings, PassRecord
+from app.station.operator_settings import OperatorSettings, PassRecord, SettingsChange
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.workflows.reconstruct import reconstruct_cloud
@@ -26,15 +26,7 @@ from tests.station.test_scanner import calibration, scanner, scene
 
 __all__ = ["scanner", "scene"]  # fixtures
 
-UNSET: dict[str, object] = {
-    "threshold": None,
-    "min_width_px": None,
-    "choice": "continuity",
-    "exposure_us": None,
-    "blur_limit_mm": None,
-    "record_pictures": False,
-}
-LEFT_HALF = [[[-2.0, -2.0], [WIDTH / 2, -2.0], [WIDTH / 2, HEIGHT + 2.0], [-2.0, HEIGHT + 2.0]]]
+LEFT_HALF = (((-2.0, -2.0), (WIDTH / 2, -2.0), (WIDTH / 2, HEIGHT + 2.0), (-2.0, HEIGHT + 2.0)),)
 
 
 class Kept:
@@ -67,10 +59,10 @@ def test_settings_reach_a_running_scan_and_its_recording(
 ) -> None:
     scan_id = scanner.start("zones")
     until(lambda: scanner.state().points > 1000)
-    operator.change(UNSET, LEFT_HALF)
+    operator.change(SettingsChange(zones=LEFT_HALF))
     frames = scanner.state().frames
     until(lambda: scanner.state().frames > frames + 60)
-    operator.change({**UNSET, "threshold": 250.0}, LEFT_HALF)
+    operator.change(SettingsChange(threshold=250.0))
     frames = scanner.state().frames
     until(lambda: scanner.state().frames > frames + 60)
     scanner.stop()
@@ -93,11 +85,14 @@ def test_settings_reach_a_running_scan_and_its_recording(
     ("field", "value"),
     [
         ("threshold", 0.0),
+        ("threshold", "12"),
         ("threshold", 1e6),
         ("min_width_px", 0.1),
         ("choice", "second"),
         ("exposure_us", -5.0),
         ("blur_limit_mm", float("nan")),
+        ("record_pictures", 1),
+        ("record_picture", True),
     ],
 )
 def test_values_out_of_range_change_nothing(
@@ -105,21 +100,32 @@ def test_values_out_of_range_change_nothing(
 ) -> None:
     before = operator.view()
     with pytest.raises(OperationError, match=field):
-        operator.change({**UNSET, field: value}, [])
+        operator.change(SettingsChange.model_validate({field: value}))
     assert operator.view() == before
     assert kept.settings == AUTOMATIC
 
 
+def test_what_is_not_given_stays(operator: OperatorSettings, kept: Kept) -> None:
+    operator.change(SettingsChange(threshold=20.0, choice="first", zones=LEFT_HALF))
+    operator.change(SettingsChange(threshold=None, blur_limit_mm=0.5))
+    assert kept.settings.mask is not None
+    assert kept.settings.mask.zones == operator.view().zones == LEFT_HALF
+    chosen = ScanSettings(choice="first", blur_limit_mm=0.5, mask=kept.settings.mask)
+    assert kept.settings == chosen
+    operator.change(SettingsChange(zones=()))
+    assert kept.settings == ScanSettings(choice="first", blur_limit_mm=0.5)
+
+
 def test_zones_that_cannot_be_meant_change_nothing(operator: OperatorSettings) -> None:
     with pytest.raises(OperationError, match="no area"):
-        operator.change(UNSET, [[[1.0, 1.0], [5.0, 5.0], [9.0, 9.0]]])
+        operator.change(SettingsChange(zones=(((1.0, 1.0), (5.0, 5.0), (9.0, 9.0)),)))
     assert operator.view().zones == ()
 
 
 def test_the_exposure_is_set_and_found_from_the_line(
     operator: OperatorSettings, bench: Bench, rig: Rig, kept: Kept
 ) -> None:
-    operator.change({**UNSET, "exposure_us": 2500.0}, [])
+    operator.change(SettingsChange(exposure_us=2500.0))
     assert bench.exposure_us == 2500.0
     with pytest.raises(OperationError, match="the laser is off"):
         operator.expose_by_the_line()
@@ -153,7 +159,7 @@ def test_too_fast_is_said_while_it_lasts_and_counted(scanner: Scanner, bench: Be
 def test_standing_still_is_said_and_a_limit_of_its_own_holds(
     scanner: Scanner, operator: OperatorSettings
 ) -> None:
-    operator.change({**UNSET, "blur_limit_mm": 50.0}, [])
+    operator.change(SettingsChange(blur_limit_mm=50.0))
     scanner.start("still")
     until(lambda: any("Standing still" in str(one.text) for one in scanner.state().findings))
     state = scanner.state()
@@ -167,7 +173,7 @@ def test_standing_still_is_said_and_a_limit_of_its_own_holds(
 def test_pictures_are_recorded_beside_their_stripes(
     scanner: Scanner, operator: OperatorSettings, tmp_path: Path
 ) -> None:
-    operator.change({**UNSET, "record_pictures": True}, [])
+    operator.change(SettingsChange(record_pictures=True))
     scan_id = scanner.start("pictures")
     until(lambda: scanner.state().pictures >= 10)
     result = scanner.stop()
@@ -217,9 +223,8 @@ def test_a_delay_that_is_applied_already_stays(
         bus, rig, scanner, Preview(bus, rig.arm, rig.sensor), late, lambda new: kept.keep(new)
     )
     operator.use_delay(True)
-    delay = operator.view().delay
-    assert delay is not None
-    assert delay.applied
+    assert operator.view().delay == late.sync
+    assert operator.view().delay_applied
     operator.use_delay(False)
     assert operator.view().delay is None
     assert kept.settings.sync is None
@@ -255,7 +260,7 @@ def test_what_the_disk_does_not_keep_is_not_used(
 
     monkeypatch.setattr(kept, "keep", full)
     with pytest.raises(OperationError, match="the disk is full"):
-        operator.change({**UNSET, "threshold": 200.0}, [])
+        operator.change(SettingsChange(threshold=200.0))
     assert operator.view().threshold is None
     scanner.start("as before")
     until(lambda: scanner.state().points > 1000)

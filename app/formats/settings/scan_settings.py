@@ -3,7 +3,7 @@
 import json
 from typing import Annotated, ClassVar
 
-from pydantic import Field
+from pydantic import BaseModel, ConfigDict, Field, StrictBool
 
 from app.formats.json_document import Document, Number
 from app.formats.results.delay import Sync
@@ -20,18 +20,25 @@ Blur = Annotated[Number, Field(ge=0.001, le=100)]
 """Millimetres."""
 
 
-class ScanSettings(Document):
-    """None leaves it to the station."""
+class ScanOptions(BaseModel):
+    """What is set by a number or a choice. None leaves it to the station."""
 
-    FORMAT: ClassVar[str] = "crenel/scan-settings"
+    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
     threshold: Threshold | None = None
     min_width_px: Width | None = None
     choice: PeakChoice = "continuity"
     exposure_us: Exposure | None = None
-    mask: Mask | None = None
     blur_limit_mm: Blur | None = None
-    record_pictures: bool = False
+    record_pictures: StrictBool = False
+
+
+class ScanSettings(ScanOptions, Document):
+    """All that is kept."""
+
+    FORMAT: ClassVar[str] = "crenel/scan-settings"
+
+    mask: Mask | None = None
     sync: Sync | None = None
 
     @property

@@ -1,10 +1,8 @@
 import { t } from "../state/language";
-import { getState, setState } from "../state/store";
+import { setState } from "../state/store";
 import { done } from "./commands";
 import { get, post } from "./http";
-import type { StationSettings } from "./wire";
-
-type Changeable = Omit<StationSettings, "delay" | "finding_delay" | "findings">;
+import type { SettingsChange, StationSettings } from "./wire";
 
 function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
   return done(async () => {
@@ -14,11 +12,8 @@ function send(path: string, body: unknown, whatWas: string): Promise<boolean> {
 }
 
 /** Sets some of the settings; the others stay as they are. */
-export async function changeSettings(change: Partial<Changeable>): Promise<boolean> {
-  const current = getState().settings;
-  if (!current) return false;
-  const { delay, finding_delay, findings, ...all } = current;
-  return send("", { ...all, ...change }, t("ui-the-settings-were-not-changed"));
+export function changeSettings(change: SettingsChange): Promise<boolean> {
+  return send("", change, t("ui-the-settings-were-not-changed"));
 }
 
 /** The findings depend on the connected devices: loaded again when the page opens. */

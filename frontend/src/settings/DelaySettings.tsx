@@ -1,5 +1,5 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
-import type { Delay, StationSettings } from "../api/wire";
+import type { StationSettings, Sync } from "../api/wire";
 import { quantity } from "../messages/text";
 import fields from "../parts/Field.module.css";
 import { signed } from "../parts/format";
@@ -13,14 +13,14 @@ import styles from "./Settings.module.css";
 export function DelaySettings({ settings }: { settings: StationSettings }) {
   const hasOperator = useLive((s) => s.station?.has_simulation ?? false);
   const scanning = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");
-  const { delay, finding_delay } = settings;
+  const { delay, delay_applied, finding_delay } = settings;
   return (
     <section className={styles.section} aria-labelledby="delay">
       <h2 id="delay" className={styles.heading}>
         {t("ui-delay-between-arm-and-camera")}
       </h2>
       {delay ? (
-        <CurrentDelay delay={delay} />
+        <CurrentDelay delay={delay} applied={delay_applied} />
       ) : (
         <p className={fields.help}>{t("ui-none-used-determine-scan-flat-plate")}</p>
       )}
@@ -30,8 +30,8 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
         </p>
       ) : (
         <div className={styles.buttons}>
-          {delay && !delay.applied && <PressButton onPress={() => applyDelay(true)}>{t("ui-use-it")}</PressButton>}
-          {delay?.applied && <PressButton onPress={() => applyDelay(false)}>{t("ui-use-none")}</PressButton>}
+          {delay && !delay_applied && <PressButton onPress={() => applyDelay(true)}>{t("ui-use-it")}</PressButton>}
+          {delay_applied && <PressButton onPress={() => applyDelay(false)}>{t("ui-use-none")}</PressButton>}
           <PressButton onPress={findDelay} disabled={scanning}>
             {t("ui-determine-from-the-last-scan")}
           </PressButton>
@@ -46,19 +46,19 @@ export function DelaySettings({ settings }: { settings: StationSettings }) {
   );
 }
 
-function CurrentDelay({ delay }: { delay: Delay }) {
+function CurrentDelay({ delay, applied }: { delay: Sync; applied: boolean }) {
   return (
     <>
       <p className={styles.number}>
         {signed(delay.delay_ms, 2)} <span>ms ± {measured(delay.standard_uncertainty_ms, "ms", 2)} (k = 1)</span>
       </p>
       <p className={fields.help}>
-        {delay.applied ? t("ui-use-next-scan") : t("ui-determined-not-in-use-yet")}{" "}
+        {applied ? t("ui-use-next-scan") : t("ui-determined-not-in-use-yet")}{" "}
         {t("ui-points-about-plane-rms-without", {
           without: quantity(delay.rms_without_um, "µm"),
           with: quantity(delay.rms_um, "µm"),
         })}
-        {delay.scan && ` (${delay.scan})`}.
+        {delay.recording && ` (${delay.recording})`}.
       </p>
     </>
   );
