@@ -25,7 +25,6 @@ class CalibrationDrift:
     a sensor that did not move (k = 2); the angle is of a plane swept straight across.
     """
 
-    id: str
     drift: Drift
     expected_um: float
     expected_arcsec: float | None
@@ -57,20 +56,13 @@ class _CalibrationSummary:
     temperature_c: float | None
 
 
-@dataclass(frozen=True)
-class _DriftEstimate:
-    drift: Drift
-    expected_um: float
-    expected_arcsec: float | None
-
-
 def read_history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
     """Of calibrations by their ids and files, the oldest first.
 
     A file that cannot be read any more is passed over. What was read once is remembered.
     """
     entries: list[HistoryEntry] = []
-    newest: dict[tuple[str, str], tuple[str, _FileVersion]] = {}
+    newest: dict[tuple[str, str], _FileVersion] = {}
     for name, path in files:
         try:
             file = _FileVersion(path, path.stat().st_mtime_ns)
@@ -79,14 +71,9 @@ def read_history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
             continue
         of = (head.arm, head.sensor)
         before = newest.get(of)
-        moved = _estimate_drift(before[1], file) if before else None
-        since = (
-            CalibrationDrift(before[0], moved.drift, moved.expected_um, moved.expected_arcsec)
-            if before and moved
-            else None
-        )
+        since = _estimate_drift(before, file) if before else None
         entries.append(HistoryEntry(name, head.good_um, head.temperature_c, since))
-        newest[of] = (name, file)
+        newest[of] = file
     return entries
 
 
@@ -102,7 +89,7 @@ def _read_summary(file: _FileVersion) -> _CalibrationSummary:
 
 
 @lru_cache(maxsize=CACHE_SIZE)
-def _estimate_drift(before: _FileVersion, now: _FileVersion) -> _DriftEstimate | None:
+def _estimate_drift(before: _FileVersion, now: _FileVersion) -> CalibrationDrift | None:
     old, new = (CalibrationFile.read(file.path) for file in (before, now))
     was, known = old.uncertainty, new.uncertainty
     if was is None or known is None or known.map is None:
@@ -113,7 +100,7 @@ def _estimate_drift(before: _FileVersion, now: _FileVersion) -> _DriftEstimate |
     if found is None:
         return None
     planes = (was.plane, known.plane)
-    return _DriftEstimate(
+    return CalibrationDrift(
         found,
         expected_um=K * float(np.hypot(was.total_um, known.total_um)),
         expected_arcsec=(

@@ -57,7 +57,6 @@ def test_each_is_compared_with_the_one_before_of_the_same_arm(tmp_path: Path) ->
     assert other.since is None
     assert (first.good_um, first.temperature_c) == (40, 21.0)
     assert second.since is not None
-    assert second.since.id == "first"
     assert second.since.drift.sensor_um == pytest.approx(20)
     assert second.since.expected_um == pytest.approx(2 * np.hypot(3, 3))
     assert second.since.expected_arcsec == pytest.approx(2 * np.hypot(6, 6))
