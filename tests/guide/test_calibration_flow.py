@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.findings import Finding, Quality
+from app.formats.results.calibration import PlanePart
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
@@ -20,7 +21,6 @@ from app.guide.common.result_view import (
     BudgetLine,
     CalibrationResult,
     MapPoint,
-    PlaneKnown,
     PoseRow,
 )
 from app.guide.common.view import Action, Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
@@ -68,7 +68,7 @@ def outcome(verdict: Quality = "good") -> CalibrationOutcome:
         worst=[],
         comparison=None,
         distortion=[0.0] * 5,
-        plane=PlaneKnown(20.0, 8.0),
+        plane=PlanePart(angle_arcsec=20.0, offset_um=8.0),
         map=[MapPoint(10.0, 20.0, 12.5, True)],
         poses=[PoseRow(1, True, "", 0.1, 0.1, 3.0)],
         shown_pose=1,

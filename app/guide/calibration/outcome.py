@@ -1,7 +1,7 @@
 """What was found in the calibration pictures, as the journal keeps it. Pure."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 from pydantic import TypeAdapter
 
@@ -47,7 +47,8 @@ _ADAPTER = TypeAdapter(CalibrationOutcome)
 
 def to_payload(outcome: CalibrationOutcome) -> dict[str, object]:
     """The outcome as a journal row carries it."""
-    return asdict(outcome)
+    payload: dict[str, object] = _ADAPTER.dump_python(outcome)
+    return payload
 
 
 def from_payload(payload: Mapping[str, object]) -> CalibrationOutcome:

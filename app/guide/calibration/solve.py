@@ -1,13 +1,12 @@
 """From the session's folder to its calibration file, and what the browser shows of it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from app.errors import OperationError, sentence
 from app.findings import Finding
-from app.formats.results.calibration import CalibrationFile
+from app.formats.results.calibration import CalibrationFile, MapPart, PosePart, VerdictPart
 from app.formats.results.calibration_builder import board_document, joint_document
 from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.guide.calibration.comparison import compare
@@ -20,9 +19,7 @@ from app.guide.common.result_view import (
     BudgetLine,
     CalibrationResult,
     Comparison,
-    FaceResult,
     MapPoint,
-    PlaneKnown,
     PoseRow,
     WorstPointLine,
 )
@@ -30,7 +27,6 @@ from app.guide.common.view import ImageCorner, TouchedPoint
 from app.messages.message import Text, join, message, word
 from app.metrology.adjustment.block.calibrate import BlockCalibration, Progress, calibrate_block
 from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
-from app.metrology.adjustment.core.uncertainty import UncertaintyMap
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration import findings as metrology
 from app.metrology.calibration.uncertainty_budget import source_text
@@ -68,12 +64,11 @@ def solve(
         outline=(),
         stripe=(),
         findings=[Finding(f.quality, f.text, f.remedy, f.pose) for f in result.findings],
-        result=replace(
-            _result(result, document, compare(result, document, in_use)),
-            shown_pose=_worst_fitting(result).number,
-            worst=[_worst(point, drawings, points) for point in result.worst],
-            good_um=limits.good_um,
-            usable_um=limits.usable_um,
+        result=_result(
+            document,
+            limits,
+            [_worst(point, drawings, points) for point in result.worst],
+            compare(document, result.uncertainty.volume.uv_px, in_use),
         ),
         poses=tuple(drawings.values()),
         points=touched,
@@ -163,77 +158,68 @@ def _worst(
     return WorstPointLine(point.kind, point.name, point.value, point.unit, None, point.pose, at_px)
 
 
-def _worst_fitting(result: AnyCalibration) -> PoseResult:
-    """The pose whose picture is worth looking at: its edges fit worst."""
-    used = [pose for pose in result.poses if pose.used]
-    return max(used, key=lambda pose: pose.edges_rms_px)
+def _result(
+    document: CalibrationFile,
+    limits: Limits,
+    worst: Sequence[WorstPointLine],
+    comparison: Comparison | None,
+) -> CalibrationResult:
+    """What is shown of the file."""
+    verdict, known, residuals = document.verdict, document.uncertainty, document.residuals
+    assert verdict is not None
+    assert known is not None
+    assert residuals is not None
+    return CalibrationResult(
+        verdict=verdict.quality,
+        verdict_text=_verdict_text(verdict),
+        reprojection_rms_px=residuals.reprojection_rms_px,
+        laser_plane_rms_um=residuals.laser_plane_rms_um,
+        alignment_rms_um=residuals.contacts_rms_um if residuals.contacts_um else None,
+        depth_range_mm=known.depth_range_mm,
+        probe_matrix=document.probe_matrix,
+        faces=residuals.faces,
+        budget=[BudgetLine(source_text(row.source), row.value_um) for row in known.budget],
+        total_um=known.total_um,
+        worst=worst,
+        comparison=comparison,
+        distortion=document.camera.distortion,
+        plane=known.plane,
+        map=_map_points(known.map) if known.map else (),
+        poses=[_pose_row(pose) for pose in document.poses],
+        shown_pose=_worst_fitting(document.poses).number,
+        good_um=limits.good_um,
+        usable_um=limits.usable_um,
+    )
 
 
-def _verdict(found: Sequence[metrology.CalibrationFinding]) -> Text:
+def _verdict_text(verdict: VerdictPart) -> Text:
     """How well a point is known, and what helps; or that something else is graver."""
-    known = next(one for one in found if one.code == "uncertainty")
+    known = next(one for one in verdict.findings if one.code == "uncertainty")
     text = sentence(known.text)
-    if found[0].quality != known.quality:
+    if verdict.quality != known.quality:
         return join([text, message("but-what-marked-below-needs-attention")], " ")
     return join([text, sentence(known.remedy)], " ") if known.remedy else text
 
 
-def _result(
-    result: AnyCalibration,
-    document: CalibrationFile,
-    comparison: Comparison | None,
-) -> CalibrationResult:
-    residuals, known = document.residuals, result.uncertainty
-    assert residuals is not None
-    return CalibrationResult(
-        verdict=result.findings[0].quality,
-        verdict_text=_verdict(result.findings),
-        reprojection_rms_px=residuals.reprojection_rms_px,
-        laser_plane_rms_um=result.stripe_rms_um,
-        alignment_rms_um=_contacts_rms_um(result),
-        depth_range_mm=result.depth_range_mm,
-        probe_matrix=result.T_flange_sensor.tolist(),
-        faces=_faces(result),
-        budget=[BudgetLine(source_text(row.source), row.value_um) for row in known.rows],
-        total_um=known.total_um,
-        plane=PlaneKnown(known.plane.angle_arcsec, known.plane.offset_um),
-        map=_map(known.map),
-        poses=[
-            PoseRow(
-                pose.number,
-                pose.used,
-                pose.reason,
-                pose.edges_rms_px,
-                pose.stripe_rms_px if pose.stripe_points else None,
-                pose.off_um,
-            )
-            for pose in result.poses
-        ],
-        worst=(),
-        comparison=comparison,
-        distortion=result.camera.distortion.tolist(),
+def _map_points(over: MapPart) -> Sequence[MapPoint]:
+    """The map as drawn on the laser plane: along the stripe, and in depth."""
+    return [
+        MapPoint(round(u, 1), round(v, 1), u_um, inside)
+        for (u, v), u_um, inside in zip(over.uv_px, over.u_um, over.calibrated, strict=True)
+    ]
+
+
+def _pose_row(pose: PosePart) -> PoseRow:
+    return PoseRow(
+        pose.number,
+        pose.used,
+        pose.reason,
+        pose.edges_rms_px,
+        pose.stripe_rms_px if pose.stripe_points else None,
+        pose.off_um,
     )
 
 
-def _contacts_rms_um(result: AnyCalibration) -> float | None:
-    if isinstance(result, BoardCalibration):
-        return result.contacts.rms_um if result.contacts is not None else None
-    return 1e3 * result.alignment.rms_mm
-
-
-def _faces(result: AnyCalibration) -> list[FaceResult]:
-    """How the contacts fit each face of a block; a board has only its one."""
-    if isinstance(result, BoardCalibration):
-        return []
-    return [
-        FaceResult(face.face, face.points, 1e3 * face.rms_mm, 1e3 * face.form_mm)
-        for face in result.alignment.faces
-    ]
-
-
-def _map(over: UncertaintyMap) -> Sequence[MapPoint]:
-    """The map as drawn on the laser plane: along the stripe, and in depth."""
-    return [
-        MapPoint(round(float(u), 1), round(float(v), 1), round(float(value), 3), bool(inside))
-        for (u, v), value, inside in zip(over.uv_px, over.u_um, over.calibrated, strict=True)
-    ]
+def _worst_fitting(poses: Sequence[PosePart]) -> PosePart:
+    """The pose whose picture is worth looking at: its edges fit worst."""
+    return max((pose for pose in poses if pose.used), key=lambda pose: pose.edges_rms_px)

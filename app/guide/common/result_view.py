@@ -1,10 +1,15 @@
-"""What the browser is shown of a calibration's result."""
+"""What the browser is shown of a calibration's result.
+
+Parts of ``calibration.json`` are shown as they are; a class of its own has what the file puts
+differently: names in words, the place where a point is drawn, one row for each pixel or pose.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from app.findings import Quality
+from app.formats.results.calibration import FacePart, PlanePart
 from app.messages.message import Text
 
 
@@ -12,14 +17,6 @@ from app.messages.message import Text
 class BudgetLine:
     source: Text
     value_um: float
-
-
-@dataclass(frozen=True)
-class FaceResult:
-    face: str
-    points: int
-    rms_um: float
-    form_um: float
 
 
 @dataclass(frozen=True)
@@ -56,14 +53,6 @@ class Comparison:
 
 
 @dataclass(frozen=True)
-class PlaneKnown:
-    """Standard uncertainty of a plane swept straight across, k = 1."""
-
-    angle_arcsec: float
-    offset_um: float
-
-
-@dataclass(frozen=True)
 class MapPoint:
     """Standard uncertainty of the point that a pixel shows, k = 1; ``inside`` the depths
     that the stripe covered."""
@@ -97,13 +86,13 @@ class CalibrationResult:
     """Of the contacts; None where the object was not touched."""
     depth_range_mm: tuple[float, float]
     probe_matrix: Sequence[Sequence[float]]
-    faces: Sequence[FaceResult]
+    faces: Sequence[FacePart]
     budget: Sequence[BudgetLine]
     total_um: float
     worst: Sequence[WorstPointLine]
     comparison: Comparison | None
     distortion: Sequence[float]
-    plane: PlaneKnown | None = None
+    plane: PlanePart | None = None
     map: Sequence[MapPoint] = ()
     poses: Sequence[PoseRow] = ()
     shown_pose: int = 0
