@@ -76,6 +76,9 @@ class LaserPlanePart(DocumentPart):
             raise ValueError(message("normal-must-have-unit-length"))
         return self
 
+    def model(self) -> LaserPlane:
+        return LaserPlane(np.array(self.normal), self.offset_mm)
+
 
 class SerialNumbers(DocumentPart):
     """Empty where unknown."""
@@ -276,7 +279,7 @@ def calibration_from_document(document: CalibrationFile) -> Calibration:
     """What reconstruction needs of a calibration."""
     return Calibration(
         camera=document.camera.model(),
-        plane=LaserPlane(np.array(document.laser_plane.normal), document.laser_plane.offset_mm),
+        plane=document.laser_plane.model(),
         T_flange_sensor=np.array(document.probe_matrix),
         stripe_axis=document.stripe_axis,
         serial_numbers=document.serial_numbers,

@@ -31,6 +31,7 @@ from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty
 from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.calibration.one_pose import OnePoseCalibration
+from app.metrology.calibration.uncertainty_budget import BudgetContribution
 from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -63,9 +64,7 @@ def one_pose_document(result: OnePoseCalibration, origin: Origin) -> Calibration
             "verdict": verdict_part(result.findings),
             "uncertainty": Uncertainty(
                 total_um=budget.total_um,
-                budget=tuple(
-                    BudgetPart(source=row.source, value_um=row.value_um) for row in budget.rows
-                ),
+                budget=_budget_parts(budget.rows),
                 depth_range_mm=result.depth_range_mm,
             ),
             "residuals": _residuals(result),
@@ -99,7 +98,6 @@ def _camera_part(camera: Camera) -> CameraPart:
 
 
 def _residuals(result: OnePoseCalibration) -> ResidualsPart:
-    alignment = result.alignment
     corners = zip(result.detection.corners, result.corner_residuals_px.tolist(), strict=True)
     return ResidualsPart.model_validate(
         {
@@ -107,11 +105,8 @@ def _residuals(result: OnePoseCalibration) -> ResidualsPart:
             "corners_px": {corner.name: residual for corner, residual in corners},
             "laser_plane_rms_um": result.laser.rms_mm * 1e3,
             "stripe_points": int(np.sum(result.laser.used)),
-            "contacts_rms_um": alignment.rms_mm * 1e3,
-            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
-            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
             "worst": [asdict(point) for point in result.worst],
-            "faces": _face_parts(alignment),
+            **_contact_residuals(result.alignment),
         }
     )
 
@@ -131,31 +126,31 @@ def verdict_part(found: Sequence[CalibrationFinding]) -> VerdictPart:
     )
 
 
-def _face_parts(alignment: Alignment) -> list[FacePart]:
-    return [
-        FacePart(
-            face=face.face,
-            points=face.points,
-            rms_um=face.rms_mm * 1e3,
-            form_um=face.form_mm * 1e3,
-        )
-        for face in alignment.faces
-    ]
+def _budget_parts(rows: Sequence[BudgetContribution]) -> tuple[BudgetPart, ...]:
+    return tuple(BudgetPart(source=row.source, value_um=row.value_um) for row in rows)
+
+
+def _contact_residuals(alignment: Alignment) -> dict[str, object]:
+    """Those fields of the residuals."""
+    return {
+        "contacts_rms_um": alignment.rms_mm * 1e3,
+        "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
+        "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
+        "faces": [
+            FacePart(
+                face=face.face,
+                points=face.points,
+                rms_um=face.rms_mm * 1e3,
+                form_um=face.form_mm * 1e3,
+            )
+            for face in alignment.faces
+        ],
+    }
 
 
 def joint_document(result: BlockCalibration, origin: Origin) -> CalibrationFile:
     """The file of a calibration over many poses, made now."""
-    alignment = result.alignment
-    return _multi_pose_document(
-        result,
-        origin,
-        {
-            "contacts_rms_um": alignment.rms_mm * 1e3,
-            "contacts_um": (alignment.residuals_mm * 1e3).tolist(),
-            "contacts_left_out": np.flatnonzero(alignment.outliers).tolist(),
-            "faces": _face_parts(alignment),
-        },
-    )
+    return _multi_pose_document(result, origin, _contact_residuals(result.alignment))
 
 
 def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
@@ -228,7 +223,7 @@ def _uncertainty(known: CalibrationUncertainty, depth_range_mm: tuple[float, flo
     over = known.map
     return Uncertainty(
         total_um=known.total_um,
-        budget=tuple(BudgetPart(source=row.source, value_um=row.value_um) for row in known.rows),
+        budget=_budget_parts(known.rows),
         depth_range_mm=depth_range_mm,
         plane=PlanePart(angle_arcsec=known.plane.angle_arcsec, offset_um=known.plane.offset_um),
         map=MapPart.model_validate(

@@ -17,7 +17,6 @@ from app.formats.session.calibration_session import (
 )
 from app.messages.message import Message, Text, join, message, quantity, rounded, word
 from app.metrology.arm.kinematics import Arm, RobotArm, tip_centres
-from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -264,7 +263,7 @@ def _findings(document: CalibrationFile) -> Section[Text]:
 def _pictures(
     document: CalibrationFile, session: BlockSession | BoardSession, accepted: Acceptance | None
 ) -> list[Section[Text]]:
-    camera, plane = document.camera.model(), laser_plane(document)
+    camera, plane = document.camera.model(), document.laser_plane.model()
     sections: list[Section[Text]] = []
     if isinstance(session, BlockSession):
         sections.append(
@@ -301,11 +300,6 @@ def _pictures(
 def _fit_basis(session: BlockSession | BoardSession) -> figures.FitBasis:
     """What of the object the poses were fitted to; a board has no measured edges."""
     return "corners" if isinstance(session, BoardSession) else "edges"
-
-
-def laser_plane(document: CalibrationFile) -> LaserPlane:
-    """The laser's plane in the sensor frame."""
-    return LaserPlane(np.array(document.laser_plane.normal), document.laser_plane.offset_mm)
 
 
 def _worst_poses(document: CalibrationFile) -> list[PosePart]:
