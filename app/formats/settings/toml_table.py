@@ -18,8 +18,8 @@ def _resolve(value: object, info: ValidationInfo) -> object:
         return value
     if not value:
         raise PydanticKnownError("string_too_short", {"min_length": 1})
-    file: Path = info.context
-    return file.absolute().parent / Path(value).expanduser()
+    assert isinstance(info.context, Path)
+    return info.context.absolute().parent / Path(value).expanduser()
 
 
 SettingsPath = Annotated[Path, BeforeValidator(_resolve)]
