@@ -13,6 +13,7 @@ from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from pathlib import Path
 
+from pydantic import BaseModel
 from pydantic_core import to_jsonable_python
 
 from app.errors import OperationError
@@ -136,6 +137,8 @@ def _in_english(value: object) -> object:
         return str(value)
     if is_dataclass(value) and not isinstance(value, type):
         return {one.name: _in_english(getattr(value, one.name)) for one in fields(value)}
+    if isinstance(value, BaseModel):
+        return {name: _in_english(of) for name, of in value}
     if isinstance(value, Mapping):
         return {name: _in_english(of) for name, of in value.items()}
     if isinstance(value, (list, tuple)):
