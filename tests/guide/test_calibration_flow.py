@@ -2,10 +2,11 @@
 
 import json
 import re
-from dataclasses import asdict, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from pydantic_core import to_jsonable_python
 
 from app.findings import Finding, Quality
 from app.formats.results.calibration import PlanePart
@@ -119,7 +120,7 @@ def test_every_step_says_what_to_do_and_why_not(
         assert each.enabled == (each.why_not == "")
         assert each.label
         assert each.enabled == (rejection_reason(state, live, each.name, each.args) == "")
-    json.dumps(asdict(view), allow_nan=False)
+    json.dumps(to_jsonable_python(view, inf_nan_mode="constants"), allow_nan=False)
 
 
 def test_a_lost_arm_is_said_and_no_point_can_be_taken(
