@@ -74,7 +74,7 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
         "button", name="English", exact=True
     ).click()
     expect(html).to_have_attribute("lang", "en")
-    expect(page.get_by_label("Blur above which a pass is too fast")).to_have_value("0.1")
+    expect(page.get_by_label("Maximum blur")).to_have_value("0.1")
     page.context.close()
     assert not faults, "\n".join(faults)
 
@@ -110,5 +110,5 @@ def test_a_browser_brings_its_language_along(browser: Browser, station: Demo) ->
     page.goto(station.address)
     expect(page.get_by_role("heading", name="Die Station mit dem Link öffnen")).to_be_visible()
     page.get_by_role("button", name="English", exact=True).click()
-    expect(page.get_by_role("heading", name="Open the station by its link")).to_be_visible()
+    expect(page.get_by_role("heading", name="Open the station with its link")).to_be_visible()
     page.context.close()

@@ -21,7 +21,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     editor = page.get_by_role("group", name="Zones without measurement")
     expect(editor).to_be_visible(timeout=30_000)
     page.get_by_role("button", name="Draw a zone").click()
-    expect(page.get_by_text("Draw it: press on the picture and drag.")).to_be_visible()
+    expect(page.get_by_text("Press on the picture and drag to draw the zone.")).to_be_visible()
     box = editor.bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + 100, box["y"] + 100)
@@ -46,7 +46,7 @@ def test_a_zone_is_drawn_pulled_undone_and_kept(
     page.get_by_label("Threshold").fill("25")
     page.get_by_role("button", name="Set", exact=True).click()
     visit.wait_until("set", "/api/settings", lambda now: now["threshold"] == 25)
-    page.get_by_label("Where several lines cross a column").select_option("first")
+    page.get_by_label("If several lines cross a column").select_option("first")
     visit.wait_until("chosen", "/api/settings", lambda now: now["choice"] == "first")
     page.reload()
     expect(page.get_by_label("Threshold")).to_have_value("25", timeout=30_000)

@@ -24,7 +24,7 @@ test("a file is in English, with decimal points and in the station's units, what
   await chooseLanguage("de");
   chooseUnits("inch");
   expect(toCsv([TABLE, TABLE]).split("\n\n")[0]).toBe(
-    ["Poses", 'Pose,"Deviation, µm","t, mm",x', "Pose 3,-12345.6,µm,", '"left out: a ""bad"" one",0.5,R2,'].join("\n"),
+    ["Poses", 'Pose,"Deviation, µm","t, mm",x', "Pose 3,-12345.6,µm,", '"excluded: a ""bad"" one",0.5,R2,'].join("\n"),
   );
 });
 
