@@ -1,6 +1,6 @@
-"""The calibration over many poses: contacts and pictures of one block, all in one adjustment.
+"""The calibration over many poses: contact points and pictures of one block in one adjustment.
 
-One pose alone gives the article's method (Eq. 5-8) with the arm's errors counted in.
+With one pose alone, this is the article's method (Eq. 5-8) with the arm's errors included.
 """
 
 from collections.abc import Callable
@@ -70,20 +70,20 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse
 
 Progress = Callable[[Text, float], None]
-# What is not known to a metre is not known.
+# Larger values are treated as unknown.
 HOPELESS_UM = 1e6
 
 
 @dataclass(frozen=True)
 class BlockInputs:
-    """What a calibration over P poses is made from: one block that has not moved.
+    """The input of a calibration over P poses of one block that has not moved.
 
-    ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses that show nothing usable.
+    ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses without a usable picture.
     """
 
     arm: Arm
     block: Crenellated
-    features: tuple[str, ...]  # (N) the face of each contact
+    features: tuple[str, ...]  # (N) face of each contact point
     contact_q_rad: Floats  # (N, n)
     observations: tuple[BlockObservation, ...]
     q_rad: Floats
@@ -93,10 +93,10 @@ class BlockInputs:
 
 @dataclass(frozen=True)
 class BlockCalibration:
-    """A calibration and what it rests on.
+    """A calibration and the data it is based on.
 
-    The sensor frame is the object's frame as the first used pose saw it (Eq. 6): a
-    choice, which lets one pose give what the article gives.
+    The sensor frame is the object frame as the first used pose saw it (Eq. 6). This choice makes
+    one pose give the same frame as the article.
     """
 
     adjustment: AdjustmentResult
@@ -107,7 +107,7 @@ class BlockCalibration:
     T_arm_obj: Floats
     poses: tuple[PoseResult, ...]
     uncertainty: CalibrationUncertainty
-    stripe_rms_um: float  # of the stripe's points to the laser plane
+    stripe_rms_um: float  # of the stripe points to the laser plane
     depth_range_mm: tuple[float, float]
     findings: tuple[CalibrationFinding, ...]
     worst: tuple[WorstResidual, ...]
@@ -139,15 +139,15 @@ def observe_block(
 
 
 def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> BlockCalibration:
-    """Camera, light plane and probe matrix from all poses and contact points together.
+    """Camera, laser plane and probe matrix from all poses and contact points together.
 
     One adjustment by maximum likelihood: the pose and the certificate of the block, the camera,
-    the light plane, the mounting, the errors of the arm's links and encoders. The noise levels
+    the laser plane, the mounting, the errors of the arm's links and encoders. The noise levels
     are estimated from the data (variance components).
 
     Args:
         inputs: P >= 1 poses and N contact points of one block that has not moved.
-        progress: called with what is done, and the share done, 0 to 1.
+        progress: called with the current step and the share done, 0 to 1.
 
     Returns:
         The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
@@ -192,8 +192,8 @@ def _align_contacts(inputs: BlockInputs) -> Alignment:
 
 @dataclass(frozen=True)
 class _Start:
-    """What is to be adjusted, from where, and what was set aside before: poses that contradict
-    the others, and laser lines by their poses' numbers, with how far off (mm) they lie."""
+    """The problem, its start values, and what was excluded before: poses that contradict the
+    others, and laser lines by pose number with their distance (mm) from the laser plane."""
 
     problem: AdjustmentProblem
     state: AdjustmentState
@@ -202,7 +202,7 @@ class _Start:
 
 
 def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
-    """All that is to agree without poses that contradict the others, and a start for it."""
+    """The problem without poses that contradict the others, and its start values."""
     arm, block = inputs.arm, inputs.block
     camera, plane = common_camera(inputs.observations, block)
     T_cam_obj = np.array([estimate_block_pose(camera, pose, block) for pose in inputs.observations])
@@ -240,7 +240,7 @@ def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
 
 
 def block_size_mm(block: Crenellated) -> float:
-    """The diagonal of the block from floor to crest, which turns angles into lengths."""
+    """The diagonal of the block from floor to crest; converts angles into lengths."""
     return float(
         np.linalg.norm(
             [
@@ -255,7 +255,8 @@ def block_size_mm(block: Crenellated) -> float:
 def _view(
     pose: BlockObservation, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
 ) -> BlockView:
-    """The pose's pictures, the stripe sorted as the pose itself saw the block."""
+    """The view of the pose, with the stripe points sorted by the pose's own detection of the
+    block."""
     found = pose.detection
     view = BlockView(
         block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
@@ -265,7 +266,7 @@ def _view(
 
 
 def _adjust_twice(problem: AdjustmentProblem, start: AdjustmentState) -> AdjustmentResult:
-    """Adjusted, the stripes sorted by the first result, and adjusted again where that differs."""
+    """Adjusts, sorts the stripe points by the result, and adjusts again if the sorting changed."""
     found = solve_adjustment(problem, start)
     again = reclassify_stripes(found)
     same = all(
@@ -324,7 +325,7 @@ def _assemble_result(
 
 
 def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> Text:
-    """What is wrong with the laser's line of a pose that was used, if anything."""
+    """Problems with the laser line of a pose that was used, if any."""
     if pose.number in lines_out:
         return line_exclusion_reason(lines_out[pose.number])
     return "" if pose.stripe_points else NO_LINE

@@ -1,4 +1,4 @@
-"""What an adjustment shows about itself, in words, the gravest first."""
+"""The findings of an adjustment, most severe first."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,17 +30,17 @@ from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 
-# The arm's readings are worse than its datasheet by this factor.
+# Ratio of the arm's reading noise to its datasheet from which it is reported.
 NOISY = 2.5
-# One pose may fit its edges so much worse than all together should.
+# Ratio of a pose's edge residuals to those of all poses from which it is reported.
 WORST_POSE = 1.5
-# Poses with smaller turns between them determine little more than one does.
+# Poses that are turned by less than this determine little more than one pose.
 ALIKE_DEG = 8.0
 
 
 @dataclass(frozen=True)
 class BlockEvidence:
-    """All that a calibration over many poses can be judged by."""
+    """Everything by which a calibration over many poses is judged."""
 
     block: Crenellated
     alignment: Alignment
@@ -49,12 +49,12 @@ class BlockEvidence:
     result: AdjustmentResult
     uncertainty: CalibrationUncertainty
     poses: Sequence[PoseResult]
-    excluded_lines_mm: dict[int, float]  # mm off the plane of the others, by the poses' numbers
+    excluded_lines_mm: dict[int, float]  # mm off the plane of the others, by pose number
     limits: Limits
 
 
 def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
-    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
+    """The verdict by the uncertainty of a point, with all findings, most severe first."""
     state, covariance = evidence.result.state, evidence.result.covariance
     findings = (
         uncertainty_verdict(
@@ -76,7 +76,7 @@ def block_findings(evidence: BlockEvidence) -> tuple[CalibrationFinding, ...]:
 def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     out = [pose for pose in evidence.poses if not pose.used]
-    observed = {pose.number for pose in evidence.observations}  # others' reasons say what to do
+    observed = {pose.number for pose in evidence.observations}  # other findings have remedies
     findings = [
         CalibrationFinding(
             "attention",

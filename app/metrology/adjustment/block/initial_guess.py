@@ -1,4 +1,4 @@
-"""A start for the block's adjustment: one camera for all poses, and where each pose saw it."""
+"""Start values for the block's adjustment: one camera for all poses, and the block in each view."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -22,10 +22,10 @@ FEWEST_CORNERS = 6
 def common_camera(
     seen: Sequence[BlockObservation], block: Crenellated
 ) -> tuple[Camera, LaserPlane]:
-    """Camera (its own frame as sensor frame) and plane in it, from the most informative pose.
+    """Camera (its own frame as sensor frame) and laser plane from the most informative pose.
 
     Raises:
-        OperationError: of the best pose, where none is enough.
+        OperationError: that of the best pose, if no pose is sufficient.
     """
     refusal: OperationError | None = None
     for pose in sorted(seen, key=_observation_weight, reverse=True):
@@ -52,16 +52,16 @@ def _fit(pose: BlockObservation, block: Crenellated) -> CameraFit:
 
 
 def express_in_camera_frame(camera: Camera, plane: LaserPlane) -> tuple[Camera, LaserPlane]:
-    """The camera with no rotation and no translation, and the plane as it sees it."""
+    """The camera without rotation and translation, and the plane in its frame."""
     own = replace(camera, rotation=np.eye(3), translation_mm=np.zeros(3))
     return own, plane.in_frame(rigid(camera.rotation, camera.translation_mm))
 
 
 def estimate_block_pose(camera: Camera, pose: BlockObservation, block: Crenellated) -> Floats:
-    """``T_cam_obj`` (4, 4) of a pose from its corners, the camera known.
+    """``T_cam_obj`` (4, 4) of a pose from its corners, with a known camera.
 
     Raises:
-        OperationError: too few corners to place the object by.
+        OperationError: too few corners to determine the pose of the object.
     """
     at = corners(block)
     found = pose.detection.corners

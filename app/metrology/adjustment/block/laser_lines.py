@@ -1,4 +1,4 @@
-"""The laser's lines on the block in several poses: the plane of most, and lines that lie off it."""
+"""The laser lines on the block in several poses: the plane of most lines, and lines off it."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,10 +19,10 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, apply
 
-# A line that lies less far off than this is never an outlier.
+# A line that is closer to the plane than this is never an outlier.
 OUTLIER_LINE_MM = 0.05
 FEWEST_LINES = 3
-# Lines that lie so far off the plane that suits them best are of no one plane.
+# Lines further than this from their best common plane do not share a plane.
 HOPELESS_MM = 0.5
 
 
@@ -33,22 +33,22 @@ def fit_common_plane(
     T_cam_obj: Floats,
     plane: LaserPlane,
 ) -> tuple[LaserPlane, dict[int, float]]:
-    """The plane, in the camera's frame, that most poses' lines lie in.
+    """The plane, in the camera frame, in which the laser lines of most poses lie.
 
-    A line on crests and floors gives a plane by itself: that one's is taken which suits the
-    most others best. Lines that do not lie in one plane by themselves have no say where others
-    do: they are of another pose's picture, or reflections.
+    A line on crests and floors determines a plane by itself; the plane that fits most other lines
+    best is chosen. Lines that do not lie in a plane by themselves do not vote if others do: they
+    come from the picture of another pose, or from reflections.
 
     Args:
         camera: its own frame as sensor frame.
-        T_cam_obj: (P, 4, 4) where each pose saw the block.
-        plane: what is answered where no two poses show a line.
+        T_cam_obj: (P, 4, 4) block pose in each view.
+        plane: returned if fewer than two poses show a line.
 
     Returns:
-        the plane, and by the poses' numbers the lines that are far off it, in mm.
+        The plane, and the distance in mm of lines that are far off it, by pose number.
 
     Raises:
-        OperationError: ``lines-contradict``: there is no such plane.
+        OperationError: ``lines-contradict`` if there is no such plane.
     """
     lines = {
         pose.number: _fit_line(pose, block, camera, T)
@@ -78,19 +78,19 @@ def fit_common_plane(
 
 @dataclass(frozen=True)
 class _LaserLine:
-    """A line by itself: its points (N, 3), its plane, and the share of it that lies in that."""
+    """One line: its points (N, 3), its plane, and the share of points that lie in that plane."""
 
     in_cam: Floats
     plane: LaserPlane
     share: float
 
     def off_mm(self, plane: LaserPlane) -> float:
-        """Rms distance of its points from a plane."""
+        """Rms distance of the points from a plane."""
         return float(np.sqrt(np.mean((self.in_cam @ plane.normal - plane.offset_mm) ** 2)))
 
 
 def _score_plane(lines: Mapping[int, _LaserLine], plane: LaserPlane) -> tuple[int, float]:
-    """How many lines lie far off a plane, and how far (mm) the others do, together."""
+    """The number of lines far off a plane, and the joint distance (mm) of the others from it."""
     off = np.array([line.off_mm(plane) for line in lines.values()])
     near = off[off <= HOPELESS_MM]
     return len(off) - len(near), float(np.sum(near))
@@ -111,16 +111,16 @@ def _fit_line(
 
 
 def line_offsets_mm(found: AdjustmentResult) -> Floats:
-    """(P,) how far the line of each pose lies off the laser plane, NaN where there is none."""
+    """(P,) distance of each pose's line from the laser plane; NaN without a line."""
     off = [off_plane_mm(stripe) for _, stripe in found.linear.rows]
     return np.array([abs(np.nanmedian(one)) if np.isfinite(one).any() else np.nan for one in off])
 
 
 def remove_outlier_lines(found: AdjustmentResult) -> tuple[AdjustmentResult, dict[int, float]]:
-    """Adjusted without the lines that lie off the plane of the others, worst first.
+    """Adjusts without the lines that lie off the plane of the others, worst first.
 
-    Fewer than half of all lines are left out; their poses stay. Beside it, by the numbers of
-    these poses, how far off (mm) their lines are.
+    Fewer than half of all lines are excluded; their poses stay. Also returns the distance (mm) of
+    these lines from the plane, by pose number.
     """
     outliers_mm: dict[int, float] = {}
     off_mm = line_offsets_mm(found)
@@ -136,7 +136,7 @@ def remove_outlier_lines(found: AdjustmentResult) -> tuple[AdjustmentResult, dic
 
 
 def without_lines(problem: AdjustmentProblem, numbers: Collection[int]) -> AdjustmentProblem:
-    """The same without the laser's lines of the poses of these numbers; the poses stay."""
+    """The problem without the laser lines of these poses; the poses stay."""
     views = tuple(
         view.without_line() if number in numbers else view
         for number, view in zip(problem.numbers, problem.views, strict=True)

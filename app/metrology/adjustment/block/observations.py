@@ -1,4 +1,5 @@
-"""The crenellated block as the adjustment sees it: its certificate, its pictures, its contacts."""
+"""Observations of the crenellated block for the adjustment: certificate, pictures, contact
+points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -35,14 +36,14 @@ LEAST_CERTIFICATE_MM = 1e-6
 class BlockView:
     """The block in the pictures of one pose: points on its edges, and the stripe on it.
 
-    Corners count only where there are no edge points, from which they are drawn.
+    Corners count only if there are no edge points, because corners are computed from edge points.
     """
 
     block: Crenellated
     edges: tuple[EdgePoints, ...]
     corners: tuple[Corner, ...]
     stripe: Stripe
-    level: NDArray[np.str_]  # of each stripe point that counts; empty of others
+    level: NDArray[np.str_]  # of each stripe point that counts; empty for others
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
         scene = SceneModel(camera, plane, with_coordinates(self.block, coordinates))
@@ -94,7 +95,7 @@ class BlockView:
 
 
 def block_prior(block: Crenellated) -> TargetPrior:
-    """The certificate: every coordinate known to its standard uncertainty."""
+    """The certificate as a prior: every coordinate with its standard uncertainty."""
     count = len(block.edges_x_mm)
     names = tuple(f"edge_x:{i}" for i in range(count))
     names += ("front_y", "back_y", "crest_z", "floor_z", "base_z")
@@ -109,7 +110,7 @@ def block_contacts(
     q_rad: Floats,
     kept: NDArray[np.bool_],
 ) -> ContactObservations:
-    """Contacts (N) on the block's faces at encoder angles (N, n)."""
+    """Contact points (N) on the block's faces at encoder angles (N, n)."""
     moves = arm_motion(arm, q_rad)
     values = coordinates(block)
     faces = {face: _face(block, face, values) for face in set(features)}

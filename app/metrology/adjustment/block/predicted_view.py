@@ -1,4 +1,4 @@
-"""What a picture of the block would show from a place not yet taken, without its noise."""
+"""Prediction, without noise, of what a picture of the block would show from a new pose."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,20 +15,20 @@ from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# Points are measured at these distances.
+# Spacing of measured points.
 EDGE_STEP_PX = 5.0
 STRIPE_STEP_PX = 1.0
-# Points this near to an end of an edge mix in its neighbour.
+# Points closer than this to the end of an edge are disturbed by the adjacent edge.
 END_PX = 4.0
 
 
 @dataclass(frozen=True)
 class ObservationNoise:
-    """How well pictures are measured: standard deviations of one edge point, one
-    corner of a chessboard, and one stripe point.
+    """Noise of the measurements in pictures: standard deviations of one edge point, of one corner
+    of a chessboard, and of one stripe point.
 
-    ``merged`` points are put into one of equal weight, which is all that a predicted
-    uncertainty needs.
+    ``merged`` points are combined into one of equal weight, which is sufficient for predicting
+    uncertainty.
     """
 
     edge_px: float = 0.09
@@ -39,7 +39,7 @@ class ObservationNoise:
 
     @property
     def sd_factor(self) -> float:
-        """Of one point's standard deviation, what several together have."""
+        """Standard deviation of several points together, from that of one point."""
         return float(self.bin_size**-0.5)
 
 
@@ -92,7 +92,7 @@ def _predict_edge(
 
 
 def _join_parts(parts: Sequence[EdgePoints]) -> list[EdgePoints]:
-    """The parts of one edge as one."""
+    """The parts of one edge as one edge."""
     by_name: dict[str, list[EdgePoints]] = {}
     for part in parts:
         by_name.setdefault(part.edge, []).append(part)
@@ -142,6 +142,6 @@ def _predict_stripe(
 def inside(
     camera: Camera, uv_px: Floats, margin_px: float
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-    """Which pixels (N, 2) lie in the picture, a margin off its border."""
+    """Mask of the pixels (N, 2) inside the picture, at least a margin away from its border."""
     size = np.array([camera.width_px, camera.height_px])
     return np.asarray(((uv_px > margin_px - 0.5) & (uv_px < size - 0.5 - margin_px)).all(axis=1))

@@ -1,6 +1,6 @@
-"""A bundle of pictures of one board: lens, places and surface, from corners alone.
+"""Bundle adjustment of the pictures of one board: lens, views and surface, from corners alone.
 
-It needs neither arm nor laser, and starts the adjustment of everything.
+It needs neither arm nor laser, and provides the start values of the complete adjustment.
 """
 
 from collections.abc import Sequence
@@ -18,22 +18,22 @@ from app.metrology.sensor.projection import COUNT, step_camera
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
-# Of ``PARAMETERS``: what all pictures have in common (fx, fy, u0, v0, k1, k2), what each has
-# of its own, and what of the common ones' prior counts here.
+# Parameters of ``PARAMETERS`` that all pictures share (fx, fy, u0, v0, k1, k2), those of each
+# picture, and the part of the prior of the shared ones that applies here.
 COMMON = np.array([0, 1, 2, 3, 10, 11])
 PER_POSE = np.arange(4, 10)
 OF_PRIOR = np.array([0, 1, 2, 3, 4, 5])
 ROUNDS = 12
 CONVERGED_PX = 1e-3
-# Corners scatter by this at least; and those beyond so many deviations do not count.
+# Minimum scatter of corners, and the number of standard deviations beyond which one is excluded.
 LEAST_SCATTER_PX, OUTLIER_SIGMAS = 0.02, 4.5
 
 
 @dataclass(frozen=True)
 class Bundle:
-    """The camera in each of P poses, board frame as sensor frame; the surface's coordinates, with
-    deviations as certified or worse; by how much corners scatter in each picture (P,), as rms
-    of one coordinate; and the covariance (6P, 6P) of the left twists (rad, mm) of
+    """The camera in each of P poses, with the board frame as sensor frame; the coordinates of the
+    surface, with standard deviations as certified or larger; the scatter of corners in each picture
+    (P,), as rms of one coordinate; and the covariance (6P, 6P) of the left twists (rad, mm) of
     ``T_cam_obj``."""
 
     cameras: tuple[Camera, ...]
@@ -47,10 +47,10 @@ class Bundle:
 
 
 def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bundle:
-    """The most likely lens, places and surface for the corners of all views.
+    """The most likely lens, views and surface for the corners of all views.
 
     Args:
-        cameras: a start, one for each view, alike but for their places.
+        cameras: start values, one per view; they differ in the pose only.
     """
     prior = board_prior(views[0].board)
     none = np.zeros(len(views))
@@ -63,7 +63,7 @@ def adjust_bundle(views: Sequence[BoardView], cameras: Sequence[Camera]) -> Bund
 
 
 def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrior) -> Bundle:
-    """One round of Gauss-Newton; the deviations of its surface are estimated again."""
+    """One Gauss-Newton iteration; the standard deviations of the surface are estimated again."""
     certified, sd, board = prior.coordinates, at.surface_prior.sd, views[0].board
     shared, common = len(COMMON) + len(certified), np.arange(len(COMMON))
     surface_rows = np.arange(len(COMMON), shared)
@@ -89,7 +89,7 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrio
     scale = np.diag(N) ** -0.5
     C = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
     step = -C @ g
-    # of the surface's unknowns, what the pictures and not its certificate determined
+    # share of the surface's unknowns that the pictures determined, not the certificate
     determined_count = float(np.sum(1 - np.diag(C)[surface_rows] / sd**2))
     r = np.concatenate(normed)
     degrees = max(len(r) - len(COMMON) - len(PER_POSE) * len(views) - determined_count, 1)
@@ -111,8 +111,8 @@ def _gauss_newton_step(views: Sequence[BoardView], at: Bundle, prior: TargetPrio
 def _estimate_surface_sd(
     board: Chessboard, off: Floats, variances: Floats, certified: Floats, sd: Floats
 ) -> Floats:
-    """Deviations (B,) of the surface's coordinates: each group's by certificate, unless the
-    pictures show that it is worse (Foerstner)."""
+    """Standard deviations (B,) of the surface coordinates: those of the certificate for each group,
+    unless the pictures show that they are larger (Foerstner)."""
     deviations = certified.copy()
     for group in coordinate_groups(board):
         least, now = certified[group], float(sd[group][0])
@@ -123,7 +123,7 @@ def _estimate_surface_sd(
 
 
 def _pose_slice(shared: int, pose: int) -> slice:
-    """Where the unknowns of one pose stand, after those that all share."""
+    """Indices of the unknowns of one pose; they follow the shared ones."""
     return slice(shared + len(PER_POSE) * pose, shared + len(PER_POSE) * (pose + 1))
 
 

@@ -1,6 +1,6 @@
-"""The calibration on a flat chessboard: all pictures, and contacts if any, in one adjustment.
+"""The calibration on a flat chessboard: pictures, and contact points if any, in one adjustment.
 
-Without contacts the board's place in the arm's frame is found with everything else.
+Without contact points, the board's pose in the arm frame is estimated with everything else.
 """
 
 from collections.abc import Callable
@@ -58,15 +58,15 @@ from app.metrology.transforms import Floats, inverse
 
 Progress = Callable[[Text, float], None]
 
-# How far whole lines lie off their plane is estimated until it changes by less than this factor.
+# The offset of whole lines from their plane is estimated until it changes by less than this factor.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
 
 
 @dataclass(frozen=True)
 class BoardCalibration:
-    """A calibration and what it rests on.
+    """A calibration and the data it is based on.
 
-    The sensor frame is the board's frame as the first used pose saw it.
+    The sensor frame is the board frame as the first used pose saw it.
     """
 
     adjustment: AdjustmentResult
@@ -74,7 +74,7 @@ class BoardCalibration:
     plane: LaserPlane
     T_flange_sensor: Floats
     T_arm_obj: Floats
-    corners_mm: Floats  # (N, 3) where they truly are, in the board's frame
+    corners_mm: Floats  # (N, 3) estimated positions in the board frame
     poses: tuple[PoseResult, ...]
     uncertainty: CalibrationUncertainty
     contacts: BoardContacts | None
@@ -110,14 +110,14 @@ def observe_board(
 
 
 def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> BoardCalibration:
-    """Camera, light plane and probe matrix from images of a chessboard, probed or not.
+    """Camera, laser plane and probe matrix from images of a chessboard, probed or not.
 
     One adjustment by maximum likelihood, as ``calibrate_block``; the bent surface of the board
     and its pose in the arm frame are estimated with everything else.
 
     Args:
         inputs: P poses, as joint angles or flange poses, and contact points if there are any.
-        progress: called with what is done, and the share done, 0 to 1.
+        progress: called with the current step and the share done, 0 to 1.
 
     Returns:
         The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
@@ -147,16 +147,16 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
 
 
 def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[AdjustmentResult, Mounting]:
-    """Adjusts twice: outlier poses and contacts, the lines' points and how much they count, all
-    weights and the significant lens terms follow from the first result, as the start was too
-    coarse."""
+    """Adjusts twice. The first result decides outlier poses and contact points, the line points and
+    their weights, all other weights and the significant lens terms, because the start values are
+    too coarse for that."""
     found = solve_adjustment(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
     found = remove_outlier_contacts(found)
     again = reclassify_stripes(found)
     if start.laser_moved:
         return solve_adjustment(again, found.state), mounting
-    # The start's lines can lie so far off that nothing is made of them at first.
+    # With the start values, a line can be so far off that none of its points is usable at first.
     for _ in range(SCATTER_ROUNDS):
         before, now = line_scatter(found), estimate_line_scatter(found)
         found = solve_adjustment(with_line_scatter(again, now), found.state)
@@ -208,7 +208,7 @@ def _assemble_result(
 def _uncertainty_budget(
     inputs: BoardInputs, worth: CalibrationUncertainty
 ) -> CalibrationUncertainty:
-    """The budget without what there was not, and with a robot's own share by its name."""
+    """The budget without empty contributions, with a robot's own contribution under its name."""
     robot = isinstance(inputs.arm, RobotArm)
     touched = inputs.contact_readings is not None and len(inputs.contact_readings) > 0
     rows = tuple(
@@ -223,7 +223,7 @@ def _uncertainty_budget(
 def _pose_results(
     inputs: BoardInputs, found: AdjustmentResult, start: BoardStart
 ) -> tuple[PoseResult, ...]:
-    """Of the poses used, of those that contradict, and of those that show no board."""
+    """The results of poses that were used, that contradict, and that show no board."""
     results = [PoseResult(one.number, False, one.error.text) for one in inputs.failed_poses]
     numbers = [pose.number for pose in inputs.observations]
     readings: Readings = "angles" if isinstance(inputs.arm, Arm) else "pose"
@@ -234,7 +234,7 @@ def _pose_results(
 
 
 def _line_problem(number: int, start: BoardStart) -> Text:
-    """What is wrong with the laser's line of a pose that was used, if anything."""
+    """Problems with the laser line of a pose that was used, if any."""
     if number in start.excluded_lines_mm:
         return line_exclusion_reason(start.excluded_lines_mm[number])
     if number in start.contradicting_lines_mm:

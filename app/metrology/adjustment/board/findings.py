@@ -1,4 +1,4 @@
-"""What a calibration on a chessboard shows about itself, in words, the gravest first."""
+"""The findings of a calibration on a chessboard, most severe first."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ from app.metrology.calibration.findings import (
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard, corner_points
 
-# What a budget calls a robot's share.
+# Name of a robot's contribution in the budget.
 ROBOT_ROW = "robot's poses"
 REMEDIES = {
     "contact points": message("touch-more-points-spread-wide-over"),
@@ -36,21 +36,21 @@ REMEDIES = {
     "stripe": message("take-more-pictures-lasers-line-flat"),
     "distortion": message("take-more-pictures-board-all-corners"),
 }
-# Every pose adds the same information: this many at most are asked for.
+# Every pose adds the same information; at most this many are asked for.
 MOST_ASKED = 60
-# Robot and pictures disagree in the board's tilt by more than this, and more than in turn.
+# Robot and pictures disagree in the board's tilt by more than this, and by more than in rotation.
 ROCKING_RAD, ROCKING_TIMES = 1e-3, 3.0
-# A board that bends by more than this times its flatness does not lie as it should.
+# A board that bends by more than this multiple of its flatness is not mounted correctly.
 PRINT_TIMES = 3.0
 BENT_TIMES, FLATTEST_MM = 2.0, 0.01
 FEW_POSES = 6
-# Of a robot's noise: three turns, three shifts, two tilts.
+# Parameters of a robot's noise: three rotations, three translations, two tilts.
 TURNS_SHIFTS_TILTS = 8
 
 
 @dataclass(frozen=True)
 class BoardEvidence:
-    """All that a calibration on a board can be judged by."""
+    """Everything by which a calibration on a board is judged."""
 
     board: Chessboard
     observations: Sequence[BoardObservation]
@@ -58,13 +58,13 @@ class BoardEvidence:
     uncertainty: CalibrationUncertainty
     poses: Sequence[PoseResult]
     limits: Limits
-    excluded_lines_mm: dict[int, float]  # mm by pose number: of a laser that moved, left out
-    contradicting_lines_mm: dict[int, float]  # the same, where they count
+    excluded_lines_mm: dict[int, float]  # mm by pose number: lines of a laser that moved, excluded
+    contradicting_lines_mm: dict[int, float]  # the same for lines that are kept
     contacts: BoardContacts | None
 
 
 def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
-    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
+    """The verdict by the uncertainty of a point, with all findings, most severe first."""
     result = evidence.result
     findings = (
         _verdict(evidence),
@@ -83,7 +83,8 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
 
 
 def _verdict(evidence: BoardEvidence) -> CalibrationFinding:
-    """By the user's limits; what helps is more pictures, or a laser that stays."""
+    """The verdict by the user's limits; the remedies are more pictures or a laser that stays in
+    place."""
     known, limits = evidence.uncertainty, evidence.limits
     poses = len(evidence.result.problem.views)
     limit = limits.good_um if known.total_um <= limits.usable_um else limits.usable_um
@@ -120,7 +121,7 @@ def _contact_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
 
 
 def _print_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
-    """The corners' places one by one against the certificate, which may be silent on them."""
+    """The measured corner positions against the certificate, which may not state them."""
     board, prior = evidence.board, evidence.result.problem.prior
     estimate_mm = float(prior.sd[coordinate_groups(board)[1]][0])
     if estimate_mm < PRINT_TIMES * board.standard_uncertainty_mm:
@@ -160,10 +161,10 @@ def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
 
 def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
-    observed = {pose.number for pose in evidence.observations}  # others' reasons say what to do
+    observed = {pose.number for pose in evidence.observations}  # other findings have remedies
     about_lines = (
         evidence.excluded_lines_mm | evidence.contradicting_lines_mm
-    )  # are reported with the lines
+    )  # reported with the lines
     findings = [
         CalibrationFinding(
             "attention",
@@ -208,7 +209,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
 
 
 def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
-    """A robot's poses that agree on the board's place better than on its tilt."""
+    """Robot poses that agree on the board's position better than on its tilt."""
     sd = result.scales.noise * result.problem.motion.noise_sd
     if len(sd) != TURNS_SHIFTS_TILTS or len(result.problem.views) < FEW_POSES:
         return []
@@ -230,7 +231,7 @@ def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
 
 
 def _image_findings(observations: Sequence[BoardObservation]) -> list[CalibrationFinding]:
-    """What a single picture suffers from, each kind once, by the first pose that shows it."""
+    """Problems of single pictures, each kind once, for the first pose that shows it."""
     first = {
         item.code: (pose.number, item)
         for pose in reversed(observations)

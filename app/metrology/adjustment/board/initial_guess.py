@@ -1,5 +1,5 @@
-"""A start for the chessboard's adjustment: the camera, how each picture numbers the corners,
-and whether the arm's motion agrees with the squares' size."""
+"""Start values for the chessboard's adjustment: the camera, the corner numbering of each picture,
+and whether the arm's motion agrees with the size of the squares."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,17 +19,18 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
 
 FEWEST_POSES = 3
-# Pictures of a flat board determine the focal length only where they are tilted so much.
+# Pictures of a flat board determine the focal length only if the board is tilted by at least this.
 LEAST_TILT_DEG = 5.0
-# The arm's motion against the squares' size, refused: relative, and in standard deviations.
+# Deviation of the arm's motion from the square size that is refused: relative, and in standard
+# deviations.
 SIZE_SHARE, SIZE_SIGMAS = 0.03, 5.0
-# Turning angles of the board and of the flange agree so well where a numbering is right.
+# Agreement of the rotation angles of board and flange if a numbering is correct.
 TURN_DEG = 3.0
 
 
 @dataclass(frozen=True)
 class BoardObservation:
-    """What the picture of one pose showed, by itself."""
+    """The detection in the picture of one pose, by itself."""
 
     number: int
     detection: BoardDetection
@@ -43,7 +44,7 @@ def board_camera(
     """The camera (its own frame as sensor frame), and ``T_cam_obj`` (P, 4, 4).
 
     Raises:
-        OperationError: too few pictures, or all from straight above.
+        OperationError: too few pictures, or all taken from straight above.
     """
     if len(seen) < FEWEST_POSES:
         raise OperationError(
@@ -77,7 +78,7 @@ def board_camera(
 def _calibrate_camera(
     seen: Sequence[BoardObservation], points: Floats, size_px: tuple[int, int]
 ) -> tuple[Floats, Floats]:
-    """Camera matrix (3, 3), and distortion (5,) of which k1 alone is estimated."""
+    """Camera matrix (3, 3) and distortion (5,), of which only k1 is estimated."""
     flags = (
         cv2.CALIB_FIX_K2
         | cv2.CALIB_FIX_K3
@@ -97,12 +98,12 @@ def _calibrate_camera(
 def number_corners(
     seen: Sequence[BoardObservation], board: Chessboard, camera: Camera, T_arm_flange: Floats
 ) -> tuple[BoardObservation, ...]:
-    """Each picture numbered like the first, where the colours alone leave a choice.
+    """Numbers the corners of each picture like those of the first, if colours alone are ambiguous.
 
-    The board must turn before the camera by as much as the flange turns.
+    The board must turn relative to the camera by as much as the flange turns.
 
     Raises:
-        OperationError: the arm's poses do not decide it either.
+        OperationError: the poses of the arm do not decide the numbering either.
     """
     if not any(pose.detection.other_numbers for pose in seen):
         return tuple(seen)
@@ -134,15 +135,15 @@ def _angle_deg(T: Floats) -> float:
 
 
 def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
-    """Refuses squares that are clearly another size by the arm's motion.
+    """Refuses squares whose size clearly differs from the arm's motion.
 
-    With the turns known, shifts and the one scale of all distances follow linearly.
+    With known rotations, the translations and a common scale of all distances follow linearly.
 
     Raises:
-        OperationError: that, or poses that are not what they should be.
+        OperationError: ``square-size``, or poses that contradict each other.
     """
     kept = np.flatnonzero(~mounting.contradicts)
-    # one wrong size makes all poses contradict one another: then all of them are asked
+    # one wrong size makes all poses contradict each other, so all of them are used
     kept = kept if len(kept) >= FEWEST_POSES else np.arange(len(mounting.off_mm))
     A, B = mounting.T_arm_flange[kept], mounting.T_cam_obj[kept]
     turn = mounting.T_flange_cam[:3, :3]

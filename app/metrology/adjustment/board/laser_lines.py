@@ -1,5 +1,5 @@
-"""The laser's lines of all pictures against one another: their plane, how far whole lines lie
-off it, and which contradict the others."""
+"""The laser lines of all pictures compared with each other: their plane, the offsets of whole lines
+from it, and lines that contradict the others."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,37 +17,37 @@ from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.transforms import Floats
 
 FEWEST_STRIPE_POINTS = 20
-# Lines contradict the others beyond this, beyond so many times the board's flatness, and
-# so many standard deviations of those that agree.
+# A line contradicts the others if it is off by more than this, by more than this multiple of the
+# board's flatness, and by more than this number of standard deviations of the lines that agree.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
 AGREEING_ROUNDS = 8
-# Contradicting lines are left out where they are no larger a share than this, or where the
-# others agree so closely that chance puts none of them so far off more often than so.
+# Contradicting lines are excluded if they are at most this share of all lines, or if the others
+# agree so closely that chance would cause such an offset less often than this.
 MISTAKES_SHARE, CHANCE = 0.2, 1e-3
-# By how much whole lines are off their plane (mm) and turned out of it (rad): what is usual, by
-# what factor either way one deviation of that, and the sizes thought of at all, as multiples.
+# Offset (mm) and rotation (rad) of whole lines from their plane: usual values, the factor of one
+# standard deviation of these either way, and the values considered, as multiples.
 USUAL_SCATTER, USUAL_WITHIN = np.array([0.05, 1e-3]), 5.0
 SIZES = np.geomspace(0.1, 100.0, 121)
 THROUGH_ROUNDS = 15
 PLANE_DRAWS, DRAWN_POINTS = 400, 60
 AGREEING_TIMES = 4.0
-# Angle between the laser's plane and the board below which their line is not to be trusted.
+# Angle between laser plane and board below which a line is not trusted.
 LEAST_LASER_ANGLE_DEG = 8.0
-# Lines spread over the plane by this share of their length at least.
+# Lines must spread over the plane by at least this share of their length.
 LEAST_SPREAD = 0.02
 
 
 @dataclass(frozen=True)
 class LaserLines:
-    """What the lines of P poses say of the laser's plane before the adjustment.
+    """The lines of P poses and the laser plane before the adjustment.
 
-    ``off_mm`` (P,) is how far each line lies off the plane of most (NaN where there is no
-    line). Of those further off than the others explain, ``excluded`` are few, or the others
-    agree closely (Student's test); ``contradicting`` are neither, or the last ones: nobody knows
-    where the laser is now, and all count. ``laser_moved``: they are too many to be mistakes, left
-    out or not. ``plane`` is that of all that count, in the camera's frame; ``scatter_mm`` and
-    ``scatter_rad`` are the standard deviations by which whole lines lie off it and are turned
-    out of it.
+    ``off_mm`` (P,) is the distance of each line from the plane of most lines (NaN without a line).
+    Of the lines that are further off than the scatter of the others explains, ``excluded`` are few,
+    or the others agree closely (Student's test). ``contradicting`` are the remaining ones, or the
+    last ones of a recording: the position of the laser is then unknown, and all lines count.
+    ``laser_moved`` says that they are too many to be mistakes, excluded or not. ``plane`` is the
+    plane of all lines that count, in the camera frame; ``scatter_mm`` and ``scatter_rad`` are the
+    standard deviations of the offset and rotation of whole lines from it.
     """
 
     plane: LaserPlane
@@ -62,11 +62,11 @@ class LaserLines:
 def fit_laser_lines(
     views: Sequence[BoardView], found: Bundle, numbers: Sequence[int]
 ) -> LaserLines:
-    """The lines where the pictures put the board's surface.
+    """The lines at the positions where the pictures put the surface of the board.
 
     Raises:
-        OperationError: fewer than two lines on the board, none that most agree on, all in one
-            place, or the laser's plane along the board.
+        OperationError: fewer than two lines on the board, no plane that most
+            agree on, all lines in one place, or a laser plane along the board.
     """
     in_cam = [_line_points(view, found, p) for p, view in enumerate(views)]
     enough = [p for p, points in enumerate(in_cam) if len(points) >= FEWEST_STRIPE_POINTS]
@@ -101,12 +101,12 @@ def fit_laser_lines(
 
 
 def _is_minority(far: Sequence[int], seen: Sequence[int]) -> bool:
-    """Whether lines are so few of all that they are mistakes."""
+    """Whether lines are so few among all lines that they are mistakes."""
     return len(far) <= MISTAKES_SHARE * len(seen)
 
 
 def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) -> Floats:
-    """(P,) median distance of each pose's points from a plane; NaN of other poses."""
+    """(P,) median distance of each pose's points from a plane; NaN for other poses."""
     off = np.full(len(in_cam), np.nan)
     for p in poses:
         off[p] = float(np.median(in_cam[p] @ plane.normal - plane.offset_mm))
@@ -116,13 +116,13 @@ def _offsets(in_cam: Sequence[Floats], poses: Sequence[int], plane: LaserPlane) 
 def _find_contradictions(
     in_cam: Sequence[Floats], seen: Sequence[int], plane: LaserPlane, flatness_mm: float
 ) -> tuple[Floats, tuple[int, ...], tuple[int, ...]]:
-    """How far each line lies off the plane of those that agree (P,), and the lines that cannot
-    lie in it: few enough to leave out, or too many.
+    """Distance of each line from the plane of the lines that agree (P,), and the lines that cannot
+    lie in it: few enough to exclude, or too many.
 
-    From the better half of the lines on, the plane is laid through those that agree with it.
-    How closely they do follows from their places and turns, in their usual proportion.
+    Starting with the better half of the lines, the plane is fitted to those that agree with it. How
+    closely they agree follows from their offsets and rotations, in their usual proportion.
     """
-    from scipy.special import stdtrit  # slow to load, and needed for boards alone
+    from scipy.special import stdtrit  # slow to import, and needed for boards only
 
     off = _offsets(in_cam, seen, plane)
     agreeing = sorted(seen, key=lambda p: abs(float(off[p])))[: len(seen) // 2 + 1]
@@ -143,7 +143,7 @@ def _find_contradictions(
         return off, far, ()
     expected = usual * _prediction_factors(through, [in_cam[p] for p in far], plane)
     clear = np.abs(off[list(far)]) > stdtrit(free, 1 - CHANCE / 2) * expected
-    last = far == tuple(seen[-len(far) :])  # the laser may still be where these have it
+    last = far == tuple(seen[-len(far) :])  # the laser may still be in this position
     left_out = 2 * len(far) < len(seen) and bool(clear.all()) and not last
     return (off, far, ()) if left_out else (off, (), far)
 
@@ -151,8 +151,8 @@ def _find_contradictions(
 def _prediction_factors(
     agreeing: Sequence[Floats], others: Sequence[Floats], plane: LaserPlane
 ) -> Floats:
-    """(K,) how well the place of each of the other lines is foreseen by a plane through those that
-    agree: its deviation as a multiple of theirs."""
+    """(K,) prediction of the offset of each other line by a plane through the lines that agree: its
+    standard deviation as a multiple of theirs."""
     by_plane = _off_plane(agreeing, plane)[1] * (USUAL_SCATTER[0] / USUAL_SCATTER)[:, None]
     C = np.linalg.inv(np.einsum("lki,lkj->ij", by_plane, by_plane))
     place = _off_plane(others, plane)[1][:, 0]
@@ -160,7 +160,7 @@ def _prediction_factors(
 
 
 def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
-    """(N, 3) where a view's line lies on the surface, in the camera's frame."""
+    """(N, 3) points of a view's line on the surface, in the camera frame."""
     camera = found.cameras[pose]
     points = intersect_surface(view.board, camera, found.coordinates, view.stripe.uv_px)
     points = points[around_pattern(view.board, points)]
@@ -168,11 +168,11 @@ def _line_points(view: BoardView, found: Bundle, pose: int) -> Floats:
 
 
 def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[LaserPlane, Floats]:
-    """The plane that suits all lines best, each with an offset and a turn of its own, and the
-    standard deviations of these (mm, rad), estimated from the lines themselves.
+    """The plane that fits all lines best, each with its own offset and rotation, and the standard
+    deviations of these (mm, rad), estimated from the lines themselves.
 
-    A laser that ``moved`` turned as well, by so much that its lines' ends are off like their
-    middles: no direction is then trusted more than the places.
+    A laser that ``moved`` also turned, so that the ends of its lines are as far off as their
+    middles: no direction is then trusted more than the offsets.
     """
     plane = _least_squares_plane(per_pose)
     scatter = USUAL_SCATTER
@@ -192,13 +192,13 @@ def _fit_plane_and_scatter(per_pose: Sequence[Floats], moved: bool) -> tuple[Las
 
 
 def line_scatter(found: AdjustmentResult) -> Floats:
-    """By how much (mm, rad) whole lines were taken to lie off their plane."""
+    """Assumed standard deviations (mm, rad) of whole lines from their plane."""
     view = next(view for view in found.problem.views if isinstance(view, BoardView))
     return np.array([view.line_off_mm, view.line_off_rad])
 
 
 def with_line_scatter(problem: AdjustmentProblem, scatter: Floats) -> AdjustmentProblem:
-    """The problem with lines that lie off their plane by so much (mm, rad)."""
+    """The problem with these standard deviations (mm, rad) of whole lines from their plane."""
     off_mm, off_rad = scatter.tolist()
     views = [
         replace(view, line_off_mm=off_mm, line_off_rad=off_rad)
@@ -209,9 +209,9 @@ def with_line_scatter(problem: AdjustmentProblem, scatter: Floats) -> Adjustment
 
 
 def estimate_line_scatter(found: AdjustmentResult) -> Floats:
-    """The same two deviations (mm, rad) after an adjustment, in which the lines also had a say
-    in how the board bends: what each line's offset and turn left over, against what of them
-    the adjustment did not determine (Foerstner)."""
+    """The same two standard deviations (mm, rad) after an adjustment in which the lines also
+    contributed to the bend of the board: residual offset and rotation of each line, compared with
+    the part that the adjustment did not determine (Foerstner)."""
     square, free = np.zeros(2), np.zeros(2)
     for scene, (_, rows), (_, judgement) in zip(
         found.linear.scenes, found.linear.rows, found.weights, strict=True
@@ -219,7 +219,7 @@ def estimate_line_scatter(found: AdjustmentResult) -> Floats:
         if rows.shared is None:
             continue
         kept = judgement.inliers
-        own = np.linalg.pinv(rows.shared[kept])  # each line's offset and turn, in deviations
+        own = np.linalg.pinv(rows.shared[kept])  # in standard deviations
         J = own @ rows.jacobian[kept] @ scene.by_unknowns
         square += (own @ rows.residuals[kept]) ** 2
         free += np.maximum(1 - np.einsum("ku,uw,kw->k", J, found.covariance, J), 0.0)
@@ -227,12 +227,12 @@ def estimate_line_scatter(found: AdjustmentResult) -> Floats:
 
 
 def _estimate_scatter(squares: Floats, free: Floats) -> Floats:
-    """The standard deviation (mm, rad) of values that sum up to ``squares`` (2,), of which so many
-    are ``free`` (2,).
+    """The standard deviation (mm, rad) of values with the sums of squares ``squares`` (2,) and
+    ``free`` (2,) degrees of freedom.
 
-    A sensor at rest scatters far less than is usual, a laser that moves far more: before any
-    is seen, only the order of magnitude is known (a log-normal prior). The expected logarithm
-    is returned, so that one or two lines leave what is usual.
+    A sensor at rest scatters far less than usual, a moving laser far more: before any data, only
+    the order of magnitude is known (a log-normal prior). The expected logarithm is returned, so
+    that one or two lines stay near the usual value.
     """
     sizes = SIZES[:, None] * USUAL_SCATTER
     by_usual = -((np.log(SIZES) / np.log(USUAL_WITHIN)) ** 2)[:, None] / 2
@@ -242,14 +242,15 @@ def _estimate_scatter(squares: Floats, free: Floats) -> Floats:
 
 
 def _half_length(points_mm: Floats) -> float:
-    """Of a line (N, 3), from its middle to where its points weigh as much as all together."""
+    """Distance from the middle of a line (N, 3) at which its points have the same weight as all
+    together."""
     away = points_mm - points_mm.mean(axis=0)
     return float(np.sqrt(np.mean(np.sum(away**2, axis=1))))
 
 
 def _off_plane(per_pose: Sequence[Floats], plane: LaserPlane) -> tuple[Floats, Floats]:
-    """How far (mm) each line's middle lies off a plane and by how much (rad) the line is turned
-    out of it (L, 2), and how these follow the plane's tilts and offset (L, 2, 3)."""
+    """Distance (mm) of each line's middle from a plane and rotation (rad) of the line out of it (L,
+    2), and their derivatives by the plane's tilts and offset (L, 2, 3)."""
     off, by_plane = [], []
     for points in per_pose:
         middle = points.mean(axis=0)
@@ -261,7 +262,7 @@ def _off_plane(per_pose: Sequence[Floats], plane: LaserPlane) -> tuple[Floats, F
 
 
 def _least_squares_plane(per_pose: Sequence[Floats]) -> LaserPlane:
-    """Each picture counts alike."""
+    """Weights such that each picture counts equally."""
     centre = np.mean([points.mean(axis=0) for points in per_pose], axis=0)
     spread = np.sum([(p - centre).T @ (p - centre) / len(p) for p in per_pose], axis=0)
     normal = np.asarray(np.linalg.eigh(spread)[1][:, 0], dtype=np.float64)
@@ -270,8 +271,8 @@ def _least_squares_plane(per_pose: Sequence[Floats]) -> LaserPlane:
 
 
 def fit_majority_plane(per_pose: Sequence[Floats]) -> LaserPlane:
-    """The plane of least median distance, of many drawn from three points of two pictures; each
-    picture counts alike."""
+    """The plane of least median distance, among many planes through three points of two pictures;
+    each picture counts equally."""
     rng = np.random.default_rng(0)
     thinned = [points[:: max(1, len(points) // DRAWN_POINTS)] for points in per_pose]
     every = np.concatenate(thinned)

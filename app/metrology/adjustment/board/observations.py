@@ -1,4 +1,5 @@
-"""The chessboard as the adjustment sees it: its corners, and the laser's line on its surface."""
+"""Observations of the chessboard for the adjustment: its corners, and the laser line on its
+surface."""
 
 from dataclasses import dataclass, replace
 
@@ -22,22 +23,21 @@ from app.metrology.stripe import Stripe, empty_stripe
 from app.metrology.targets.chessboard import Chessboard, corner_grid
 from app.metrology.transforms import Floats
 
-# Points of a line are used where they lie no further off it, across the laser's plane, than
-# this, and than so many times the usual.
+# Points of a line are used if they are closer to it, across the laser plane, than this, and than
+# this multiple of the usual distance.
 OFF_PLANE_MM, OFF_PLANE_TIMES = 0.3, 5.0
-# Rounds of walking along a ray to the bent surface: each gains two digits.
+# Iterations along a ray to the bent surface; each adds two digits.
 BENT_ROUNDS = 3
 
 
 @dataclass(frozen=True)
 class BoardView:
-    """The board in the picture of one pose; ``used`` (N,) marks the stripe's points in use.
+    """The board in the picture of one pose; ``used`` (N,) marks the stripe points in use.
 
-    ``scatter_px`` is by what corners scatter over all pictures: beside the noise of each,
-    blur and print differ from corner to corner. ``line_off_mm``
-    and ``line_off_rad`` are by how much the line lies off the laser's plane as a whole, and by
-    how much it is turned out of it: the board bends, and the laser may have moved, by more than
-    its points show.
+    ``scatter_px`` is the scatter of corners over all pictures: in addition to the noise, blur and
+    print differ from corner to corner. ``line_off_mm`` and ``line_off_rad`` are the standard
+    deviations of the offset and rotation of the line as a whole from the laser plane: the board
+    bends, and the laser may have moved, by more than the points of one line show.
     """
 
     board: Chessboard
@@ -91,7 +91,8 @@ class BoardView:
         return slice(BLOCK.start + own.start, BLOCK.start + own.stop)
 
     def corner_rows(self, camera: Camera, coordinates: Floats) -> Rows:
-        """Observation equations of the corners: two a corner, along the axes of its covariance."""
+        """Observation equations of the corners: two per corner, along the axes of its
+        covariance."""
         board, seen = self.board, self.detection
         count = len(corner_grid(board))
         at = corners_at(board, coordinates)[seen.number]
@@ -123,7 +124,7 @@ class BoardView:
     def _stripe_rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> Rows:
         """Stripe points on the curve in which the laser's plane meets the surface.
 
-        At each point the surface is taken as its tangent plane, the curve as a straight line.
+        At each point, the surface is approximated by its tangent plane and the curve by a line.
         """
         uv, sigma = self.stripe.uv_px[self.used], self.stripe.sigma_px[self.used]
         on = intersect_surface(self.board, camera, coordinates, uv)
@@ -160,7 +161,8 @@ class BoardView:
         )
 
     def _common_errors(self, on_mm: Floats, px_per_mm: Floats) -> Floats | None:
-        """(N, 2) by how much points follow the line's own offset and turn, each one deviation."""
+        """(N, 2) derivatives of the points by the line's own offset and rotation, in standard
+        deviations."""
         if not len(on_mm) or not self.line_off_mm:
             return None
         away = on_mm - on_mm.mean(axis=0)
@@ -172,7 +174,8 @@ class BoardView:
 def intersect_surface(
     board: Chessboard, camera: Camera, coordinates: Floats, uv_px: Floats
 ) -> Floats:
-    """Where the rays of pixels (N, 2) meet the bent surface: (N, 3) in the board's frame."""
+    """Intersections (N, 3) of the rays of pixels (N, 2) with the bent surface, in the board
+    frame."""
     origin, along = rays(camera, uv_px)
     height = np.zeros(len(uv_px))
     points = np.zeros((len(uv_px), 3))

@@ -1,4 +1,4 @@
-"""What a picture of the chessboard would show from a place not yet taken, without its noise."""
+"""Prediction, without noise, of what a picture of the chessboard would show from a new pose."""
 
 from dataclasses import replace
 
@@ -14,14 +14,14 @@ from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.targets.target import board_lines
 from app.metrology.transforms import Floats
 
-# The pattern's border stays so far within the picture: the search needs all corners.
+# Margin of the pattern from the border of the picture: detection needs all corners.
 BORDER_PX = 4.0
-# The line is looked for at so many places along each side of the pattern.
+# Number of places along each side of the pattern where the line is searched.
 PLACES = 400
 
 
 def is_fully_visible(camera: Camera, board: Chessboard) -> bool:
-    """Whether the whole pattern lies in the picture, seen from its printed side."""
+    """Whether the complete pattern is in the picture, seen from its printed side."""
     uv = project(camera, board_lines(board).reshape(-1, 3))
     in_front = float(camera.centre_mm[2]) > 0
     return in_front and bool(inside(camera, uv, BORDER_PX).all())
@@ -30,11 +30,11 @@ def is_fully_visible(camera: Camera, board: Chessboard) -> bool:
 def predict_board_view(
     camera: Camera, plane: LaserPlane, like: BoardView, seeing: ObservationNoise
 ) -> BoardView:
-    """Corners and the laser's line as a camera would measure them.
+    """Corners and laser line as a camera would measure them.
 
     Args:
         camera, plane: with the board's frame as sensor frame.
-        like: a picture taken, whose corners and line are no better or worse.
+        like: an existing picture whose corners and line have the same noise.
     """
     board = like.board
     uv = project(camera, corner_points(board))
@@ -53,9 +53,9 @@ def predict_board_view(
 def _predict_line(
     camera: Camera, plane: LaserPlane, board: Chessboard, seeing: ObservationNoise
 ) -> Floats:
-    """(N, 2) pixels in which the laser's plane meets the pattern."""
+    """(N, 2) pixels in which the laser plane intersects the pattern."""
     n = plane.normal
-    side = int(np.argmax(np.abs(n[:2])))  # solved for the coordinate that the plane cuts steeply
+    side = int(np.argmax(np.abs(n[:2])))  # the coordinate that the plane cuts steeply
     low = -board.square_mm
     high = board.square_mm * np.array(board.inner_corners, dtype=np.float64)
     along = np.linspace(low, high[1 - side], PLACES)

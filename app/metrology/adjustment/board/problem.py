@@ -1,4 +1,4 @@
-"""What is to agree in a calibration on a chessboard, and a start for it."""
+"""The adjustment problem of a calibration on a chessboard, and its start values."""
 
 from dataclasses import dataclass, replace
 
@@ -42,19 +42,19 @@ from app.metrology.limits import LIMITS, Limits
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 from app.metrology.transforms import Floats, apply, inverse, rigid
 
-# The one feature that is touched: the plane of the board.
+# The only face for probing: the plane of the board.
 FEATURE = "board"
-# Contacts may lie so far off the board of the pictures before these have been adjusted, and
-# single ones so far off the others.
+# Largest distance of contact points from the board of the pictures before these are adjusted, and
+# of a single contact point from the others.
 CONTACTS_OFF_MM, CONTACT_OUTLIER_MM = 3.0, 1.0
 
 
 @dataclass(frozen=True)
 class BoardInputs:
-    """What a calibration over P poses is made from: one board that has not moved.
+    """The input of a calibration over P poses of one board that has not moved.
 
-    ``readings`` (P, ...) belong to ``seen`` and ``contact_readings`` (N, ...) to contacts on
-    the board's plane; both as in ``readings.py``.
+    ``readings`` (P, ...) belong to ``seen``, ``contact_readings`` (N, ...) to contact points on the
+    plane of the board; both are as in ``arm_readings.py``.
     """
 
     arm: Arm | RobotArm
@@ -69,11 +69,12 @@ class BoardInputs:
 
 @dataclass(frozen=True)
 class BoardStart:
-    """The problem, a start for it, and what was found on the way.
+    """The problem, its start values, and what was found while building it.
 
-    ``excluded_lines_mm`` is by pose number how far off the lines are that were left out, and
-    ``contradicting_lines_mm`` the same of those that contradict but count; where these are too
-    many to be mistakes, ``laser_moved``."""
+    ``excluded_lines_mm`` gives the distance of excluded lines by pose number,
+    ``contradicting_lines_mm`` that of lines that contradict but count. ``laser_moved`` says that
+    these are too many to be mistakes.
+    """
 
     problem: AdjustmentProblem
     state: AdjustmentState
@@ -84,10 +85,11 @@ class BoardStart:
 
 
 def board_problem(inputs: BoardInputs) -> BoardStart:
-    """All that is to agree without what contradicts the rest, and a start for it.
+    """The problem without data that contradict the rest, and its start values.
 
     Raises:
-        OperationError: the poses, the pictures or the lines are not enough, or contradict.
+        OperationError: the poses, the pictures or the lines are insufficient or contradict each
+            other.
     """
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
@@ -126,7 +128,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
 
 
 def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:
-    """The corners of all pictures adjusted by themselves."""
+    """Bundle adjustment of the corners of all pictures."""
     board = inputs.board
     refuse_alike(moves.T_arm_flange)
     camera, _ = board_camera(inputs.observations, board, inputs.size_px)
@@ -144,7 +146,8 @@ def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardV
 def _robot_noise(
     found: Bundle, mounting: Mounting, board: Chessboard
 ) -> tuple[Mounting, RobotNoise]:
-    """A robot's noise, estimated without poses that contradict; outliers are marked as such."""
+    """The noise of a robot, estimated without poses that contradict; outliers are marked as
+    such."""
     start = mounting.T_flange_cam, mounting.T_arm_obj
     every = PosePairs(
         mounting.T_arm_flange, mounting.T_cam_obj, found.covariance, pattern_centre(board)
@@ -163,13 +166,13 @@ def _robot_noise(
 def _contact_observations(
     inputs: BoardInputs, T_arm_obj: Floats, coordinates: int, noise: RobotNoise | None
 ) -> ContactObservations | None:
-    """Contacts on the bent surface, where the pictures put it.
+    """Contact points on the bent surface, as the pictures place it.
 
     Args:
-        noise: of a robot; an arm with joints has its own.
+        noise: the noise of a robot; None for an arm with joints.
 
     Raises:
-        OperationError: they do not lie on it.
+        OperationError: they do not lie on the surface.
     """
     if inputs.contact_readings is None or not len(inputs.contact_readings):
         return None
@@ -200,7 +203,8 @@ def _view(pose: BoardObservation, board: Chessboard) -> BoardView:
 
 
 def _with_line(view: BoardView, found: Bundle, pose: int, lines: LaserLines) -> BoardView:
-    """With the line's points judged by their plane, or without a line that is left out."""
+    """The problem with the line points judged by their plane, or without a line that is
+    excluded."""
     view = replace(view, line_off_mm=lines.scatter_mm, line_off_rad=lines.scatter_rad)
     if pose in lines.excluded:
         return view.without_line()

@@ -1,4 +1,4 @@
-"""What became of each pose, contact and point in the adjustment on a chessboard."""
+"""The result of each pose, contact point and point in the adjustment on a chessboard."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,21 +25,21 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class BoardContacts:
-    """Of N contacts: how far each lies off the board, and which were left out."""
+    """Distance of each of N contact points from the board, and which were excluded."""
 
     residuals_um: Floats
     excluded: NDArray[np.bool_]
 
     @property
     def rms_um(self) -> float:
-        """Of those that count."""
+        """Of the contact points that count."""
         return rms(self.residuals_um[~self.excluded])
 
 
 def board_pose_results(
     found: AdjustmentResult, seen: Sequence[BoardObservation], board: Chessboard
 ) -> list[PoseResult]:
-    """Of the poses that were used."""
+    """Results of the poses that were used."""
     by_number = {pose.number: pose for pose in seen}
     results = []
     for p, number in enumerate(found.problem.numbers):
@@ -66,7 +66,7 @@ def board_pose_results(
 def _corner_residuals(
     found: AdjustmentResult, pose: int, seen: BoardObservation, board: Chessboard
 ) -> tuple[tuple[str, float, float], ...]:
-    """Measured less projected, by column and row on the board."""
+    """Measured minus projected, by column and row on the board."""
     scene = pose_scene(found.state, found.problem, found.layout, pose)
     at = corners_at(board, found.state.coordinates)[seen.detection.number]
     off = seen.detection.uv_px - project(scene.camera, at)
@@ -90,7 +90,7 @@ def _label_corners(
 
 
 def board_contacts(found: AdjustmentResult) -> BoardContacts | None:
-    """Of a session in which the board was touched."""
+    """Of a session in which the board was probed."""
     rows, touches = found.linear.contact_rows, found.problem.contacts
     if rows is None or touches is None:
         return None
@@ -100,7 +100,7 @@ def board_contacts(found: AdjustmentResult) -> BoardContacts | None:
 def board_worst_points(
     found: AdjustmentResult, poses: Sequence[PoseResult], contacts: BoardContacts | None
 ) -> tuple[WorstResidual, ...]:
-    """The few worst contacts, corners and points of the laser's line over all poses."""
+    """The worst contact points, corners and line points over all poses."""
     worst: list[WorstResidual] = []
     if contacts is not None:
         off_um = np.abs(contacts.residuals_um)

@@ -1,13 +1,13 @@
-"""A chessboard's surface: its corners' true places, and how it bends.
+"""The surface of a chessboard: the true positions of its corners, and how it bends.
 
-Its coordinates are the pattern's width and height (mm), the strengths (mm) of a few
-smooth shapes in which it bends, what each corner is misprinted by (mm), and by how
-much each is lifted or dented by itself (mm): paper is not as smooth as the shapes.
+Its coordinates are the width and height of the pattern (mm), the amplitudes (mm) of a few smooth
+shapes in which it bends, the misprint (mm) of each corner, and its individual height (mm): paper is
+not as smooth as the shapes.
 
-The bend is a smooth random surface, a Gaussian process that is as high as the board's
-flatness and alike over ``SMOOTH_SHARE`` of the pattern; its shapes are the principal ones
-(Karhunen-Loeve) of the surface around the pattern, so that their strengths are independent.
-What a shape has of a plane over the pattern is taken off: that is the board's place.
+The bend is a smooth random surface, a Gaussian process with the board's flatness as its standard
+deviation and ``SMOOTH_SHARE`` of the pattern as its correlation length. Its shapes are the
+principal ones (Karhunen-Loeve) of the surface around the pattern, so that their amplitudes are
+independent. The plane part of each shape over the pattern is removed: it is the pose of the board.
 """
 
 from dataclasses import dataclass
@@ -22,20 +22,20 @@ from app.metrology.transforms import Floats
 
 EXTENT = slice(0, 2)
 LEAST_MM = 1e-6
-# The surface is described this far around the pattern, in squares. Bends are alike over this
-# share of the pattern's diagonal, and nodes stand closer by a factor.
+# How far around the pattern the surface is described, in squares; the correlation length as a share
+# of the pattern's diagonal; and the factor by which nodes are closer than that.
 AROUND_SQUARES = 4.0
 SMOOTH_SHARE, NODES_PER_LENGTH = 0.5, 2.0
-# Shapes are kept until they make up this share of the variance.
+# Shapes are kept until they explain this share of the variance.
 VARIANCE_SHARE = 0.995
-# Dents from corner to corner are as deep as this share of the smooth bend.
+# Height of individual corners as a share of the smooth bend.
 DENTS_SHARE = 0.25
 
 
 @dataclass(frozen=True)
 class BendModes:
-    """K smooth shapes: ``exp(-d^2 / 2 l^2)`` about the nodes of a grid, X within Y, summed by
-    ``weights`` (M, K), less a plane (3, K) over 1, x and y."""
+    """K smooth shapes: ``exp(-d^2 / 2 l^2)`` about the nodes of a grid, X within Y, summed with
+    ``weights`` (M, K), minus a plane (3, K) over 1, x and y."""
 
     nodes_x_mm: Floats
     nodes_y_mm: Floats
@@ -44,7 +44,7 @@ class BendModes:
     planes: Floats
 
     def bells(self, xy_mm: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Factors of the bells along x (N, X) and y (N, Y), and their slopes."""
+        """Factors of the kernels along x (N, X) and y (N, Y), and their slopes."""
         away_x = (xy_mm[:, :1] - self.nodes_x_mm) / self.length_mm
         away_y = (xy_mm[:, 1:] - self.nodes_y_mm) / self.length_mm
         along_x, along_y = np.exp(-0.5 * away_x**2), np.exp(-0.5 * away_y**2)
@@ -54,7 +54,7 @@ class BendModes:
         return along_x, along_y, slope_x, slope_y
 
     def by_strength(self, xy_mm: Floats) -> Floats:
-        """Heights (N, K) of each shape at places (N, 2)."""
+        """Heights (N, K) of each shape at positions (N, 2)."""
         along_x, along_y, _, _ = self.bells(xy_mm)
         bells = (along_y[:, :, None] * along_x[:, None, :]).reshape(len(xy_mm), len(self.weights))
         flat = np.column_stack([np.ones(len(xy_mm)), xy_mm]) @ self.planes
@@ -74,8 +74,8 @@ class BendModes:
 
 @dataclass(frozen=True)
 class SurfacePoints:
-    """The surface at N places: heights (N,), slopes (N, 2) along x and y, and how the heights
-    follow the strengths of the shapes (N, K)."""
+    """The surface at N positions: heights (N,), slopes (N, 2) along x and y, and derivatives (N, K)
+    of the heights by the amplitudes of the shapes."""
 
     height_mm: Floats
     slope: Floats
@@ -84,7 +84,7 @@ class SurfacePoints:
 
 @lru_cache(maxsize=8)
 def bend_modes(board: Chessboard) -> BendModes:
-    """In what shapes a board's surface may bend, each of variance 1 at its strongest."""
+    """The shapes in which a board's surface may bend, each with variance 1 at its maximum."""
     length = SMOOTH_SHARE * board.size_mm
     margin = AROUND_SQUARES * board.square_mm
     span = board.extent_mm + 2 * margin
@@ -104,19 +104,21 @@ def bend_modes(board: Chessboard) -> BendModes:
 
 
 def bend_slice(board: Chessboard) -> slice:
-    """Where the strengths of the shapes stand among the coordinates."""
+    """Indices of the amplitudes of the shapes among the coordinates."""
     return slice(EXTENT.stop, EXTENT.stop + bend_modes(board).weights.shape[1])
 
 
 def coordinate_groups(board: Chessboard) -> tuple[slice, slice, slice]:
-    """Where the bend, the misprints and the dents stand: each group is of one deviation."""
+    """Indices of the bend, the misprints and the individual heights; each group has one standard
+    deviation."""
     count, bend = len(corner_grid(board)), bend_slice(board)
     prints = slice(bend.stop, bend.stop + 2 * count)
     return bend, prints, slice(prints.stop, prints.stop + count)
 
 
 def board_prior(board: Chessboard) -> TargetPrior:
-    """The certificate: extents and corners to its standard uncertainty, flat to its flatness."""
+    """The certificate as a prior: extents and corners with its standard uncertainty, flat to its
+    flatness."""
     count, bend = len(corner_grid(board)), bend_slice(board)
     names = ("extent_x", "extent_y", *(f"bend:{k}" for k in range(bend.stop - bend.start)))
     names += tuple(f"print_x:{k}" for k in range(count))
@@ -131,19 +133,19 @@ def board_prior(board: Chessboard) -> TargetPrior:
 
 
 def evaluate_surface(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> SurfacePoints:
-    """The bent surface at places (N, 2) of the board's frame."""
+    """The bent surface at positions (N, 2) in the board frame."""
     own = bend_modes(board)
     height, slope = own.evaluate(coordinates[bend_slice(board)], xy_mm)
     return SurfacePoints(height, slope, own.by_strength(xy_mm))
 
 
 def surface_height_mm(board: Chessboard, coordinates: Floats, xy_mm: Floats) -> Floats:
-    """Heights (N,) of the bent surface at places (N, 2) of the board's frame."""
+    """Heights (N,) of the bent surface at positions (N, 2) in the board frame."""
     return bend_modes(board).evaluate(coordinates[bend_slice(board)], xy_mm)[0]
 
 
 def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
-    """(N, 3) where every corner truly is, in the board's frame."""
+    """(N, 3) true positions of the corners in the board frame."""
     share = corner_grid(board) / (np.array(board.inner_corners) - 1)
     print_x, print_y, dent = coordinates[bend_slice(board).stop :].reshape(3, len(share))
     xy = share * coordinates[EXTENT] + np.column_stack([print_x, print_y])
@@ -151,6 +153,6 @@ def corners_at(board: Chessboard, coordinates: Floats) -> Floats:
 
 
 def around_pattern(board: Chessboard, points_mm: Floats) -> NDArray[np.bool_]:
-    """Which points (N, 3) lie where the surface is described."""
+    """Mask of the points (N, 3) where the surface is described."""
     beyond = np.maximum(-points_mm[:, :2], points_mm[:, :2] - board.extent_mm)
     return np.asarray((beyond < AROUND_SQUARES * board.square_mm).all(axis=1))

@@ -1,8 +1,8 @@
-"""How the flange truly stands, beside where the arm's model has it.
+"""The true pose of the flange relative to the pose by the arm's model.
 
-Two things move it: errors of the links, the same in every pose (Eq. 3), and the noise
-of the encoders, drawn again in each. A robot that reports its flange's pose has only the
-second, as an error of the pose itself.
+Two errors move it: errors of the links, the same in every pose (Eq. 3), and the noise of the
+encoders, independent in each pose. A robot that reports its flange pose has only the second, as an
+error of the pose itself.
 """
 
 from dataclasses import dataclass
@@ -12,22 +12,22 @@ import numpy as np
 from app.metrology.arm.kinematics import Arm, link_transforms
 from app.metrology.transforms import Floats, adjoint
 
-# An error in turning, of a robot or of a link, times this length, is as large as one in place.
+# Lever that converts errors in rotation, of a robot or a link, into errors in position.
 LEVER_MM = 400.0
-# Encoders are never better than this, whatever their datasheet says.
+# Minimum noise of encoders, whatever their datasheet says.
 LEAST_ENCODER_RAD = 1e-6
-# What a robot's controller is off by from pose to pose, where nothing is known, and at least.
+# Noise of a robot's controller from pose to pose: usual value if nothing is known, and minimum.
 USUAL_ROBOT_MM, LEAST_ROBOT_MM = 0.1, 0.001
 
 
 @dataclass(frozen=True)
 class FlangeMotion:
-    """The flange in P readings of an arm, and how small errors move it.
+    """The flange in P readings of an arm, and its derivatives by small errors.
 
-    ``by_links`` (P, 6, 6n) and ``by_noise`` (P, 6, n) are left twists of ``T_arm_flange``
-    (P, 4, 4) for one unit of each link's error, a twist (rad, mm) behind it, and for one
-    of each reading's own noise, whose standard deviations are ``noise_sd`` (n,) times a
-    factor: usually ``usual_factor``, never less than ``least_factor``.
+    ``by_links`` (P, 6, 6n) and ``by_noise`` (P, 6, n) are left twists of ``T_arm_flange`` (P, 4, 4)
+    for one unit of each link's error, a twist (rad, mm) behind it, and for one unit of each
+    reading's noise. The standard deviations of the noise are ``noise_sd`` (n,) times a factor:
+    usually ``usual_factor``, never less than ``least_factor``.
     """
 
     T_arm_flange: Floats
@@ -51,9 +51,10 @@ def arm_motion(arm: Arm, q_rad: Floats) -> FlangeMotion:
 
 
 def robot_motion(T_arm_flange: Floats) -> FlangeMotion:
-    """The motion of a robot that reports poses (P, 4, 4): each is off by itself.
+    """The motion of a robot that reports poses (P, 4, 4), each with its own error.
 
-    Noise is counted in mm; turns are about the flange's origin, a lever's length apart.
+    Noise is expressed in mm; rotations are about the origin of the flange and converted by the
+    lever.
     """
     own = np.diag(np.repeat([1 / LEVER_MM, 1.0], 3))
     by_noise = np.array([adjoint(T) @ own for T in T_arm_flange]).reshape(-1, 6, 6)
@@ -78,7 +79,8 @@ def _error_jacobians(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def tip_shift(T_arm_flange: Floats, tip_mm: Floats) -> Floats:
-    """(3, 6): how the tip (3,) on the flange shifts, arm frame, with a left twist of the flange."""
+    """(3, 6) translation of the tip (3,) on the flange, arm frame, by a left twist of the
+    flange."""
     at = T_arm_flange[:3, :3] @ tip_mm + T_arm_flange[:3, 3]
     x, y, z = at
     turn = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])

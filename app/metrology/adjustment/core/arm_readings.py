@@ -1,4 +1,4 @@
-"""Where the flange stands by an arm's own word: joint angles, or poses from a robot.
+"""The flange pose by the readings of an arm: joint angles, or poses from a robot.
 
 ``readings`` are (N, n) encoder angles in rad of an ``Arm``, or (N, 4, 4) ``T_arm_flange``
 of a ``RobotArm``.
@@ -21,10 +21,10 @@ from app.metrology.transforms import Floats
 
 
 def flange_motion(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
-    """The flange's poses, and how small errors move it.
+    """The poses of the flange, and their derivatives by small errors.
 
     Raises:
-        OperationError: readings of another arm, or not numbers.
+        OperationError: readings of another arm, or values that are not numbers.
     """
     wanted = (arm.joint_count,) if isinstance(arm, Arm) else (4, 4)
     if readings.shape[1:] != wanted:
@@ -46,10 +46,10 @@ def plane_contacts(
     coordinates: int,
     noise: RobotNoise | None = None,
 ) -> ContactObservations:
-    """Contacts (N) on a plane z = 0 of the object, which has so many coordinates.
+    """Contact points (N) on the plane z = 0 of an object with this number of coordinates.
 
     Args:
-        noise: of a robot, of its flange's turn and shift.
+        noise: the noise of a robot: rotation and translation of its flange.
 
     Raises:
         OperationError: the arm has no tip.

@@ -1,4 +1,5 @@
-"""The most likely values of all unknowns: Gauss-Newton, weights and scales judged on the way."""
+"""The most likely values of all unknowns: Gauss-Newton, with weights and scales updated on the
+way."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -34,27 +35,27 @@ from app.metrology.adjustment.core.variance_components import (
 )
 from app.metrology.transforms import Floats
 
-# Terms of the lens, each dropped unless it exceeds its deviation so many times: more for
-# those that lenses seldom need, which are tried first.
+# Lens terms, each held at zero unless it exceeds its standard deviation by this factor: larger for
+# terms that lenses seldom need, which are tried first.
 LENS_TERMS = (((2, 3), 5.0), ((1,), 3.0), ((0,), 2.0))
-# Points are judged again after the adjustment, so often at most.
+# Maximum number of times that points are judged again after the adjustment.
 MOST_REWEIGHTINGS = 4
-# Judgements are alike where so few points changed sides, and weights by so little.
+# Judgements are equal if at most this share of points changed, and weights changed by at most this.
 SAME_POINTS, SAME_WEIGHTS = 0.003, 0.05
-# Scales are estimated in the first rounds only, so that the rest converge.
+# Scales are estimated in the first iterations only, so that the rest converge.
 ROUNDS_OF_SCALES = 4
 MOST_ROUNDS = 30
-CONVERGED = 1e-3  # a step this small against every standard deviation
+CONVERGED = 1e-3  # converged if the step is smaller than this relative to every standard deviation
 
 
 @dataclass(frozen=True)
 class AdjustmentResult:
-    """The most likely state, its covariance (U, U) for these noise levels, and how well all
+    """The most likely state, its covariance (U, U) at these noise levels, and how well all
     observations agree with it.
 
-    ``parts`` splits the normal matrix by ``linearise.SOURCES``; ``free`` (U,) are the
-    unknowns that were not held (lens terms that are not significant are held at zero).
-    ``scales_estimated`` is whether the noise levels were estimated from the data.
+    ``parts`` splits the normal matrix by ``linearise.SOURCES``; ``free`` (U,) are the unknowns that
+    were not held (lens terms that are not significant are held at zero). ``scales_estimated`` says
+    whether the noise levels were estimated from the data.
     """
 
     linear: Linearisation
@@ -80,7 +81,7 @@ class AdjustmentResult:
 
     @cached_property
     def link_size_covariance(self) -> Floats:
-        """(U, U) what comes beside of not knowing how large the links' errors are."""
+        """(U, U) additional covariance because the size of the link errors is not exactly known."""
         if not (self.scales_estimated and len(self.state.links)):
             return np.zeros_like(self.covariance)
         return estimate_link_size_covariance(
@@ -89,7 +90,7 @@ class AdjustmentResult:
 
     @property
     def uncertainty(self) -> Floats:
-        """(U, U) covariance of the state, with that of the unknown sizes of the link errors."""
+        """(U, U) covariance of the state, including that of the unknown size of the link errors."""
         return np.asarray(self.covariance + self.link_size_covariance)
 
 
@@ -98,13 +99,13 @@ def solve_adjustment(
 ) -> AdjustmentResult:
     """The state of maximum likelihood for all observations, by Gauss-Newton.
 
-    Outliers are left out and noise levels estimated on the way. Lens terms that do not clearly
+    Outliers are excluded and noise levels estimated on the way. Lens terms that do not clearly
     exceed their standard uncertainty are held at zero, one group after another. The sizes of the
-    link errors are known only roughly, and the uncertainty grows by that.
+    link errors are known only roughly, which increases the uncertainty.
 
     Args:
         problem: the observations of all poses, contact points and the certificate.
-        start: where the iteration begins.
+        start: start of the iteration.
         known: noise levels; None: they are estimated from the data.
 
     Returns:
@@ -126,7 +127,7 @@ def solve_adjustment(
         found = _iterate(*_bin_views(linear, judgements), scales, free, rounds)
         found = _drop_lens_terms(found, rounds)
         scales, free = found.scales, found.free
-        # With every point, not the few that were made of them.
+        # With all points, not the few merged ones.
         linear = linearise(problem, at, found.state)
         again = _weigh_observations(linear)
         if _alike(again, judgements):
@@ -144,7 +145,7 @@ def _weigh_observations(linear: Linearisation) -> PoseWeights:
 
 
 def _alike(a: PoseWeights, b: PoseWeights) -> bool:
-    """Whether nearly the same points count, for nearly as much."""
+    """Whether nearly the same points count, with nearly the same weights."""
     for ours, theirs in zip(a, b, strict=True):
         for one, other in zip(ours, theirs, strict=True):
             if not len(one.inliers):
@@ -157,9 +158,10 @@ def _alike(a: PoseWeights, b: PoseWeights) -> bool:
 
 
 def _drop_lens_terms(found: AdjustmentResult, rounds_of_scales: int) -> AdjustmentResult:
-    """Adjusted again without the lens terms that are not significant.
+    """Adjusts again without the lens terms that are not significant.
 
-    Each is judged with those before it held at zero, which is linear in so small values.
+    Each term is judged with those before it held at zero; the model is linear for such small
+    values.
     """
     free, state, C = found.free.copy(), found.state, found.covariance
     for term, significant in LENS_TERMS:
@@ -182,14 +184,14 @@ def _drop_lens_terms(found: AdjustmentResult, rounds_of_scales: int) -> Adjustme
 
 
 def _without_lens(state: AdjustmentState, free: NDArray[np.bool_]) -> AdjustmentState:
-    """With exactly zero for the lens terms that are held."""
+    """The state with exactly zero for the lens terms that are held."""
     distortion = state.camera.distortion.copy()
     distortion[:4][~free[LENS]] = 0.0
     return replace(state, camera=replace(state.camera, distortion=distortion))
 
 
 def _bin_views(linear: Linearisation, judgements: PoseWeights) -> tuple[Linearisation, PoseWeights]:
-    """The same with neighbouring points put together, for the rounds of the adjustment."""
+    """The problem with adjacent points merged, for the iterations of the adjustment."""
     problem = linear.problem
     few = [
         view.bin_points(rows, judgement)
@@ -207,9 +209,9 @@ def _iterate(
     free: NDArray[np.bool_],
     rounds_of_scales: int,
 ) -> AdjustmentResult:
-    """Gauss-Newton with points and weights as they were judged, the scales estimated on the way.
+    """Gauss-Newton with points and weights as judged; the scales are estimated on the way.
 
-    Where it runs away, it is refused, so that numbers too large need no word of their own.
+    A divergent iteration is refused, so that overflows need no error of their own.
     """
     at = linear.at
     for turn in range(MOST_ROUNDS):
@@ -232,7 +234,7 @@ def _iterate(
 
 
 def no_convergence_error() -> OperationError:
-    """The refusal where no minimum is found, or one that says nothing."""
+    """The error if there is no minimum, or a meaningless one."""
     return OperationError(
         "adjustment-failed",
         message("calibrations-unknowns-did-settle-what-seen"),
@@ -242,7 +244,7 @@ def no_convergence_error() -> OperationError:
 
 
 def _update_scales(equations: NormalEquations, free: NDArray[np.bool_], scales: Scales) -> Scales:
-    """The scales that the residuals after this round's step speak for."""
+    """The scales that correspond to the residuals after the step of this iteration."""
     linear, at = equations.linear, equations.linear.at
     parts, g = equations.with_scales(scales)
     covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)

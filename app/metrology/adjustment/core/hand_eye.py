@@ -1,4 +1,5 @@
-"""How the sensor sits on the flange, from poses alone: a start, and poses that contradict it."""
+"""The mounting of the sensor on the flange from poses alone: start values, and poses that
+contradict."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,30 +13,30 @@ from app.messages.message import message, quantity, signed
 from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid, vector_from_rotation
 
 Thing = Literal["object", "board"]
-"""What the pictures of a calibration show."""
+"""The target that the pictures of a calibration show."""
 
-# Poses disagree with the others beyond this and this many times what is usual among them.
+# A pose contradicts the others beyond this, and beyond this multiple of their usual scatter.
 CONTRADICTS_MM, CONTRADICTS_TIMES = 1.5, 6.0
-# Poses that scatter by this much have no place in common at all.
+# Poses that scatter by more than this have no common object position.
 HOPELESS_MM = 5.0
-# Turns between poses less than this do not determine where the sensor sits.
+# Rotations between poses smaller than this do not determine the mounting.
 LEAST_TURN_RAD = np.deg2rad(3.0)
-# Second direction of turning against the first, below which the turns are about one axis.
+# Ratio of the second to the first direction of rotation below which rotations are about one axis.
 LEAST_SECOND_AXIS = 0.05
 
 
 @dataclass(frozen=True)
 class Mounting:
-    """``T_flange_cam`` and ``T_arm_obj`` (4, 4), and how far each of P poses is from them.
+    """``T_flange_cam`` and ``T_arm_obj`` (4, 4), and the distance of each of P poses from them.
 
-    ``off_mm`` (P,) is how far the object seen in that pose lies from its place;
+    ``off_mm`` (P,) is the distance of the object seen in that pose from its position;
     ``contradicts`` (P,) marks poses that cannot belong with the others.
     """
 
     T_flange_cam: Floats
     T_arm_obj: Floats
-    T_arm_flange: Floats  # (P, 4, 4), as it was given
-    T_cam_obj: Floats  # (P, 4, 4), as it was given
+    T_arm_flange: Floats  # (P, 4, 4), as given
+    T_cam_obj: Floats  # (P, 4, 4), as given
     off_mm: Floats
     contradicts: NDArray[np.bool_]
 
@@ -48,13 +49,13 @@ def mounting_by_contacts(
     Args:
         T_arm_flange, T_cam_obj: (P, 4, 4).
         T_arm_obj: (4, 4) from the contact points.
-        reach_mm: the size of the target, which turns angles into lengths.
+        reach_mm: the size of the target; converts angles into lengths.
 
     Returns:
         ``T_flange_cam``, and which poses contradict it.
 
     Source:
-        Eq. 8 of the article, in each pose.
+        Eq. 8 of the article, for each pose.
     """
     each = inverse(T_arm_flange) @ T_arm_obj @ inverse(T_cam_obj)
     off = np.array([pose_offsets_mm(T_arm_flange, T_cam_obj, X, T_arm_obj, reach_mm) for X in each])
@@ -70,11 +71,11 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
     """The mounting from how the target's image moves with the flange (hand-eye, AX = ZB).
 
     The rotations first, as the null vector of a linear system, then the translations; from many
-    draws of few poses where some might contradict the others.
+    draws of few poses if some might contradict the others.
 
     Args:
         T_arm_flange, T_cam_obj: (P, 4, 4), P >= 3.
-        reach_mm: the size of the target, which turns angles into lengths.
+        reach_mm: the size of the target; converts angles into lengths.
 
     Returns:
         ``T_flange_cam``, ``T_arm_obj``, and which poses contradict them.
@@ -158,14 +159,14 @@ def refuse_alike(T_arm_flange: Floats) -> None:
 
 
 def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: Thing) -> None:
-    """Refuses where the poses that agree are not more than those that do not.
+    """Refuses the poses if those that agree are not the majority.
 
     Args:
-        numbers: the poses' own.
-        thing: what the pictures show.
+        numbers: pose numbers.
+        thing: the target that the pictures show.
 
     Raises:
-        OperationError: says how far apart the poses put it.
+        OperationError: states how far apart the poses place the target.
     """
     out = mounting.contradicts
     some = out.sum() * 2 < len(out) and np.median(mounting.off_mm) < HOPELESS_MM
@@ -185,12 +186,12 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: Thi
 
 
 def mean_transform(T: Floats) -> Floats:
-    """The mean (4, 4) of transforms (P, 4, 4) that are close to one another."""
+    """The mean (4, 4) of similar transforms (P, 4, 4)."""
     return rigid(nearest_rotation(T[:, :3, :3].mean(axis=0)), T[:, :3, 3].mean(axis=0))
 
 
 def find_contradictions(off_mm: Floats) -> NDArray[np.bool_]:
-    """Which poses (P,) are further off than the scatter of the better half explains."""
+    """Mask (P,) of the poses that are further off than the scatter of the better half explains."""
     usual = float(np.median(off_mm))
     return np.asarray(off_mm > max(CONTRADICTS_MM, CONTRADICTS_TIMES * usual))
 
@@ -198,15 +199,15 @@ def find_contradictions(off_mm: Floats) -> NDArray[np.bool_]:
 def pose_offsets_mm(
     T_arm_flange: Floats, T_cam_obj: Floats, X: Floats, Z: Floats, reach_mm: float
 ) -> Floats:
-    """(P,) mm between the object as seen in each pose and its place ``Z``."""
+    """(P,) distance in mm of the object as seen in each pose from its position ``Z``."""
     off = inverse(Z) @ T_arm_flange @ X @ T_cam_obj
     turn = np.linalg.norm(vector_from_rotation(off[:, :3, :3]), axis=1)
     return np.asarray(np.hypot(np.linalg.norm(off[:, :3, 3], axis=1), turn * reach_mm / 2))
 
 
 def _hand_eye(A: Floats, B: Floats) -> tuple[Floats, Floats]:
-    """``X``, ``Z`` (4, 4) with ``A X B = Z`` in the least-squares sense: the two rotations
-    at once as the smallest singular vector, then both shifts linearly."""
+    """``X``, ``Z`` (4, 4) with ``A X B = Z`` in the least-squares sense: both rotations together as
+    the smallest singular vector, then both translations linearly."""
     system = []
     for one, other in zip(A, B, strict=True):
         # vec(Ra X Rb) = (Rb' kron Ra) vec(X), columns stacked

@@ -1,4 +1,4 @@
-"""Everything that is to agree, linearised at one state: normal matrices by what they come from."""
+"""All observations linearised at one state: normal matrices by source."""
 
 from dataclasses import dataclass
 
@@ -20,25 +20,25 @@ from app.metrology.calibration.observation_model import BLOCK, Rows
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats
 
-# What any lens and sensor is like before it is measured; it counts only where the
-# pictures say nothing: pixels square to this share, axis this share of the width off.
+# Prior of any lens and sensor; it matters only if the pictures contain no information: pixels
+# square to this share, axis off by this share of the width.
 ASPECT_SD = 0.002
 AXIS_SD_WIDTHS = 0.25
 LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
 
 SOURCES = ("edges", "stripe", "contacts", "encoders", "links", "certificate", "camera")
 
-# Of each pose: the object's shape, and the stripe.
+# For each pose: the shape of the object, and the stripe.
 PoseWeights = tuple[tuple[RobustWeights, RobustWeights], ...]
 
 
 @dataclass(frozen=True)
 class ContactEquations:
-    """The contact rows that count, by all unknowns."""
+    """The rows of the contact points that count, by all unknowns."""
 
     residuals_mm: Floats  # (N,)
     jacobian: Floats  # (N, U)
-    noise_mm2: Floats  # (N,) variance by the encoders
+    noise_mm2: Floats  # (N,) variance due to the encoders
 
     def variances(self, scales: Scales) -> Floats:
         """(N,) mm^2"""
@@ -67,7 +67,7 @@ class NormalEquations:
     gradient: Floats
 
     def with_scales(self, scales: Scales) -> tuple[dict[str, Floats], Floats]:
-        """All parts, contacts and what is known beforehand weighed by the scales."""
+        """All parts, with contact points and priors weighted by the scales."""
         linear, at = self.linear, self.linear.at
         parts = {source: np.zeros((at.count, at.count)) for source in SOURCES} | self.image_parts
         g = self.gradient.copy()
@@ -85,7 +85,7 @@ class NormalEquations:
 def linearise(
     problem: AdjustmentProblem, at: ParameterLayout, state: AdjustmentState
 ) -> Linearisation:
-    """Residuals of everything at one state, and their derivatives."""
+    """Residuals of all observations at one state, and their derivatives."""
     scenes = tuple(pose_scene(state, problem, at, p) for p in range(len(problem.views)))
     rows = tuple(
         view.rows(scene.camera, scene.plane, state.coordinates)
@@ -105,7 +105,7 @@ def linearise(
 
 
 def assemble_normal_equations(linear: Linearisation, judgements: PoseWeights) -> NormalEquations:
-    """The pictures' part of the normal equations."""
+    """The contribution of the pictures to the normal equations."""
     count = linear.at.count
     pictures = {source: np.zeros((count, count)) for source in ("edges", "stripe", "camera")}
     g = np.zeros(count)
@@ -129,9 +129,10 @@ def _add_image(
     at: ParameterLayout,
     pose: int,
 ) -> None:
-    """Adds to part (U, U) and g (U,) what one pose's equations of its own parameters say.
+    """Adds the equations of one pose, in its own parameters, to part (U, U) and g (U,).
 
-    The object's coordinates are unknowns themselves, and of the noise it knows its own only.
+    The coordinates of the object are unknowns themselves; they depend on the noise of their own
+    pose only.
     """
     own, coordinates = slice(0, BLOCK.start), slice(BLOCK.start, None)
     shared, noise = slice(0, at.noise.start), at.noise_slice(pose)
@@ -152,7 +153,7 @@ def _add_image(
 def _add_contacts(
     parts: dict[str, Floats], g: Floats, contacts: ContactEquations, scales: Scales
 ) -> None:
-    """What contacts bring, split by whether touch or encoders make them uncertain."""
+    """The contribution of contact points, split into touch and encoder noise."""
     J, variance = contacts.jacobian, contacts.variances(scales)
     touch = np.full(len(variance), scales.touch_mm**2)
     for source, share in (("contacts", touch), ("encoders", variance - touch)):
@@ -163,8 +164,8 @@ def _add_contacts(
 def prior_information(
     linear: Linearisation, scales: Scales
 ) -> list[tuple[str, slice, Floats, Floats]]:
-    """Source, unknowns, their standard deviations and how far they are off: the certificate,
-    the errors of the arm's links, the noise of its readings."""
+    """Source, unknowns, standard deviations and deviations of the priors: the certificate, the
+    errors of the arm's links, the noise of its readings."""
     problem, at, state = linear.problem, linear.at, linear.state
     prior, count = problem.prior, len(problem.views)
     noise_sd = np.tile(scales.noise * problem.motion.noise_sd, count)
@@ -176,7 +177,8 @@ def prior_information(
 
 
 def camera_prior(camera: Camera) -> tuple[Floats, Floats]:
-    """Square pixels, an axis near the middle, a mild lens: matrix (8, 8) and gradient (8,)."""
+    """Prior of the camera: square pixels, an axis near the middle, little distortion; matrix (8, 8)
+    and gradient (8,)."""
     N, g = np.zeros((8, 8)), np.zeros(8)
     K = camera.matrix
     aspect = np.zeros(8)

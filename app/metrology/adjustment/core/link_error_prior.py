@@ -1,10 +1,10 @@
-"""How large the links' errors are is itself not known, and the result's uncertainty grows by that.
+"""The size of the link errors is itself uncertain, which increases the uncertainty of the result.
 
-One set of contacts determines the size of turns and shifts to half of their value or so. With
-the likeliest size alone the covariance would be believed as if that were certain; what the
-result moves by from size to size, each counted by how well it explains all that was measured,
-adds to it (Kass and Steffey 1989, their first order, for hierarchical models in general). The
-covariance itself stays that of the estimated size.
+One set of contact points determines the size of rotations and translations to about half of their
+value. The covariance at the likeliest size alone would treat that size as certain. The variation of
+the result between sizes, each weighted by how well it explains all measurements, is added (Kass and
+Steffey 1989, their first order, for hierarchical models in general). The covariance itself stays
+that of the estimated size.
 """
 
 from dataclasses import replace
@@ -16,18 +16,18 @@ from app.metrology.adjustment.core.linearise import NormalEquations
 from app.metrology.adjustment.core.variance_components import Scales, size_prior
 from app.metrology.transforms import Floats
 
-# Sizes looked at, as factors of those estimated, of turns and of shifts alike.
+# Sizes considered, as factors of the estimated ones, for rotations and translations alike.
 FACTORS = np.exp(np.linspace(-1.5, 1.5, 7))
 
 
 def estimate_link_size_covariance(
     equations: NormalEquations, scales: Scales, free: NDArray[np.bool_]
 ) -> Floats:
-    """What not knowing the sizes of the links' errors adds to the state's covariance (U, U).
+    """Additional covariance (U, U) of the state because the size of the link errors is uncertain.
 
     Args:
-        equations: at the minimum, about which they are taken as linear.
-        scales: as estimated; sizes around them are looked at, noise and touches as they are.
+        equations: at the minimum, about which they are linearised.
+        scales: as estimated; sizes around them are considered, with noise and touch unchanged.
         free: (U,) the unknowns that are not held.
     """
     at = equations.linear.at
@@ -36,7 +36,7 @@ def estimate_link_size_covariance(
     others = np.setdiff1d(np.flatnonzero(free), links)
     start = equations.linear.state.links
     N = np.sum([part for source, part in parts.items() if source != "links"], axis=0)
-    # The other unknowns follow the links, so that each size costs a small system only.
+    # The other unknowns follow the links, so that each size needs only a small system.
     scale = 1 / np.sqrt(np.diag(N)[others])
     A = N[np.ix_(others, others)] * np.outer(scale, scale)
     B = N[np.ix_(others, links)] * scale[:, None]
@@ -47,7 +47,7 @@ def estimate_link_size_covariance(
         for turn in FACTORS
         for shift in FACTORS
     ]
-    # At the minimum the data pull the links as hard as the estimated size holds them back.
+    # At the minimum, the gradient of the data balances that of the prior of the estimated size.
     pull = -start / scales.link_error_sds(len(start) // 6) ** 2
     found = [
         link_likelihood(S, pull, start, size.link_error_sds(len(start) // 6)) for size in sizes
@@ -64,15 +64,15 @@ def estimate_link_size_covariance(
 def link_likelihood(
     S: Floats, pull: Floats, start: Floats, sd: Floats
 ) -> tuple[float, Floats, Floats]:
-    """How likely it is that links (and what else is unknown beside them) err by so much: the
-    logarithm but for a constant, their step (L,) there, and its covariance (L, L).
+    """Likelihood of link errors (and further unknowns) of this size: its logarithm up to a
+    constant, the step (L,) of the unknowns there, and its covariance (L, L).
 
     Args:
-        S: (L, L) the data's information about them.
-        pull: (L,) the data's gradient at ``start`` (L,).
-        sd: (L,) of their errors.
+        S: (L, L) information of the data about them.
+        pull: (L,) gradient of the data at ``start`` (L,).
+        sd: (L,) standard deviations of their errors.
     """
-    # In units of the size, so that the matrix is near the unit matrix where nothing is known.
+    # In units of the size, so that the matrix is near the identity if nothing is known.
     H = S * np.outer(sd, sd) + np.eye(len(sd))
     r = pull * sd + start / sd
     inverted = np.linalg.inv(H)

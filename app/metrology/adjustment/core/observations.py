@@ -1,4 +1,4 @@
-"""What goes into the adjustment: what each pose's pictures show, and the contact points."""
+"""The data of the adjustment: the pictures of each pose, and the contact points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -22,7 +22,7 @@ from app.metrology.transforms import Floats, inverse
 
 
 class PoseView(Protocol):
-    """What the pictures of one pose show of the object."""
+    """The object in the pictures of one pose."""
 
     def rows(self, camera: Camera, plane: LaserPlane, coordinates: Floats) -> tuple[Rows, Rows]:
         """Observation equations of the object's shape, and of the stripe.
@@ -30,10 +30,10 @@ class PoseView(Protocol):
         Args:
             camera: with the object's frame as its sensor frame.
             plane: the laser plane in the object's frame.
-            coordinates: (B,) the object's own, as in its ``TargetPrior``.
+            coordinates: (B,) coordinates of the object, as in its ``TargetPrior``.
 
         Returns:
-            rows whose parameters are the camera's (``projection.PARAMETERS``), the
+            Rows whose parameters are the camera's (``projection.PARAMETERS``), the
             plane's two tilts and offset, and the B coordinates.
         """
         ...
@@ -41,14 +41,14 @@ class PoseView(Protocol):
     def reclassify_stripe(
         self, camera: Camera, plane: LaserPlane, coordinates: Floats
     ) -> "PoseView":
-        """The same, with the stripe's points judged against this camera and plane."""
+        """The view with the stripe points judged against this camera and plane."""
         ...
 
     def bin_points(
         self, rows: tuple[Rows, Rows], judged: tuple[RobustWeights, RobustWeights]
     ) -> tuple["PoseView", tuple[RobustWeights, RobustWeights]]:
-        """Fewer points of equal weight, by what was judged of the ``rows`` of these, and
-        how those count; a view of few points may give itself."""
+        """The view with fewer points of equal weight, by the judgement of its ``rows``, and the
+        weights of those; a view with few points may return itself."""
         ...
 
     def stripe_px(self) -> Floats:
@@ -56,13 +56,13 @@ class PoseView(Protocol):
         ...
 
     def without_line(self) -> "PoseView":
-        """The same with no stripe at all."""
+        """The view without a stripe."""
         ...
 
 
 @dataclass(frozen=True)
 class TargetPrior:
-    """The object's coordinates by its certificate, each known to a standard deviation (mm)."""
+    """The coordinates of the object by its certificate, each with a standard deviation (mm)."""
 
     names: tuple[str, ...]
     coordinates: Floats  # (B,)
@@ -71,14 +71,13 @@ class TargetPrior:
 
 @dataclass(frozen=True)
 class ContactObservations:
-    """N contact points: the tip's centre lies one radius outside the face that was touched.
+    """N contact points: the tip centre is one radius outside the face that was probed.
 
-    In the object's frame a face has the normal ``normals`` (N, 3) and the offset
-    ``offset_by_coordinates @ coordinates`` (N, B). Tip centres ``tips_mm`` (N, 3) are by
-    the arm's model, the flange turned by ``R_arm_flange`` (N, 3, 3); ``by_links``
-    (N, 3, 6n) is how they move with the links' errors and
-    ``noise_mm2`` (N, 3, 3) their covariance by the encoders' noise. ``kept`` (N,) are
-    those that agree with one another.
+    In the object frame, a face has the normal ``normals`` (N, 3) and the offset
+    ``offset_by_coordinates @ coordinates`` (N, B). Tip centres ``tips_mm`` (N, 3) are those of the
+    arm's model, with the flange rotated by ``R_arm_flange`` (N, 3, 3); ``by_links`` (N, 3, 6n) are
+    their derivatives by the link errors and ``noise_mm2`` (N, 3, 3) their covariance due to the
+    encoder noise. ``kept`` (N,) marks the contact points that agree with each other.
     """
 
     features: tuple[str, ...]
@@ -97,7 +96,7 @@ class ContactObservations:
 
 @dataclass(frozen=True)
 class AdjustmentProblem:
-    """All that is to agree: P poses seen, contacts (perhaps none), and the prior."""
+    """The adjustment problem: P seen poses, contact points (possibly none), and the prior."""
 
     numbers: tuple[int, ...]
     views: tuple[PoseView, ...]
@@ -108,7 +107,7 @@ class AdjustmentProblem:
     height_px: int
 
     def without_poses(self, left_out: NDArray[np.bool_]) -> "AdjustmentProblem":
-        """The same without the poses marked (P,)."""
+        """The problem without the poses marked (P,)."""
         keep = np.flatnonzero(~left_out)
         motion = self.motion
         return replace(
@@ -126,19 +125,19 @@ class AdjustmentProblem:
 
 @dataclass(frozen=True)
 class ContactRows:
-    """Contact residuals (N,) in mm, positive outward, and what they change with."""
+    """Residuals (N,) of the contact points in mm, positive outward, and their derivatives."""
 
     residuals_mm: Floats
     by_place: Floats  # (N, 6) left twist of T_arm_obj
     by_links: Floats  # (N, 6n)
     by_coordinates: Floats  # (N, B)
-    noise_mm2: Floats  # (N,) variance by the encoders
+    noise_mm2: Floats  # (N,) variance due to the encoders
 
 
 def contact_rows(
     touches: ContactObservations, T_arm_obj: Floats, coordinates: Floats, links: Floats
 ) -> ContactRows:
-    """How the tips lie on their faces, for a place of the object and errors of the links (6n,)."""
+    """Distances of the tips from their faces, for a pose of the object and link errors (6n,)."""
     tips = touches.tips_mm + touches.by_links @ links
     T_obj_arm = inverse(T_arm_obj)
     in_obj = tips @ T_obj_arm[:3, :3].T + T_obj_arm[:3, 3]
@@ -155,7 +154,7 @@ def contact_rows(
 
 @dataclass(frozen=True)
 class FailedPose:
-    """A pose whose pictures could not be used, and why."""
+    """A pose whose pictures could not be used, with the reason."""
 
     number: int
     error: OperationError
@@ -164,10 +163,10 @@ class FailedPose:
 def require_observations(
     seen: Sequence[object], unseen: Sequence[FailedPose], thing: Thing
 ) -> None:
-    """Refuses where no picture shows the ``thing``, with the reason of the first.
+    """Refuses the input if no picture shows the ``thing``, with the reason of the first picture.
 
     Raises:
-        OperationError: the first picture's own, or that there is no picture.
+        OperationError: that of the first picture, or ``no-images``.
     """
     if seen:
         return
@@ -180,7 +179,7 @@ def require_observations(
 
 @dataclass(frozen=True)
 class BlockObservation:
-    """What the pictures of one pose showed, each by itself."""
+    """The detections in the pictures of one pose, by themselves."""
 
     number: int
     detection: ObjectDetection

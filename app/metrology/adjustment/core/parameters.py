@@ -1,4 +1,4 @@
-"""The unknowns of the adjustment, and how each pose's picture depends on them."""
+"""The unknowns of the adjustment, and how the picture of each pose depends on them."""
 
 from dataclasses import dataclass, replace
 
@@ -18,7 +18,7 @@ from app.metrology.transforms import (
 )
 
 INTRINSIC = ("fx", "fy", "u0", "v0", "k1", "k2", "p1", "p2")
-# Where the intrinsic parameters stand among ``projection.PARAMETERS``, and the pose's twist.
+# Indices of the intrinsic parameters and of the pose's twist among ``projection.PARAMETERS``.
 _INTRINSIC_AT = np.array([0, 1, 2, 3, 10, 11, 12, 13])
 _POSE_AT = slice(4, 10)
 
@@ -27,12 +27,12 @@ LENS = slice(4, 8)
 PLANE = slice(8, 11)
 MOUNT = slice(11, 17)
 PLACE = slice(17, 23)
-SENSOR = slice(0, 17)  # camera, plane and mounting: all that a reconstructed point hangs on
+SENSOR = slice(0, 17)  # camera, plane and mounting: all that a reconstructed point depends on
 
 
 @dataclass(frozen=True)
 class ParameterLayout:
-    """Where each unknown stands: after the first 23 the object, the links, the noise."""
+    """Indices of the unknowns: after the first 23, the object, the links, the noise."""
 
     coordinates: slice
     links: slice
@@ -78,8 +78,8 @@ class AdjustmentState:
     noise: Floats
 
     def apply_step(self, step: Floats, at: ParameterLayout) -> "AdjustmentState":
-        """After a step of all unknowns: the mounting moves by a right twist, in the camera's
-        frame; the object's place by a left one, in the arm's."""
+        """The state after a step of all unknowns: the mounting moves by a right twist, in the
+        camera frame; the object by a left twist, in the arm frame."""
         return replace(
             self.apply_sensor_step(step[SENSOR]),
             T_arm_obj=_orthonormalise(se3_exp(step[PLACE]) @ self.T_arm_obj),
@@ -89,7 +89,7 @@ class AdjustmentState:
         )
 
     def apply_sensor_step(self, step: Floats) -> "AdjustmentState":
-        """After a step (17,) of camera, plane and mounting alone."""
+        """The state after a step (17,) of camera, plane and mounting alone."""
         camera = self.camera
         matrix, distortion = camera.matrix.copy(), camera.distortion.copy()
         matrix[0, 0] += step[0]
@@ -112,10 +112,10 @@ def _orthonormalise(T: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class PoseScene:
-    """One pose as its picture sees it: camera and plane in the object's frame.
+    """One pose as its picture sees it: camera and plane in the object frame.
 
-    ``by_unknowns`` (17 + B, U) are the derivatives of the camera's parameters, the
-    plane's and the object's coordinates by all unknowns.
+    ``by_unknowns`` (17 + B, U) are the derivatives of the camera's parameters and of the
+    coordinates of plane and object by all unknowns.
     """
 
     camera: Camera
@@ -126,7 +126,7 @@ class PoseScene:
 def pose_scene(
     state: AdjustmentState, problem: AdjustmentProblem, at: ParameterLayout, pose: int
 ) -> PoseScene:
-    """Camera and plane in the object's frame for one pose (Eq. 6-8), with derivatives."""
+    """Camera and plane in the object frame for one pose (Eq. 6-8), with derivatives."""
     moves = problem.motion
     off = moves.by_links[pose] @ state.links + moves.by_noise[pose] @ state.noise[pose]
     T_arm_cam = se3_exp(off) @ moves.T_arm_flange[pose] @ state.T_flange_cam
@@ -152,11 +152,12 @@ def pose_scene(
 def _plane_rows(
     J: Floats, in_cam: LaserPlane, in_obj: LaserPlane, T_cam_obj: Floats, twist: Floats
 ) -> None:
-    """Fills in how the plane in the object's frame follows that in the camera's and a twist."""
+    """Fills in the derivatives of the plane in the object frame by that in the camera frame and by
+    a twist."""
     R, t = T_cam_obj[:3, :3], T_cam_obj[:3, 3]
     n = in_cam.normal
-    across = tangents(in_obj.normal) @ R.T  # object's tangents, seen in the camera's frame
-    J[:2] = across @ skew(n) @ twist[:3]  # the normal turns against the object
+    across = tangents(in_obj.normal) @ R.T  # tangents of the object, in the camera frame
+    J[:2] = across @ skew(n) @ twist[:3]  # the normal rotates against the object
     J[:2, PLANE.start : PLANE.start + 2] += across @ tangents(n).T
     J[2] = -(skew(t) @ n @ twist[:3] + n @ twist[3:])
     J[2, PLANE.start : PLANE.start + 2] += -tangents(n) @ t

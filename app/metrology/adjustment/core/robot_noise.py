@@ -1,10 +1,10 @@
-"""By how much a robot's poses and the pictures disagree, and in what way.
+"""The amount and kind of disagreement between the poses of a robot and the pictures.
 
-The robot is off by a turn and by a shift of its flange, drawn again in each pose; and
-pictures and robot may disagree in how the object is tilted while they agree on its place:
-it rocks, or the pictures' errors look like a tilt. The three standard deviations are the
-most likely ones for the poses' residuals (restricted maximum likelihood); how much
-each counts follows from them.
+The robot has an error in rotation and translation of its flange, independent in each pose. Pictures
+and robot may also disagree in the tilt of the object while they agree on its position: the object
+rocks, or the errors of the pictures look like a tilt. The three standard deviations are the most
+likely ones for the residuals of the poses (restricted maximum likelihood); the weights follow from
+them.
 """
 
 from dataclasses import dataclass, replace
@@ -23,16 +23,16 @@ from app.metrology.transforms import (
     vector_from_rotation,
 )
 
-# What is usual where the poses show little: turn (rad), shift (mm) and tilt (rad), known to
-# this factor (as the standard deviation of a logarithm).
+# Usual values if the poses contain little information: rotation (rad), translation (mm) and tilt
+# (rad), known to this factor (as the standard deviation of a logarithm).
 USUAL = np.array([0.2e-3, 0.08, 0.1e-3])
 USUAL_LOG_SD = 1.5
 LEAST = np.array([1e-6, 1e-3, 1e-6])
 ROUNDS = 3
-# The noise is estimated again with everything else, as a factor on these deviations.
+# The noise is estimated again with everything else, as a factor on these standard deviations.
 USUAL_FACTOR, LEAST_FACTOR = 1.0, 0.3
 
-# A pose is an outlier where chance alone would put one so far off so rarely.
+# A pose is an outlier if chance alone would cause such a deviation less often than this.
 OUTLIER_CHANCE = 1e-5
 FEWEST_OTHERS = 4
 
@@ -41,8 +41,8 @@ ByNoise = list[tuple[Floats, Floats, Floats]]
 
 @dataclass(frozen=True)
 class RobotNoise:
-    """Standard deviations of one pose: the flange's turn (rad) about each axis and shift (mm)
-    along each, and the object's tilt (rad) about its own middle."""
+    """Standard deviations of one pose: rotation (rad) of the flange about each axis, translation
+    (mm) along each, and tilt (rad) of the object about its own middle."""
 
     turn_rad: float
     shift_mm: float
@@ -51,11 +51,11 @@ class RobotNoise:
 
 @dataclass(frozen=True)
 class PosePairs:
-    """P poses of a robot and what the pictures say of them.
+    """P poses of a robot, and the corresponding poses by the pictures.
 
-    ``T_arm_flange`` and ``T_cam_obj`` (P, 4, 4) are by the robot and by the pictures, and
-    ``covariance`` (6P, 6P) is of the pictures' left twists of ``T_cam_obj``. ``middle_mm``
-    (3,), in the object's frame, is about what it tilts.
+    ``T_arm_flange`` and ``T_cam_obj`` (P, 4, 4) come from the robot and from the pictures;
+    ``covariance`` (6P, 6P) is that of the pictures' left twists of ``T_cam_obj``. The object tilts
+    about ``middle_mm`` (3,), in the object frame.
     """
 
     T_arm_flange: Floats
@@ -75,7 +75,7 @@ class PosePairs:
 
 @dataclass(frozen=True)
 class _NoiseEstimate:
-    """The noise (log of standard deviations), and where sensor and object then are."""
+    """The noise (log of standard deviations), and the resulting poses of sensor and object."""
 
     log_sd: Floats
     X: Floats
@@ -83,15 +83,15 @@ class _NoiseEstimate:
 
 
 def estimate_robot_noise(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
-    """The most likely noise of P poses, from a start (4, 4) of the sensor and the object."""
+    """The most likely noise of P poses, from start values (4, 4) of the sensor and the object."""
     estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
     return RobotNoise(*map(float, np.exp(estimate.log_sd)))
 
 
 def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
-    """The pose that is furthest off, where the noise of the others does not explain that.
+    """The pose that is furthest off, if the noise of the others does not explain it.
 
-    It is judged by a fit without it (Fisher's test), which it cannot spoil.
+    It is judged by a fit without it (Fisher's test), so that it cannot affect the fit.
     """
     from scipy.special import fdtri
 
@@ -109,7 +109,7 @@ def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats)
 
 
 def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
-    from scipy.optimize import minimize  # slow to load, and needed for robots alone
+    from scipy.optimize import minimize  # slow to import, and needed for robots only
 
     noise = np.log(USUAL)
     for _ in range(ROUNDS):
@@ -130,8 +130,8 @@ def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
 def _mahalanobis_square(
     seen: PosePairs, estimate: _NoiseEstimate, pose: int, with_fit: bool
 ) -> float:
-    """Squared deviation of one pose, of 6 degrees of freedom; ``with_fit`` counts how well the
-    others fix what it is compared with."""
+    """Squared deviation of one pose, with 6 degrees of freedom; ``with_fit`` includes the
+    uncertainty of the fit to the others with which it is compared."""
     residuals, J, G = _linearise(seen, estimate.X, estimate.Z)
     V = _covariance(estimate.log_sd, G, seen.covariance)
     own = slice(6 * pose, 6 * pose + 6)
@@ -144,9 +144,9 @@ def _mahalanobis_square(
 
 
 def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, ByNoise]:
-    """Residuals (6P,), twists of the object in the camera's frame by which the pictures put it
-    elsewhere than the robot does; by ``X`` from the right and ``Z`` from the left (6P, 12); and
-    by turn (6, 3), shift (6, 3) and tilt (6, 2) of each pose."""
+    """Residuals (6P,), twists of the object in the camera frame between its poses by the pictures
+    and by the robot; derivatives by ``X`` from the right and ``Z`` from the left (6P, 12); and by
+    rotation (6, 3), translation (6, 3) and tilt (6, 2) of each pose."""
     residuals, rows, by_noise = [], [], []
     centre = apply(Z, seen.middle_mm[None])[0]
     for one, pictured in zip(seen.T_arm_flange, seen.T_cam_obj, strict=True):
@@ -162,7 +162,7 @@ def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, B
 
 
 def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
-    """(6, 2) twists in the arm's frame that tilt the object, about its own x and y."""
+    """(6, 2) twists in the arm frame that tilt the object about its own x and y."""
     return np.asarray(pivot_adjoint(centre_mm)[:, :3] @ T_arm_obj[:3, :2])
 
 
@@ -178,7 +178,7 @@ def _covariance(log_sd: Floats, by_noise: ByNoise, covariance: Floats) -> Floats
 def _negative_log_likelihood(
     log_sd: Floats, residuals: Floats, J: Floats, by_noise: ByNoise, covariance: Floats
 ) -> float:
-    """Minus the logarithm of the restricted likelihood, and of what is usual."""
+    """Negative logarithm of the restricted likelihood, including the prior."""
     off = (log_sd - np.log(USUAL)) / USUAL_LOG_SD
     V = _covariance(np.maximum(log_sd, np.log(LEAST)), by_noise, covariance)
     W = np.linalg.inv(V)
@@ -190,7 +190,7 @@ def _negative_log_likelihood(
 
 
 def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
-    """The robot's motion with its flange's noise in these proportions."""
+    """The motion of the robot with the noise of its flange in these proportions."""
     return replace(
         moves,
         by_noise=np.array([adjoint(T) for T in moves.T_arm_flange]).reshape(-1, 6, 6),
@@ -203,7 +203,7 @@ def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
 def with_noise(
     moves: FlangeMotion, noise: RobotNoise, T_arm_obj: Floats, middle_mm: Floats
 ) -> FlangeMotion:
-    """The same, and with the tilt of the object at ``T_arm_obj`` about its middle."""
+    """The same, including the tilt of the object at ``T_arm_obj`` about its middle."""
     own = with_flange_noise(moves, noise)
     tilts = _tilts(T_arm_obj, apply(T_arm_obj, middle_mm[None])[0])
     return replace(

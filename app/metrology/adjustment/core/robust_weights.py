@@ -1,4 +1,5 @@
-"""How much each observation counts: outliers, scatter beyond what was said, shared errors."""
+"""The weight of each observation: outliers, scatter beyond the stated uncertainty, shared
+errors."""
 
 from dataclasses import dataclass
 
@@ -11,34 +12,34 @@ from app.metrology.transforms import Floats
 
 OUTLIER_SIGMAS = 4.5
 FEWEST_TO_JUDGE = 12
-# Neighbours put into one point, unless they lie further apart than this.
+# Adjacent points are merged into one point, unless they are further apart than this.
 BIN_SIZE, APART_PX = 8, 12.0
 
 
 @dataclass(frozen=True)
 class RobustWeights:
-    """Which rows (N,) of a kind agree, and the factors (N,) on their standard deviations."""
+    """Mask (N,) of the rows of a kind that agree, and factors (N,) on their standard deviations."""
 
     inliers: NDArray[np.bool_]
     inflation: Floats
 
 
 def robust_weights(rows: Rows) -> RobustWeights:
-    """Rows against their own scatter; each line's deviations raised where it scatters more
-    than it says, and where neighbouring points are alike (speckle)."""
+    """Rows against their own scatter; the standard deviations of a line are raised if it scatters
+    more than stated, or if adjacent points are correlated (speckle)."""
     off = rows.residuals / rows.sigma
     spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0) if len(off) else 1.0
     kept = np.abs(off) < OUTLIER_SIGMAS * spread
     if rows.shared is not None:
         return RobustWeights(kept, _line_inflation(rows, rows.shared, off, kept))
-    # what all points of a line share is an error of its own, no scatter
+    # an error that all points of a line share is not scatter
     about_mean = rows.shared_px > 0.0
     variances = variances_of_lines(off, rows.line, kept, rows.places, about_mean, FEWEST_TO_JUDGE)
     return RobustWeights(kept, np.sqrt(variances))
 
 
 def _line_inflation(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bool_]) -> Floats:
-    """Inflation (N,) of rows whose lines' points follow errors that they have in common."""
+    """Inflation (N,) of rows in whose lines the points share errors."""
     inflation = np.ones(len(off))
     for number in np.unique(rows.line):
         own = (rows.line == number) & kept
@@ -54,9 +55,10 @@ def _line_inflation(rows: Rows, shared: Floats, off: Floats, kept: NDArray[np.bo
 
 @dataclass(frozen=True)
 class BinnedPoints:
-    """Neighbouring points put into few: pixels (M, 2), deviations (M,), and how many each.
+    """Adjacent points merged into few: pixels (M, 2), standard deviations (M,), and the number of
+    each.
 
-    ``first`` (M,) is where each group begins among the points, ``kept`` in front.
+    ``first`` (M,) is the start of each group among the points, ``kept`` comes before.
     """
 
     uv_px: Floats
@@ -67,10 +69,10 @@ class BinnedPoints:
 def bin_neighbours(
     uv_px: Floats, sigma_px: Floats, line: NDArray[np.int64], judgement: RobustWeights
 ) -> BinnedPoints:
-    """Points (N, 2) that count, up to ``BIN_SIZE`` neighbours of one line put into one.
+    """Merges up to ``BIN_SIZE`` adjacent points (N, 2) that count, of one line, into one.
 
-    A line's image bends by far less than a point's deviation over so few points, so
-    that their weighted mean is as informative as they are.
+    Over so few points, the image of a line bends by far less than the standard deviation of a
+    point, so that their weighted mean is as informative as the points.
     """
     kept = np.flatnonzero(judgement.inliers)
     uv, own = uv_px[kept], line[kept]
@@ -89,16 +91,16 @@ def bin_neighbours(
 
 
 def unit_weights(count: int) -> RobustWeights:
-    """Of points that were judged and weighed before."""
+    """Merges points that were judged and weighted before."""
     return RobustWeights(np.ones(count, np.bool_), np.ones(count))
 
 
 def normal_equations(rows: Rows, judgement: RobustWeights) -> tuple[Floats, Floats]:
-    """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines have an error in common.
+    """``J' W J`` (K, K) and ``J' W r`` (K,) of rows whose lines share an error.
 
-    Each line's covariance is that of its points plus ``shared_px`` squared for every
-    pair of them, or plus that of its ``shared`` errors; its inverse takes a row for each
-    of these from the sum (Sherman-Morrison, Woodbury).
+    The covariance of each line is that of its points plus ``shared_px`` squared for every pair of
+    them, or plus that of its ``shared`` errors; its inverse subtracts one row for each of these
+    from the sum (Sherman-Morrison, Woodbury).
     """
     kept = judgement.inliers
     J, r = rows.jacobian[kept], rows.residuals[kept]

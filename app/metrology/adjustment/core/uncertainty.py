@@ -1,7 +1,7 @@
-"""How well points and planes are known after an adjustment, and what that is owed to.
+"""Uncertainty of points and planes after an adjustment, and its sources.
 
-Small errors of the unknowns are carried to points of the laser plane, in the flange
-frame (Eq. 9); everything is a standard uncertainty, k = 1.
+Small errors of the unknowns are propagated to points of the laser plane, in the flange frame (Eq.
+9). All uncertainties are standard uncertainties, k = 1.
 """
 
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ from app.metrology.sensor.projection import PARAMETERS
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, adjoint, apply, inverse, pivot_adjoint, skew
 
-# What each part of the normal matrix is called in a budget.
+# Name of each part of the normal matrix in a budget.
 BUDGET = (
     ("contact points", ("contacts",)),
     ("arm encoders", ("encoders",)),
@@ -63,9 +63,10 @@ class UncertaintyMap:
 
 @dataclass(frozen=True)
 class PlaneUncertainty:
-    """Of a plane that faces the sensor in the middle of its volume, swept straight across.
+    """Uncertainty of a plane that faces the sensor in the middle of its volume, from a straight
+    sweep.
 
-    ``angle_arcsec`` about the direction of the sweep, ``offset_um`` in the middle.
+    ``angle_arcsec`` is about the direction of the sweep, ``offset_um`` in the middle.
     """
 
     angle_arcsec: float
@@ -74,11 +75,11 @@ class PlaneUncertainty:
 
 @dataclass(frozen=True)
 class CalibrationUncertainty:
-    """What an adjustment is worth.
+    """The uncertainty of an adjustment.
 
-    ``covariance`` (23, 23) belongs to ``NAMES``: camera and laser plane in the sensor
-    frame, and a left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in
-    the flange frame. The camera's pose in the sensor frame is a choice, without error.
+    ``covariance`` (23, 23) belongs to ``NAMES``: camera and laser plane in the sensor frame, and a
+    left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in the flange frame. The
+    pose of the camera in the sensor frame is a convention, without error.
     """
 
     rows: tuple[BudgetContribution, ...]
@@ -96,7 +97,7 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
 
     Args:
         found: the adjustment.
-        T_cam_sensor: (4, 4) where the sensor frame was chosen to be.
+        T_cam_sensor: (4, 4) the chosen sensor frame.
 
     Returns:
         Standard uncertainties of points in the flange frame, k = 1, µm: by source, over the
@@ -126,7 +127,7 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
 
 
 def measuring_volume(found: AdjustmentResult) -> Volume:
-    """The part of the light plane that the stripes of all poses covered, as a grid.
+    """The part of the laser plane that the stripes of all poses covered, as a grid.
 
     Returns:
         (G, 2) px and (G, 3) mm in the flange frame.
@@ -141,11 +142,11 @@ def measuring_volume(found: AdjustmentResult) -> Volume:
 
 
 def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
-    """The covariance (U, U) split by what caused it.
+    """The covariance (U, U) split by source.
 
-    Each kind of observation causes ``C N C`` of it, N its part of the normal matrix;
-    distortion is what not knowing the lens adds, and the arm's geometry counts with what is
-    not known of the size of its errors.
+    Each kind of observation contributes ``C N C``, with N its part of the normal matrix. Distortion
+    is the contribution of an unknown lens; the contribution of the arm's geometry includes the
+    uncertain size of its errors.
     """
     N = np.sum(list(found.parts.values()), axis=0)
     known_lens = found.free.copy()
@@ -161,14 +162,14 @@ def covariance_by_source(found: AdjustmentResult) -> dict[str, Floats]:
 
 
 def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
-    """How points in the flange frame follow camera, light plane and mounting.
+    """Derivatives of points in the flange frame by camera, laser plane and mounting.
 
     Args:
-        state: about which the derivatives are taken.
+        state: point of linearisation.
         uv_px: (G, 2) distorted pixels.
 
     Returns:
-        (G, 3, 17) mm per unit of each parameter: camera, light plane, mounting.
+        (G, 3, 17) mm per unit of each parameter: camera, laser plane, mounting.
     """
     in_cam = _points(state, uv_px)
     R = state.T_flange_cam[:3, :3]
@@ -185,7 +186,7 @@ def sensor_jacobian(state: AdjustmentState, uv_px: Floats) -> Floats:
 
 
 def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> UncertaintyMap:
-    """All over the picture, wherever its rays meet the laser plane at a usable depth."""
+    """The uncertainty over the picture, wherever rays meet the laser plane at a usable depth."""
     state, camera = found.state, found.state.camera
     u = np.linspace(0, camera.width_px - 1, MAP[0])
     v = np.linspace(0, camera.height_px - 1, MAP[1])
@@ -205,7 +206,8 @@ def uncertainty_map(found: AdjustmentResult, T_cam_sensor: Floats) -> Uncertaint
 
 
 def plane_uncertainty(found: AdjustmentResult, volume: Volume) -> PlaneUncertainty:
-    """Angle and offset of a plane across the sensor's view, from one straight sweep."""
+    """Uncertainty of angle and offset of a plane across the view of the sensor, from one straight
+    sweep."""
     across = plane_across_view(found.state, volume)
     J = np.einsum("i,gik->gk", across.normal, sensor_jacobian(found.state, volume.uv_px))
     line = across.line @ J  # (2, 17)
@@ -217,8 +219,9 @@ def plane_uncertainty(found: AdjustmentResult, volume: Volume) -> PlaneUncertain
 
 @dataclass(frozen=True)
 class FacingPlane:
-    """A plane in the middle of a volume: its normal (3,), flange frame, and how heights of
-    the volume's points (G,) over it make its offset (mm) and slope (rad): ``line`` (2, G)."""
+    """A plane in the middle of a volume: its normal (3,), flange frame, and the derivatives
+    ``line`` (2, G) of its offset (mm) and slope (rad) by the heights of the volume's points
+    (G,)."""
 
     normal: Floats
     line: Floats
@@ -242,7 +245,7 @@ def plane_across_view(state: AdjustmentState, volume: Volume) -> FacingPlane:
 def express_in_sensor_frame(
     state: AdjustmentState, T_cam_sensor: Floats
 ) -> tuple[Camera, LaserPlane, Floats]:
-    """Camera, laser plane and ``T_flange_sensor`` with the sensor frame where it was chosen."""
+    """Camera, laser plane and ``T_flange_sensor`` in the chosen sensor frame."""
     camera, plane = in_frame(state.camera, state.plane, inverse(T_cam_sensor))
     return camera, plane, state.T_flange_cam @ T_cam_sensor
 
@@ -252,7 +255,7 @@ def _points(state: AdjustmentState, uv_px: Floats) -> Floats:
 
 
 def _squares(J: Floats, covariance: Floats) -> Floats:
-    """Squared length (G,) of the points' errors, mm^2."""
+    """Squared length (G,) of the errors of points, mm^2."""
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
 

@@ -1,7 +1,7 @@
-"""Standard deviations estimated from the data themselves: variance components.
+"""Standard deviations estimated from the data: variance components.
 
-A sum of squares is compared with the number of values that the data, and not the
-scale itself, determined (Foerstner's estimate, iterated).
+A sum of squares is compared with its degrees of freedom: the number of values that the data
+determined, and not the scale itself (Foerstner's estimate, iterated).
 """
 
 from collections.abc import Callable
@@ -12,14 +12,14 @@ import numpy as np
 from app.metrology.adjustment.core.arm_errors import LEVER_MM
 from app.metrology.transforms import Floats
 
-# What is usual where nothing is known; counted like one observation, so that it settles. Links
-# as those of an arm whose tip is off by some 20 µm rms: a link's turn moves the next about as
-# far as its shift does.
+# Usual values if nothing is known; they count like one observation, so that the estimate converges.
+# Links: as those of an arm whose tip is off by some 20 µm rms; the rotation of a link moves the
+# next one about as far as its translation does.
 USUAL_LINKS_MM, USUAL_CONTACT_MM = 0.003, 0.003
 USUAL_LINKS_RAD = USUAL_LINKS_MM / LEVER_MM
 USUAL_COUNT = 1.0
-# What is usual of links counts a little more, and that turns and shifts go together more
-# still: their likelihood alone can run away along the one or the other.
+# The prior of links counts a little more, and the ratio of rotations to translations more still:
+# the likelihood alone can diverge along either.
 USUAL_LINKS_COUNT, TOGETHER_COUNT = 2.0, 3.0
 CONVERGED = 0.01
 MOST_ROUNDS = 15
@@ -27,10 +27,10 @@ MOST_ROUNDS = 15
 
 @dataclass(frozen=True)
 class Scales:
-    """What scatters how much.
+    """The noise level of each kind of observation.
 
-    ``links_rad``, ``links_mm``: the turn and the shift of one link's error; ``noise``:
-    factor on the noise of each reading; ``touch_mm``: one touch, beside that noise.
+    ``links_rad``, ``links_mm``: rotation and translation of one link's error; ``noise``: factor on
+    the noise of each reading; ``touch_mm``: noise of one touch, in addition.
     """
 
     links_rad: float
@@ -39,7 +39,7 @@ class Scales:
     touch_mm: float
 
     def link_error_sds(self, count: int) -> Floats:
-        """(6 count,) of the errors of so many links."""
+        """(6 count,) standard deviations of the errors of ``count`` links."""
         return np.tile(np.repeat([self.links_rad, self.links_mm], 3), count)
 
 
@@ -48,7 +48,8 @@ def default_scales(noise_factor: float) -> Scales:
 
 
 def estimate_noise_factor(values: Floats, variances: Floats, scale: float, usual: float) -> float:
-    """The scale of values (N,) that are known to ``variances`` (N,) with ``scale`` assumed."""
+    """The scale of values (N,) with the variances ``variances`` (N,) under the assumed
+    ``scale``."""
     if not len(values):
         return scale
     determined = max(float(len(values) - np.sum(variances) / scale**2), 0.0)
@@ -57,10 +58,10 @@ def estimate_noise_factor(values: Floats, variances: Floats, scale: float, usual
 
 
 def estimate_link_errors(links: Floats, variances: Floats, scales: Scales) -> tuple[float, float]:
-    """The scales of turns (rad) and of shifts (mm), from all links' errors (6n,).
+    """The scales of rotations (rad) and translations (mm), from the errors (6n,) of all links.
 
-    An arm that is poor in the one is taken to be poor in the other where nothing shows it:
-    what is usual for each follows from both, the two being in their usual proportion.
+    An arm with large errors of one kind is assumed to have large errors of the other kind if no
+    data show it: the prior of each follows from both, in their usual proportion.
     """
     usual = np.array([USUAL_LINKS_RAD, USUAL_LINKS_MM])
     now = np.array([scales.links_rad, scales.links_mm])
@@ -75,8 +76,8 @@ def estimate_link_errors(links: Floats, variances: Floats, scales: Scales) -> tu
 
 
 def size_prior(scales: Scales) -> float:
-    """Logarithm of the density of the links' sizes (of their logarithms) before anything is
-    known, but for a constant; the counts are as in ``estimate_link_errors``."""
+    """Logarithm of the prior density of the sizes (of their logarithms) of link errors, up to a
+    constant; the counts are as in ``estimate_link_errors``."""
     turns = np.log(scales.links_rad / USUAL_LINKS_RAD)
     shifts = np.log(scales.links_mm / USUAL_LINKS_MM)
     common = (turns + shifts) / 2
@@ -87,10 +88,10 @@ def size_prior(scales: Scales) -> float:
 def estimate_contact_sd(
     residuals_mm: Floats, noise_mm2: Floats, fitted_mm2: Floats, scales: Scales
 ) -> float:
-    """Of one touch, from contact residuals (N,) after the fit.
+    """The noise of one touch, from contact residuals (N,) after the fit.
 
-    Each counts for what of it the encoders' variance ``noise_mm2`` (N,) does not
-    explain; ``fitted_mm2`` (N,) is the variance of the fit itself at the contacts.
+    Each residual counts with the part that the encoder variance ``noise_mm2`` (N,) does not
+    explain; ``fitted_mm2`` (N,) is the variance of the fit itself at the contact points.
     """
     variance = scales.touch_mm**2 + noise_mm2
     weight = scales.touch_mm**2 / variance
@@ -100,7 +101,7 @@ def estimate_contact_sd(
 
 
 def iterate_scales(scales: Scales, estimate: Callable[[Scales], Scales]) -> Scales:
-    """Where ``estimate`` changes the scales no more, or nearly so."""
+    """The scales at which ``estimate`` no longer changes them, or nearly so."""
     for _ in range(MOST_ROUNDS):
         before, scales = scales, estimate(scales)
         if largest_change(before, scales) < CONVERGED:
