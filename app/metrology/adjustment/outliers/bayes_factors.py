@@ -1,10 +1,10 @@
-"""How likely one fault in all contacts or the certificate is (a wrong tip, a block moved or
-another size), against none.
+"""The likelihood of one fault in all contact points or in the certificate (a wrong tip, a block
+that moved or differs in size) against no fault.
 
-A fault makes the arm look worse than it is: its links' errors and the noise of its readings
-take it up, and it hides in them. So the fault's size is one more unknown, the sizes of links'
-errors and noise are looked at again with it and without it, and what is compared is how well
-the one and the other explain all that was measured (Bayes factor; Kass and Raftery 1995).
+A fault makes the arm look worse than it is: the link errors and the noise of the readings absorb it
+and hide it. The size of the fault is therefore one more unknown. The sizes of link errors and noise
+are estimated again with and without it, and the two are compared by how well they explain all
+measurements (Bayes factor; Kass and Raftery 1995).
 """
 
 from collections.abc import Sequence
@@ -19,20 +19,19 @@ from app.metrology.adjustment.core.link_error_prior import link_likelihood
 from app.metrology.adjustment.core.variance_components import USUAL_COUNT, Scales, size_prior
 from app.metrology.transforms import Floats
 
-# Sizes of the links' errors, as factors of those estimated; turns and shifts go together within so
-# much (logarithms).
+# Sizes of the link errors, as factors of the estimated ones; rotations and translations change
+# together within this much (logarithms).
 FACTORS = np.exp(np.linspace(-6.0, 1.5, 13))
 TOGETHER = 1.3
-# Noise is looked at between what is usual and what was estimated, in steps of this factor at most.
+# Noise is considered between the usual and the estimated value, in steps of at most this factor.
 NOISE_STEP, MOST_NOISES = 1.5, 6
 
 
 @dataclass(frozen=True)
 class FaultHypothesis:
-    """A fault that changes the contacts' residuals (N, of those that count) by ``by`` (N, K), and
-    how far the object's coordinates (B,) are off their prior by ``by_prior`` (B, K), for each
-    unit of its K sizes. Before anything is known these scatter by one of ``sds`` (K,), each as
-    likely."""
+    """A fault that changes the residuals of the contact points (N that count) by ``by`` (N, K), and
+    the deviation of the object's coordinates (B,) from their prior by ``by_prior`` (B, K), per unit
+    of its K sizes. Their prior standard deviation is one of ``sds`` (K,), each equally likely."""
 
     by: Floats
     by_prior: Floats
@@ -41,8 +40,8 @@ class FaultHypothesis:
 
 @dataclass(frozen=True)
 class FaultEstimate:
-    """Sizes (K,) of a fault, their covariance (K, K), and twice the logarithm of how much
-    likelier it is than none."""
+    """Sizes (K,) of a fault, their covariance (K, K), and twice the logarithm of its Bayes factor
+    against no fault."""
 
     sizes: Floats
     covariance: Floats
@@ -51,8 +50,9 @@ class FaultEstimate:
 
 @dataclass(frozen=True)
 class _ReducedSystem:
-    """What is known of links and all hypotheses' sizes (L + K), the other unknowns following them,
-    at one noise: matrix, gradient, and the logarithm of all that does not change with them."""
+    """Information on link errors and all hypotheses' sizes (L + K), with the other unknowns
+    eliminated, at one noise level: matrix, gradient, and the part of the log-likelihood that does
+    not depend on them."""
 
     S: Floats
     pull: Floats
@@ -61,8 +61,8 @@ class _ReducedSystem:
 
 @dataclass(frozen=True)
 class _ConditionalEstimate:
-    """Sizes (K,) of a fault with one noise and one size of the links' errors, their covariance
-    (K, K), and the logarithm of how likely that is."""
+    """Sizes (K,) of a fault at one noise level and one size of the link errors, their covariance
+    (K, K), and the log-likelihood."""
 
     log: float
     sizes: Floats
@@ -72,7 +72,7 @@ class _ConditionalEstimate:
 def estimate_faults(
     found: AdjustmentResult, hypotheses: Sequence[FaultHypothesis]
 ) -> list[FaultEstimate]:
-    """Of each hypothesis by itself, all else taken as linear at the minimum."""
+    """The evidence of each hypothesis by itself, with everything else linearised at the minimum."""
     scales, start = found.scales, found.state.links
     by = np.hstack([one.by for one in hypotheses])
     by_prior = np.hstack([one.by_prior for one in hypotheses])
@@ -103,7 +103,7 @@ def _estimate_conditional(
     columns: NDArray[np.intp],
     sds: Floats,
 ) -> _ConditionalEstimate:
-    """With a fault's ``columns`` of all that is unknown beside the links, and their sds."""
+    """With a fault's ``columns`` of all unknowns besides the links, and their sds."""
     links = len(start)
     which = np.concatenate([np.arange(links), columns])
     log, step, covariance = link_likelihood(
@@ -139,7 +139,7 @@ def _reduce_system(
     links = np.arange(at.count)[at.links]
     others = np.setdiff1d(np.flatnonzero(found.free), links)
     across, among, pull, log = _hypothesis_terms(found, by, by_prior, scales)
-    # what the data pull the links with, without what holds these back
+    # gradient of the data by the links, without their prior
     pull = np.concatenate([g[links] - start / scales.link_error_sds(len(start) // 6) ** 2, pull])
     scale = 1 / np.sqrt(np.diag(N)[others])
     A = N[np.ix_(others, others)] * np.outer(scale, scale)
@@ -154,8 +154,8 @@ def _reduce_system(
 def _hypothesis_terms(
     found: AdjustmentResult, by: Floats, by_prior: Floats, scales: Scales
 ) -> tuple[Floats, Floats, Floats, float]:
-    """The hypotheses' part of the normal equations (U, K), (K, K) and of the gradient (K,); and how
-    likely contacts and noise are as they are, without them."""
+    """The hypotheses' part of the normal equations (U, K), (K, K) and of the gradient (K,); and the
+    log-likelihood of contact points and noise without them."""
     prior, at = found.problem.prior, found.layout
     weighed = by_prior / prior.sd[:, None] ** 2
     across = np.zeros((at.count, by.shape[1]))
@@ -175,7 +175,8 @@ def _hypothesis_terms(
 
 
 def _noise_log(found: AdjustmentResult, scales: Scales) -> float:
-    """How likely the readings' noise is at one size of it, with that size itself."""
+    """Log-likelihood of the readings' noise at one noise level, including the prior of that
+    level."""
     ((_, _, sd, off),) = (
         known for known in prior_information(found.linear, scales) if known[0] == "encoders"
     )

@@ -1,4 +1,4 @@
-"""Contacts that lie off the face that all the others and the pictures agree on."""
+"""Contact points that lie off the face on which all others and the pictures agree."""
 
 from dataclasses import replace
 
@@ -7,17 +7,17 @@ import numpy as np
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from app.metrology.adjustment.core.variance_components import USUAL_CONTACT_MM
 
-# Among fewer contacts than these no outlier can be found.
+# With fewer contact points than this, no outlier can be identified.
 FEWEST_CONTACTS = 5
 SIGMAS = 4.0
 MEDIAN_TO_SD = 1.4826
-# Of a contact, the share that the others must determine for it to be judged.
+# Share of a contact point that the others must determine before it is judged.
 LEAST_REDUNDANCY = 0.05
 
 
 def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
-    """Adjusted without the contacts that disagree with the others, worst first; the touches say
-    which were kept. Fewer than half are set aside."""
+    """Adjusts without the contact points that disagree with the others, worst first; ``kept`` marks
+    the others. Fewer than half are excluded."""
     touches = found.problem.contacts
     if touches is None:
         return found
@@ -31,9 +31,9 @@ def remove_outlier_contacts(found: AdjustmentResult) -> AdjustmentResult:
 
 
 def find_outlier_contact(found: AdjustmentResult) -> int | None:
-    """The row of the contact that is furthest off by what the others scatter (their median, which
-    a few outliers do not move), and beyond what a usual touch and the noise of the readings
-    explain; None where none is."""
+    """The row of the contact point that is furthest off relative to the scatter of the others
+    (their median, which a few outliers do not affect), and beyond what a usual touch and the noise
+    of the readings explain; None if there is none."""
     contacts, touches = found.linear.contacts, found.problem.contacts
     if contacts is None or touches is None or len(contacts.residuals_mm) < FEWEST_CONTACTS:
         return None
@@ -44,7 +44,7 @@ def find_outlier_contact(found: AdjustmentResult) -> int | None:
     off_mm = np.abs(contacts.residuals_mm) / np.sqrt(spare)
     usual_mm = np.sqrt(contacts.variances(replace(found.scales, touch_mm=USUAL_CONTACT_MM)))
     scatter_mm = max(MEDIAN_TO_SD * float(np.median(off_mm)), 1e-9)
-    # few contacts determine their scatter poorly
+    # few contact points determine their scatter poorly
     limit = SIGMAS * (1 + 4.0 / len(off_mm))
     off = np.minimum(off_mm / (limit * scatter_mm), off_mm / (SIGMAS * usual_mm))
     worst = int(np.argmax(off))

@@ -1,9 +1,9 @@
-"""What may be wrong with all contacts together, or with the certificate: the tip's diameter or its
-place, the object's size from face to face or in all, or that the object was moved before the
-pictures were taken.
+"""Possible faults in all contact points together, or in the certificate: the diameter or the
+position of the tip, the size of the object between faces or in total, or an object that moved
+before the pictures were taken.
 
-One fault can look like another, and like errors of the arm's links: what stands out most by
-its evidence is named.
+One fault can look like another, and like link errors: the fault with the strongest evidence is
+reported.
 """
 
 from collections.abc import Callable, Sequence
@@ -32,17 +32,17 @@ from app.metrology.calibration.findings import (
 from app.metrology.limits import Limits
 from app.metrology.transforms import Floats
 
-# Twice the logarithm of how much likelier a fault must be than none: strong evidence (Kass and
+# Twice the logarithm of the Bayes factor from which a fault is reported: strong evidence (Kass and
 # Raftery 1995).
 EVIDENCE = 6.0
-# Nothing is said of a diameter, or of what moves points, by less than this.
+# Diameters and displacements smaller than this are not reported.
 DIAMETER_MM, LEAST_MM = 0.02, 0.03
-# How far off things are that are off, each way: worn, bent or nudged, or quite another.
+# Typical sizes of faults, in either direction: worn, bent or nudged, or a different object.
 SIZE_SDS_MM = (0.05, 0.5)
 PLACE_SDS_MM = (0.1, 0.5)
 MOVED_SDS_MM, MOVED_SDS_RAD = (0.1, 2.0), (1e-3, 2e-2)
 SHARE_SDS = (0.003, 0.03)
-# Points are about so far from the axis of a turn, and from where a size is counted from.
+# Typical distance of points from the axis of a rotation, and from the origin of a size.
 LEVER_MM = 100.0
 
 DescribeFault = Callable[[FaultEstimate], CalibrationFinding | None]
@@ -55,7 +55,7 @@ class _Fault:
 
 
 def block_fault_findings(found: AdjustmentResult, limits: Limits) -> list[CalibrationFinding]:
-    """The fault that is most likely, if one is, and whether the block's size was seen."""
+    """The most likely fault, if any, and whether the data show the size of the block."""
     touches = found.problem.contacts
     assert touches is not None
     pairs = _pairs(touches)
@@ -82,7 +82,7 @@ def block_fault_findings(found: AdjustmentResult, limits: Limits) -> list[Calibr
 def board_fault_findings(
     found: AdjustmentResult, square_mm: float, limits: Limits
 ) -> list[CalibrationFinding]:
-    """The fault that is most likely, if one is; the board need not have been touched."""
+    """The most likely fault, if any; the board need not have been probed."""
     touches = found.problem.contacts
     in_all = _Fault(_scale_hypothesis(found), partial(_board_size_finding, square_mm, limits))
     contacts = [] if touches is None else _contact_faults(found, touches, limits)
@@ -105,7 +105,7 @@ def _contact_faults(
 def _most_likely_fault(
     found: AdjustmentResult, faults: Sequence[_Fault]
 ) -> tuple[list[CalibrationFinding], list[FaultEstimate]]:
-    """The one that stands out most, if any, and the estimate of each."""
+    """The fault that stands out most, if any, and the estimate of each."""
     estimates = estimate_faults(found, [fault.hypothesis for fault in faults])
     doubted = [
         (one.evidence, finding)
@@ -121,21 +121,21 @@ def _pairs(touches: ContactObservations) -> list[tuple[str, str]]:
 
 
 def _size_hypothesis(found: AdjustmentResult, outward: Floats) -> FaultHypothesis:
-    """The tip's centre further out on the faces for which ``outward`` (N,) is 1."""
+    """The tip centre further out on the faces for which ``outward`` (N,) is 1."""
     return _contact_hypothesis(
         found, -outward[:, None], tuple(np.array([sd]) for sd in SIZE_SDS_MM)
     )
 
 
 def _tip_hypothesis(found: AdjustmentResult, touches: ContactObservations) -> FaultHypothesis:
-    """The tip's centre elsewhere, flange frame (mm)."""
+    """The tip centre elsewhere, in the flange frame (mm)."""
     by = np.einsum("ni,nij->nj", _normals(found, touches), touches.R_arm_flange)
     return _contact_hypothesis(found, by, tuple(np.full(3, sd) for sd in PLACE_SDS_MM))
 
 
 def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) -> FaultHypothesis:
-    """The object elsewhere when it was touched: turned about the contacts' middle (rad) and
-    shifted (mm), arm frame."""
+    """The object elsewhere during probing: rotated about the middle of the contact points (rad) and
+    translated (mm), arm frame."""
     normals = _normals(found, touches)
     arms = touches.tips_mm - touches.tips_mm[touches.inliers].mean(axis=0)
     by = -np.column_stack([np.cross(arms, normals), normals])
@@ -144,7 +144,7 @@ def _motion_hypothesis(found: AdjustmentResult, touches: ContactObservations) ->
 
 
 def _scale_hypothesis(found: AdjustmentResult) -> FaultHypothesis:
-    """The object larger than its certificate says, by a share of all its lengths."""
+    """The object larger than its certificate by a share of all its lengths."""
     prior, contacts = found.problem.prior.coordinates[:, None], found.linear.contacts
     nothing = np.zeros((0 if contacts is None else len(contacts.residuals_mm), 1))
     return FaultHypothesis(nothing, -prior, tuple(np.array([sd]) for sd in SHARE_SDS))
@@ -153,7 +153,8 @@ def _scale_hypothesis(found: AdjustmentResult) -> FaultHypothesis:
 def _contact_hypothesis(
     found: AdjustmentResult, by: Floats, sds: tuple[Floats, ...]
 ) -> FaultHypothesis:
-    """Of a fault that changes what the contacts (N) are off by ``by`` (N, K)."""
+    """The hypothesis of a fault that changes the residuals of the contact points (N) by ``by`` (N,
+    K)."""
     touches, prior = found.problem.contacts, found.problem.prior
     assert touches is not None
     return FaultHypothesis(
@@ -172,7 +173,7 @@ def _diameter_finding(
     if 2 * abs(outward_mm) < DIAMETER_MM:
         return None
     remedy = message("check-which-tip-mounted-diameter-object")
-    if len(set(touches.features)) == 1:  # by one plane the three are not distinguished
+    if len(set(touches.features)) == 1:  # one plane alone does not distinguish the three
         remedy = message("check-which-tip-mounted-diameter-length")
     given = 2 * touches.radius_mm
     fitted_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(estimate.covariance[0, 0]))

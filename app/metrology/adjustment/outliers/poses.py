@@ -1,4 +1,5 @@
-"""Poses off by less than a blunder and by more than the arm's noise: seen after the adjustment."""
+"""Poses that are off by less than a blunder and by more than the arm's noise; found after
+adjusting."""
 
 from dataclasses import replace
 
@@ -8,24 +9,24 @@ from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_a
 from app.metrology.adjustment.core.hand_eye import Mounting, pose_offsets_mm
 from app.metrology.transforms import Floats
 
-# An outlier is so many times as far off as the others usually are.
+# An outlier is off by this multiple of the usual deviation of the others.
 OUTLIER_TIMES = 5.0
-# A pose's noise is so many times that of the encoders' datasheet, too.
+# It is also off by this multiple of the encoder noise in the datasheet.
 OUTLIER_AT_LEAST = 4.0
 FEWEST_POSES = 4
-# One outlier of few draws the others along, so that none stands out: it shows by so many times
-# less noise in all without it.
+# With few poses, one outlier pulls the others along, so that none stands out: it then shows by a
+# reduction of the noise of all others by this factor without it.
 LESS_NOISE_TIMES = 5.0
-# Of a pose's readings, the share that its own picture must determine for it to be judged.
+# Share of a pose's readings that its own picture must determine before the pose is judged.
 LEAST_DETERMINED = 0.05
 
 
 def remove_outlier_poses(
     found: AdjustmentResult, mounting: Mounting, reach_mm: float
 ) -> tuple[AdjustmentResult, Mounting]:
-    """Adjusted without the outlier poses, worst first; they are marked in ``mounting``.
+    """Adjusts without the outlier poses, worst first; they are marked in ``mounting``.
 
-    Fewer than half of all poses are set aside.
+    Fewer than half of all poses are excluded.
     """
     total = len(mounting.contradicts)
     while 2 * (mounting.contradicts.sum() + 1) < total:
@@ -44,7 +45,7 @@ def remove_outlier_poses(
 
 
 def _remove_outlier(found: AdjustmentResult) -> tuple[int, AdjustmentResult] | None:
-    """The place of the outlier pose, and the adjustment without it; None where none is."""
+    """The index of the outlier pose, and the adjustment without it; None if there is none."""
     outlier = find_outlier_pose(found)
     if outlier is not None:
         return outlier, _refit_without(found, outlier)
@@ -65,11 +66,11 @@ def _refit_without(found: AdjustmentResult, pose: int) -> AdjustmentResult:
 
 
 def find_outlier_pose(found: AdjustmentResult) -> int | None:
-    """The pose whose readings are furthest off, where no noise explains that, or None.
+    """The pose whose readings are furthest off, if no noise explains that, or None.
 
-    A pose's noise is the rms of its readings' errors against their standard deviation,
-    counted by how many of them the data determined; the others' is their median, which
-    one outlier does not move.
+    The noise of a pose is the rms of its readings' errors relative to their standard deviation,
+    normalised by the number of readings that the data determined; that of the others is their
+    median, which one outlier does not affect.
     """
     noise = pose_noise(found)
     if len(noise) < FEWEST_POSES:
@@ -78,8 +79,8 @@ def find_outlier_pose(found: AdjustmentResult) -> int | None:
 
 
 def find_worst_outlier(off: Floats, at_least: float) -> int | None:
-    """The place of the largest of values (N,), not all NaN, where it is beyond what the others'
-    median and ``at_least`` explain; None where it is not."""
+    """The index of the largest of values (N,), not all NaN, if it exceeds what the others' median
+    and ``at_least`` explain; otherwise None."""
     worst = int(np.nanargmax(off))
     usual = float(np.nanmedian(np.delete(off, worst)))
     return worst if off[worst] > max(OUTLIER_TIMES * usual, at_least) else None

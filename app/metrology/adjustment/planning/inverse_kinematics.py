@@ -1,11 +1,11 @@
-"""Joint angles that bring the flange to a pose: whether the arm can take a pose at all."""
+"""Joint angles that bring the flange to a pose: whether the arm can reach a pose."""
 
 import numpy as np
 
 from app.metrology.arm.kinematics import Arm, flange_pose, geometric_jacobian
 from app.metrology.transforms import Floats, vector_from_rotation
 
-# One radian of orientation weighs as much as this length.
+# Weight of one radian of orientation, as a length.
 LEVER_MM = 200.0
 REACHED_MM = 0.05
 MOST_STEPS = 60
@@ -23,7 +23,7 @@ def solve_inverse_kinematics(arm: Arm, T_arm_flange: Floats, q_rad: Floats) -> F
         q_rad: (n,) encoder angles to start from.
 
     Returns:
-        (n,) rad; None where the pose is out of reach.
+        (n,) rad; None if the pose is out of reach.
     """
     low, high = np.array([joint.limits_rad for joint in arm.joints]).T
     q = np.clip(np.asarray(q_rad, dtype=np.float64), low, high)

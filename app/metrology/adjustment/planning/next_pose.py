@@ -1,7 +1,7 @@
-"""Which pose to take next: the one after which a scanned point would be known best.
+"""The pose to take next: the one that reduces the uncertainty of a scanned point most.
 
-Every candidate's picture is predicted (``predicted_view``), and its part added to the normal
-matrix of the adjustment so far: the uncertainty that it would leave needs no picture.
+The picture of every candidate is predicted (``predicted_view``), and its part added to the normal
+matrix of the adjustment so far: predicting the remaining uncertainty needs no picture.
 """
 
 from collections.abc import Callable, Sequence
@@ -37,15 +37,15 @@ from app.metrology.transforms import (
     vector_from_rotation,
 )
 
-# Tilts, turns about the view and heights that an operator holds with ease.
+# Tilts, rotations about the view and heights that an operator can hold easily.
 TILTS_DEG = (-20.0, 0.0, 20.0)
 TURNS_DEG = (-30.0, 0.0, 30.0)
 HEIGHTS_MM = (-8.0, 0.0, 8.0)
-# Share of a block in the picture, and points of the stripe on each level, at least.
+# Minimum share of a block in the picture, and minimum number of stripe points on each level.
 FRAMED, STRIPE_POINTS = 0.85, 40
-# Points put into one where a picture is predicted.
+# Number of points merged into one when a picture is predicted.
 BIN_SIZE = 4
-# Changes smaller than these are not worth a word.
+# Smaller changes are not mentioned.
 WORD_DEG, WORD_MM = 4.0, 3.0
 
 
@@ -54,7 +54,7 @@ RowsOf = Callable[[Camera, LaserPlane, Floats], tuple[Rows, Rows]]
 
 @dataclass(frozen=True)
 class PoseDelta:
-    """Where the sensor is held against another hold, as an operator would say it.
+    """How the sensor is held relative to another hold, in terms for an operator.
 
     ``tilt_right_deg``: the camera swings to the right about the object; ``tilt_back_deg``:
     to its back; ``turn_deg``: counter-clockwise as seen from above; ``higher_mm``: further
@@ -68,12 +68,12 @@ class PoseDelta:
 
     @property
     def largest_deg(self) -> float:
-        """The largest of the three turns."""
+        """The largest of the three rotations."""
         return max(abs(self.tilt_right_deg), abs(self.tilt_back_deg), abs(self.turn_deg))
 
     @property
     def words(self) -> Text:
-        """``tilt left 20°, 8 mm higher``; ``hold as it is`` where nothing changes."""
+        """``tilt left 20°, 8 mm higher``; ``hold as it is`` if nothing changes."""
         right, back, turn = (
             quantity(abs(angle), "°")
             for angle in (self.tilt_right_deg, self.tilt_back_deg, self.turn_deg)
@@ -112,10 +112,10 @@ class PoseDelta:
 
 @dataclass(frozen=True)
 class PoseAdvice:
-    """A pose worth taking: where, what it would bring, and how the object would look."""
+    """A suggested pose: its position, its benefit, and the view of the object from it."""
 
     T_obj_cam: Floats  # (4, 4)
-    q_rad: Floats  # (n,) joint angles that reach it
+    q_rad: Floats  # (n,) joint angles that reach this pose
     total_um: float  # of a point, k = 1, after this pose
     outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
@@ -135,8 +135,8 @@ def next_poses(
 
     Args:
         found: the adjustment of the P poses so far.
-        arm: whose joint limits the candidates keep.
-        item: the target that is calibrated on.
+        arm: the candidates keep its joint limits.
+        item: the target.
         q_rad: (P, n) encoder angles of the poses so far.
         seeing: noise of the predicted images; None: the usual one.
 
@@ -154,7 +154,7 @@ def next_poses(
         rows_of = _predict_rows(found, item, T_obj_cam, seeing)
         if q is None or rows_of is None:
             continue
-        # one pose more shows little of how large the links' errors are
+        # one more pose says little about the size of the link errors
         covariance = _covariance_after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
@@ -165,7 +165,7 @@ def next_poses(
 def _predict_rows(
     found: AdjustmentResult, item: CalibrationTarget, T_obj_cam: Floats, seeing: ObservationNoise
 ) -> RowsOf | None:
-    """How the picture from a hold would be measured; None where it would be of no use."""
+    """Noise of the picture from a hold; None if the picture would be unusable."""
     camera, plane = place_sensor(found, T_obj_cam)
     if isinstance(item, Crenellated):
         if visible_share(camera, item) < FRAMED:
@@ -200,9 +200,9 @@ def pose_delta(T_obj_cam: Floats, T_obj_cam_before: Floats, item: CalibrationTar
 
 
 def _sides(item: CalibrationTarget, T_obj_cam: Floats) -> Floats:
-    """(3, 3): what is right, back and up for the operator, as columns in the object's frame.
+    """(3, 3) the operator's right, back and up, as columns in the object frame.
 
-    A block has a front; a board lies in any way, and what is right in the picture is right.
+    A block has a front; a board may lie in any orientation, so right is right in the picture.
     """
     if isinstance(item, Crenellated):
         return np.eye(3)
@@ -212,12 +212,12 @@ def _sides(item: CalibrationTarget, T_obj_cam: Floats) -> Floats:
 
 
 def place_sensor(found: AdjustmentResult, T_obj_cam: Floats) -> tuple[Camera, LaserPlane]:
-    """Camera and plane in the object's frame for the camera held at a place."""
+    """Camera and plane in the object frame for the camera in a given pose."""
     return in_frame(found.state.camera, found.state.plane, T_obj_cam)
 
 
 def _candidates(T_obj_cam: Floats, item: CalibrationTarget) -> Sequence[Floats]:
-    """Holds swung about the object's middle from a first one."""
+    """Holds rotated about the middle of the object, relative to a first one."""
     middle, sides = target_centre(item), _sides(item, T_obj_cam)
     away = T_obj_cam[:3, 3] - middle
     away /= np.linalg.norm(away)
@@ -234,7 +234,7 @@ def _candidates(T_obj_cam: Floats, item: CalibrationTarget) -> Sequence[Floats]:
 
 
 def _joints(found: AdjustmentResult, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
-    """Joint angles for a hold, starting from the pose whose flange is nearest."""
+    """Joint angles for a hold, starting from the pose with the nearest flange."""
     T_arm_flange = found.state.T_arm_obj @ T_obj_cam @ inverse(found.state.T_flange_cam)
     near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
     return solve_inverse_kinematics(arm, T_arm_flange, q_rad[int(np.argmin(near))])

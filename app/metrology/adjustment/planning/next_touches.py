@@ -1,4 +1,5 @@
-"""How many more touches, and on which face, bring the object's place to what is wanted."""
+"""The number of further contact points, and their faces, that bring the object's position to the
+target uncertainty."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,16 +12,17 @@ from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face,
 from app.metrology.transforms import Floats
 
 MOST_MORE = 30
-# Touches keep so far from the edges of their face.
+# Contact points keep this distance from the edges of their face.
 MARGIN_MM = 2.0
 
 
 @dataclass(frozen=True)
 class TouchAdvice:
-    """``more`` touches by face bring the object's place from ``now_um`` to ``then_um``, k = 1.
+    """``more`` contact points by face bring the object's position from ``now_um`` to ``then_um``, k
+    = 1.
 
-    The face that helps most comes first. ``reaches``: whether that is within the
-    target; ``more`` is empty where the target is met already.
+    The face that helps most comes first. ``reaches`` says whether the target is then met; ``more``
+    is empty if it is met already.
     """
 
     more: tuple[tuple[str, int], ...]
@@ -30,7 +32,7 @@ class TouchAdvice:
 
     @property
     def words(self) -> Text:
-        """``6 more on the left face, 2 on the crest``; empty where nothing is needed."""
+        """``6 more on the left face, 2 on the crest``; empty if none are needed."""
         if not self.more:
             return ""
         (face, count), *others = self.more
@@ -43,7 +45,7 @@ class TouchAdvice:
 def placement_uncertainty_um(
     alignment: Alignment, features: Sequence[str], block: Crenellated
 ) -> float:
-    """Standard uncertainty of a point of the block in the arm frame by its contact points.
+    """Standard uncertainty of a point of the block in the arm frame, from its contact points.
 
     Args:
         alignment: the result of ``align``.
@@ -58,15 +60,15 @@ def placement_uncertainty_um(
 def next_touches(
     alignment: Alignment, features: Sequence[str], block: Crenellated, target_um: float
 ) -> TouchAdvice:
-    """How many more contact points on which faces would reach a target uncertainty.
+    """The number of further contact points, by face, that would reach a target uncertainty.
 
-    Contact points are added one at a time where they help most, spread over their faces, until
-    the target is met or ``MOST_MORE`` are asked for.
+    Contact points are added one at a time on the face where they help most, spread over the face,
+    until the target is met or ``MOST_MORE`` are suggested.
 
     Args:
         alignment: the result of ``align`` for the contact points so far.
         features: the face of each of the N contact points.
-        target_um: of ``placement_uncertainty_um``.
+        target_um: target for ``placement_uncertainty_um``.
 
     Returns:
         Number of contact points by face, and the uncertainty before and after.
@@ -95,7 +97,7 @@ def _face_rows(face: str, block: Crenellated) -> Floats:
 
 
 def face_sample_points(face: str, block: Crenellated) -> Floats:
-    """Places (8, 3) to touch a face, far apart first, object frame."""
+    """Positions (8, 3) for probing a face, far apart first, object frame."""
     x = (block.edges_x_mm[0] + MARGIN_MM, block.edges_x_mm[-1] - MARGIN_MM)
     y = (block.front_y_mm + MARGIN_MM, block.back_y_mm - MARGIN_MM)
     z = (block.base_z_mm + MARGIN_MM, block.floor_z_mm - MARGIN_MM)
@@ -117,18 +119,19 @@ def face_sample_points(face: str, block: Crenellated) -> Floats:
 
 
 def _level_mm(face: str, block: Crenellated) -> float:
-    """Where a face lies on the axis across it."""
+    """Position of a face on the axis across it."""
     normal, offset_mm = probing_face(block, face)
     return float(offset_mm * normal.sum())
 
 
 def _rows(points_mm: Floats, normals: Floats) -> Floats:
-    """(N, 6): how a contact's distance follows a twist of the object, object frame."""
+    """(N, 6) derivatives of the contact distances by a twist of the object, object frame."""
     return np.column_stack([np.cross(points_mm, normals), normals])
 
 
 def _information(alignment: Alignment, features: Sequence[str], block: Crenellated) -> Floats:
-    """(6, 6) of the contacts that were kept, by a twist of the object in its own frame."""
+    """(6, 6) information of the contact points that were kept, for a twist of the object in its own
+    frame."""
     kept = np.flatnonzero(~alignment.outliers)
     normals = np.array([probing_face(block, features[int(i)])[0] for i in kept])
     rows = _rows(alignment.points_obj_mm[kept], normals) / alignment.sigma_mm
@@ -136,7 +139,7 @@ def _information(alignment: Alignment, features: Sequence[str], block: Crenellat
 
 
 def _point_uncertainty_um(information: Floats, block: Crenellated) -> float:
-    """What it makes of a point, in micrometres: rms over the block's corners."""
+    """The uncertainty of a point in micrometres: rms over the corners of the block."""
     covariance = np.linalg.inv(information)
     corners = np.array(
         [

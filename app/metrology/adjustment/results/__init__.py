@@ -1,1 +1,1 @@
-"""What is reported of each pose and its stripe."""
+"""Results for each pose and its stripe."""

@@ -1,4 +1,4 @@
-"""What became of each pose in the adjustment: how well it fits, or why it was left out."""
+"""The result of each pose in the adjustment: how well it fits, or why it was excluded."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,24 +24,24 @@ from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, inverse
 
-# A pose that contradicts the others fits another's readings if it then lies so near: this
-# many times what is usual among all poses, and this.
+# A pose that contradicts the others fits the readings of another pose if it is closer to it than
+# this multiple of the usual distance, and than this.
 FITS_TIMES, FITS_MM = 5.0, 1.0
 MOST_STRIPE_POINTS = 60
 Readings = Literal["angles", "pose"]
-"""What an arm gives with a picture: its joint angles, or a robot its flange's pose."""
+"""The arm's readings for a picture: joint angles, or the flange pose of a robot."""
 NO_LINE = message("picture-shows-no-laser-line-object")
-"""Of a pose that was used without its laser line."""
+"""Reason for a pose that was used without its laser line."""
 
 
 @dataclass(frozen=True)
 class PoseResult:
-    """One pose: residuals where it was used, ``reason`` where it, or its laser line, was left out.
+    """One pose: residuals if it was used, ``reason`` if it or its laser line was excluded.
 
-    ``pose_offset_um`` is how far the arm's noise had to move the object for this pose to agree;
-    ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` where each was
-    measured; ``stripe_off_px`` are points of the stripe (u, v), evenly taken, and how far each
-    lies off the adjusted line.
+    ``pose_offset_um`` is the distance by which the arm's noise had to move the object for this pose
+    to agree; ``corners_px`` are measured minus projected, by name, and ``corners_at_px`` the
+    measured positions; ``stripe_off_px`` are evenly spaced points of the stripe (u, v), with their
+    distance from the adjusted line.
     """
 
     number: int
@@ -60,7 +60,7 @@ class PoseResult:
 def pose_results(
     found: AdjustmentResult, seen: Sequence[BlockObservation], block: Crenellated
 ) -> list[PoseResult]:
-    """Of the poses that were used."""
+    """Results of the poses that were used."""
     by_number = {pose.number: pose for pose in seen}
     block = with_coordinates(block, found.state.coordinates)
     results = []
@@ -86,7 +86,7 @@ def pose_results(
 
 
 def stripe_residuals(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, float, float], ...]:
-    """Some of a stripe's points that counted, from one end to the other, and their residuals."""
+    """Evenly spaced points of a stripe that counted, from end to end, and their residuals."""
     own = np.flatnonzero(kept)
     own = own[:: max(1, -(-len(own) // MOST_STRIPE_POINTS))]
     return tuple(
@@ -98,14 +98,15 @@ def stripe_residuals(rows: Rows, kept: NDArray[np.bool_]) -> tuple[tuple[float, 
 def outlier_pose_results(
     numbers: Sequence[int], mounting: Mounting, readings: Readings = "angles"
 ) -> list[PoseResult]:
-    """Of the poses that contradict the others, each with the pose whose readings would fit it."""
+    """Results of the poses that contradict the others, each with the pose whose readings would fit
+    it."""
     T_arm_flange = mounting.T_arm_flange
     usual_mm = float(np.median(mounting.off_mm))
     results = []
     for p in map(int, np.flatnonzero(mounting.contradicts)):
         off = _length(mounting.off_mm[p])
         reason = message("puts-object-where-others-put", off=off)
-        # the flange at which this pose's picture would agree with the others
+        # the flange pose at which this picture would agree with the others
         wanted = T_arm_flange[p] @ _correction(mounting, p)
         apart = np.linalg.norm(T_arm_flange[:, :3, 3] - wanted[:3, 3], axis=1)
         other = int(np.argmin(apart))
@@ -118,7 +119,7 @@ def outlier_pose_results(
 
 
 def line_exclusion_reason(off_mm: float) -> Text:
-    """Of a pose that was used without its laser line."""
+    """Result of a pose that was used without its laser line."""
     return message("laser-line-left-out-off-plane", off=_length(off_mm))
 
 
@@ -132,7 +133,7 @@ def block_worst_points(
     features: Sequence[str],
     poses: Sequence[PoseResult],
 ) -> tuple[WorstResidual, ...]:
-    """The few worst contacts, corners and stripe points over all poses."""
+    """The worst contact points, corners and stripe points over all poses."""
     contacts = 1e3 * np.abs(alignment.residuals_mm)
     worst = [
         contact_residual(int(i), features[i], float(contacts[i]))
@@ -143,7 +144,7 @@ def block_worst_points(
 
 
 def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> list[WorstResidual]:
-    """The few worst corners and stripe points over all poses."""
+    """The worst corners and stripe points over all poses."""
     at_corners = [
         (float(np.hypot(u, v)), pose.number, name)
         for pose in poses
@@ -185,12 +186,12 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
 
 
 def rms(values: Floats) -> float:
-    """Of (N,) values; 0 where there are none."""
+    """Rms of (N,) values; 0 if there are none."""
     return float(np.sqrt(np.mean(values**2))) if len(values) else 0.0
 
 
 def pose_offset_um(found: AdjustmentResult, pose: int) -> float:
-    """How far the noise of a pose's readings moves the object."""
+    """The displacement of the object by the noise of a pose's readings."""
     moves, state = found.problem.motion, found.state
     twist = moves.by_noise[pose] @ state.noise[pose]
     at = state.T_arm_obj[:3, 3]
@@ -213,7 +214,7 @@ def _corner_residuals(
 
 
 def _correction(mounting: Mounting, pose: int) -> Floats:
-    """(4, 4) by which the flange, in its own frame, would have to move for a pose to agree."""
+    """(4, 4) motion of the flange, in its own frame, that would make a pose agree."""
     X, T_cam_obj, T_arm_flange = (
         mounting.T_flange_cam,
         mounting.T_cam_obj[pose],

@@ -1,4 +1,4 @@
-"""The laser's stripes after the adjustment: how they lie to its plane, and how far away."""
+"""The laser stripes after the adjustment: their distances from the laser plane and the camera."""
 
 from dataclasses import replace
 
@@ -12,12 +12,12 @@ from app.metrology.sensor.projection import COUNT
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats
 
-# Where the laser plane's offset stands among a scene's parameters.
+# Index of the laser plane's offset among the parameters of a scene.
 OFFSET = COUNT + 2
 
 
 def reclassify_stripes(found: AdjustmentResult) -> AdjustmentProblem:
-    """The problem with all stripes judged against what was found."""
+    """The problem with all stripes judged by the result."""
     problem, state = found.problem, found.state
     views = []
     for p, view in enumerate(problem.views):
@@ -27,16 +27,17 @@ def reclassify_stripes(found: AdjustmentResult) -> AdjustmentProblem:
 
 
 def off_plane_mm(rows: Rows) -> Floats:
-    """How far each point (N,) of a stripe lies off the laser plane, NaN where that is unknown.
+    """Distance of each point (N,) of a stripe from the laser plane; NaN if it is unknown.
 
-    A pixel across the stripe is a length on the level, and so much of it off the plane.
+    A pixel across the stripe corresponds to a length on the level, and that to a distance from the
+    plane.
     """
     by_offset = rows.jacobian[:, OFFSET]
     return np.asarray(rows.residuals / np.where(by_offset == 0, np.nan, by_offset))
 
 
 def stripe_rms_mm(found: AdjustmentResult) -> float:
-    """Rms distance from the laser plane of the stripe's points on their levels."""
+    """Rms distance of the stripe points on their levels from the laser plane."""
     off = np.concatenate(
         [
             off_plane_mm(rows)[judgement.inliers]
@@ -48,7 +49,7 @@ def stripe_rms_mm(found: AdjustmentResult) -> float:
 
 
 def depth_range_mm(found: AdjustmentResult) -> tuple[float, float]:
-    """How near and how far from the camera the points of all stripes lie."""
+    """The nearest and the furthest distance of the points of all stripes from the camera."""
     stripe = np.concatenate([view.stripe_px() for view in found.problem.views])
     points = sensor_points(found.state.camera, found.state.plane, stripe)
     distance = np.linalg.norm(points[np.isfinite(points).all(axis=1)], axis=1)

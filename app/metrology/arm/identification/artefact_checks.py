@@ -1,4 +1,4 @@
-"""Whether spheres, bars and the tip have the sizes that are given for them."""
+"""Checks of the stated sizes of spheres, bars and the tip."""
 
 from dataclasses import replace
 
@@ -19,19 +19,21 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
 LEAST_TO_SIZE, SPHERE_STEPS, OUTLIER_SDS = 8, 20, 5.0
-"""Points that determine a sphere's size by themselves; so many sd off, they are outliers."""
+"""Number of points that determine a sphere's size; points off by more than this number of sd are
+outliers."""
 FREE_MM = 1e3
-"""Uncertainty of a bar's length that says nothing of it."""
+"""Uncertainty of a bar's length that makes the length free."""
 CONTRADICTION = 2.0
 UNLIKELY = 5e-4
-"""Share of its length by which an arm hardly sees a bar wrong."""
+"""Share of its length by which the arm's measurement of a bar is hardly ever wrong."""
 EXCESS_SIGMAS, EXCESS_MM, WRONG_TIP_MM = 5.0, 0.005, 0.025
 
 
 def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
-    """Warns of a sphere that is seen in another size than the others; refuses one far off.
+    """Warns of a sphere whose measured size differs from the others; refuses one far off.
 
-    Each by its own points and the arm fitted, whatever the fit left out.
+    Each sphere is measured by its own points and the fitted arm, regardless of what the fit
+    excluded.
     """
     excesses = _sphere_excesses(data, fit)
     if len(excesses) < 2:
@@ -41,7 +43,7 @@ def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
     rest = weights.sum() - weights
     off = excess - (np.sum(weights * excess) - weights * excess) / rest
     off_sd = np.sqrt(sd**2 + 1 / rest)
-    # among several the one whose difference is plainest; of two neither can be named
+    # of several, the one with the most significant difference; of two, neither can be named
     worst = int(np.argmax(np.abs(off) / off_sd))
     if abs(off[worst]) <= max(EXCESS_SIGMAS * off_sd[worst], EXCESS_MM):
         return []
@@ -66,7 +68,7 @@ def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
 def _sphere_excesses(
     data: StackedObservations, fit: ArmFit
 ) -> list[tuple[ProbedPlace, float, float]]:
-    """Of each sphere with points enough: its radius' excess and standard deviation, mm."""
+    """For each sphere with enough points: radius excess and its standard deviation, mm."""
     tips = tip_jacobian(fit.at.arm, data.q_rad)[0]
     found: list[tuple[ProbedPlace, float, float]] = []
     for number, place in enumerate(data.places):
@@ -82,7 +84,7 @@ def _sphere_excesses(
 def _fit_sphere_radius(
     points: Floats, centre: Floats, radius_mm: float
 ) -> tuple[float, float] | None:
-    """Radius and its standard deviation of the points (m, 3), without outliers."""
+    """Radius of the points (m, 3), without outliers, and its standard deviation."""
     at = np.append(centre, radius_mm)
     kept = np.ones(len(points), bool)
     sd, J = 0.0, np.ones((len(points), 4))
@@ -105,9 +107,9 @@ def _fit_sphere_radius(
 
 
 def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
-    """Warns of bars that the given arm sees otherwise; refuses lengths that contradict the rest.
+    """Warns of bars whose measured length differs; refuses lengths that contradict the other data.
 
-    The rest is a fit in which every bar's length is free.
+    The comparison is a fit in which the length of every bar is free.
     """
     if not observations.bars:
         return []
@@ -117,7 +119,7 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
     )
     try:
         loose = fit_arm(arm, free.stacked, candidates(arm, with_lengths=False))
-    except OperationError:  # too little is left without the lengths to contradict them
+    except OperationError:  # without the lengths, too little data is left to contradict them
         return []
     lengths = {bar.name: bar.length_mm for bar in observations.bars}
     errors = dict(zip(free.stacked.bar_names, loose.at.bar_errors_mm.tolist(), strict=True))
@@ -156,16 +158,16 @@ def check_bars(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Tex
 
 
 def _spheres_contradict_bars(loose: ArmFit, fit: ArmFit) -> bool:
-    """Whether spheres fit their diameters as long as no bar's length determines the arm's size."""
+    """Whether spheres fit their diameters if no bar length determines the arm's scale."""
     excess, sd = fit.at.radius_excess_mm, float(np.sqrt(fit.others_covariance[0, 0]))
     plain = abs(excess) > max(EXCESS_SIGMAS * sd, EXCESS_MM)
     return plain and abs(loose.at.radius_excess_mm) < 0.5 * abs(excess)
 
 
 def check_tip_diameter(arm: Arm, data: StackedObservations, fit: ArmFit) -> None:
-    """Refuses a tip or spheres of evidently another diameter than stated.
+    """Refuses a tip or spheres whose diameter clearly differs from the stated one.
 
-    An arm made larger by a wrong bar sees them larger, too.
+    An arm that is scaled up by a wrong bar also measures them larger.
     """
     if not data.on_sphere.any():
         return
@@ -189,7 +191,7 @@ def check_tip_diameter(arm: Arm, data: StackedObservations, fit: ArmFit) -> None
 
 
 def size_warnings(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
-    """What of the sizes is not known, or looks a little wrong."""
+    """Sizes that are unknown or look slightly wrong."""
     warnings: list[Text] = []
     if not observations.bars:
         size_um = 1e3 * size_uncertainty_mm(arm)

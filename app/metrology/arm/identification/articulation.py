@@ -1,4 +1,4 @@
-"""The daily check: the tip held in a seat while the arm swings (single-point articulation).
+"""The daily arm check: the tip is held in a seat while the arm swings (single-point articulation).
 
 (max - min)/2 and 2 sigma of the tip's coordinates per axis, as in B89.4.22.
 """
@@ -24,7 +24,7 @@ THE_SEAT = message("seat-3")
 
 @dataclass(frozen=True)
 class ArticulationLimits:
-    """The largest values that the operator accepts, each axis; None where not limited."""
+    """The largest values that the operator accepts for each axis; None: no limit."""
 
     half_range_um: float | None = None
     two_sigma_um: float | None = None
@@ -32,19 +32,19 @@ class ArticulationLimits:
 
 @dataclass(frozen=True)
 class Articulation:
-    """What one seat shows."""
+    """The result of one seat."""
 
     points: int
     centre_mm: Floats
-    """(3,) mean of the tip's centres, arm frame."""
+    """(3,) mean of the tip centres, arm frame."""
     half_range_um: Floats
     """(3,) (max - min)/2 along x, y, z of the arm frame."""
     two_sigma_um: Floats
     """(3,) twice the standard deviation along x, y, z."""
     encoders_two_sigma_um: Floats
-    """(3,) what the encoders' noise alone would give."""
+    """(3,) the value that the encoders' noise alone would cause."""
     swing_rad: Floats
-    """(n,) how far each joint turned."""
+    """(n,) range of each joint angle."""
     verdict: ArticulationVerdict
 
 
@@ -54,12 +54,12 @@ def check_articulation(
     limits: ArticulationLimits | None = None,
     label: Text = THE_SEAT,
 ) -> Articulation:
-    """Single-point articulation: how far the tip seems to move while a seat holds it.
+    """Single-point articulation: the apparent motion of the tip while a seat holds it.
 
     Args:
         arm: the arm by its datasheet.
         q_rad: (m, n) encoder angles with the tip in the seat, the arm swung about it.
-        limits: what each axis may reach, in µm; None: no verdict.
+        limits: the limits of each axis, in µm; None: no verdict.
         label: the name of the seat, for messages.
 
     Returns:
@@ -128,7 +128,7 @@ def tip_spread_um(tips_mm: Floats) -> tuple[Floats, Floats]:
 def articulation_verdict(
     half_range: Floats, two_sigma: Floats, limits: ArticulationLimits
 ) -> ArticulationVerdict:
-    """Whether every axis keeps the limits that are set."""
+    """Whether every axis is within the limits that are set."""
     found = [
         bool(np.all(values <= limit))
         for values, limit in (

@@ -1,4 +1,5 @@
-"""Is the identified arm better where it was not fitted: points held out, before and after."""
+"""Tests whether the identified arm is better on data outside the fit: held-out points, before and
+after."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,38 +32,40 @@ FOLDS = 5
 
 @dataclass(frozen=True)
 class Deviations:
-    """How far touched places disagree with an arm; None where nothing was touched so."""
+    """How far measured places disagree with an arm; None for kinds of places that were not
+    measured."""
 
     seats_um: float | None
-    """Rms distance of the tips from their seat's centre, ends of bars among them."""
+    """Rms distance of the tips from the centre of their seat, including ends of bars."""
     spheres_um: float | None
     """Rms distance of the tips from their sphere."""
     lengths_um: float | None
-    """Rms error of the bars' lengths."""
+    """Rms error of the bar lengths."""
     normalised: float
-    """Rms of all against their standard deviations: 1 where the noise explains everything."""
+    """Rms of all deviations relative to their standard deviations: 1 if the noise explains
+    everything."""
 
 
 @dataclass(frozen=True)
 class Validation:
-    """Deviations on places that the fit did not see."""
+    """Deviations at places outside the fit."""
 
     before: Deviations
     after: Deviations
     places: int
-    """Seats, spheres and bar positions that were held out, in turn or as a set of their own."""
+    """Seats, spheres and bar positions that were held out, in folds or as a separate set."""
     separate: bool
-    """True where the places are of a separate set, False where each fold was held out in turn."""
+    """True if the places are a separate set, False if each fold was held out in turn."""
 
     @property
     def ratio(self) -> float:
-        """By how much the deviations, in standard deviations, fell."""
+        """The factor by which the deviations, in standard deviations, were reduced."""
         return self.before.normalised / max(self.after.normalised, 1e-12)
 
 
 @dataclass(frozen=True)
 class _DeviationSquares:
-    """Squares of deviations, to be pooled over folds."""
+    """Sums of squared deviations, to be pooled over folds."""
 
     seats: Floats
     spheres: Floats
@@ -71,10 +74,10 @@ class _DeviationSquares:
 
 
 def cross_validate(arm: Arm, observations: ArmObservations, scatter_mm: float) -> Validation:
-    """Every k-th place held out in turn, the whole fit repeated on the rest.
+    """Holds out every k-th place in turn and repeats the fit on the remaining places.
 
     Raises:
-        OperationError: a fold's rest is too little to identify the arm by.
+        OperationError: the remaining places of a fold are too few to identify the arm.
     """
     count = observations.groups_count
     folds = min(FOLDS, count)
@@ -134,7 +137,7 @@ def without_points(observations: ArmObservations, kept: NDArray[np.bool_]) -> Ar
 def fit_centres(
     arm: Arm, data: StackedObservations, radius_excess_mm: float, scatter_mm: float
 ) -> Unknowns:
-    """Where an arm sees the places, by their own points alone."""
+    """The places as an arm measures them, by their own points alone."""
     at = initial_unknowns(arm, data)
     at = Unknowns(arm, at.centres_mm, radius_excess_mm, at.bar_errors_mm)
     return settle_centres(data, at, np.ones(len(data.q_rad)), scatter_mm)
@@ -146,7 +149,7 @@ def _deviation_squares(
     at = fit_centres(arm, data, radius_excess_mm, scatter_mm)
     sight = predict_tips(data, at)
     counts = np.bincount(data.place_of)[data.place_of]
-    # a place's own centre takes up three of its coordinates
+    # the centre of a place uses up three of its coordinates
     spare = np.where(data.on_sphere, 1 - 3.0 / counts, 1 - 1.0 / counts)
     has_spare = spare > 1e-9
     found = residuals(data, at, scatter_mm)
@@ -164,7 +167,7 @@ def _deviation_squares(
 
 
 def _length_sds(data: StackedObservations, covariances: Floats, scatter_mm: float) -> Floats:
-    """(G,) standard deviation of each bar position's measured length."""
+    """(G,) standard deviation of the measured length of each bar position."""
     by_point = np.trace(covariances, axis1=1, axis2=2) / 3 + scatter_mm**2
     sds: list[float] = []
     for group in data.groups:

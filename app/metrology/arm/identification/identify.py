@@ -1,4 +1,4 @@
-"""Identifies an arm: its geometry fitted to touched places, checked where it was not fitted."""
+"""Identifies an arm: fits its geometry to measured places and checks the fit on held-out places."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -40,12 +40,12 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
 CORRELATED = 0.95
-"""Parameters correlated beyond this are named."""
+"""Parameters with a larger correlation are reported."""
 BETTER = 1.05
-"""Held-out deviations must fall at least by this factor."""
+"""Held-out deviations must be reduced at least by this factor."""
 
 LARGE_DEVIATION = 1.4
-"""Held-out deviations, in standard deviations, beyond which more places would help."""
+"""Held-out deviations, in standard deviations, above which more places would help."""
 
 ProgressCallback = Callable[[float, Text], None]
 
@@ -74,7 +74,7 @@ class FixedParameter:
 
 @dataclass(frozen=True)
 class Outlier:
-    """A point that was left out: the ``number``-th taken at a place, from 1."""
+    """A point that was excluded: the ``number``-th at its place, counted from 1."""
 
     place: Text
     number: int
@@ -83,7 +83,8 @@ class Outlier:
 
 @dataclass(frozen=True)
 class PlaceFit:
-    """How well one place's points agree, rms in mm, by the arm as it was and as identified."""
+    """Agreement of the points of one place, rms in mm, with the given and with the identified
+    arm."""
 
     place: Text
     points: int
@@ -93,7 +94,7 @@ class PlaceFit:
 
 @dataclass(frozen=True)
 class Identification:
-    """The arm as identified, and what it rests on."""
+    """The identified arm, and the data it is based on."""
 
     arm: Arm
     changes: tuple[ParameterChange, ...]
@@ -103,26 +104,26 @@ class Identification:
     correlations: tuple[tuple[str, str, float], ...]
     """Pairs of ``moved`` beyond ±0.95, the strongest first."""
     scatter_mm: float
-    """Per coordinate, of the points beyond what the encoders' noise explains."""
+    """Scatter of the points per coordinate, beyond the encoders' noise."""
     radius_excess_mm: float
-    """By how much the spheres are seen larger than their radius and the tip's say."""
+    """How much larger the spheres are measured than the radii of sphere and tip state."""
     radius_excess_sd_mm: float | None
     """None without spheres."""
     outliers: tuple[Outlier, ...]
     places: tuple[PlaceFit, ...]
     validation: Validation
     volume_before_mm: float
-    """Rms difference of the tip over the arm's reach between the arm given and identified."""
+    """Rms difference of the tip over the arm's reach between the given and the identified arm."""
     volume_after_mm: float
-    """Rms standard uncertainty of the tip over the reach that the parameters moved leave.
+    """Rms standard uncertainty of the tip over the reach, due to the moved parameters.
 
-    Apart from the arm's size, where no ball bar determined it.
+    It does not include the arm's scale unless a ball bar determined it.
     """
     warnings: tuple[Text, ...]
 
     @property
     def size_known(self) -> bool:
-        """Whether a calibrated length determined the arm's size."""
+        """Whether a calibrated length determined the arm's scale."""
         return all(held.reason != "scale" for held in self.fixed)
 
 
@@ -138,10 +139,10 @@ def identify(
     places that the fit did not use.
 
     Args:
-        arm: as its datasheet has it; the start of the fit.
-        check: places that the fit must not see and that show whether it helps; where
-            not given, every k-th place is held out in turn.
-        progress: called with the share done and what is being done.
+        arm: the arm by its datasheet; the start of the fit.
+        check: places that are kept out of the fit to test it; None: every k-th place is held out
+            in\n            turn.
+        progress: called with the share done and the current step.
 
     Returns:
         The arm with covariance (mm and rad, k = 1), outliers, and errors before and after.

@@ -1,4 +1,4 @@
-"""What is wrong with the points: too few, too alike, another arm's, a place that moved."""
+"""Checks of the points: too few, too similar, of another arm, or a place that moved."""
 
 from collections.abc import Sequence
 
@@ -22,26 +22,26 @@ from app.metrology.transforms import Floats
 LEAST_TURN_RAD = np.deg2rad(1.0)
 LEAST_SEAT, LEAST_SPHERE, LEAST_PLACES = 6, 6, 4
 LEAST_SWING_RAD = np.deg2rad(15.0)
-"""The joint that turns most in a seat must turn at least so far."""
+"""Minimum range of the joint that turns most in a seat."""
 OUTLIER_SHARE = 0.25
-"""A place with more of its points left out is not to be trusted at all."""
+"""A place with a larger share of excluded points is not trusted."""
 MOVED_SIGMAS = 4.0
-"""First and later points of a seat lie so much further apart than single points scatter."""
+"""Distance of first and later points of a seat relative to the scatter of single points."""
 LEAST_HEAP = 4
 LARGEST_SCATTER_MM = 1.0
 DIFFERENT = 0.8
-"""Share of the points that must have angles of their own."""
+"""Minimum share of the points with distinct angles."""
 NO_SEAT_MM = 50.0
 ODD_MM = 5.0
-"""A tip that typically goes so far in a seat is no seated tip of this arm."""
+"""If the tip typically moves this far in a seat, it is not a seated tip of this arm."""
 MIXED_MM = 100.0
-"""No tip of a reasonable arm.json is off by so much."""
+"""The tip of a reasonable arm.json is not off by this much."""
 FAR_LIMITS = 20.0
-"""A parameter that moves by so many times what a workshop gets wrong is worth a look."""
+"""A parameter that moves by this multiple of the usual workshop error is reported."""
 
 
 def check_enough(arm: Arm, observations: ArmObservations) -> None:
-    """Refuses too few places or points, and places about which the arm hardly moved."""
+    """Refuses too few places or points, and places at which the arm hardly moved."""
     if observations.groups_count < LEAST_PLACES:
         raise OperationError(
             "too-few-places",
@@ -70,7 +70,7 @@ def _too_few(label: Text, points: int, least: int) -> OperationError:
 
 
 def check_swing(label: Text, arm: Arm, q_rad: Floats) -> None:
-    """Refuses a seat about which the arm hardly moved; angles (m, n)."""
+    """Refuses a seat at which the arm hardly moved; angles (m, n)."""
     swings = np.ptp(q_rad, axis=0)
     most = int(np.argmax(swings))
     if swings[most] < LEAST_SWING_RAD:
@@ -88,7 +88,8 @@ def check_swing(label: Text, arm: Arm, q_rad: Floats) -> None:
 
 
 def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
-    """Refuses an arm far from the given one, a joint that never moved, seats of two places."""
+    """Refuses an arm far from the given one, a joint that never moved, and seats with points of two
+    places."""
     data = observations.stacked
     still = np.ptp(data.q_rad, axis=0) < LEAST_TURN_RAD
     if still.any():
@@ -136,14 +137,15 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
 
 
 def _split_reason(far_mm: list[float]) -> Text:
-    """Why a seat's points lie apart; the arm is doubted where the tip goes far in others, too."""
+    """Why the points of a seat are apart; the arm is the cause if the tip moves far in other seats
+    too."""
     if not far_mm or float(np.median(far_mm)) < ODD_MM:
         return message("two-seats-or-seat-carried")
     return message("two-seats-or-seat-carried-or-arm", far=quantity(max(far_mm), "mm"))
 
 
 def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
-    """Refuses a length in another unit, or of quite another bar."""
+    """Refuses a length in another unit, or of a different bar."""
     for bar in bars:
         a, b = (np.median(tip_jacobian(arm, q)[0], axis=0) for q in bar.q_rad)
         measured_mm = float(np.linalg.norm(a - b))
@@ -163,12 +165,12 @@ def _check_bars_kind(arm: Arm, bars: Sequence[Bar]) -> None:
 
 
 def _typical_distance(points: Floats) -> float:
-    """How far half of the points are from their middle, mm."""
+    """Median distance of the points from their middle, mm."""
     return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
 
 
 def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
-    """Refuses a place whose points disagree; says so if it moved in between."""
+    """Refuses a place whose points disagree; reports if it moved in between."""
     vectors = residuals(data, fit.at, fit.scatter_mm).vectors_mm
     sd = _typical_sd(data, fit, vectors)
     for number, place in enumerate(data.places):
@@ -202,7 +204,7 @@ def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
 
 
 def check_disjoint(observations: ArmObservations, check: ArmObservations) -> None:
-    """Refuses to check a fit by points that it saw."""
+    """Refuses to check a fit with points that were in the fit."""
     fitted = {row.tobytes() for row in observations.stacked.q_rad}
     shared = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
     if shared:
@@ -215,7 +217,7 @@ def check_disjoint(observations: ArmObservations, check: ArmObservations) -> Non
 
 
 def check_scatter(fit: ArmFit) -> None:
-    """Refuses a fit that explains next to nothing."""
+    """Refuses a fit that explains almost nothing."""
     if fit.scatter_mm > LARGEST_SCATTER_MM:
         raise OperationError(
             "identification-explains-nothing",
@@ -230,7 +232,7 @@ def check_scatter(fit: ArmFit) -> None:
 def identification_warnings(
     arm: Arm, observations: ArmObservations, fit: ArmFit
 ) -> tuple[Text, ...]:
-    """What the user should know in addition to the result."""
+    """Findings for the user in addition to the result."""
     return *size_warnings(arm, observations, fit), *_far_moves(arm, fit)
 
 
@@ -248,7 +250,7 @@ def _far_moves(arm: Arm, fit: ArmFit) -> list[Text]:
 
 
 def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> float:
-    """Per coordinate, how far a point in a seat typically lies from the centre, mm."""
+    """Typical distance of a point in a seat from the centre, per coordinate, mm."""
     seated = fit.inliers & ~data.on_sphere
     if not seated.any():
         return fit.scatter_mm
@@ -256,10 +258,11 @@ def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> floa
 
 
 def _find_split(points: Floats) -> tuple[int, float]:
-    """Where a set of points (m, 3) falls apart in time into two heaps, and by how far (mm).
+    """The index at which points (m, 3) split in time into two clusters, and the distance of these
+    (mm).
 
-    (0, 0) where it does not: most points of each part must lie by their own heap.
-    Medians, so that a few bad points make no heap.
+    (0, 0) if they do not split: most points of each part must be close to their own cluster.
+    Medians are used, so that a few bad points do not form a cluster.
     """
     heaps: tuple[Floats, Floats] | None = None
     strongest = 0.0
@@ -274,12 +277,12 @@ def _find_split(points: Floats) -> tuple[int, float]:
         return 0, 0.0
     a, b = heaps
     nearer_first = np.linalg.norm(points - a, axis=1) < np.linalg.norm(points - b, axis=1)
-    # the split that puts most points to their own heap
+    # the split that assigns most points to their own cluster
     right = np.cumsum(np.where(nearer_first, 1, -1))
     return int(np.argmax(right)) + 1, float(np.linalg.norm(a - b))
 
 
 def _heap(points: Floats, middle: Floats, apart_mm: float) -> bool:
-    """Whether three quarters of the points lie nearer to their middle than to the other heap."""
+    """Whether three quarters of the points are closer to their middle than to the other cluster."""
     off = np.linalg.norm(points - middle, axis=1)
     return float(np.mean(off < 0.5 * apart_mm)) >= 0.75

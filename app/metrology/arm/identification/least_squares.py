@@ -1,7 +1,7 @@
-"""The weighted least squares of an arm's parameters, the touched places' centres beside them.
+"""The weighted least squares of the parameters of an arm and the centres of the measured places.
 
-Every place's centre is unknown and touches only its own points: it is eliminated
-place by place (QR), and what remains is a small system for the arm's parameters.
+The centre of each place is unknown and affects only its own points: it is eliminated place by place
+(QR), and a small system for the arm's parameters remains.
 """
 
 from dataclasses import dataclass, replace
@@ -26,35 +26,35 @@ from app.metrology.transforms import Floats
 Indices = NDArray[np.intp]
 
 CONSTRAINT_MM = 1e-4
-"""A bar's two ends lie at its true length to this; its length's uncertainty is a parameter."""
+"""The two ends of a bar are at its true length to this; the error of its length is a parameter."""
 LEAST_SCATTER_MM = 5e-4
 RADIUS_PRIOR_MM = 10.0
-"""Known of the tip's radius beforehand: nothing to speak of, but the solution stays finite."""
+"""A weak prior of the tip radius, which only keeps the solution finite."""
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Everything that the adjustment solves for."""
+    """All unknowns of the adjustment."""
 
     arm: Arm
     centres_mm: Floats
-    """(P, 3) of each place, arm frame."""
+    """(P, 3) centre of each place, arm frame."""
     radius_excess_mm: float
-    """By how much the spheres are seen larger than their radius and the tip's say."""
+    """How much larger the spheres are measured than the radii of sphere and tip state."""
     bar_errors_mm: Floats
-    """(B,) of each artefact: true less calibrated length."""
+    """(B,) of each artefact: true minus calibrated length."""
 
 
 @dataclass(frozen=True)
 class PointResiduals:
-    """How far the points are off, at some unknowns."""
+    """Deviations of the points at given unknowns."""
 
     vectors_mm: Floats
-    """(N, 3) tip less centre; on spheres along the direction outward only."""
+    """(N, 3) tip minus centre; on spheres, only along the outward direction."""
     whitened: Floats
-    """(N,) the same against its own standard deviation (Mahalanobis distance)."""
+    """(N,) the same relative to its own standard deviation (Mahalanobis distance)."""
     bars_mm: Floats
-    """(G,) distance of the ends less the true length, of each bar's position."""
+    """(G,) distance of the ends minus the true length, for each position of a bar."""
 
     @property
     def distances_mm(self) -> Floats:
@@ -66,8 +66,8 @@ class PointResiduals:
 class ReducedSystem:
     """The system for the parameters alone: ``rows @ change = right``, in standard deviations.
 
-    The first ``others`` columns belong to the spheres' radius excess and the bars'
-    errors, the rest to the arm's parameters in the order asked for.
+    The first ``others`` columns belong to the spheres' radius excess and the bars' errors, the
+    remaining ones to the arm's parameters in the requested order.
     """
 
     rows: Floats
@@ -78,7 +78,7 @@ class ReducedSystem:
 
 
 def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:
-    """The arm as it is, each place's centre where most of its points have it."""
+    """The given arm, with the centre of each place where most of its points have it."""
     tips, _ = tip_jacobian(arm, data.q_rad)
     centres = np.empty((len(data.places), 3))
     for i, place in enumerate(data.places):
@@ -98,7 +98,7 @@ def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:
 
 @dataclass(frozen=True)
 class TipPrediction:
-    """Where an arm has the tip at every point."""
+    """The tip at every point, by an arm."""
 
     tips_mm: Floats  # (N, 3)
     J: Floats  # (N, 3, 10 n + 3) by every parameter of the arm
@@ -106,7 +106,7 @@ class TipPrediction:
 
 
 def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
-    """The tips of all points, as the unknowns' arm has them."""
+    """The tips of all points, by the arm of the unknowns."""
     tips, J = tip_jacobian(at.arm, data.q_rad)
     return TipPrediction(tips, J, encoder_covariances(at.arm, J))
 
@@ -114,21 +114,22 @@ def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
 def mahalanobis(
     data: StackedObservations, at: Unknowns, sight: TipPrediction, scatter_mm: float
 ) -> Floats:
-    """(N,) distance of each point from its place against its standard deviation."""
+    """(N,) distance of each point from its place relative to its standard deviation."""
     return _norms(_linearise(data, at, sight, scatter_mm).right)
 
 
 @dataclass(frozen=True)
 class _WhitenedRows:
-    """Whitened rows of every point: seats take three, spheres the first of three."""
+    """Whitened rows of every point: seats use three, spheres the first of three."""
 
     vectors_mm: Floats
     right: Floats  # (N, 3)
-    by_tip: Floats  # (N, 3, 3): whitened derivative by the tip's place
+    by_tip: Floats  # (N, 3, 3): whitened derivative by the position of the tip
 
 
 def residuals(data: StackedObservations, at: Unknowns, scatter_mm: float) -> PointResiduals:
-    """Where every point lies against its place; ``scatter_mm`` is added to the encoders' noise."""
+    """Position of every point relative to its place; ``scatter_mm`` is added to the encoders'
+    noise."""
     linear = _linearise(data, at, predict_tips(data, at), scatter_mm)
     bars = np.array(
         [_bar_distance(at, group) - _true_length(data, at, group) for group in _bar_groups(data)]
@@ -139,11 +140,11 @@ def residuals(data: StackedObservations, at: Unknowns, scatter_mm: float) -> Poi
 def reduce_system(
     data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
 ) -> ReducedSystem:
-    """The linear system at some unknowns with all centres eliminated.
+    """The linear system at given unknowns, with all centres eliminated.
 
     Args:
-        columns: which parameters move.
-        weights: (N,) of each point, 0 to leave it out.
+        columns: the parameters that move.
+        weights: (N,) of each point, 0 to exclude it.
     """
     sight = predict_tips(data, at)
     linear = _linearise(data, at, sight, scatter_mm)
@@ -152,7 +153,7 @@ def reduce_system(
     width = others + len(columns)
     body = np.zeros((len(data.q_rad), 3, width + 1))
     if data.on_sphere.any():
-        # on spheres only the first row counts, along the direction outward
+        # on spheres, only the first row counts, along the outward direction
         body[data.on_sphere, 0, 0] = -_norms(linear.by_tip[data.on_sphere, 0])
     body[:, :, others:width] = linear.by_tip @ sight.J[:, :, columns]
     body[:, :, width] = -linear.right
@@ -173,7 +174,7 @@ def reduce_system(
 def step(
     data: StackedObservations, at: Unknowns, columns: Indices, system: ReducedSystem
 ) -> tuple[Unknowns, float]:
-    """The unknowns after one Gauss-Newton step, and its largest move in standard deviations."""
+    """The unknowns after one Gauss-Newton step, and its largest change in standard deviations."""
     norms = np.maximum(np.linalg.norm(system.rows, axis=0), 1e-300)
     change, *_ = np.linalg.lstsq(system.rows / norms, system.right, rcond=1e-13)
     size = float(np.max(np.abs(change), initial=0.0))
@@ -183,7 +184,7 @@ def step(
 def apply_change(
     data: StackedObservations, at: Unknowns, columns: Indices, change: Floats, system: ReducedSystem
 ) -> Unknowns:
-    """The unknowns after a change of parameters, each centre following."""
+    """The unknowns after a change of parameters; the centres follow."""
     centres = at.centres_mm.copy()
     for group, triangle in zip(data.groups, system.back, strict=True):
         unknown = 3 * len(group.places)
@@ -208,9 +209,10 @@ def apply_change(
 def settle_centres(
     data: StackedObservations, at: Unknowns, weights: Floats, scatter_mm: float
 ) -> Unknowns:
-    """The best centres with arm, radius and bars' lengths held: the places as this arm sees them.
+    """The best centres for a fixed arm, radius and bar lengths: the places as this arm measures
+    them.
 
-    The ends of a bar are then free of each other.
+    The ends of a bar are then independent of each other.
     """
     free = replace(
         data, groups=tuple(Group((i,)) for i in range(len(data.places))), bars=(), bar_names=()
@@ -250,14 +252,15 @@ def _linearise(
 
 
 def _triangle(rows: Floats) -> Floats:
-    """The upper triangle of the rows' QR factors: the same least squares, no more rows."""
+    """The upper triangle of the rows' QR factors: the same least squares with fewer rows."""
     return np.asarray(np.linalg.qr(rows, mode="r"))
 
 
 def _group_rows(
     data: StackedObservations, at: Unknowns, group: Group, by_centre: Floats, body: Floats
 ) -> Floats:
-    """Rows of one group: its centres' columns, then the parameters', then the right side."""
+    """Rows of one group: the columns of its centres, then of the parameters, then the right
+    side."""
     unknown, width = 3 * len(group.places), body.shape[2]
     blocks: list[Floats] = []
     for k, number in enumerate(group.places):
@@ -278,7 +281,7 @@ def _group_rows(
 
 
 def _prior_rows(data: StackedObservations, at: Unknowns, width: int) -> Floats:
-    """Rows for what is known of the bars' lengths and, loosely, of the tip's radius."""
+    """Prior rows for the lengths of the bars and, weakly, for the radius of the tip."""
     spheres = 1 if data.on_sphere.any() else 0
     rows = np.zeros((spheres + len(data.bar_names), width + 1))
     if spheres:

@@ -1,4 +1,4 @@
-"""What determines an arm's geometry: seats, spheres and ball bars touched in many postures."""
+"""Observations that determine an arm's geometry: seats, spheres and ball bars in many postures."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class Seat:
-    """A cone or ball seat that held the tip while the arm moved (single-point articulation)."""
+    """A cone or ball seat that holds the tip while the arm moves (single-point articulation)."""
 
     name: str
     q_rad: Floats
@@ -22,7 +22,7 @@ class Seat:
 
 @dataclass(frozen=True)
 class Sphere:
-    """A calibrated sphere in one place, touched from outside."""
+    """A calibrated sphere at one place, touched from outside."""
 
     name: str
     diameter_mm: float
@@ -35,7 +35,7 @@ class Bar:
     """A ball bar in one position: two seats at a calibrated distance."""
 
     name: str
-    """Of the artefact: positions of one bar share the error of its length."""
+    """Of the artefact: all positions of one bar share the error of its length."""
     position: str
     length_mm: float
     standard_uncertainty_mm: float
@@ -46,13 +46,13 @@ class Bar:
 
 @dataclass(frozen=True)
 class ProbedPlace:
-    """One unknown centre and the points taken on it."""
+    """One unknown centre and the points measured at it."""
 
     label: Text
     diameter_mm: float | None
-    """None where the tip sat in a seat."""
+    """None if the tip was in a seat."""
     rows: slice
-    """Its points among all."""
+    """Indices of its points among all points."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Group:
 
 @dataclass(frozen=True)
 class ArmObservations:
-    """All that was touched; any kind may be missing."""
+    """All measured places; any kind may be missing."""
 
     seats: tuple[Seat, ...] = ()
     spheres: tuple[Sphere, ...] = ()
@@ -76,7 +76,7 @@ class ArmObservations:
         return len(self.seats) + len(self.spheres) + len(self.bars)
 
     def part(self, wanted: Sequence[int]) -> "ArmObservations":
-        """Only the groups of these numbers, counted over seats, spheres, then bars."""
+        """Only the groups with these numbers, counted over seats, spheres, then bars."""
         chosen, seats, spheres = set(wanted), len(self.seats), len(self.spheres)
         return ArmObservations(
             tuple(s for i, s in enumerate(self.seats) if i in chosen),
@@ -92,24 +92,24 @@ class ArmObservations:
 
 @dataclass(frozen=True)
 class StackedObservations:
-    """The points of all places in one array, group after group."""
+    """The points of all places in one array, group by group."""
 
     q_rad: Floats
     """(N, n)"""
     place_of: NDArray[np.intp]
-    """(N,) the place of each point."""
+    """(N,) index of the place of each point."""
     on_sphere: NDArray[np.bool_]
-    """(N,) points that were touched from outside, not seated."""
+    """(N,) whether a point was touched from outside, not seated."""
     places: tuple[ProbedPlace, ...]
     groups: tuple[Group, ...]
     bars: tuple[Bar, ...]
     """The bar of each group that has one, by the group's ``bar``."""
     bar_names: tuple[str, ...]
-    """The artefacts, each with one error of its length."""
+    """The artefacts; each has one error of its length."""
 
     @cached_property
     def sphere_radii_mm(self) -> Floats:
-        """(N,) calibrated radius of the sphere under each point; 0 in a seat."""
+        """(N,) calibrated radius of the sphere of each point; 0 in a seat."""
         radii = np.array([(place.diameter_mm or 0.0) / 2 for place in self.places])
         return np.asarray(radii[self.place_of])
 

@@ -1,4 +1,5 @@
-"""Which of the arm's parameters the observations determine, and which are held, and why."""
+"""Selection of the parameters that the observations determine; the others are held, with a
+reason."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -34,32 +35,31 @@ REASONS: dict[FixedReason, Text] = {
     "unobserved": message("these-points-do-tell-better-than"),
 }
 
-# The workshop makes an arm about this well: a parameter moves only if the points do better.
+# Typical accuracy of a workshop-made arm: a parameter moves only if the points determine it better.
 LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
 TIP_MM = 1.0
-"""Of the tip, which is exchanged and need not be known."""
+"""Of the tip, which is exchangeable and may be unknown."""
 PARALLEL = 0.1
 """Axes with a smaller sine between them are parallel: E's ry is their angle (Hayati), not d."""
 INDEPENDENT = 0.02
-"""Share of a parameter's effect that others leave over; with less it is called redundant."""
+"""Share of a parameter's effect that others do not explain; with less, it is redundant."""
 
 
 @dataclass(frozen=True)
 class Candidates:
-    """Parameters that could move, those to be kept first, and those that never do."""
+    """Parameters that could move, the most important first, and those that never move."""
 
     order: NDArray[np.intp]
     fixed: dict[int, FixedReason]
 
 
 def candidates(arm: Arm, with_lengths: bool) -> Candidates:
-    """The parameters that may move, by the arm's layout.
+    """The parameters that may move, for the layout of the arm.
 
-    The base frame is that of joint 1 and the flange frame follows the last joint, so
-    their own terms are held, and of the last link only the tip moves. D-H parameters
-    are complete where neighbouring axes are not parallel; where they are, the angle
-    about y between them (an error term, Eq. 3) stands in for d. Without a calibrated
-    length the longest link holds the scale.
+    The base frame is that of joint 1 and the flange frame follows the last joint, so their own
+    terms are held, and of the last link only the tip moves. D-H parameters are complete if adjacent
+    axes are not parallel; otherwise the angle about y between them (an error term, Eq. 3) replaces
+    d. Without a calibrated length, the longest link fixes the scale.
     """
     last = arm.joint_count - 1
     links = range(last)
@@ -90,7 +90,7 @@ def candidates(arm: Arm, with_lengths: bool) -> Candidates:
 
 
 def parameter_limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
-    """(p,) standard uncertainty (mm or rad) beyond which a parameter is not worth moving."""
+    """(p,) standard uncertainty (mm or rad) above which a parameter is not moved."""
     term = indices % TERMS
     angles = np.isin(term, (ALPHA, THETA, ERROR_RY))
     found = np.where(angles, ANGLE_RAD, LENGTH_MM)
@@ -100,17 +100,17 @@ def parameter_limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
 def select_parameters(
     rows: Floats, others: int, order: NDArray[np.intp], worth: Floats
 ) -> tuple[NDArray[np.intp], dict[int, FixedReason]]:
-    """The parameters to move, of those in ``order``, and the reasons to hold the rest.
+    """The parameters to move, of those in ``order``, and the reasons to hold the others.
 
-    A parameter joins if what its effect leaves over beside those before it determines
-    it better than ``worth`` (a rank decision with the noise as the yardstick). Then, of
-    those that joined, the worst known leaves until all are known better than that.
+    A parameter is added if the part of its effect that the previous ones do not explain determines
+    it better than ``worth`` (a rank decision relative to the noise). Then the least certain
+    parameter is removed until all are known better than that.
 
     Args:
         rows: (r, others + p) the reduced system, in standard deviations.
         others: columns of unknowns that always move.
         order: (p,) parameters of the remaining columns.
-        worth: (p,) see ``parameter_limits``.
+        worth: (p,) as returned by ``parameter_limits``.
     """
     scale = np.concatenate([np.ones(others), worth])
     columns = rows * scale
@@ -154,7 +154,7 @@ def _covariance(columns: Floats) -> Floats:
 
 
 def _orthogonal_part(column: Floats, basis: list[Floats]) -> Floats:
-    """What of a column is orthogonal to a basis; twice, against rounding."""
+    """The part of a column that is orthogonal to a basis; computed twice, against rounding."""
     left = column
     for _ in range(2):
         for direction in basis:

@@ -1,4 +1,4 @@
-"""The arm's geometry as one vector of named parameters, and how the tip answers to each."""
+"""The arm's geometry as one vector of named parameters, and the derivatives of the tip by each."""
 
 from dataclasses import replace
 
@@ -25,12 +25,12 @@ def parameter_names(arm: Arm) -> tuple[str, ...]:
 
 
 def parameter_index(joint: int, term: int) -> int:
-    """Where a term of a joint (0-based) stands in the vector."""
+    """Index of a term of a joint (0-based) in the vector."""
     return joint * TERMS + term
 
 
 def tip_index(arm: Arm) -> int:
-    """Where the tip's three coordinates begin in the vector."""
+    """Index of the first of the tip's three coordinates in the vector."""
     return arm.joint_count * TERMS
 
 
