@@ -2,5 +2,5 @@
 
 Entry points: ``kinematics`` computes poses and tip centres from encoder angles,
 ``joint_interpolation`` the angles at a frame's time stamp; ``joint_plausibility`` checks
-readings\nas they arrive, and ``identification`` determines the geometry from contact points.
+readings as they arrive, and ``identification`` determines the geometry from contact points.
 """

@@ -1,4 +1,4 @@
-"""The arm's angles between its samples."""
+"""The arm's joint angles between its samples."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,15 +11,15 @@ Stamps = NDArray[np.int64]
 def interpolate_angles(
     stamps_ns: Stamps, q_rad: Floats, wanted_ns: Stamps, gap_limit_ns: int
 ) -> Floats:
-    """Joint angles at stamps, each on the straight line between its neighbours in time.
+    """Joint angles at given times, linearly interpolated between the adjacent samples.
 
-    A joint that passes the half turn is followed the short way round.
+    A joint that passes half a turn is followed along the shorter way.
 
     Args:
-        stamps_ns: (N,) stamps of the samples, rising.
+        stamps_ns: (N,) increasing time stamps of the samples.
         q_rad: (N, n) their encoder angles.
-        wanted_ns: (F,) stamps, in any order.
-        gap_limit_ns: samples further apart than this are not interpolated between.
+        wanted_ns: (F,) times, in any order.
+        gap_limit_ns: no interpolation between samples further apart than this.
 
     Returns:
         (F, n) rad; NaN outside the samples, and in gaps.
@@ -46,7 +46,7 @@ def interpolate_angles(
 
 
 def shortest_turn(difference_rad: Floats) -> Floats:
-    """The shortest turn of a difference of angles, because encoders roll over.
+    """The shortest rotation for a difference of angles, because encoders roll over.
 
     Args:
         difference_rad: of any shape.

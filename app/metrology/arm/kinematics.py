@@ -74,12 +74,12 @@ class Arm:
 
 @dataclass(frozen=True)
 class RobotArm:
-    """A robot whose controller reports the flange's pose instead of joint angles."""
+    """A robot whose controller reports the flange pose instead of joint angles."""
 
     name: str
     serial_number: str
     tip: Tip | None = None
-    """Where one is mounted to touch with."""
+    """The tip, if one is mounted for probing."""
 
 
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
@@ -198,7 +198,7 @@ def tip_centres(arm: Arm, q_rad: Floats) -> Floats:
 
 
 def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
-    """How a flange-fixed point moves and turns with the joints.
+    """Derivatives of a flange-fixed point and its orientation by the joints.
 
     Args:
         q_rad: (n,) encoder angles, before sign and offset.
@@ -220,7 +220,7 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
         point_flange_mm: (3,) the point, in the flange frame.
 
     Returns:
-        (N, 6, n), rows as of ``geometric_jacobian``.
+        (N, 6, n), rows as in ``geometric_jacobian``.
     """
     links = link_transforms(arm, q_rad)
     before = [np.broadcast_to(np.eye(4), links.shape[1:])]
@@ -236,13 +236,13 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
 
 
 def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
-    """Covariance of the tip's centre by the noise of the encoders, arm frame.
+    """Covariance of the tip centre due to the noise of the encoders, arm frame.
 
     Args:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
-        (N, 3, 3) mm², k = 1; zero where the arm's datasheet gives no encoder noise.
+        (N, 3, 3) mm², k = 1; zero if the arm's datasheet states no encoder noise.
 
     Example:
         >>> joints = tuple(Joint("J", 100.0, 0.0, 0.0, 0.0, encoder_sd_rad=1e-5) for _ in range(6))

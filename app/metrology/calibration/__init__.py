@@ -1,7 +1,7 @@
 """Calibration from one pose, and what every calibration reports.
 
 Entry point: ``one_pose.calibrate_one_pose``. ``laser_plane_fit`` sorts the stripe by levels and
-fits the light plane, ``camera_refinement`` refines Faugeras' camera, ``observation_model`` predicts
-what is observed, ``uncertainty_budget`` and ``findings`` report. ``drift.measure_drift`` compares
-two calibrations.
+fits the laser plane, ``camera_refinement`` refines Faugeras' camera, ``observation_model``
+predicts the observations, ``uncertainty_budget`` and ``findings`` report. ``drift.measure_drift``
+compares two calibrations.
 """

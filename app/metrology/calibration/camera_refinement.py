@@ -1,9 +1,9 @@
-"""Maximum-likelihood refinement: camera, lens, laser plane and the block itself, at once.
+"""Maximum-likelihood refinement of camera, lens, laser plane and block in one adjustment.
 
-After Faugeras' linear step, all that a picture pair shows goes into one adjustment:
-points on the block's straight edges (or its corners); the stripe, which runs along
-one straight line on all crests and along another on all floors; and the
-certificate, whose coordinates are known only to its standard uncertainty.
+After Faugeras' linear step, everything that a capture shows enters one adjustment: points on the
+block's straight edges (or its corners); the stripe, which follows one straight line on all crests
+and another on all floors; and the certificate, whose coordinates are known to its standard
+uncertainty.
 """
 
 from collections.abc import Sequence
@@ -34,26 +34,26 @@ from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# What any lens and sensor is like before it is measured; it counts only where the
-# picture says nothing: pixels square to this share, axis this share of the width off.
+# Prior of any lens and sensor; it matters only if the picture contains no information: pixels
+# square to this share, axis off by this share of the width.
 ASPECT_SD = 0.002
 AXIS_SD_WIDTHS = 0.25
 LENS_SD = np.array([0.5, 2.0, 0.01, 0.01])  # k1, k2, p1, p2
-# Terms of the lens in the order tried, each kept where it exceeds its deviation so many
-# times: more for those that lenses seldom need.
+# Lens terms in the order of trial, each kept if it exceeds its standard deviation by this factor:
+# larger for terms that lenses seldom need.
 LENS_TERMS = (((0,), 2.0), ((1,), 3.0), ((2, 3), 5.0))
 OUTLIER_SIGMAS = 4.5
 FEWEST_TO_JUDGE = 12
-# Outliers and factors are judged again in the first rounds only, so that the rest converge.
+# Outliers and factors are judged in the first iterations only, so that the rest converge.
 ROUNDS_OF_JUDGING = 6
 
 
 @dataclass(frozen=True)
 class GroupFit:
-    """How well one kind of observation fits: rms in px, and which rows (N,) were kept.
+    """The fit of one kind of observation: rms in px, and the rows (N,) that were kept.
 
-    ``inflation`` (N,) are the factors by which their deviations were raised, where they
-    scatter by more than they said or are alike from one to the next.
+    ``inflation`` (N,) are the factors on their standard deviations, for rows that scatter by more
+    than stated or are correlated with adjacent ones.
     """
 
     rms_px: float
@@ -66,10 +66,9 @@ class GroupFit:
 class CameraFit:
     """The adjusted scene and its covariance (P, P), parameters as in ``scene.names``.
 
-    ``sources`` splits the covariance by what caused it: ``edges``, ``stripe``,
-    ``certificate`` and ``distortion`` (what not knowing the lens costs).
-    ``by_certificate`` (P, B) is how the parameters answer to an error of each of the
-    certificate's coordinates.
+    ``sources`` splits the covariance by source: ``edges``, ``stripe``, ``certificate`` and
+    ``distortion`` (the contribution of an unknown lens). ``by_certificate`` (P, B) are the
+    derivatives of the parameters by each coordinate of the certificate.
     """
 
     scene: SceneModel
@@ -90,7 +89,7 @@ class CameraFit:
 
 @dataclass(frozen=True)
 class ImageObservations:
-    """What was seen: edge points, or corners where there are none, and the stripe."""
+    """The observations: edge points, or corners if there are none, and the stripe."""
 
     edges: Sequence[EdgePoints]
     corners: Sequence[Corner]
@@ -109,12 +108,12 @@ class ImageObservations:
 
 
 def fit_camera(camera: Camera, block: Crenellated, seen: ImageObservations) -> CameraFit:
-    """Camera, lens terms, light plane and block of maximum likelihood, from one pose.
+    """Maximum-likelihood camera, lens terms, laser plane and block from one pose.
 
-    Lens terms are kept only where they clearly exceed their standard uncertainty.
+    Lens terms are kept only if they clearly exceed their standard uncertainty.
 
     Args:
-        camera: a start within a few pixels, sensor frame = object frame.
+        camera: start values within a few pixels; sensor frame = object frame.
         block: the certificate, which enters with its standard uncertainty.
         seen: what the images show; edge points are preferred to corners, which are computed from
             them.
@@ -141,7 +140,7 @@ def fit_camera(camera: Camera, block: Crenellated, seen: ImageObservations) -> C
 def _adjust(
     scene: SceneModel, certificate: Crenellated, seen: ImageObservations, lens: tuple[int, ...]
 ) -> CameraFit:
-    """Gauss-Newton on all parameters but the lens terms that are held at zero."""
+    """Gauss-Newton on all parameters except the lens terms that are held at zero."""
     free = np.ones(len(scene.names), dtype=np.bool_)
     free[LENS] = np.isin(np.arange(4), lens)
     kept, inflation = _assess_rows(seen.groups(scene))
@@ -169,7 +168,7 @@ def _adjust(
 
 
 def _assess_rows(groups: tuple[Rows, Rows]) -> tuple[list[NDArray[np.bool_]], list[Floats]]:
-    """Which rows of each group agree, and the factors on the deviations."""
+    """The rows of each group that agree, and the factors on their standard deviations."""
     kept = [_agreeing(rows) for rows in groups]
     return kept, [_inflation(rows, mask) for rows, mask in zip(groups, kept, strict=True)]
 
@@ -186,15 +185,15 @@ def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
 
 
 def _agreeing(rows: Rows) -> NDArray[np.bool_]:
-    """Rows (N,) within the limit, measured by their own scatter where that is larger."""
+    """Rows (N,) within the limit, measured by their own scatter if that is larger."""
     off = np.abs(rows.residuals / rows.sigma)
     spread = max(float(np.median(off)) / 0.6745, 1.0) if len(off) else 1.0
     return np.asarray(off < OUTLIER_SIGMAS * spread)
 
 
 def _inflation(rows: Rows, kept: NDArray[np.bool_]) -> Floats:
-    """Factors (N,) on the deviations, one for each line: scatter beyond what its points
-    say, likeness of neighbours (speckle), and what all points of a line share."""
+    """Factors (N,) on the standard deviations, one for each line: scatter beyond the stated noise,
+    correlation of adjacent points (speckle), and the error that all points of a line share."""
     off = rows.residuals / rows.sigma
     variance = variances_of_lines(off, rows.line, kept, rows.places, False, FEWEST_TO_JUDGE)
     # a shared error does not average out along the line
@@ -213,7 +212,8 @@ def _normal(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> tuple[Flo
 
 
 def _prior(scene: SceneModel, certificate: Crenellated) -> tuple[Floats, Floats]:
-    """Certificate, square pixels, an axis near the middle, a mild lens: matrix and gradient."""
+    """Priors: certificate, square pixels, an axis near the middle, little distortion; matrix and
+    gradient."""
     count = len(scene.names)
     N, g = np.zeros((count, count)), np.zeros(count)
     camera = scene.camera

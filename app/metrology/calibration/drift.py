@@ -1,7 +1,7 @@
-"""How a sensor on an arm moved between two calibrations, estimated from the points that they give.
+"""Motion of a sensor on an arm between two calibrations, estimated from the points that they give.
 
-Never by their parameters: the focal length and the distance are so much alike in what they do
-that each may differ by much while every point stays.
+Parameters are never compared: focal length and distance have such similar effects that each may
+differ by much while every point stays.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ LEAST_POINTS = 6
 
 @dataclass(frozen=True)
 class MountedSensor:
-    """A calibrated sensor: its frame in that of the flange is ``T_flange_sensor``."""
+    """A calibrated sensor; ``T_flange_sensor`` is its mounting."""
 
     camera: Camera
     plane: LaserPlane
@@ -28,30 +28,31 @@ class MountedSensor:
 
 @dataclass(frozen=True)
 class Drift:
-    """From one calibration to the next, in the flange frame."""
+    """Changes from one calibration to the next, in the flange frame."""
 
     sensor_um: float
-    """Of the measuring volume's middle, by the rigid motion that fits all its points best."""
+    """Shift of the middle of the measuring volume, by the rigid motion that fits all its points
+    best."""
     sensor_arcsec: float
     """The angle of that motion."""
     plane_um: float
-    """Of the laser plane in the volume's middle, along its normal."""
+    """Shift of the laser plane in the middle of the volume, along its normal."""
     plane_arcsec: float
     """The angle between the laser planes."""
     points_um: float
-    """Of the points, rms: the motion, and the change of shape."""
+    """Rms shift of the points, due to the motion and the change of shape."""
 
 
 def measure_drift(before: MountedSensor, after: MountedSensor, uv_px: Floats) -> Drift | None:
-    """How far the sensor moved between two calibrations, judged by the points that they give.
+    """How far the sensor moved between two calibrations, by the points that they give.
 
     Args:
         before, after: two calibrations of one sensor on one arm.
         uv_px: (N, 2) pixels of the measuring volume.
 
     Returns:
-        Shifts in µm and angles in arcsec, flange frame; None where fewer than ``LEAST_POINTS``
-        pixels give a point by both.
+        Shifts in µm and angles in arcsec, flange frame; None if fewer than ``LEAST_POINTS`` pixels
+        give a point with both.
     """
     old, new = (_points(sensor, uv_px) for sensor in (before, after))
     common = np.isfinite(old).all(axis=1) & np.isfinite(new).all(axis=1)

@@ -1,4 +1,4 @@
-"""What a calibration shows about itself, in words: findings, and the worst points."""
+"""The findings of a calibration, and its worst points."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,31 +21,31 @@ Quality = Literal["good", "attention", "bad", "neutral"]
 _SEVERITY = {"bad": 0, "attention": 1}
 
 EDGE_RMS_PX = 0.3
-# Even a wide line full of speckle is located better than this.
+# Even a wide line with strong speckle is located better than this.
 STRIPE_RMS_PX = 1.0
-# Contacts on opposite faces may lie so much further apart than they should: this many
-# standard deviations, and this much in any case.
+# Limit for the additional distance between contact points on opposite faces: in standard
+# deviations, and in any case.
 OPENING_SIGMAS, OPENING_MM = 4.0, 0.03
 OPPOSITE = (("front", "back"), ("left", "right"))
-# Pixels of today's sensors are square to this share, and a camera is known so well.
+# Pixels of current sensors are square to this share, if the camera is known this well.
 SQUARE, SQUARE_SIGMAS = 0.001, 4.0
-# Further than any hand-held sensor reaches from the arm's last joint.
+# No hand-held sensor measures further than this from the arm's last joint.
 FARTHEST_MM = 600.0
-# Share of the stripe on the levels that agrees with the plane.
+# Minimum share of the stripe on the levels that agrees with the plane.
 AGREEING = 0.85
 WORST_OF_A_KIND = 3
 
 
 def offset_quality(off_mm: float, limits: Limits) -> Quality:
-    """Of what moves points by so much without being in their uncertainty."""
+    """Limit for effects that move points without being part of their uncertainty."""
     return "bad" if 1e3 * abs(off_mm) > limits.usable_um else "attention"
 
 
 @dataclass(frozen=True)
 class CalibrationFinding:
-    """One sentence with the number and the limit, and what to do about it (may be empty).
+    """One sentence with the value and the limit, and a remedy (may be empty).
 
-    ``pose`` is the number of the pose that it is about, where it is about one.
+    ``pose`` is the number of the pose concerned, if it concerns one.
     """
 
     quality: Quality
@@ -57,10 +57,10 @@ class CalibrationFinding:
 
 @dataclass(frozen=True)
 class WorstResidual:
-    """One of the points that fit worst: ``value`` in ``unit`` (µm or px).
+    """One of the points with the largest residuals: ``value`` in ``unit`` (µm or px).
 
-    Its place: the row of a ``contact`` and its ``face``, or the ``pose`` whose picture shows it
-    and the name of the ``corner`` or, on the stripe, the pixel.
+    Its position is the row of a ``contact`` and its ``face``, or the ``pose`` whose picture shows
+    it and the name of the ``corner`` or, on the stripe, the pixel.
     """
 
     kind: Literal["contact", "corner", "stripe"]
@@ -75,14 +75,14 @@ class WorstResidual:
 
 
 def contact_residual(contact: int, face: str, off_um: float) -> WorstResidual:
-    """Of a contact by its row and its face."""
+    """A contact point by its row and its face."""
     name = message("face-and-number", face=word(face), number=contact + 1)
     return WorstResidual("contact", name, off_um, "µm", contact, face=face)
 
 
 def corner_text(corner: str) -> Text:
-    """The name of a corner for people: "corner 3,4" of a chessboard; of ``crest:2:L:front`` of a
-    block "crest 3, front left"."""
+    """The name of a corner for display: "corner 3,4" for a chessboard; for ``crest:2:L:front`` of a
+    block, "crest 3, front left"."""
     if corner.startswith("corner "):
         column, _, row = corner.removeprefix("corner ").partition(",")
         return message("corner", column=column, row=row)
@@ -103,8 +103,8 @@ REMEDIES = {
 
 
 def sort_by_severity(findings: Sequence[CalibrationFinding]) -> tuple[CalibrationFinding, ...]:
-    """Bad, then those that want attention, then the rest, each as they came: the first is why
-    a calibration is judged as it is."""
+    """Bad findings first, then those that need attention, then the others, otherwise in their
+    order: the first one is the reason of the verdict."""
     return tuple(sorted(findings, key=lambda one: _SEVERITY.get(one.quality, len(_SEVERITY))))
 
 
@@ -114,9 +114,9 @@ def uncertainty_verdict(
     limits: Limits = LIMITS,
     remedies: Mapping[str, Text] = REMEDIES,
 ) -> CalibrationFinding:
-    """Good, usable or not, by the uncertainty of a point against the user's limits.
+    """Good, usable or bad, by the uncertainty of a point and the user's limits.
 
-    ``remedies`` are by the names of the rows.
+    ``remedies`` are keyed by the names of the rows.
     """
     total = quantity(total_um, "µm")
     if total_um <= limits.good_um:
@@ -145,10 +145,10 @@ def uncertainty_verdict(
 def contact_findings(
     alignment: Alignment, features: Sequence[str], limits: Limits = LIMITS
 ) -> list[CalibrationFinding]:
-    """How well the contacts agree, and which were left out.
+    """How well the contact points agree, and which were excluded.
 
-    However well many of them place the block, contacts that scatter by more than what is good
-    of a point have a cause that may be theirs alone.
+    Even if many contact points determine the position of the block well, a scatter beyond the limit
+    for a point has a cause that may affect only them.
     """
     count = int((~alignment.outliers).sum())
     rms_um = 1e3 * alignment.rms_mm
@@ -182,7 +182,7 @@ def contact_findings(
 def contact_outlier_findings(
     features: Sequence[str], residuals_um: Floats, out: NDArray[np.bool_]
 ) -> list[CalibrationFinding]:
-    """Which of N contacts, if any, disagree with the others, and by how much."""
+    """The contact points among N that disagree with the others, if any, and by how much."""
     left_out = np.flatnonzero(out)
     if not len(left_out):
         return []
@@ -213,8 +213,8 @@ def contact_outlier_findings(
 def size_finding(
     alignment: Alignment, features: Sequence[str], block: Crenellated
 ) -> CalibrationFinding:
-    """Whether the block's size and the tip's diameter were seen, and right: contacts on
-    opposite faces determine their sum, others move with the block."""
+    """Whether the data show the block's size and the tip's diameter, and whether they are right:
+    contact points on opposite faces determine their sum, others move with the block."""
     labels = np.array(features)
     openings_mm: dict[tuple[str, str], float] = {}
     for pair in OPPOSITE:
@@ -234,7 +234,8 @@ def size_finding(
 def size_error_finding(
     pair: tuple[str, str], opening_mm: float, limit_mm: float, limits: Limits = LIMITS
 ) -> CalibrationFinding:
-    """Contacts on two opposite faces lie so much further apart than the certificates say."""
+    """Contact points on two opposite faces are this much further apart than the certificates
+    state."""
     return CalibrationFinding(
         offset_quality(opening_mm / 2, limits),
         "size",
@@ -250,7 +251,8 @@ def size_error_finding(
 
 
 def size_agreement_finding(openings_mm: Mapping[tuple[str, str], float]) -> CalibrationFinding:
-    """How much further apart than by the certificates contacts on opposite faces lie, all well."""
+    """Additional distance of contact points on opposite faces relative to the certificates, if all
+    is well."""
     checked = [
         message(
             "faces-agree-to",
@@ -268,7 +270,7 @@ def size_agreement_finding(openings_mm: Mapping[tuple[str, str], float]) -> Cali
 
 
 def size_unchecked_finding() -> CalibrationFinding:
-    """No two opposite faces were touched."""
+    """No two opposite faces were probed."""
     return CalibrationFinding(
         "neutral",
         "size-unchecked",
@@ -278,7 +280,7 @@ def size_unchecked_finding() -> CalibrationFinding:
 
 
 def sensor_distance_findings(pivot_mm: Floats, remedy: Text) -> list[CalibrationFinding]:
-    """Where the sensor measures too far from the arm's last joint (3,)."""
+    """The sensor measures too far from the arm's last joint (3,)."""
     away_mm = float(np.linalg.norm(pivot_mm))
     if away_mm <= FARTHEST_MM:
         return []
@@ -291,7 +293,7 @@ def sensor_distance_findings(pivot_mm: Floats, remedy: Text) -> list[Calibration
 
 
 def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[CalibrationFinding]:
-    """Sizes of the block that no picture shows: an error of theirs would go unnoticed."""
+    """Dimensions of the block that no picture shows: errors in them would go unnoticed."""
     hidden = [
         describe_plane(*plane)
         for plane in detections[0].unobserved_planes
@@ -314,7 +316,7 @@ def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[Calibr
 
 
 def pixel_aspect_findings(camera: Camera, covariance_px2: Floats) -> list[CalibrationFinding]:
-    """A certificate that is wrong along the camera's view looks like oblong pixels.
+    """A certificate that is wrong along the viewing direction looks like non-square pixels.
 
     ``covariance_px2`` (2, 2) is that of the two focal lengths.
     """

@@ -1,4 +1,4 @@
-"""The light plane from a stripe on the levels of the block."""
+"""The laser plane from a stripe on the levels of the block."""
 
 from dataclasses import dataclass
 
@@ -15,28 +15,27 @@ from app.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# Stripe points nearer than this to an edge of their face may mix light of both sides.
+# Stripe points closer than this to an edge of their face may mix light from both sides.
 EDGE_MARGIN_PX = 6.0
-# Points that each level must show, and the least angle between sight and laser plane.
+# Minimum number of points on each level, and minimum angle between line of sight and laser plane.
 FEWEST_ON_A_LEVEL = 20
-# Which level a pixel lies on is looked up once for squares of this many pixels.
+# The level of pixels is looked up once per square of this many pixels.
 LEVEL_STEP_PX = 4
-# Residuals beyond this many standard deviations are no light of the direct stripe.
+# Points with residuals beyond this many standard deviations are not light of the direct stripe.
 OUTLIER_SIGMAS = 4.0
 
 
 @dataclass(frozen=True)
 class LaserPlaneFit:
-    """The plane, and what each stripe point (N,) had to do with it.
+    """The plane, and the use of each stripe point (N,).
 
-    ``level`` is ``crest``, ``floor`` or empty where the point lies on neither, and
-    ``points_mm`` (N, 3) is where on the level its ray ends, NaN elsewhere;
-    ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
-    their signed distances from it and ``sigma_mm`` the expected standard deviations
-    of these, NaN off the levels; ``correlation`` is the number of neighbouring points
-    that together count as much as one alone (speckle). ``covariance`` (3, 3) is that of
-    a tilt of the normal along ``tangents(normal)`` (rad) and of the offset at
-    ``centroid_mm`` (mm).
+    ``level`` is ``crest``, ``floor``, or empty if the point lies on neither; ``points_mm`` (N, 3)
+    are the intersections of the rays with the level, otherwise NaN; ``used`` marks the points of a
+    level that agree with the plane; ``residuals_mm`` are their signed distances from it and
+    ``sigma_mm`` the expected standard deviations, NaN off the levels; ``correlation`` is the number
+    of adjacent points that together have the weight of one (speckle). ``covariance`` (3, 3) is that
+    of a tilt of the normal along ``tangents(normal)`` (rad) and of the offset at ``centroid_mm``
+    (mm).
     """
 
     plane: LaserPlane
@@ -54,7 +53,7 @@ class LaserPlaneFit:
 def classify_levels(
     camera: Camera, block: Crenellated, uv_px: Floats
 ) -> tuple[NDArray[np.str_], Floats]:
-    """On which level of the block the camera sees each pixel, and where.
+    """The level of the block that the camera sees at each pixel, and the point on it.
 
     Args:
         camera: with the sensor frame equal to the object frame.
@@ -63,8 +62,8 @@ def classify_levels(
 
     Returns:
         (N,) ``crest`` or ``floor`` where the ray of the pixel meets that face first, at least
-        ``EDGE_MARGIN_PX`` from its edges, else empty; and (N, 3) mm in the object frame, NaN
-        where the level is empty.
+        ``EDGE_MARGIN_PX`` from its edges, otherwise empty; and (N, 3) mm in the object frame, NaN
+        if the level is empty.
     """
     origin, along = rays(camera, uv_px)
     margin_share = EDGE_MARGIN_PX / float(min(camera.matrix[0, 0], camera.matrix[1, 1]))
@@ -81,7 +80,7 @@ def classify_levels(
         inside = (along[:, 2] * (z - origin[2]) > 0) & (origin[2] > z)
         inside &= hit[:, 1] > block.front_y_mm + margin
         inside &= hit[:, 1] < block.back_y_mm - margin
-        # a ray down into a groove must clear the merlons on both sides of it
+        # a ray into a groove must clear the merlons on both sides of it
         nearest, furthest = hit[:, 0], hit[:, 0]
         if name == "floor":
             nearest, furthest = np.minimum(nearest, entry_x), np.maximum(furthest, entry_x)
@@ -96,17 +95,17 @@ def classify_levels(
 def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str) -> Stripe:
     """The stripe on the crests, then on the floors, each extracted separately.
 
-    One peak in each column is not enough where the camera is turned against the stripe: a column
-    may then cross a crest and a floor. Table and walls are left out.
+    One peak per column is not sufficient if the camera is rotated relative to the stripe: a column
+    may then cross a crest and a floor. Table and walls are excluded.
 
     Args:
         camera: with the sensor frame equal to the object frame.
         block: the block by its certificate.
         image: (H, W) with the stripe on it.
-        axis: see ``extract_stripe``.
+        axis: as in ``extract_stripe``.
 
     Returns:
-        Points of both levels; none where the image shows no stripe on the block.
+        Points of both levels; none if the image shows no stripe on the block.
 
     Raises:
         OperationError: as ``extract_stripe``.
@@ -122,7 +121,7 @@ def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str
 
 
 def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:
-    """x (N,) where rays enter the block's bounding box, through its top, front or back."""
+    """x (N,) at which rays enter the block's bounding box, through its top, front or back."""
     with np.errstate(divide="ignore", invalid="ignore"):
         to_top = (block.crest_z_mm - origin[2]) / along[:, 2]
         at_y = np.where(along[:, 1] > 0, block.front_y_mm, block.back_y_mm)
@@ -133,18 +132,18 @@ def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:
 def fit_laser_plane(
     camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane | None = None
 ) -> LaserPlaneFit:
-    """The light plane through the points of the stripe on crests and floors.
+    """The laser plane through the points of the stripe on crests and floors.
 
-    The ray of each point is met with the level that it hits; one plane is fitted to both levels,
-    weighted by the standard deviations of the points. Reflections inside the grooves, and the
-    stripe on walls and table, are left out.
+    The ray of each point is intersected with the level that it hits; one plane is fitted to both
+    levels, weighted by the standard deviations of the points. Reflections inside the grooves, and
+    the stripe on walls and table, are excluded.
 
     Args:
         camera: with the sensor frame equal to the object frame.
         block: the block by its certificate.
-        stripe: as of ``stripe_on_levels``.
-        plane: a plane that is known already (from ``fit_camera``): the points are judged against
-            it, and it stays as it is.
+        stripe: from ``stripe_on_levels``.
+        plane: a known plane (from ``fit_camera``): the points are judged against it, and it is
+            returned unchanged.
 
     Returns:
         The plane in the object frame with its covariance (k = 1), and the residual of each point.
@@ -187,7 +186,7 @@ def fit_laser_plane(
 def agreeing_levels(
     camera: Camera, block: Crenellated, stripe: Stripe, plane: LaserPlane
 ) -> NDArray[np.str_]:
-    """The level (N,) of each point of the stripe that agrees with a known plane, else empty."""
+    """The level (N,) of each stripe point that agrees with a known plane, otherwise empty."""
     level, points = classify_levels(camera, block, stripe.uv_px)
     on = level != ""
     if on.any():
@@ -225,16 +224,16 @@ def _require_both(level: NDArray[np.str_], found: int) -> None:
 def _shift_per_pixel(
     camera: Camera, stripe: Stripe, on: NDArray[np.bool_], points: Floats
 ) -> Floats:
-    """How the points (n, 3) move on their level, in mm, for one pixel across the stripe."""
+    """Motion of the points (n, 3) on their level, in mm, for one pixel across the stripe."""
     uv, z = stripe.uv_px[on], points[:, 2]
     ahead = meet_levels(camera, uv + 0.5 * stripe.across, z)
     return ahead - meet_levels(camera, uv - 0.5 * stripe.across, z)
 
 
 def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floats) -> LaserPlane:
-    """The plane of least median residual on both levels, of many drawn from three points.
+    """The plane of least median residual on both levels, among many planes through three points.
 
-    Right as long as more than half of either level's points are the direct stripe.
+    Correct if more than half of the points of each level are the direct stripe.
     """
     rng = np.random.default_rng(0)
     own = {name: np.flatnonzero(level == name) for name in ("crest", "floor")}
@@ -257,7 +256,7 @@ def _least_median_plane(points: Floats, level: NDArray[np.str_], per_sigma: Floa
 
 
 def _agreeing(plane: LaserPlane, points: Floats, per_sigma: Floats) -> NDArray[np.bool_]:
-    """Points (n,) within the limit, measured by their own scatter where that is larger."""
+    """Points (n,) within the limit, measured by their own scatter if that is larger."""
     off = points @ plane.normal - plane.offset_mm
     off /= np.maximum(np.abs(per_sigma @ plane.normal), 1e-9)
     spread = max(float(np.median(np.abs(off))) / 0.6745, 1.0)

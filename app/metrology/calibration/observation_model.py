@@ -1,4 +1,4 @@
-"""Camera, laser plane and block as one set of parameters, and what a picture says of them."""
+"""Camera, laser plane and block as one set of parameters, and their observation equations."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -16,17 +16,17 @@ from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated, corners, edges
 from app.metrology.transforms import Floats
 
-# After the camera's parameters come two tilts (rad) and the offset (mm) of the plane.
+# The camera's parameters are followed by two tilts (rad) and the offset (mm) of the plane.
 PLANE = slice(COUNT, COUNT + 3)
 BLOCK = slice(COUNT + 3, None)
-# An edge's points share an error that noise does not show: shading beside the edge,
-# a chamfer or burr, and the pixels' grid where the edge runs along it.
+# Error that the points of an edge share and that noise does not show: shading beside the edge, a
+# chamfer or burr, and the pixel grid if the edge runs along it.
 SHARED_EDGE_PX = 0.015
 
 
 @dataclass(frozen=True)
 class SceneModel:
-    """What is adjusted: the sensor frame is the object frame of the certificate."""
+    """The unknowns of the adjustment; the sensor frame is the object frame of the certificate."""
 
     camera: Camera
     plane: LaserPlane
@@ -34,7 +34,7 @@ class SceneModel:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """One name a parameter, in the order of ``moved`` and of every Jacobian."""
+        """One name per parameter, in the order of ``moved`` and of every Jacobian."""
         block = [f"edge_x:{i}" for i in range(len(self.block.edges_x_mm))]
         block += ["front_y", "back_y", "crest_z", "floor_z", "base_z"]
         return (*PARAMETERS, "plane_a", "plane_b", "plane_offset", *block)
@@ -51,10 +51,10 @@ class SceneModel:
 class Rows:
     """Observation equations of one kind: residuals (N,) over sigma (N,), by the parameters.
 
-    ``places`` (N, 2) are the pixels they were observed at, ``line`` (N,) numbers the
-    straight line that each belongs to (one number for all corners); ``shared_px`` is
-    the standard deviation of an error that all points of one line have in common, and
-    ``shared`` (N, S) how points follow S more such errors, each of deviation 1.
+    ``places`` (N, 2) are the observed pixels, ``line`` (N,) the number of the straight line to
+    which each belongs (one number for all corners); ``shared_px`` is the standard deviation of an
+    error that all points of one line share, and ``shared`` (N, S) the derivatives of points by S
+    more such errors, each with standard deviation 1.
     """
 
     residuals: Floats
@@ -67,7 +67,7 @@ class Rows:
 
 
 def coordinates(block: Crenellated) -> Floats:
-    """The certificate's numbers: edges in x, front, back, crest, floor, base."""
+    """The coordinates of the certificate: edges in x, front, back, crest, floor, base."""
     return np.array(
         [
             *block.edges_x_mm,
@@ -95,14 +95,14 @@ def with_coordinates(block: Crenellated, values: Floats) -> Crenellated:
 
 @cache
 def _corner_numbers(count: int) -> dict[str, tuple[int, int, int]]:
-    """Which of ``count`` ``coordinates`` are the x, y, z of each corner."""
+    """Indices, among ``count`` ``coordinates``, of the x, y, z of each corner."""
     at = corners(_number_coordinates(count))
     return {name: (int(x), int(y), int(z)) for name, (x, y, z) in at.items()}
 
 
 @cache
 def _edge_numbers(count: int) -> dict[str, NDArray[np.int64]]:
-    """Which of ``count`` ``coordinates`` are the ends (2, 3) of each edge."""
+    """Indices, among ``count`` ``coordinates``, of the ends (2, 3) of each edge."""
     return {
         edge.name: np.array([edge.start_mm, edge.end_mm]).astype(np.int64)
         for edge in edges(_number_coordinates(count))
@@ -110,7 +110,7 @@ def _edge_numbers(count: int) -> dict[str, NDArray[np.int64]]:
 
 
 def _number_coordinates(count: int) -> Crenellated:
-    """A block each of whose coordinates is its own number."""
+    """A block in which each coordinate is its own index."""
     *x, front, back, crest, floor, base = (float(number) for number in range(count))
     return Crenellated("", "", tuple(x), front, back, crest, floor, base, 0.0)
 
@@ -133,16 +133,16 @@ def edge_rows(scene: SceneModel, measured: Sequence[EdgePoints]) -> Rows:
 
 
 def stripe_rows(scene: SceneModel, stripe: Stripe, level: NDArray[np.str_]) -> Rows:
-    """Stripe points on the two straight lines in which the laser plane meets the levels.
+    """Stripe points on the two straight lines in which the laser plane intersects the levels.
 
-    ``level`` (N,) is ``crest`` or ``floor``, and empty for points that do not count.
+    ``level`` (N,) is ``crest``, ``floor``, or empty for points that do not count.
     """
     plane = scene.plane
     used = level != ""
     uv, sigma = stripe.uv_px[used], stripe.sigma_px[used]
     line = (level[used] == "floor").astype(np.int64)
     z = np.array([scene.block.crest_z_mm, scene.block.floor_z_mm])[line]
-    # across the line within its level: how the line moves when the plane does
+    # across the line within its level: motion of the line with the plane
     across = np.array([*plane.normal[:2], 0.0]) / float(plane.normal[:2] @ plane.normal[:2])
     along = np.full((len(uv), 3), [plane.normal[1], -plane.normal[0], 0.0])
     start = (plane.offset_mm - plane.normal[2] * z)[:, None] * across
@@ -182,7 +182,7 @@ def corner_rows(scene: SceneModel, measured: Sequence[Corner]) -> Rows:
 
 
 def empty_rows(scene: SceneModel) -> Rows:
-    """Where nothing of a kind was observed."""
+    """The equations if nothing of a kind was observed."""
     none = np.zeros(0)
     return Rows(
         none, none, np.zeros((0, len(scene.names))), np.zeros((0, 2)), none.astype(np.int64)

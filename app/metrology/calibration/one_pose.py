@@ -44,22 +44,21 @@ from app.metrology.transforms import Floats, inverse
 
 Progress = Callable[[Text, float], None]
 
-# How well a hand brings a probe's sphere onto a ground face, time after time.
+# Repeatability with which a person brings the tip onto a ground face.
 PROBING_SD_MM = 0.005
 
 
 @dataclass(frozen=True)
 class OnePoseInputs:
-    """What a one-pose calibration is made from.
+    """The input of a one-pose calibration.
 
-    ``laser`` is None where ``ambient`` shows the stripe too (lighting ``both``).
-    ``size_px`` is the sensor's width and height, where known: pictures of another
-    size are refused.
+    ``laser`` is None if ``ambient`` shows the stripe too (lighting ``both``). ``size_px`` is the
+    width and height of the sensor, if known: pictures of another size are refused.
     """
 
     arm: Arm
     block: Crenellated
-    features: tuple[str, ...]  # (N) the face of each contact
+    features: tuple[str, ...]  # (N) face of each contact point
     contact_q_rad: Floats  # (N, n)
     pose_q_rad: Floats  # (n,)
     ambient: Image
@@ -70,7 +69,7 @@ class OnePoseInputs:
 
 @dataclass(frozen=True)
 class OnePoseCalibration:
-    """A calibration and what it rests on; the sensor frame is the object frame (Eq. 6)."""
+    """A calibration and the data it is based on; the sensor frame is the object frame (Eq. 6)."""
 
     alignment: Alignment
     detection: ObjectDetection
@@ -82,7 +81,7 @@ class OnePoseCalibration:
     corner_residuals_px: Floats  # (C, 2) measured minus projected, of detection.corners
     full_budget: Budget
     depth_range_mm: tuple[float, float]
-    """Nearest and furthest distance from the camera's centre between crests and floors."""
+    """Nearest and furthest distance from the camera centre between crests and floors."""
     findings: tuple[CalibrationFinding, ...]
     worst: tuple[WorstResidual, ...]
 
@@ -109,18 +108,18 @@ class OnePoseCalibration:
 
     @property
     def reprojection_rms_px(self) -> float:
-        """Of the edges that the camera was fitted to, across them."""
+        """Rms residual, across them, of the edges to which the camera was fitted."""
         return self.fit.edges.rms_px
 
 
 def calibrate_one_pose(
     inputs: OnePoseInputs, progress: Progress | None = None
 ) -> OnePoseCalibration:
-    """Camera, light plane and probe matrix from contact points and one pose.
+    """Camera, laser plane and probe matrix from contact points and one pose.
 
     Args:
         inputs: contact points and images of one block that has not moved in between.
-        progress: called with what is done, and the share done, 0 to 1.
+        progress: called with the current step and the share done, 0 to 1.
 
     Returns:
         The calibration; its sensor frame is the object frame (Eq. 6). Uncertainties are standard
@@ -179,7 +178,7 @@ def align_contacts(inputs: OnePoseInputs) -> Alignment:
 def refine_camera(
     detection: ObjectDetection, block: Crenellated, stripe: Stripe
 ) -> tuple[CameraFit, LaserPlaneFit]:
-    """The adjusted camera and plane, the stripe sorted again with the adjusted camera."""
+    """The adjusted camera and plane, with the stripe sorted again by the adjusted camera."""
     laser = fit_laser_plane(detection.camera, block, stripe)
     fit = fit_camera(
         detection.camera,
@@ -219,7 +218,7 @@ def _assemble_calibration(
     stripe: Stripe,
     laser: LaserPlaneFit,
 ) -> OnePoseCalibration:
-    """Probe matrix, budget and verdict of what was fitted."""
+    """Probe matrix, budget and verdict of the fit."""
     placed = Placement(
         inputs.arm,
         inputs.block,
@@ -265,10 +264,10 @@ def _assemble_calibration(
 
 
 def arm_excess(inputs: OnePoseInputs, alignment: Alignment) -> float:
-    """How much more the contacts scatter than the arm's encoders explain; 1 at least.
+    """Ratio of the scatter of the contact points to what the arm's encoders explain; at least 1.
 
-    What is left beyond a hand's touch is the arm's geometry, so the calibration pose is
-    taken to be as much worse than its encoders as the contacts are.
+    The scatter beyond the repeatability of touching is due to the arm's geometry, so the
+    calibration pose is assumed to be worse than its encoders by the same ratio.
     """
     noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
     if not np.any(noise):

@@ -1,4 +1,4 @@
-"""What a calibration by one pose shows about itself, in words: findings, and the worst points."""
+"""The findings of a calibration from one pose, and its worst points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,16 +33,16 @@ from app.metrology.stripe import Stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# The arm's contacts scatter by this factor beyond what its encoders explain.
+# The arm's contact points scatter by this factor beyond what its encoders explain.
 EXCESS = 5.0
 CONDITION = 15.0
-# Share of the block's width that the stripe spans.
+# Share of the block's width that the stripe must span.
 SPANNED = 0.5
 
 
 @dataclass(frozen=True)
 class Evidence:
-    """All that a calibration can be judged by."""
+    """Everything by which a calibration is judged."""
 
     block: Crenellated
     alignment: Alignment
@@ -58,7 +58,7 @@ class Evidence:
 
 
 def collect_one_pose_findings(evidence: Evidence) -> tuple[CalibrationFinding, ...]:
-    """By the uncertainty of a point, and every reason for or against it; the gravest first."""
+    """The verdict by the uncertainty of a point, with all findings, most severe first."""
     findings = (
         uncertainty_verdict(evidence.budget.total_um, evidence.budget.rows),
         *contact_findings(evidence.alignment, evidence.features),
@@ -174,7 +174,7 @@ def _stripe_findings(evidence: Evidence) -> list[CalibrationFinding]:
 
 
 def worst_points(evidence: Evidence, corner_residuals_px: Floats) -> tuple[WorstResidual, ...]:
-    """The few worst contacts, corners and stripe points."""
+    """The worst contact points, corners and stripe points."""
     contacts = 1e3 * np.abs(evidence.alignment.residuals_mm)
     worst = [
         contact_residual(i, evidence.features[i], float(contacts[i])) for i in _largest(contacts)

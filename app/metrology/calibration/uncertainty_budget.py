@@ -1,9 +1,9 @@
-"""How well a reconstructed point is known in the flange frame, and what that is owed to.
+"""Uncertainty of a reconstructed point in the flange frame, and its sources.
 
-Small errors of the camera and the laser plane (the scene's parameters), of the
-contact points, of the arm in the calibration pose and of the certificate are
-carried to points all over the measuring volume. An error of the certificate acts
-twice, through the picture and through the contacts, and partly cancels.
+Small errors of the camera and the laser plane (the parameters of the scene), of the contact points,
+of the arm in the calibration pose and of the certificate are propagated to points over the
+measuring volume. An error of the certificate acts twice, through the picture and through the
+contact points, and partly cancels.
 """
 
 from collections.abc import Sequence
@@ -46,11 +46,11 @@ SOURCES: dict[str, Text] = {
     "stripe": word("stripe"),
     "distortion": word("distortion"),
 }
-"""Names for people of what budgets and files call a source."""
+"""Display names of the sources in budgets and files."""
 
 
 def source_text(source: str) -> Text:
-    """The name of a budget's source for people; of an unknown one it is its own."""
+    """The display name of a budget's source; an unknown source keeps its name."""
     return SOURCES.get(source, source)
 
 
@@ -75,7 +75,7 @@ class Budget:
 
 @dataclass(frozen=True)
 class Placement:
-    """What the probe matrix was made from."""
+    """The inputs of the probe matrix."""
 
     arm: Arm
     block: Crenellated
@@ -84,7 +84,7 @@ class Placement:
     contact_q_rad: Floats
     pose_q_rad: Floats
     arm_excess: float
-    """Factor by which the arm's contacts scatter beyond what its encoders explain, at least 1."""
+    """Ratio of the scatter of the contact points to what the encoders explain, at least 1."""
 
 
 def compute_budget(fit: CameraFit, placed: Placement) -> Budget:
@@ -126,9 +126,9 @@ def compute_budget(fit: CameraFit, placed: Placement) -> Budget:
 
 
 def volume_pixels(camera: Camera, plane: LaserPlane, block: Crenellated) -> Floats:
-    """Pixels (G, 2) of a grid over the laser plane between floor and crest, on the block's width.
+    """Pixels (G, 2) of a grid over the laser plane between floor and crest, over the block's width.
 
-    Only those inside the picture.
+    Only pixels inside the picture.
     """
     x = np.linspace(block.edges_x_mm[0], block.edges_x_mm[-1], 9)
     z = np.linspace(block.floor_z_mm, block.crest_z_mm, 5)
@@ -141,7 +141,7 @@ def volume_pixels(camera: Camera, plane: LaserPlane, block: Crenellated) -> Floa
 
 
 def _error_squares(J: Floats, covariance: Floats) -> Floats:
-    """Squared length (G,) of the points' errors, mm^2."""
+    """Squared length (G,) of the errors of points, mm^2."""
     return np.asarray(np.maximum(np.einsum("gik,kl,gil->g", J, covariance, J), 0.0))
 
 
@@ -158,7 +158,8 @@ def _embed_sensor(covariance: Floats) -> Floats:
 
 
 def _certificate_covariance(fit: CameraFit, placed: Placement, by_alignment: Floats) -> Floats:
-    """What errors of the certificate's coordinates do, through picture and contacts together."""
+    """Effect of errors of the certificate's coordinates, through picture and contact points
+    together."""
     answer = np.zeros((SENSOR + 6, fit.by_certificate.shape[1]))
     answer[:SENSOR] = fit.by_certificate[:SENSOR]
     answer[PROBE] = by_alignment @ _alignment_by_certificate(placed)
@@ -166,7 +167,7 @@ def _certificate_covariance(fit: CameraFit, placed: Placement, by_alignment: Flo
 
 
 def _alignment_by_certificate(placed: Placement) -> Floats:
-    """(6, B): the alignment's answer to an error of each of the block's coordinates."""
+    """(6, B): derivative of the alignment by each of the block's coordinates."""
     alignment = placed.alignment
     kept = np.flatnonzero(~alignment.outliers)
     tips = tip_centres(placed.arm, placed.contact_q_rad)[kept]
@@ -182,12 +183,13 @@ def _alignment_by_certificate(placed: Placement) -> Floats:
             offsets[row, k] = probing_face(with_coordinates(placed.block, moved), face)[1] - base
     normals_arm = normals @ alignment.T_arm_obj[:3, :3].T
     J = np.column_stack([np.cross(tips - alignment.centre_mm, normals_arm), normals_arm])
-    # the object moves so that its displaced faces meet the same contacts again
+    # the object moves so that its displaced faces fit the same contact points again
     return np.asarray(-np.linalg.pinv(J) @ offsets)
 
 
 def _probe_by_alignment(placed: Placement, T_flange_arm: Floats, pivot: Floats) -> Floats:
-    """(6, 6): a turn and shift of ``T_arm_obj`` as a left perturbation of the probe matrix."""
+    """(6, 6): a rotation and translation of ``T_arm_obj`` as a left perturbation of the probe
+    matrix."""
     R = T_flange_arm[:3, :3]
     pivot_arm = apply(inverse(T_flange_arm), pivot[None])[0]
     M = np.zeros((6, 6))
@@ -197,7 +199,7 @@ def _probe_by_alignment(placed: Placement, T_flange_arm: Floats, pivot: Floats) 
 
 
 def _probe_by_encoders(placed: Placement, T_flange_arm: Floats, pivot: Floats) -> Floats:
-    """(6, n): an error of each joint in the calibration pose, on the probe matrix."""
+    """(6, n): effect of an error of each joint in the calibration pose on the probe matrix."""
     J = geometric_jacobian(placed.arm, placed.pose_q_rad, pivot)
     R = T_flange_arm[:3, :3]
     return -np.vstack([R @ J[3:], R @ J[:3]])
@@ -206,7 +208,7 @@ def _probe_by_encoders(placed: Placement, T_flange_arm: Floats, pivot: Floats) -
 def _point_jacobian(
     fit: CameraFit, uv: Floats, T_flange_obj: Floats, grid: Floats, pivot: Floats
 ) -> Floats:
-    """(G, 3, 23): how points in the flange frame move with all parameters."""
+    """(G, 3, 23): derivatives of points in the flange frame by all parameters."""
     J = np.zeros((len(uv), 3, SENSOR + 6))
     R = T_flange_obj[:3, :3]
     for k in range(SENSOR):

@@ -141,7 +141,7 @@ def identify(
     Args:
         arm: the arm by its datasheet; the start of the fit.
         check: places that are kept out of the fit to test it; None: every k-th place is held out
-            in\n            turn.
+            in turn.
         progress: called with the share done and the current step.
 
     Returns:

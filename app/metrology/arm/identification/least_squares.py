@@ -74,7 +74,7 @@ class ReducedSystem:
     right: Floats
     others: int
     back: tuple[Floats, ...]
-    """Of each group: the upper triangle that gives its centres back."""
+    """For each group: the upper triangle from which its centres are recovered."""
 
 
 def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:

@@ -96,7 +96,7 @@ def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
     R = np.broadcast_to(np.eye(3), (count, 3, 3))
     o = np.zeros((count, 3))
     moves: list[tuple[int, Floats]] = []  # (index, axis to move along)
-    turns: list[tuple[int, Floats, Floats]] = []  # (index, axis to turn about, a point on it)
+    turns: list[tuple[int, Floats, Floats]] = []  # (index, axis to rotate about, a point on it)
     for i, joint in enumerate(arm.joints):
         at = i * TERMS
         angle = joint.sign * q[:, i] + joint.theta_rad
@@ -128,12 +128,12 @@ def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
 
 
 def encoder_covariances(arm: Arm, J: Floats) -> Floats:
-    """Covariance of tip centres by the noise of the encoders, from their Jacobian.
+    """Covariance of tip centres due to the noise of the encoders, from their Jacobian.
 
-    The angle of an encoder acts as theta of its joint, apart from the sign.
+    The angle of an encoder acts like theta of its joint, apart from the sign.
 
     Args:
-        J: (N, 3, 10 n + 3) as of ``tip_jacobian``.
+        J: (N, 3, 10 n + 3) from ``tip_jacobian``.
 
     Returns:
         (N, 3, 3) mm², k = 1.

@@ -1,4 +1,5 @@
-"""The robust fit: outliers named, the scatter beyond the encoders found, then least squares."""
+"""The robust fit: identifies outliers, estimates the scatter beyond the encoders, then least
+squares."""
 
 from dataclasses import dataclass
 
@@ -33,29 +34,30 @@ from app.metrology.transforms import Floats
 HUBER = 2.0
 ROBUST_STEPS, STEPS = 12, 30
 SMALL_STEP = 1e-4
-"""A step this small against its standard deviations changes nothing that anyone sees."""
-# Of good points, one in a million lies beyond: along one direction, and in space.
+"""The iteration ends at a step this small relative to the standard deviations."""
+# One in a million good points lies beyond: in one direction, and in space.
 SPHERE_SIGMAS, SEAT_SIGMAS = 4.9, 5.5
 OUTLIER_ROUNDS = 20
 BACK_AGAIN = 0.9
-"""A point left out comes back within this share of the limit, so that none goes to and fro."""
+"""An excluded point returns within this share of the limit, so that no point alternates."""
 
 
 @dataclass(frozen=True)
 class ArmFit:
-    """A solution, and what belongs to it."""
+    """A solution and its statistics."""
 
     at: Unknowns
     moved: Indices
     fixed: dict[int, FixedReason]
     covariance: Floats
-    """(p, p) of the parameters moved, mm and rad, k = 1."""
+    """(p, p) covariance of the moved parameters, mm and rad, k = 1."""
     others_covariance: Floats
-    """(o, o) of the spheres' radius excess (if there are spheres) and the bars' errors."""
+    """(o, o) covariance of the spheres' radius excess (if there are spheres) and the bars'
+    errors."""
     scatter_mm: float
-    """Per coordinate, of the points beyond what the encoders explain."""
+    """Scatter of the points per coordinate, beyond what the encoders explain."""
     inliers: NDArray[np.bool_]
-    """(N,) points that are no outliers."""
+    """(N,) points that are not outliers."""
     freedom: int
 
 
@@ -65,11 +67,11 @@ def fit_arm(
     """The best arm for the points.
 
     Args:
-        choice: which parameters may move.
-        moving: move just these, where it was decided before.
+        choice: the parameters that may move.
+        moving: the parameters to move, if decided before.
 
     Raises:
-        OperationError: too few points for the parameters, or a fit that runs away.
+        OperationError: too few points for the parameters, or a fit that diverges.
     """
     at, scatter = initial_unknowns(arm, data), LEAST_SCATTER_MM
     everything = np.ones(len(data.q_rad))
@@ -103,7 +105,8 @@ def fit_arm(
 def descend(
     data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
 ) -> Unknowns:
-    """Gauss-Newton to the end, at fixed weights; ``OperationError`` if it does not end."""
+    """Gauss-Newton to convergence, with fixed weights; ``OperationError`` if it does not
+    converge."""
     start_of_search = at
     for _ in range(STEPS):
         system = reduce_system(data, at, columns, weights, scatter_mm)
@@ -128,7 +131,8 @@ def descend(
 
 
 def _first_choice(data: StackedObservations, at: Unknowns, choice: Candidates) -> Indices:
-    """What to move before the scatter is known: as if the encoders' noise were nearly all."""
+    """The parameters to move before the scatter is known: as if the encoders were almost the only
+    noise."""
     everything = np.ones(len(data.q_rad))
     system = reduce_system(data, at, choice.order, everything, 0.02)
     columns, _ = select_parameters(
@@ -138,7 +142,8 @@ def _first_choice(data: StackedObservations, at: Unknowns, choice: Candidates) -
 
 
 def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[Unknowns, float]:
-    """Huber's M-estimate with the scatter found on the way, so that outliers do not lead."""
+    """Huber's M-estimate with the scatter estimated on the way, so that outliers do not
+    dominate."""
     scatter = LEAST_SCATTER_MM
     for _ in range(ROBUST_STEPS):
         scatter = _median_scatter(data, at)
@@ -152,7 +157,8 @@ def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[
 
 
 def _median_scatter(data: StackedObservations, at: Unknowns) -> float:
-    """Scatter per coordinate beyond the encoders that puts the median point at its place."""
+    """Scatter per coordinate beyond the encoders for which the median point has the expected
+    distance."""
     found = residuals(data, at, LEAST_SCATTER_MM)
     by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
     # medians of the chi distributions with one and three degrees of freedom
@@ -170,7 +176,7 @@ def _without_outliers(
 ) -> tuple[Unknowns, float, NDArray[np.bool_]]:
     """Least squares on the points that agree.
 
-    The worst of each place leaves in turn; one that turns out to agree comes back.
+    The worst point of each place is excluded in turn; an excluded point that agrees returns.
     """
     for _ in range(OUTLIER_ROUNDS):
         for _ in range(3):
@@ -196,8 +202,8 @@ def _without_outliers(
 def _limits(data: StackedObservations, kept: NDArray[np.bool_]) -> Floats:
     """(N,) Mahalanobis distance beyond which a point is an outlier.
 
-    A point pulls its own place's centre, the more so the fewer points are there; one
-    that was left out does not, and lies further off.
+    A point pulls the centre of its own place, more so if there are few points; an excluded point
+    does not, and lies further off.
     """
     counts = np.bincount(data.place_of[kept], minlength=len(data.places))[data.place_of]
     share = np.where(data.on_sphere, 4.0, 1.0) / np.maximum(counts, 1)
@@ -206,13 +212,13 @@ def _limits(data: StackedObservations, kept: NDArray[np.bool_]) -> Floats:
 
 
 def _enough_left(data: StackedObservations, kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """No place is left without points: then all of its own count again."""
+    """No place is left without points: if it would be, all of its points count again."""
     counts = np.bincount(data.place_of[kept], minlength=len(data.places))
     return np.asarray(kept | (counts[data.place_of] == 0))
 
 
 def _freedom(data: StackedObservations, kept: NDArray[np.bool_], unknowns: int) -> int:
-    """Degrees of freedom that the points leave over."""
+    """Degrees of freedom of the points."""
     rows = int(np.sum(np.where(data.on_sphere[kept], 1, 3)))
     bars = sum(group.bar is not None for group in data.groups)
     return rows + bars + len(data.bar_names) - 3 * len(data.places) - unknowns
@@ -221,7 +227,7 @@ def _freedom(data: StackedObservations, kept: NDArray[np.bool_], unknowns: int) 
 def _scatter(
     data: StackedObservations, at: Unknowns, columns: Indices, kept: NDArray[np.bool_]
 ) -> float:
-    """The scatter beyond the encoders with which the points' chi-squared is as expected."""
+    """The scatter beyond the encoders for which the chi-squared of the points is as expected."""
     freedom = _freedom(data, kept, len(columns) + 1)
     if freedom < 1:
         raise OperationError(
@@ -231,7 +237,7 @@ def _scatter(
             message("take-more-points-more-places"),
         )
 
-    from scipy.optimize import brentq  # slow to load, and seldom needed
+    from scipy.optimize import brentq  # slow to import, and seldom needed
 
     sight = predict_tips(data, at)
 

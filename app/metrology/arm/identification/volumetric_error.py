@@ -1,4 +1,4 @@
-"""What the arm's parameters are worth: the tip's error over the arm's whole reach."""
+"""The accuracy of the arm's parameters: the error of the tip over the arm's reach."""
 
 import numpy as np
 
@@ -10,11 +10,11 @@ from app.metrology.transforms import Floats, apply, rigid_fit, skew
 
 POSES = 400
 SHARE = 0.8
-"""Of each joint's limits that the poses span."""
+"""Share of each joint's range that the poses span."""
 
 
 def reach_poses(arm: Arm) -> Floats:
-    """(POSES, n) encoder angles all over the arm's reach; the same for the same limits."""
+    """(POSES, n) encoder angles over the arm's reach; the same for the same limits."""
     low, high = np.array([joint.limits_rad for joint in arm.joints]).T
     middle, half = (low + high) / 2, (high - low) / 2 * SHARE
     return np.random.default_rng(0).uniform(middle - half, middle + half, (POSES, len(low)))
@@ -23,7 +23,7 @@ def reach_poses(arm: Arm) -> Floats:
 def volumetric_difference_mm(before: Arm, after: Arm) -> float:
     """Rms distance of the two arms' tips over the reach, after the best rigid fit.
 
-    A rigid motion of the whole arm is no error: all is measured from its own base.
+    A rigid motion of the whole arm is not an error: everything is measured from its own base.
     """
     q = reach_poses(before)
     a, b = tip_jacobian(before, q)[0], tip_jacobian(after, q)[0]
@@ -32,9 +32,9 @@ def volumetric_difference_mm(before: Arm, after: Arm) -> float:
 
 
 def size_uncertainty_mm(arm: Arm) -> float:
-    """Rms error of the tip over the reach if the arm's size is as wrong as its longest link.
+    """Rms error of the tip over the reach if the arm's scale is as wrong as its longest link.
 
-    That link is taken to be made to ``LENGTH_MM``; a rigid fit does not take a size away.
+    That link is assumed to be made to ``LENGTH_MM``; a rigid fit does not remove a scale error.
     """
     longest = max(max(abs(joint.a_mm), abs(joint.d_mm)) for joint in arm.joints)
     tips, _ = tip_jacobian(arm, reach_poses(arm))
@@ -43,9 +43,9 @@ def size_uncertainty_mm(arm: Arm) -> float:
 
 
 def volumetric_uncertainty_mm(arm: Arm, moved: Indices, covariance: Floats) -> float:
-    """Rms standard uncertainty (k = 1) of the tip over the reach, by the parameters moved.
+    """Rms standard uncertainty (k = 1) of the tip over the reach, due to the moved parameters.
 
-    What is held has no part in it: without a bar, ``size_uncertainty_mm`` comes on top.
+    Held parameters do not contribute: without a bar, ``size_uncertainty_mm`` is added.
 
     Args:
         moved: (p,) parameters.

@@ -1,4 +1,4 @@
-"""Whether an arm's readings can be true: judged one by one, as they come."""
+"""Plausibility of the arm's readings, judged one by one as they arrive."""
 
 from app.metrology.arm.joint_plausibility.implausible import (
     EQUAL_FROZEN,

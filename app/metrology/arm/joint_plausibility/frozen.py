@@ -8,61 +8,62 @@ from app.metrology.arm.joint_plausibility.implausible import EQUAL_FROZEN
 from app.metrology.arm.joint_plausibility.reach import PACE, Stop
 
 EQUAL_PENDING = 2
-"""A joint whose noise shows reads the same twice in a row now and then: that is looked at."""
+"""A joint with visible noise occasionally repeats a reading; checks start from this number."""
 WATCHED, REVERSALS, LARGE_STEPS = 64, 16, 1.5
-"""Noise shows where among so many readings so many changes go back by more than one of the
-encoder's steps: one step there and back may be a joint that stands between two."""
+"""Noise is visible if this many of this many readings reverse by more than one encoder step: one
+step back and forth may be a joint between two steps."""
 MOVING_STEPS = 6.0
-"""While the joint moves, noise shows in third differences: of a smooth turn they are below four
-of the encoder's steps, or do not alternate."""
+"""While the joint moves, noise shows in third differences: for a smooth rotation they are below
+four encoder steps, or do not alternate."""
 SAME_STEP, FINEST, COARSEST = 1.5, 0.5, 2.0
-"""By what factors step and noise of encoders of one kind differ."""
+"""Factors by which step and noise of encoders of one kind may differ."""
 ROUNDING_RAD = 1e-12
 QUIET = 20
-"""An encoder that changes after so many equal readings has too little noise to judge by."""
+"""An encoder that changes after this many equal readings has too little noise for a judgement."""
 COARSEST_STEP_RAD = math.tau / 2**12
-"""A larger change is none of one step."""
+"""A larger change is more than one step."""
 STOPPED_RAD_S = 0.3
 STOPPED_RAD_S2 = 150.0
-"""No hand stops a joint from such a speed so fast."""
+"""A person cannot stop a joint from such a speed any faster."""
 STEADY, STEADY_S = 0.75, 0.004
-"""Of its speed in such a time, a joint that does not slow down has as much in the next."""
+"""If a joint does not slow down by this share of its speed in this time, it will not in the
+next."""
 STOPPED_S = 0.1
 MOVING_RAD_S, MOVING_S = 0.2, 0.02
-"""Other joints go on where one of them turns faster than that, from so soon after a stop."""
+"""Other joints keep moving if one of them turns faster than this, this soon after a stop."""
 AT_LIMIT_RAD = math.radians(2.0)
 MOST_KEPT = 64
 
 
 class Encoder:
-    """What is known of one joint's encoder from its readings so far."""
+    """What is known about the encoder of one joint from its readings so far."""
 
     def __init__(self) -> None:
         self.low_rad, self.high_rad = -math.inf, math.inf
         self.sd_rad = 0.0
-        """Its noise by the datasheet."""
+        """The noise in its datasheet."""
         self.step_rad = math.inf
-        """The smallest change it has shown, and the smallest difference of two."""
+        """The smallest change so far, and the smallest difference between two changes."""
         self.noisy = self.frozen = False
         self.quiet = False
-        """It has stood on one reading for long and gone on: that shows nothing about it."""
+        """It repeated one reading for long and then continued: this shows nothing about it."""
         self.equal = 0
-        """How often the newest reading came again."""
+        """Number of repetitions of the newest reading."""
         self.since_ns = 0
-        """When it came first."""
+        """Time of its first occurrence."""
         self.stop: Stop | None = None
         self._seen = self._reversals = self._moving_reversals = 0
         self._way = self._turn = self._third = 0.0
 
     def change(self, stamp_ns: int, change_rad: float) -> bool:
-        """Takes a reading that differs; True where its step is known again."""
+        """Adds a reading that differs; True if the encoder's step estimate changed."""
         self.quiet = self.quiet or (self.equal >= QUIET and not self.frozen)
         self.equal, self.since_ns, self.frozen = 0, stamp_ns, False
         return abs(change_rad) < self.step_rad and self._learn(abs(change_rad))
 
     def watch(self, change_rad: float) -> bool:
-        """Learns whether noise shows in the changes from reading to reading; True where the
-        encoder's step is known again."""
+        """Learns whether noise is visible in the changes between readings; True if the encoder's
+        step estimate changed."""
         way, learnt = self._way, False
         turn = change_rad - way
         third = turn - self._turn
@@ -75,7 +76,7 @@ class Encoder:
             self._moving_reversals += 1
         self._way, self._turn, self._third = change_rad, turn, third
         self._seen += 1
-        # uneven sampling of a moving joint looks alike: only where the datasheet says so too
+        # uneven sampling of a moving joint looks alike: only if the datasheet agrees
         if self._reversals >= REVERSALS or (
             self._moving_reversals >= REVERSALS and self.sd_rad >= self.step_rad
         ):
@@ -85,31 +86,31 @@ class Encoder:
         return learnt
 
     def _learn(self, step_rad: float) -> bool:
-        learnt = step_rad < 0.999 * self.step_rad  # not for the last digit of a number
+        learnt = step_rad < 0.999 * self.step_rad  # not because of the last digit of a number
         self.step_rad = step_rad
         return learnt
 
 
 class Standstill:
-    """Finds encoders that say the same to the last digit although they cannot.
+    """Detects encoders that repeat a reading to the last digit although they cannot.
 
-    Two things give one away. Its noise is missing: it was seen before, or is seen at most
-    of the other joints, whose encoders are of the same kind by datasheet and step. Or, where
-    an encoder is too coarse to show noise, the joint came to a stand at once, out of a steady
-    turn, away from its limits, and others go on. A joint that merely stands shows neither.
+    Two signs reveal such an encoder. Its noise is missing: it was seen before, or is seen at most
+    of the other joints, whose encoders are of the same kind by datasheet and step. Or, if an
+    encoder is too coarse to show noise, the joint stopped instantly out of a steady rotation, away
+    from its limits, while others continue. A joint that merely stands still shows neither.
     """
 
     def __init__(self, joint_count: int, rate_hz: float) -> None:
         self.encoders = [Encoder() for _ in range(joint_count)]
         self.stops: list[Stop | None] = [None] * joint_count
-        """Where joints came to a stand at once, while they read the same."""
+        """Times at which joints stopped instantly, while their readings repeat."""
         self._stopped: list[Stop | None] = [None] * joint_count
-        """The same after one equal reading, as there are of a slow joint too."""
+        """The same after one equal reading, which slow joints also show."""
         self._period_s = 1.0 / max(rate_hz, 1.0)
         self._before: deque[tuple[int, Sequence[float]]] = deque(maxlen=MOST_KEPT)
 
     def watch(self, stamp_ns: int, q_rad: Sequence[float]) -> bool:
-        """Takes the next reading (n,); True where the encoders' steps are known again."""
+        """Takes the next reading (n,); True if the step estimate of an encoder changed."""
         if not self._before:
             for encoder in self.encoders:
                 encoder.since_ns = stamp_ns
@@ -138,14 +139,14 @@ class Standstill:
         return learnt
 
     def read_on(self) -> None:
-        """Forgets the stops of joints that read on, once that was judged."""
+        """Removes the stops of joints whose readings change again, after they were judged."""
         for joint, encoder in enumerate(self.encoders):
             if not encoder.equal:
                 self.stops[joint] = None
 
     def step_rad(self, joint: int) -> float:
-        """The encoder's step: the smallest change it showed, else the largest step of others;
-        0 where none is known, and no more than the coarsest encoder has."""
+        """The encoder's step: the smallest change it showed, otherwise the largest step of the
+        others; 0 if none is known, and at most that of the coarsest encoder."""
         return min(self._step_rad(joint), COARSEST_STEP_RAD)
 
     def _step_rad(self, joint: int) -> float:
@@ -173,7 +174,7 @@ class Standstill:
         return may_be_frozen, None
 
     def _should_be_noisy(self, joint: int) -> bool:
-        """Whether its encoder is one of those that show noise."""
+        """Whether its encoder is one that shows noise."""
         encoder = self.encoders[joint]
         if encoder.quiet or not encoder.sd_rad:
             return False
@@ -190,7 +191,7 @@ class Standstill:
         )
 
     def _stop(self, joint: int) -> Stop | None:
-        """Where a joint stands that turned steadily up to the reading before the newest."""
+        """Position of a joint that turned steadily up to the reading before the newest."""
         before, period_s = self._before, self._period_s
         count = self._steady_count()
         if len(before) <= 2 * count:
@@ -213,7 +214,7 @@ class Standstill:
         return (end_ns, angle, speed) if steady else None
 
     def _speed(self, joint: int) -> float:
-        """How fast a joint turned before it read the same, in rad/s."""
+        """Speed of a joint before its reading repeated, in rad/s."""
         count = self._steady_count()
         if len(self._before) < count + 2:
             return 0.0
@@ -228,7 +229,7 @@ class Standstill:
         return encoder.low_rad + AT_LIMIT_RAD < angle_rad < encoder.high_rad - AT_LIMIT_RAD
 
     def _others_go_on(self, joint: int) -> bool:
-        """Whether another joint has gone on turning since one came to a stand."""
+        """Whether another joint has continued turning since one stopped."""
         stop = self.stops[joint]
         if stop is None:
             return False

@@ -1,4 +1,4 @@
-"""What is said of a reading that cannot be true."""
+"""Messages about implausible readings."""
 
 import math
 from collections.abc import Sequence
@@ -12,14 +12,15 @@ from app.metrology.arm.kinematics import Arm
 ImplausibleKind = Literal["number", "limits", "jump", "slip", "spike", "frozen"]
 
 STOP_TOLERANCE_RAD = math.radians(0.5)
-"""An arm that rests at its stop may read a little past its limit."""
+"""An arm that rests at its stop may read slightly beyond its limit."""
 EQUAL_FROZEN = 40
-"""So many equal readings in a row of a joint whose noise shows come less than once in years."""
+"""For a joint with visible noise, this many equal readings in a row occur less than once in
+years."""
 
 
 @dataclass(frozen=True)
 class ImplausibleReading:
-    """A reading that cannot be true."""
+    """An implausible reading."""
 
     kind: ImplausibleKind
     stamp_ns: int
@@ -27,11 +28,11 @@ class ImplausibleReading:
     reading_rad: float
     limits_rad: tuple[float, float]
     step_rad: float = 0.0
-    """By how much it jumped."""
+    """Size of the jump."""
 
     @property
     def error(self) -> OperationError:
-        """What is wrong with it: the joint, the reading, what it may be, and what to do."""
+        """What is wrong: the joint, the reading, the possible cause, and what to do."""
         reading = quantity(math.degrees(self.reading_rad), "°", 1)
         if self.kind == "number":
             return OperationError(
@@ -94,7 +95,7 @@ class ImplausibleReading:
 
 
 def limits_error(q_rad: Sequence[float], arm: Arm) -> OperationError | None:
-    """What is wrong with angles (n,) outside the arm's limits; None for those inside."""
+    """The error of angles (n,) outside the arm's limits; None if they are inside."""
     for joint, angle_rad in zip(arm.joints, q_rad, strict=True):
         low, high = joint.limits_rad
         if not low - STOP_TOLERANCE_RAD <= angle_rad <= high + STOP_TOLERANCE_RAD:

@@ -1,4 +1,4 @@
-"""One judge of an arm's readings: what is plausible passes, the rest is kept back and reported."""
+"""Judges the readings of an arm: plausible readings pass, all others are held back and reported."""
 
 import math
 from collections import deque
@@ -17,9 +17,9 @@ from app.metrology.arm.kinematics import Arm
 
 REMEMBERED = 4096
 NOISE_SDS, STEPS = 12.0, 2.0
-"""The encoder's own noise and steps, in a speed taken from two readings, look like motion."""
+"""In a speed from two readings, the noise and the step of the encoder look like motion."""
 UNKNOWN_SD_RAD = 1e-4
-"""Of encoders whose noise no datasheet states."""
+"""For encoders whose datasheet states no noise."""
 
 
 class JointReading(Protocol):
@@ -37,27 +37,27 @@ R = TypeVar("R", bound=JointReading)
 
 
 class PlausibilityFilter(Generic[R]):
-    """Lets plausible readings pass and keeps the others back.
+    """Lets plausible readings pass and holds the others back.
 
-    A reading is impossible that is no number, lies outside its joint's limits, farther from
-    those before than a joint can turn (``Reach``), or alone off the motion around it
-    (``Spikes``). A joint is frozen that reads the same value to the last digit although it
-    cannot (``Standstill``). Each reading waits for the three after it, and one that may turn
-    out frozen until that is known.
+    A reading is impossible if it is not a number, lies outside the limits of its joint, is further
+    from the previous ones than a joint can turn (``Reach``), or stands out alone from the motion
+    around it (``Spikes``). A joint is frozen if its reading repeats to the last digit although it
+    cannot (``Standstill``). Each reading waits for the next three, and one that may turn out frozen
+    until that is known.
 
     Args:
-        arm: None while it is not known: then limits are not judged.
+        arm: None while unknown: then limits are not judged.
     """
 
     def __init__(self, joint_count: int, rate_hz: float, arm: Arm | None = None) -> None:
         self.impossible = self.frozen = 0
-        """Readings kept back so far."""
+        """Number of readings held back so far."""
         self.outside = 0
-        """Those of the impossible that lie outside the joints' limits."""
+        """Number of impossible readings outside the joint limits."""
         self.newest: ImplausibleReading | None = None
         self.first: ImplausibleReading | None = None
         self.judged_ns: int | None = None
-        """What came up to here is known to be good or bad, and nothing of it waits."""
+        """Readings up to this one are judged, and none of them waits."""
         self._names = [f"J{i + 1}" for i in range(joint_count)]
         self._limits_rad = [(-math.inf, math.inf)] * joint_count
         self._ranges_rad = self._limits_rad
@@ -66,7 +66,7 @@ class PlausibilityFilter(Generic[R]):
         self._standstill = Standstill(joint_count, rate_hz)
         self._count = 0
         self._pending: deque[tuple[int, R]] = deque()
-        """What waits, and the how many-th reading each is."""
+        """Waiting readings, with their running numbers."""
         self._rejected: deque[tuple[int, ImplausibleReading]] = deque(maxlen=REMEMBERED)
         self.set_arm(arm)
 
@@ -75,7 +75,7 @@ class PlausibilityFilter(Generic[R]):
         return self.impossible + self.frozen
 
     def set_arm(self, arm: Arm | None) -> None:
-        """Whose limits hold from now on; what was learned of the encoders is kept."""
+        """Sets the arm whose limits apply from now on; the knowledge about the encoders is kept."""
         if arm is not None and arm.joint_count == len(self._names):
             self._names = [joint.name for joint in arm.joints]
             self._limits_rad = [joint.limits_rad for joint in arm.joints]
@@ -89,22 +89,22 @@ class PlausibilityFilter(Generic[R]):
         self._set_noise()
 
     def forget_place(self) -> None:
-        """The arm connects again: its joints may be anywhere, and none has slipped."""
+        """The arm reconnects: its joints may be anywhere, and none has slipped."""
         self._reach.forget()
         self._spikes.forget()
 
     def first_between(self, first_ns: int, last_ns: int) -> ImplausibleReading | None:
-        """The first reading kept back in a stretch of time; None where all were plausible."""
+        """The first reading held back in an interval of time; None if all were plausible."""
         return next((one for at, one in tuple(self._rejected) if first_ns <= at <= last_ns), None)
 
     def filter(self, readings: Sequence[R]) -> list[R]:
         """Judges new readings.
 
         Args:
-            readings: oldest first, with n angles in rad and rising stamps in ns.
+            readings: oldest first, with n angles in rad and increasing time stamps in ns.
 
         Returns:
-            The readings, oldest first, that are now known to be plausible; the latest ones wait for
+            The readings, oldest first, now known to be plausible; the latest ones wait for
             those after them.
         """
         good: list[R] = []
@@ -130,7 +130,7 @@ class PlausibilityFilter(Generic[R]):
         return good
 
     def flush(self) -> list[R]:
-        """What still waits at the end of the readings: too few to be judged."""
+        """Readings that still wait at the end: too few to be judged."""
         rest = [reading for _, reading in self._pending]
         self._pending.clear()
         if rest:
@@ -138,7 +138,7 @@ class PlausibilityFilter(Generic[R]):
         return rest
 
     def _set_noise(self) -> None:
-        """Sets what the encoders' noise and steps may look like."""
+        """Sets the noise and the steps to be expected of the encoders."""
         sds = [one.sd_rad or UNKNOWN_SD_RAD for one in self._standstill.encoders]
         steps = [self._standstill.step_rad(joint) for joint in range(len(sds))]
         self._spikes.set_noise(sds, steps)
@@ -147,7 +147,7 @@ class PlausibilityFilter(Generic[R]):
         ]
 
     def _number_or_limits(self, stamp_ns: int, q_rad: Sequence[float]) -> ImplausibleReading | None:
-        """What is impossible in a reading by itself; None for nothing."""
+        """Why a reading is impossible by itself; None if it is possible."""
         for joint, (angle_rad, (low, high)) in enumerate(zip(q_rad, self._ranges_rad, strict=True)):
             if not low <= angle_rad <= high or not math.isfinite(angle_rad):
                 kind: ImplausibleKind = "limits" if math.isfinite(angle_rad) else "number"
@@ -155,7 +155,7 @@ class PlausibilityFilter(Generic[R]):
         return None
 
     def _jump(self, stamp_ns: int, q_rad: Sequence[float]) -> ImplausibleReading | None:
-        """What is impossible in a reading after the ones before; None for nothing."""
+        """Why a reading is impossible after the previous ones; None if it is possible."""
         jump = self._reach.follow(stamp_ns, q_rad, self._standstill.stops)
         self._standstill.read_on()
         if jump is None:
@@ -164,13 +164,14 @@ class PlausibilityFilter(Generic[R]):
         return self._implausible(kind, stamp_ns, jump.joint, q_rad[jump.joint], jump.step_rad)
 
     def _drop_spike(self, stamp_ns: int, q_rad: Sequence[float]) -> None:
-        """Keeps back the reading that the newest shows to be alone off the motion around it."""
+        """Holds back the reading that the newest one shows to stand out alone from the motion
+        around it."""
         spike = self._spikes.find(stamp_ns, q_rad)
         if spike is None:
             return
         place = len(self._pending) - 1 - LATER
         if place < 0 or self._pending[place][1].stamp_ns != spike.stamp_ns:
-            return  # it was let go, where readings between were no good either
+            return  # it was released if the readings in between were bad as well
         reading = self._pending[place][1]
         del self._pending[place]
         self.impossible += 1
@@ -179,7 +180,7 @@ class PlausibilityFilter(Generic[R]):
         self._reject(spike.stamp_ns, wrong)
 
     def _release_pending(self, good: list[R]) -> None:
-        """Lets go what waited long enough, and keeps back what a frozen joint says."""
+        """Releases what waited long enough, and holds back the readings of a frozen joint."""
         held, (may_be_frozen, joint) = self._pending, self._standstill.find()
         if joint is not None:
             since_ns = self._standstill.encoders[joint].since_ns
@@ -191,7 +192,7 @@ class PlausibilityFilter(Generic[R]):
                 stamp_ns, angle_rad = reading.stamp_ns, reading.joints_rad[joint]
                 self._reject(stamp_ns, self._implausible("frozen", stamp_ns, joint, angle_rad))
             held.clear()
-            # where the joint is meanwhile, nobody knows
+            # the position of the joint in the meantime is unknown
             self._reach.lose()
             self._spikes.forget()
         elif not may_be_frozen:

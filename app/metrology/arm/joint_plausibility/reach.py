@@ -1,74 +1,77 @@
-"""Where joints can be after where they were: jumps, and encoders that slipped."""
+"""Positions that joints can reach from the previous ones: jumps, and encoders that slipped."""
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 MOST_SPEED_RAD_S = 30.0
-"""A hand moves a tip at 2 m/s at most, and spins a wrist by less than three turns a second."""
+"""A person moves a tip at 2 m/s at most, and turns a wrist at less than three revolutions per
+second."""
 MOST_ACCELERATION_RAD_S2 = 5000.0
 """A knock of 50 g, 0.1 m from a joint's axis."""
 MOST_KNOCK_RAD_S = 10.0
-"""By how much a knock changes a joint's speed in all: 1 m/s, 0.1 m from its axis."""
+"""Total change of a joint's speed by a knock: 1 m/s, 0.1 m from its axis."""
 UNSURE_PERIODS = 2.0
-"""Stamps taken at arrival are off by up to half a period, which shows in the speed too."""
+"""Time stamps taken on arrival are off by up to half a period, which affects the speed too."""
 FORGET_S = 0.1
-"""After a gap so long a joint may be anywhere."""
+"""After a gap this long, a joint may be anywhere."""
 ESTABLISHED_S = 0.1
-"""A place that readings report for so long is one, be it true or not."""
+"""A position that readings report for this long is one position, correct or not."""
 SETTLED_S = 0.5
-"""A joint that stays for so long where a knock could have thrown it is believed again."""
+"""A joint that stays this long at a position to which a knock could have moved it is trusted
+again."""
 PACE = 0.05
 """Weight of the newest period in the smoothed one."""
 
 At = tuple[int, Sequence[float]]
-"""A stamp in ns, and the encoder angles (n,) in rad."""
+"""A time stamp in ns, and the encoder angles (n,) in rad."""
 Stop = tuple[int, float, float]
-"""Where a joint stood still at once: stamp in ns, angle in rad, speed before in rad/s."""
+"""An instant stop of a joint: time stamp in ns, angle in rad, speed before in rad/s."""
 
 
 @dataclass(frozen=True)
 class Jump:
-    """A reading that a joint cannot have come to."""
+    """A reading that a joint cannot have reached."""
 
     joint: int
     step_rad: float
     stays: bool = False
-    """It has stayed there so long, and jumped so far, that its encoder must have slipped."""
+    """It stayed there so long, and jumped so far, that its encoder must have slipped."""
 
 
 class Reach:
-    """Follows the joints, by their last reading and their speeds.
+    """Tracks the joints by their last reading and their speeds.
 
-    After a jump the readings go on being followed where they are, with the step that led
-    there. A later one that undoes the step is back at the good place, and believed. One
-    that stays is believed after a while only if a knock may have brought it there; else
-    the encoder slipped, which stays so until it jumps back or ``forget`` is called.
+    After a jump, tracking continues at the new position, and the step that led there is stored. A
+    later reading that undoes the step is back at the correct position and trusted. A reading that
+    stays is trusted after a while only if a knock may have caused it; otherwise the encoder
+    slipped, which remains so until it jumps back or ``forget`` is called.
     """
 
     def __init__(self, joint_count: int, rate_hz: float) -> None:
         self.unsure_rad = [0.0] * joint_count
-        """By how much a reading may be off by the encoder's noise and steps."""
+        """Possible error of a reading due to the encoder's noise and steps."""
         self._nominal_s = self.period_s = 1.0 / max(rate_hz, 1.0)
-        """Between readings: as the arm says, and as they come if they come more slowly."""
+        """Period of the readings: as the arm states, or as they arrive if they arrive more
+        slowly."""
         self._last: At | None = None
         self._speeds_rad_s = [0.0] * joint_count
         self._step_s: float | None = None
-        """The time over which the speeds were taken; None while they are not known."""
+        """The time over which the speeds were determined; None while they are unknown."""
         self._good_since_ns = self._good_ns = 0
         self._aside: list[float] | None = None
-        """The steps (n,) in rad that led from the good place to where the readings are."""
+        """The steps (n,) in rad from the correct position to the present readings."""
         self._aside_since_ns = 0
         self._jumped = 0
         self._too_far = self._slipped = False
 
     def forget(self) -> None:
-        """The joints may be anywhere, and none has slipped: the arm connects again."""
+        """The joints may be anywhere, and none has slipped: the arm reconnects."""
         self._last = self._aside = None
         self._slipped = False
 
     def lose(self) -> None:
-        """The joints may be anywhere, but what slipped is still off."""
+        """The joints may be anywhere, but encoders that slipped are still off."""
         self._last = None
         if not self._slipped:
             self._aside = None
@@ -76,11 +79,11 @@ class Reach:
     def follow(
         self, stamp_ns: int, q_rad: Sequence[float], stops: Sequence[Stop | None]
     ) -> Jump | None:
-        """What is wrong with a reading after those before; None where it can be true.
+        """Why a reading is impossible after the previous ones; None if it is possible.
 
         Args:
-            stops: for each joint where it stood still at once; its encoder may have said
-                the same for a while, and now reads on.
+            stops: for each joint, the position of an instant stop; its encoder may have repeated
+                a reading for a while, and now changes again.
         """
         if self._last is None:
             return self._start(stamp_ns, q_rad)
@@ -156,7 +159,7 @@ class Reach:
         gained_rad: float,
         way_rad: float,
     ) -> Jump | None:
-        """Whether the readings came back, stay where they jumped to, or jump on."""
+        """Whether the readings returned, stay where they jumped to, or jump again."""
         aside = self._aside or [0.0] * len(moves)
         speeds, unsure_s = self._speeds_rad_s, UNSURE_PERIODS * self.period_s
         back, to_back, to_here = self._aside is not None, 0.0, 0.0
@@ -168,13 +171,13 @@ class Reach:
             to_back, to_here = to_back + abs(undone), to_here + abs(surprise)
         established = stamp_ns - self._aside_since_ns >= ESTABLISHED_S * 1e9
         if off is None and (established or self._slipped or to_here <= to_back):
-            back = False  # they go on where they are: what may be motion is no jump back
+            back = False  # they stay near the new position: what may be motion is not a jump back
         if back:
             moves = [m + a for m, a in zip(moves, aside, strict=True)]
             self._believe(stamp_ns)
         elif off is not None:
             self._jump(stamp_ns, aside, off)
-            # of a joint that jumped the speed is still that of before
+            # after a jump, the speed is still that from before
             moves = [s * step_s if o else m for m, s, o in zip(moves, speeds, off, strict=True)]
         else:
             self._stay(stamp_ns)
@@ -186,12 +189,12 @@ class Reach:
         self._good_ns = stamp_ns
 
     def _jump(self, stamp_ns: int, aside: list[float], off: list[float]) -> None:
-        """Takes where the readings jumped to as the place to follow them from."""
+        """Continues tracking from the position to which the readings jumped."""
         steps = [math.remainder(a + o, math.tau) for a, o in zip(aside, off, strict=True)]
         self._aside, self._aside_since_ns = steps, stamp_ns
         if self._slipped:
             return
-        # by the time since the last good one: what was between is unknown
+        # by the time since the last good one: what was in between is unknown
         passed_s = max((stamp_ns - self._good_ns) / 1e9, self.period_s)
         known = self._good_ns - self._good_since_ns >= ESTABLISHED_S * 1e9
         beyond = [
@@ -205,7 +208,7 @@ class Reach:
         self._too_far = known and passed_s <= FORGET_S and max(beyond) > 0
 
     def _stay(self, stamp_ns: int) -> None:
-        """Where the readings have been for a while they are believed, or have slipped."""
+        """A position that the readings report for a while is trusted, or has slipped."""
         stays_s = (stamp_ns - self._aside_since_ns) / 1e9
         if self._too_far and stays_s >= ESTABLISHED_S:
             self._slipped = True

@@ -1,4 +1,4 @@
-"""Single outlying readings, found by the three before and the three after."""
+"""Single outlying readings, detected from the three before and the three after."""
 
 import math
 from collections import deque
@@ -7,25 +7,25 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 LATER = 3
-"""A reading is judged by so many before it, and so many after."""
+"""Number of readings before and after from which a reading is judged."""
 NOISE_SDS = 12.0
 EXTRAPOLATED = math.sqrt(20.0)
-"""The noise of a parabola through three readings at the fourth, that one's own included."""
+"""The noise of a parabola through three readings at the fourth, including that one's own noise."""
 MOST_JERK_RAD_S3 = 30_000.0
 MOST_ACCELERATION_RAD_S2 = 300.0
-"""What a hand's motion may show within one period, beyond a parabola."""
+"""Deviation of a person's motion from a parabola within one period."""
 BOUNCE = 0.5
-"""A tip that bounces goes back at less than half its speed; so much of a period stamps may
-be off too."""
+"""A tip that bounces returns at less than half its speed; time stamps may be off by the same share
+of a period."""
 REGULAR = 0.4
-"""Stamps off by more of a period mean a gap."""
+"""Time stamps that are off by a larger share of a period mean a gap."""
 
 At = tuple[int, Sequence[float]]
 
 
 @dataclass(frozen=True)
 class Spike:
-    """A single reading off those around it."""
+    """A single reading that stands out from those around it."""
 
     stamp_ns: int
     joint: int
@@ -33,13 +33,13 @@ class Spike:
 
 
 class Spikes:
-    """Finds readings that depart from the motion before and from that after, to one side.
+    """Detects readings that depart to one side from the motion before and after.
 
-    A joint that is stopped or kicked changes its speed once: the readings before show
-    nothing of it, those after do, or the other way round; and while it happens the reading
-    lies on the other side of the middle of its neighbours. To be called a spike a reading
-    departs to the same side from the parabola of the three before, that of the three after,
-    and the middle of its neighbours. No swing of less than a third of the rate looks so.
+    A joint that is stopped or pushed changes its speed once: the readings before do not show it,
+    those after do, or vice versa; while it happens, the reading lies on the other side of the
+    middle of its neighbours. A spike departs to the same side from the parabola of the three
+    before, from that of the three after, and from the middle of its neighbours. No oscillation
+    below a third of the rate looks like that.
     """
 
     def __init__(self, joint_count: int) -> None:
@@ -54,16 +54,16 @@ class Spikes:
         ]
 
     def forget(self) -> None:
-        """What comes next does not go on from what came before."""
+        """The next readings do not continue the previous ones."""
         self._window.clear()
 
     def find(self, stamp_ns: int, q_rad: Sequence[float]) -> Spike | None:
-        """Takes the next reading (n,), and judges the one that came three before it."""
+        """Takes the next reading (n,), and judges the one three readings before."""
         window = self._window
         window.append((stamp_ns, q_rad))
         if len(window) <= 2 * LATER:
             return None
-        # of almost all readings this is all that is looked at
+        # almost all readings end here
         around = (window[at][1] for at in (LATER - 1, LATER, LATER + 1))
         for before, at, after, noise in zip(*around, self._noise_rad, strict=True):
             if not -noise <= at - 0.5 * (before + after) <= noise:
@@ -87,8 +87,8 @@ class Spikes:
         return found
 
     def _departure(self, joint: int) -> tuple[float, float]:
-        """By how much the middle reading departs to one side, and how far the joint goes in a
-        period, in rad."""
+        """Departure of the middle reading to one side, and motion of the joint in a period, in
+        rad."""
         at = self._window[LATER][1][joint]
         a, b, c, _, d, e, f = (
             math.remainder(q_rad[joint] - at, math.tau) for _, q_rad in self._window
