@@ -1,4 +1,4 @@
-"""A flat chessboard as the target of a calibration: its certificate, and finding it.
+"""A flat chessboard as calibration target: its detection in an image.
 
 Entry point: ``detect_board``. ``saddle_points`` finds candidates, ``lattice`` joins them to grids,
 ``opencv_finders`` helps where that fails, ``corner_fit`` measures each corner, ``window`` finds

@@ -1,4 +1,4 @@
-"""A chessboard's corner below a pixel: two blurred edges fitted to the picture around it."""
+"""Sub-pixel corners of a chessboard: two blurred edges fitted to the picture around each."""
 
 from dataclasses import dataclass
 
@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from app.metrology.image import Image
 from app.metrology.transforms import Floats
 
-# Of the distance to the next corner, how much is looked at; in px, at least and at most.
+# Size of the window as a share of the distance to the next corner; minimum and maximum in px.
 WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0
-# Share of the window that must be free of the laser's light, and inside the picture.
+# Share of the window that must be free of laser light, and inside the picture.
 LEAST_FREE = 0.85
 MOST_SHIFT_PX = 3.0
 ROUNDS = 30
 SETTLED_PX = 1e-3
 BLUR_PX = (0.3, 6.0)
-# What a fit explains of the picture's variance in the window, at least.
+# Minimum share of the picture's variance in the window that a fit must explain.
 LEAST_EXPLAINED = 0.8
 # How far each of the four squares lies above or below their middle, of half the step between
 # bright and dark: about 1 at a corner, 0 where a square ends at the board's outline.
@@ -37,16 +37,15 @@ class FittedCorner:
 def fit_corner(
     image: Image, blocked: NDArray[np.bool_], uv_px: Floats, phase: float, spacing_px: float
 ) -> FittedCorner | None:
-    """The corner next to a saddle, or None where none is to be measured.
+    """The corner next to a saddle; None if none can be measured.
 
-    The brightness is ``base + slope . x + step f(d1) f(d2)`` with the signed distances d
-    from two straight lines and f the integral of a Gaussian blur: nine unknowns, least
-    squares.
+    The brightness is ``base + slope . x + step f(d1) f(d2)`` with the signed distances d from two
+    straight lines and f the integral of a Gaussian blur: nine unknowns, estimated by least squares.
 
     Args:
         blocked: (H, W) pixels that do not count.
-        phase: of the bright sectors, as in ``Saddles``.
-        spacing_px: to the next corner.
+        phase: phase of the bright sectors, as in ``Saddles``.
+        spacing_px: distance to the next corner.
     """
     radius = float(np.clip(WINDOW_SHARE * spacing_px, LEAST_WINDOW_PX, MOST_WINDOW_PX))
     window = _window(image, blocked, uv_px, radius)
@@ -108,7 +107,7 @@ def _has_four_squares(places: Floats, values: Floats, p: Floats) -> bool:
 def _window(
     image: Image, blocked: NDArray[np.bool_], uv_px: Floats, radius: float
 ) -> tuple[Floats, Floats] | None:
-    """Places (M, 2) about the saddle and their grey levels (M,), within a circle."""
+    """Positions (M, 2) around the saddle and their grey levels (M,), within a circle."""
     height, width = image.shape
     u0, v0 = (int(x) for x in np.floor(uv_px - radius))
     u1, v1 = (int(x) for x in np.ceil(uv_px + radius) + 1)
@@ -125,7 +124,7 @@ def _window(
 
 def _edges(places: Floats, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Both blurred steps (M,) from -1 to 1, and both signed distances over the blur."""
-    from scipy.special import erf  # slow to load, and needed for boards alone
+    from scipy.special import erf  # slow to import, and needed for boards only
 
     away = places - p[:2]
     first, second = (-np.sin(a) * away[:, 0] + np.cos(a) * away[:, 1] for a in p[2:4])
@@ -134,7 +133,7 @@ def _edges(places: Floats, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
 
 
 def _brightness(places: Floats, values: Floats, p: Floats) -> Floats:
-    """Step, base and slope (4,) that suit the edges best."""
+    """Step, base and slope (4,) that fit the edges best."""
     f1, f2, _, _ = _edges(places, p)
     terms = np.column_stack([-f1 * f2, np.ones(len(values)), places])
     return np.asarray(np.linalg.lstsq(terms, values, rcond=None)[0])

@@ -1,4 +1,4 @@
-"""The inner corners of a chessboard in a picture, each known by its place on the board."""
+"""The inner corners of a chessboard in a picture, each identified by its position on the board."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,13 +21,14 @@ from app.metrology.stripe import Stripe, empty_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
-# Pixels this near to clipped ones or to the stripe's middle show laser light.
+# Pixels this close to clipped ones or to the middle of the stripe show laser light.
 CLIPPED_MARGIN_PX, STRIPE_MARGIN_PX = 8, 12
 # Clipped pixels this near to the stripe's middle are its own, and not a white square's.
 CLIPPED_REACH_PX = 30
 # Weaker points than this share of the stripe's usual brightness are none of it.
 STRIPE_SHARE = 0.5
-# The laser's line outshines the board by this, and the board's white this share of a picture.
+# Ratio of the laser line's brightness to the board's, and share of the picture that the white of
+# the board covers.
 OUTSHINES, DARKER_SHARE = 1.15, 0.95
 # A board that covers less than this of one that cannot be numbered is a picture of it, or far off.
 SMALLER = 0.5
@@ -46,9 +47,9 @@ MISFIT_PX, MISFIT_TIMES = 0.5, 6.0
 class BoardDetection:
     """N corners of the board in one picture.
 
-    ``number`` (N,) says which of ``corner_points`` each is; where the colours leave a
-    choice, ``other_numbers`` holds the others, each as good. ``covariance_px2`` is by
-    the picture's noise around each corner.
+    ``number`` (N,) is the index of each in ``corner_points``; if the colours are ambiguous,
+    ``other_numbers`` holds the other numberings, each equally good. ``covariance_px2`` follows from
+    the picture noise around each corner.
     """
 
     uv_px: Floats  # (N, 2)
@@ -76,12 +77,12 @@ def detect_board(
             picture has no time for.
 
     Returns:
-        Pixels (N, 2) with their covariance, and which corner each one is. Where the colours of
-        the board leave a choice, all numberings are given.
+        Pixels (N, 2) with their covariance, and the number of each corner. If the colours of the
+        board are ambiguous, all numberings are returned.
 
     Raises:
         DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen`` or
-            ``board-blurred``, with what is at fault and what was found of the board.
+            ``board-blurred``, with the cause, and with the parts of the board that were detected.
     """
     columns, rows = board.inner_corners
     blocked = _laser_mask(image, stripe)
@@ -157,10 +158,9 @@ def _number_corners(
 
 
 def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
-    """The stripe, or an empty one where it is not brighter than the white squares.
+    """The stripe, or an empty one if it is not brighter than the white squares.
 
-    Bright squares between black ones look like a stripe where the laser line is outside the
-    image.
+    Bright squares between black ones look like a stripe if the laser line is outside the image.
 
     Args:
         image: (H, W) grey, 8 to 16 bits, with ambient light and laser.
@@ -247,8 +247,8 @@ def _numberings(
 ) -> list[NDArray[np.int64]]:
     """Each way to number the corners (N,) that turns and colours allow.
 
-    Z points to the camera, so that Y is to the left of X in the picture; the square
-    outside the first corner is black where any at such a corner is.
+    Z points to the camera, so that Y is to the left of X in the picture; the square outside the
+    first corner is black if the square outside any such corner is.
     """
     columns, rows = board.inner_corners
     black: list[NDArray[np.int64]] = []
@@ -307,7 +307,7 @@ def _measure_corners(
 
 
 def _spacing(saddles: Saddles, lattice: Lattice, place: tuple[int, int]) -> float:
-    """Pixels to the nearest of a corner's neighbours."""
+    """Pixels to the nearest neighbour of a corner."""
     i, j = place
     beside = [lattice.get((i + a, j + b)) for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1))]
     at = saddles.uv_px[lattice[place]]

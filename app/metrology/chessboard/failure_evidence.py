@@ -1,4 +1,4 @@
-"""What of a refused picture of a chessboard is at fault, and where in the picture that shows."""
+"""Why the board was not detected in a picture, and where the picture shows it."""
 
 from app.errors import OperationError
 from app.metrology.chessboard.lattice import Lattice
@@ -24,7 +24,7 @@ _FAULTS: dict[str, Fault] = {
 def with_board_evidence(
     refusal: OperationError, image: Image, saddles: Saddles, lattice: Lattice
 ) -> DetectionError:
-    """The refusal with what is at fault, and what was found of the board's lines as marks."""
+    """The error with its cause, and with the detected lines of the board as marks."""
     fault = _FAULTS[refusal.code]
     if refusal.code in ("board-not-found", "board-blurred"):
         fault, refusal = prefer_image_fault(fault, refusal, image_findings(image), guessed=True)
@@ -33,7 +33,7 @@ def with_board_evidence(
 
 
 def _lines(saddles: Saddles, lattice: Lattice) -> list[ImageAnnotation]:
-    """From each corner that was found to its neighbours along the row and the column."""
+    """Lines from each detected corner to its neighbours along the row and the column."""
     marks = []
     for (i, j), saddle in lattice.items():
         for beside in ((i + 1, j), (i, j + 1)):

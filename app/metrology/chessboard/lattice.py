@@ -1,4 +1,4 @@
-"""Which saddles are the corners of one chessboard, and where each stands in it."""
+"""Which saddles are the corners of one chessboard, and the position of each on it."""
 
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ NEAR, NEARER = 0.25, 0.15
 # Neighbours lie along the edges through a corner, to this angle, and are of opposite phase.
 ALONG_DEG, OPPOSITE_RAD = 30.0, 2.2
 NEIGHBOURS = 16
-# Columns and rows beyond those found, in which further ones are sought.
+# Number of columns and rows beyond the detected ones in which further corners are searched.
 REACH = 2
 ROUNDS = 6
 
@@ -28,7 +28,7 @@ def find_lattices(saddles: Saddles, wanted: int) -> list[Lattice]:
     """Regular grids of saddles, the largest first: saddle by place (column, row).
 
     Args:
-        wanted: a grid of so many corners ends the search.
+        wanted: a grid with this number of corners ends the search.
     """
     if len(saddles.uv_px) < 4:
         return []
@@ -58,7 +58,7 @@ def _opposite(saddles: Saddles, one: int, other: int) -> bool:
 
 
 def _first_square(saddles: Saddles, tree: "cKDTree", seed: int) -> Lattice | None:
-    """A seed with a neighbour along each of its two edges, and the corner across."""
+    """A seed with a neighbour along each of its two edges, and the opposite corner."""
     uv = saddles.uv_px
     near = np.atleast_1d(tree.query(uv[seed], k=min(NEIGHBOURS, len(uv)))[1])
     bright = -saddles.phase[seed] / 2
@@ -86,7 +86,7 @@ def _first_square(saddles: Saddles, tree: "cKDTree", seed: int) -> Lattice | Non
 def _saddle_at(
     saddles: Saddles, tree: "cKDTree", uv: Floats, reach: float, opposite_to: int
 ) -> int | None:
-    """The saddle next to a place, where it is of opposite phase to another one."""
+    """The saddle next to a position, if its phase is opposite to that of another one."""
     distance, found = tree.query(uv, distance_upper_bound=reach)
     if not np.isfinite(distance) or not _opposite(saddles, int(found), opposite_to):
         return None
@@ -94,7 +94,7 @@ def _saddle_at(
 
 
 def _grow_lattice(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice:
-    """With all that continue two neighbours in a row or column."""
+    """The grid with all corners that continue two neighbours in a row or column."""
     lattice = dict(lattice)
     open_ends = list(lattice)
     taken = set(lattice.values())
@@ -118,7 +118,8 @@ def _grow_lattice(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattic
 def _step(
     saddles: Saddles, lattice: Lattice, at: tuple[int, int], way: tuple[int, int]
 ) -> Floats | None:
-    """The pixels (2,) from one corner to the next, by the one before or by the next line's."""
+    """The pixels (2,) from one corner to the next, from the previous corner or from the next
+    line."""
     uv = saddles.uv_px
     before = lattice.get((at[0] - way[0], at[1] - way[1]))
     if before is not None:
@@ -196,7 +197,7 @@ def _add_missing(saddles: Saddles, tree: "cKDTree", lattice: Lattice) -> Lattice
 
 
 def _even_phase(saddles: Saddles, lattice: Lattice) -> float:
-    """The phase of corners whose column and row add to an even number."""
+    """The phase of corners with an even sum of column and row."""
     sums = np.array([sum(place) % 2 for place in lattice])
     phase = saddles.phase[list(lattice.values())] + np.pi * sums
     return float(np.angle(np.mean(np.exp(1j * phase))))

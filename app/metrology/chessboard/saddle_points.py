@@ -1,4 +1,4 @@
-"""Places of a picture where four squares may meet: saddles of the brightness."""
+"""Places in a picture where four squares may meet: saddles of the brightness."""
 
 from dataclasses import dataclass
 
@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from app.metrology.image import Image
 from app.metrology.transforms import Floats
 
-# Blur at which saddles are sought, and the radii of the two rings on which each is tested.
+# Blur for the saddle search, and the radii of the two rings on which each is tested.
 BLURS_PX = (1.5, 3.0)
 RINGS_PX = (5.0, 8.0)
 RING_POINTS = 32
-# Share of a ring's variance that alternates twice round it: 0.81 for a perfect corner, 0 for
-# an edge; and the least step between bright and dark, in standard deviations of the noise.
+# Minimum share of a ring's variance that alternates twice around it: 0.81 for a perfect corner, 0
+# for an edge; and minimum step between bright and dark, in standard deviations of the noise.
 LEAST_ALTERNATING = 0.5
 LEAST_STEP_SIGMAS = 4.0
 MOST_CANDIDATES = 4000
@@ -68,7 +68,7 @@ def _find_in(grey: NDArray[np.float32], blocked: NDArray[np.bool_]) -> Saddles:
 
 
 def _noise(grey: NDArray[np.float32]) -> float:
-    """Standard deviation of a pixel of the dark and even parts, in grey levels."""
+    """Standard deviation of a pixel in the dark, uniform parts, in grey levels."""
     steps = np.abs(np.diff(grey[::4], axis=1))
     return max(float(np.median(steps)) / (0.6745 * 2**0.5), 0.3)
 
@@ -97,7 +97,7 @@ def phases_at(image: Image, uv_px: Floats, ring_px: float) -> Floats:
 def _alternating(
     smooth: NDArray[np.float32], uv: Floats, ring_px: float
 ) -> tuple[Floats, Floats, Floats]:
-    """How a ring round each place alternates twice: share of variance, amplitude, phase."""
+    """Alternation, twice around a ring, at each place: share of variance, amplitude, phase."""
     if not len(uv):
         return np.zeros(0), np.zeros(0), np.zeros(0)
     angle = 2 * np.pi * np.arange(RING_POINTS) / RING_POINTS

@@ -1,4 +1,4 @@
-"""What speaks against a placing of the block, and where in the picture."""
+"""Evidence against a hypothesis of the block's pose, and where the picture shows it."""
 
 from functools import partial
 
@@ -24,35 +24,35 @@ from app.metrology.sensor.camera import project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# A plane of the block that all edges together put this many standard deviations elsewhere,
-# and so many blurs, or pixels: less is an edge's finish, and how the light falls on it.
+# A plane of the block is off if all edges together place it elsewhere by more than this many
+# standard deviations and blurs, or pixels: less is due to the finish of an edge and the lighting.
 _SHIFTED, _SHIFTED_BLURS = 6.0, 0.5
-# Pixels of today's sensors are square; by how much a fitted camera may differ.
+# Pixels of current sensors are square; tolerance of a fitted camera.
 _SQUARE = 0.005
-# More than any lens of a sensor is bent.
+# No lens of a sensor has more distortion than this.
 _K1, _K2 = 1.2, 3.0
-# Of the drawn edges' length, how much must show: faces of equal brightness hide some.
+# Minimum share of the predicted edge length that must show: faces of equal brightness hide some.
 LEAST_VISIBLE = 0.35
-# Of the points that show, how many must agree with the edge they were looked for on.
+# Minimum share of the points that show and agree with their edge.
 _LEAST_AGREEING = 0.8
-# and of the edges below the crests.
+# and for the edges below the crests.
 _BELOW = ("floor", "base")
 _LEAST_LOWER = 0.05
-# Sides of merlons that show which part of the object is seen, and the share of its edges.
+# Number of merlon sides that identify the visible part of the object, and share of its edges.
 _SIDES, _LEAST_IN_FRAME = 4, 0.4
-# Below this support at the small scale nothing like the block was found.
+# With less support than this at the small scale, nothing like the block was found.
 LEAST_SUPPORT = 0.5
-# Share of straight segments in three perpendicular directions that makes a block.
+# Share of straight segments in three perpendicular directions that indicates a block.
 _BLOCK_LIKE = 0.7
 
 
 def check_measurements(
     grey: Floats, found: EdgeMeasurements, certificate_mm: float
 ) -> tuple[EdgeMeasurements, RejectionReason | None]:
-    """The survey without single edges that a shadow or damage moved, and what speaks against it.
+    """The survey without single edges that a shadow or damage moved, and the evidence against it.
 
     Args:
-        grey: (H, W) the picture, NaN where it must not count.
+        grey: (H, W) the picture, NaN at pixels that must not count.
         found: the edges measured in it.
         certificate_mm: standard uncertainty of the block's coordinates.
     """
@@ -72,7 +72,7 @@ def check_measurements(
 
 
 def _find_misplaced_edges(grey: Floats, found: EdgeMeasurements) -> RejectionReason | None:
-    """Edges that the picture shows elsewhere, or to end elsewhere, than the certificate says."""
+    """Edges that the picture shows at other positions, or with other ends, than the certificate."""
     ends = measure_ends(grey, found)
     return (
         find_wrong_dimension(grey, found, partial(ends_in_place, ends))
@@ -82,7 +82,7 @@ def _find_misplaced_edges(grey: Floats, found: EdgeMeasurements) -> RejectionRea
 
 
 def _find_shifted_plane(found: EdgeMeasurements, certificate_mm: float) -> RejectionReason | None:
-    """A plane of the block that lies elsewhere, as all edges together say."""
+    """A plane of the block that lies elsewhere according to all edges together."""
     depth = found.at.points_mm[found.used] @ found.camera.rotation[2]
     px_per_mm = found.camera.matrix[0, 0] / float(np.median(depth) + found.camera.translation_mm[2])
     least_mm = _SHIFTED_BLURS * max(1.0, found.blur_px) / px_per_mm
@@ -95,7 +95,7 @@ def _find_shifted_plane(found: EdgeMeasurements, certificate_mm: float) -> Rejec
 
 
 def _check_visibility(found: EdgeMeasurements) -> RejectionReason | None:
-    """Too little of the block shows to say whether it is the one."""
+    """Too little of the block shows to identify it."""
     at = found.at
     shown = float(at.length_px[found.shows].sum()) / max(float(at.length_px.sum()), 1e-9)
     missing = tuple(int(edge) for edge in set(at.edge) - set(at.edge[found.used]))
@@ -113,7 +113,7 @@ def _check_visibility(found: EdgeMeasurements) -> RejectionReason | None:
 
 
 def _check_camera(found: EdgeMeasurements) -> RejectionReason | None:
-    """A camera that no sensor has."""
+    """A camera that no real sensor has."""
     off_square = abs(found.camera.matrix[1, 1] / found.camera.matrix[0, 0] - 1)
     if off_square > _SQUARE:
         return RejectionReason(
@@ -136,7 +136,7 @@ def _check_camera(found: EdgeMeasurements) -> RejectionReason | None:
 
 
 def _lower_visible_share(found: EdgeMeasurements) -> float:
-    """Share of the lower edges' length that shows: without them any height would do."""
+    """Share of the lower edges' length that shows: without these edges, any height would fit."""
     lower = np.array([name.startswith(_BELOW) for name in found.frame.names])
     rows = lower[found.at.edge]
     shown = float(found.at.length_px[rows & found.used].sum())
@@ -149,18 +149,17 @@ def is_block_like(found: SearchResult) -> bool:
 
 
 def is_symmetric(block: Crenellated) -> bool:
-    """Whether the block reads the same both ways, to ten times its uncertainty."""
+    """Whether the block is symmetric left to right, to ten times its uncertainty."""
     x = np.array(block.edges_x_mm)
     there, back = x - x[0], x[-1] - x[::-1]
     return bool(np.abs(there - back).max() < 10 * max(block.standard_uncertainty_mm, 0.001))
 
 
 def is_cut_off(found: EdgeMeasurements, block: Crenellated, share: float) -> bool:
-    """Whether the frame leaves too little of the block.
+    """Whether too little of the block is in the frame.
 
-    A camera needs two levels, the crests' and one below, and four of the crests' sides: as many
-    as two merlons have.
-    ``share``: of the visible edges in the frame.
+    A camera needs two levels, that of the crests and one below, and four sides of crests: as many
+    as two merlons have. ``share``: share of the visible edges in the frame.
     """
     names = {found.frame.names[edge] for edge in found.at.edge[found.used]}
     sides = sum(

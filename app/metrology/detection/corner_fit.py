@@ -1,4 +1,4 @@
-"""Corners of the block where measured edges meet, each with its covariance."""
+"""Corners of the block at the intersections of measured edges, each with its covariance."""
 
 from dataclasses import dataclass
 
@@ -11,17 +11,19 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats
 
-# Edges that cross at less than this make no corner.
+# Edges that cross at a smaller angle do not give a corner.
 _FLATTEST_RAD = np.deg2rad(8.0)
 _WORST_CORNER_PX = 1.5
-# Nor do edges that meet so far from where all the others put their corner: in px, and over
-# their deviation.
+# Edges that meet this far from the predicted corner do not give one: in px, and in standard
+# deviations.
 _FURTHEST_PX, _OUTLIER_SIGMAS = 1.0, 5.0
-# Those that meet more deviations off than this are less certain than they say, in proportion.
+# The covariance of corners that are off by more standard deviations than this is increased in
+# proportion.
 _USUAL = 2.0
-# What lies askew to the drawn edge by more, over its length and its own deviation, is not it.
+# A measured edge that is skewed by more than this against the predicted one, over its length and
+# its own standard deviation, is a different edge.
 _ASKEW_SIGMAS, _ASKEW_PX = 4.0, 0.7
-# Points that show how an edge runs, and how much of it, px, fewer must stand for.
+# Minimum number of points that show the direction of an edge, and minimum length they cover, px.
 _POINTS, _LENGTH_PX = 3, 15.0
 
 
@@ -67,15 +69,17 @@ def fit_corners(measured: EdgeMeasurements, block: Crenellated) -> tuple[Corner,
 
 @dataclass(frozen=True)
 class _EdgeLine:
-    """One part's measured edge as offsets, straight along the part, from the camera's edge."""
+    """The measured edge of one part as offsets, linear along the part, from the predicted edge."""
 
-    middle: Floats  # (2,) px, where the offset is best known
+    middle: Floats  # (2,) px, where the offset is known best
     direction: Floats  # (2,)
     offset_px: float
     slope: float
     variance_offset: float
     variance_slope: float
-    reach_px: tuple[float, float]  # along, as far beyond either end as the part was measured
+    reach_px: tuple[
+        float, float
+    ]  # along the part, as far beyond either end as the part was measured
 
 
 def _fit_line(measured: EdgeMeasurements, part: int) -> _EdgeLine | None:
@@ -92,8 +96,8 @@ def _fit_line(measured: EdgeMeasurements, part: int) -> _EdgeLine | None:
     first, last, spread = float(s.min()), float(s.max()), float(weight @ s**2)
     slope = 0.0
     if len(rows) < _POINTS:
-        # They gather so much light each that they are few: the edge runs as the camera has it,
-        # no better known than from so much light in many points.
+        # Each point gathers so much light that there are few: the edge follows the prediction, with
+        # the uncertainty of that much light in many points.
         first, last = first - length[s.argmin()] / 2, last + length[s.argmax()] / 2
         spread = float(weight.sum() * length.sum() ** 2 / 12)
     elif spread <= 0:
@@ -116,10 +120,9 @@ def _fit_line(measured: EdgeMeasurements, part: int) -> _EdgeLine | None:
 def _intersect_lines(
     name: str, at: Floats, lines: list[_EdgeLine], furthest_px: float
 ) -> Corner | None:
-    """Least-squares crossing (weighted) of the edges that meet at ``at`` (2,) by the camera.
+    """Weighted least-squares intersection of the edges that meet at the predicted ``at`` (2,).
 
-    None where it would lie further from there than ``furthest_px``, or than its deviation
-    explains.
+    None if it is further from there than ``furthest_px``, or than its standard deviation explains.
     """
     information = np.zeros((2, 2))
     pull = np.zeros(2)
@@ -144,7 +147,7 @@ def _intersect_lines(
     if float(np.linalg.eigvalsh(covariance)[-1]) > _WORST_CORNER_PX**2:
         return None
     shift = covariance @ pull
-    # The camera follows from all edges; a shadow beside a corner moves that corner alone.
+    # The camera follows from all edges; a shadow beside a corner moves only that corner.
     squares = float(shift @ information @ shift)
     if float(np.hypot(*shift)) > furthest_px or squares > _OUTLIER_SIGMAS**2:
         return None

@@ -1,9 +1,9 @@
-"""The crenellated object in a calibration image: its edges, its corners, and the camera they show.
+"""The crenellated block in a calibration image: its edges, its corners, and the camera.
 
-No guess from the operator is needed. The object is found in a small picture
-(``locate_block``), its edges are measured in the full one (``edge_survey``) with a camera
-fitted to all of them at once, and the result is accepted only if every edge lies
-where the certificate puts it (``acceptance``).
+No start values from the operator are needed. The block is found in a reduced image
+(``locate_block``), its edges are measured in the full image (``edge_survey``) with a camera fitted
+to all of them at once, and the result is accepted only if every edge lies where the certificate
+puts it (``acceptance``).
 """
 
 from dataclasses import dataclass
@@ -47,8 +47,8 @@ __all__ = [
     "image_findings",
 ]
 
-# Longer sides, in pixels, at which the object is looked for, and how the picture is freed of
-# texture there: small objects want a larger picture, soft and noisy pictures a smaller one.
+# Longer sides, in pixels, of the images in which the block is searched, and how texture is
+# suppressed there: small objects need a larger image, soft and noisy images a smaller one.
 _ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
     (640, "coarse"),
     (640, "fine"),
@@ -57,20 +57,20 @@ _ATTEMPTS: tuple[tuple[int, Cleaning], ...] = (
     (320, "fine"),
     (1280, "fine"),
 )
-# Where a picture is not seen well, a placing that less of the visible edges bears out may be
-# a wrong one.
+# If an image is not clear, a hypothesis supported by a smaller share of the visible edges may be
+# wrong.
 _HALF = 0.5
-# A try that draws this share of another's edges says as much.
+# An attempt that draws this share of another's edges is equally supported.
 _AS_MUCH = 0.8
 
-# A camera's eleven numbers need as many corners, two numbers each.
+# The eleven parameters of a camera need at least this many corners, with two coordinates each.
 _LEAST_CORNERS = 6
 
 
 @dataclass(frozen=True)
 class EdgePoints:
-    """Measured points (N, 2) of one edge; each is free along the edge, and across it,
-    along ``normal`` (N, 2), has the standard deviation ``sigma_px`` (N,)."""
+    """Measured points (N, 2) of one edge; each is free along the edge, and has the standard
+    deviation ``sigma_px`` (N,) across it, along ``normal`` (N, 2)."""
 
     edge: str
     uv_px: Floats
@@ -80,9 +80,9 @@ class EdgePoints:
 
 @dataclass(frozen=True)
 class ObjectDetection:
-    """The block in an image. ``camera`` has the object frame as its sensor frame;
-    ``rms_px`` is that of the edge points about it, along their normals; ``unseen`` names
-    the planes of the block whose place the image does not show."""
+    """The block in an image. ``camera`` has the object frame as its sensor frame; ``rms_px`` is the
+    residual of the edge points along their normals; ``unseen`` names the planes of the block whose
+    position the image does not show."""
 
     corners: tuple[Corner, ...]
     edges: tuple[EdgePoints, ...]
@@ -94,13 +94,13 @@ class ObjectDetection:
 def detect_object(
     ambient: Image, block: Crenellated, stripe: Stripe | None = None
 ) -> ObjectDetection:
-    """Finds, identifies and measures the block in one image, without a starting guess.
+    """Detects, identifies and measures the block in one image, without start values.
 
     Args:
-        ambient: (H, W) grey, 8 to 16 bits, with ambient light (and the laser's, if ``stripe`` is
+        ambient: (H, W) grey, 8 to 16 bits, with ambient light (and laser light, if ``stripe`` is
             given).
         block: the block by its certificate.
-        stripe: the points of the laser stripe in this image; its pixels are left out.
+        stripe: the points of the laser stripe in this image; its pixels are excluded.
 
     Returns:
         Corners and edge points with their uncertainty in px, and a camera whose sensor frame is
@@ -110,8 +110,8 @@ def detect_object(
         OperationError: ``image-not-grey``.
         DetectionError: ``image-dark``, ``image-saturated``, ``image-blurred``,
             ``object-not-found``, ``object-unclear``, ``object-does-not-match``,
-            ``object-mirrored``, ``object-ambiguous`` or ``object-cut-off``, with what is at
-            fault and the evidence in the image.
+            ``object-mirrored``, ``object-ambiguous`` or ``object-cut-off``, with the cause and the
+            evidence in the image.
     """
     grey, clipped = grey_levels(ambient)
     findings = image_findings(ambient)
@@ -149,7 +149,7 @@ def _check_earlier_attempts(
     findings: list[ImageFinding],
     block: Crenellated,
 ) -> None:
-    """Refuses a find where an earlier try drew about as much of the object and found another.
+    """Refuses a detection if an earlier attempt drew about as much of another object.
 
     Raises:
         OperationError: ``object-does-not-match``.
@@ -163,7 +163,7 @@ def _check_earlier_attempts(
 def _select_measurement(
     tried: AttemptResult, findings: list[ImageFinding], block: Crenellated
 ) -> EdgeMeasurements:
-    """The measured placing, if there is no other and it is fit to be used.
+    """The measured hypothesis, if it is the only one and usable.
 
     Raises:
         OperationError: ``image-blurred``, ``image-saturated``, ``object-ambiguous``,
@@ -185,12 +185,13 @@ def _select_measurement(
 def _rejection_error(
     tries: list[AttemptResult], findings: list[ImageFinding], grey: Floats, block: Crenellated
 ) -> OperationError:
-    """The refusal after the last attempt: another object, or one not seen well enough."""
+    """The error after the last attempt: another object, or an object that is not clear enough."""
     best = max(tries, key=lambda one: one.visible_px)
-    # Lines that mostly make no block are of marks and of other things: these may hide it.
+    # Lines that mostly do not form a block belong to tool marks and other things, which may hide
+    # it.
     block_like = [acceptance.is_block_like(one.search) for one in tries]
     seen_well = not findings and not is_noisy(grey) and sum(block_like) > len(tries) / 2
-    # A placing that hardly shows is none to say where the frame ends on.
+    # A hypothesis with little support cannot say where the frame cuts the block off.
     if best.nearest is not None and best.visible_share > acceptance.LEAST_VISIBLE:
         share = acceptance.share_in_frame(best.nearest)
         if acceptance.is_cut_off(best.nearest, block, share):

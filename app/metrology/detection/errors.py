@@ -1,4 +1,4 @@
-"""Why a picture or what was found in it is declined, in words, and what to do."""
+"""Errors of refused pictures and detections: the reason, and what to do."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,12 +11,12 @@ from app.metrology.detection.rejection import RejectionReason
 from app.metrology.detection.search.coarse_pose import SearchResult
 from app.metrology.targets.crenellated_block import Crenellated
 
-# Share of the edges in the frame that makes the object whole.
+# Share of the edges in the frame from which the object counts as complete.
 COMPLETE_SHARE = 0.9
 
 
 def refuse_unusable(findings: list[ImageFinding], clipped: NDArray[np.bool_]) -> None:
-    """Refuses a black picture and one that is clipped all over.
+    """Refuses a black picture, or one that is clipped everywhere.
 
     Raises:
         OperationError: ``image-dark``, ``image-saturated``.
@@ -30,7 +30,7 @@ def refuse_unusable(findings: list[ImageFinding], clipped: NDArray[np.bool_]) ->
 
 
 def refuse_bad_image(findings: list[ImageFinding], consequence: Text) -> None:
-    """Refuses a picture that is overexposed or blurred, where that is why a step failed.
+    """Refuses a picture that is overexposed or blurred, if that is why a step failed.
 
     Raises:
         OperationError: ``image-saturated``, ``image-blurred``.
@@ -42,7 +42,7 @@ def refuse_bad_image(findings: list[ImageFinding], consequence: Text) -> None:
 
 
 def not_found_error(found: SearchResult) -> OperationError:
-    """The refusal for a picture in which nothing like the block was found."""
+    """The error for a picture in which nothing like the block was found."""
     return OperationError(
         "object-not-found",
         message("no-crenellated-object-found-picture"),
@@ -52,7 +52,7 @@ def not_found_error(found: SearchResult) -> OperationError:
 
 
 def unclear_error(block: Crenellated, why: Text) -> OperationError:
-    """The refusal for a block that is not seen well enough to be sure of it."""
+    """The error for a block that is not clear enough to be identified."""
     return OperationError(
         "object-unclear",
         message("seen-well-enough-sure", name=block.name),
@@ -62,7 +62,7 @@ def unclear_error(block: Crenellated, why: Text) -> OperationError:
 
 
 def mismatch_error(block: Crenellated, why: Text) -> OperationError:
-    """The refusal for a block that is not the certificate's."""
+    """The error for a block that does not match the certificate."""
     return OperationError(
         "object-does-not-match",
         message(
@@ -78,9 +78,9 @@ def mismatch_error(block: Crenellated, why: Text) -> OperationError:
 def barely_visible_error(
     block: Crenellated, against: RejectionReason, shown: float
 ) -> OperationError:
-    """The refusal for a block whose hypothesis is as doubtful as what speaks against it.
+    """The error for a block whose hypothesis is as doubtful as the evidence against it.
 
-    ``shown``: the share of its visible edges that shows.
+    ``shown``: the visible share of its edges.
     """
     why = message(
         "rejected-and-few-edges-show", text=against.text, shown=quantity(100 * shown, "%")
@@ -91,9 +91,9 @@ def barely_visible_error(
 def contradiction_error(
     block: Crenellated, against: RejectionReason, findings: list[ImageFinding], blur_px: float
 ) -> OperationError:
-    """The refusal for a block that a hypothesis shows, but for what speaks against it.
+    """The error for a block that a hypothesis shows, with evidence against it.
 
-    ``blur_px``: the blur at the block's own edges; a picture that is soft is softer elsewhere.
+    ``blur_px``: the blur at the block's own edges; a soft picture is softer elsewhere.
     """
     if against.alone:
         return unclear_error(
@@ -115,7 +115,7 @@ def contradiction_error(
 
 
 def mirror_error(block: Crenellated, share: float) -> OperationError:
-    """The refusal for a block that reads the wrong way round."""
+    """The error for a mirrored block."""
     if share < COMPLETE_SHARE:
         return out_of_frame_error(block, share, message("what-shows-reads-rather-like-objects"))
     return OperationError(
@@ -127,7 +127,7 @@ def mirror_error(block: Crenellated, share: float) -> OperationError:
 
 
 def ambiguity_error(block: Crenellated, share: float) -> OperationError:
-    """The refusal for a picture that more than one hypothesis explains."""
+    """The error for a picture that more than one hypothesis explains."""
     if share < COMPLETE_SHARE:
         return out_of_frame_error(block, share, message("what-shows-could-more-than-one"))
     return OperationError(
@@ -139,7 +139,7 @@ def ambiguity_error(block: Crenellated, share: float) -> OperationError:
 
 
 def out_of_frame_error(block: Crenellated, share: float, why: Text) -> OperationError:
-    """The refusal for a block of which the frame shows too little."""
+    """The error for a block of which the frame shows too little."""
     return OperationError(
         "object-cut-off",
         message(
@@ -151,14 +151,14 @@ def out_of_frame_error(block: Crenellated, share: float, why: Text) -> Operation
 
 
 def refuse_blurred(found: EdgeMeasurements) -> None:
-    """Refuses a picture whose edges are too wide for its lines to keep apart.
+    """Refuses a picture whose edges are too wide to separate its lines.
 
     Raises:
         OperationError: ``image-blurred``.
     """
     limit_px = BLURRED * max(found.camera.width_px, found.camera.height_px)
     if found.blur_px > limit_px:
-        # From a tenth to nine tenths of its height, a step is 2.56 standard deviations wide.
+        # From 10 % to 90 % of its height, a step is 2.56 standard deviations wide.
         raise OperationError(
             "image-blurred",
             message(
@@ -172,5 +172,5 @@ def refuse_blurred(found: EdgeMeasurements) -> None:
 
 
 def too_incomplete_error(block: Crenellated, share: float) -> OperationError:
-    """The refusal for a block of which the frame leaves too little to identify it or to use it."""
+    """The error for a block of which too little is in the frame to identify or use it."""
     return out_of_frame_error(block, share, message("camera-needs-two-levels-four-sides"))

@@ -1,4 +1,4 @@
-"""What of a refused picture is at fault, and where in the picture that shows."""
+"""Why the block was not detected in a picture, and where the picture shows it."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -31,7 +31,7 @@ _FAULTS: dict[str, Fault] = {
     "object-mirrored": "object",
     "object-ambiguous": "object",
 }
-# A dim or soft picture is at fault before what was not seen in it is.
+# A dim or soft picture is reported before anything that was not detected in it.
 _FINDING_FAULTS: dict[str, Fault] = {
     "image-dim": "exposure",
     "image-dark": "exposure",
@@ -39,18 +39,18 @@ _FINDING_FAULTS: dict[str, Fault] = {
     "image-soft": "focus",
     "image-blurred": "focus",
 }
-# Clipped regions smaller than this share of the picture are glints; so many are shown.
+# Clipped regions smaller than this share of the picture are glints; maximum number shown.
 _GLINT, _REGIONS = 5e-4, 12
 _SEGMENTS = 60
 
 
 @dataclass(frozen=True)
 class ImageAnnotation:
-    """A line to draw on the picture, from (u0, v0) to (u1, v1) in px, and what it shows.
+    """A line to draw on the picture, from (u0, v0) to (u1, v1) in px, and its meaning.
 
-    ``clipped``: an overexposed region's border; ``segment``: a straight edge that was
-    found; ``outline``: an edge of the nearest placing that the picture shows;
-    ``disagrees``: one that it does not, or elsewhere; ``outside``: out of the frame.
+    ``clipped``: the border of an overexposed region; ``segment``: a straight edge that was
+    detected; ``outline``: an edge of the closest hypothesis that the picture shows; ``disagrees``:
+    one that it does not show, or shows elsewhere; ``outside``: out of the frame.
     """
 
     kind: AnnotationKind
@@ -61,7 +61,7 @@ class ImageAnnotation:
 
 
 class DetectionError(OperationError):
-    """A picture in which the object was not found, with the fault and its evidence."""
+    """A picture in which the object was not detected, with the cause and the evidence."""
 
     def __init__(
         self, refusal: OperationError, fault: Fault, marks: tuple[ImageAnnotation, ...]
@@ -79,15 +79,15 @@ def with_evidence(
     nearest: EdgeMeasurements | None,
     against: RejectionReason | None,
 ) -> DetectionError:
-    """The refusal with what is at fault and marks in the picture's pixels.
+    """The error with its cause, and with marks in the pixels of the picture.
 
     Args:
-        refusal: why the picture was declined.
-        findings: what is wrong with the picture as such.
+        refusal: why the picture was refused.
+        findings: problems of the picture as such.
         clipped: (H, W) overexposed pixels.
-        found: what was found of straight edges and placings, if it came so far.
-        nearest: the placing that the picture bears out most, measured.
-        against: what speaks against it.
+        found: straight edges and hypotheses that were found, if any.
+        nearest: the hypothesis that the picture supports most, measured.
+        against: the evidence against it.
     """
     fault = _FAULTS.get(refusal.code, "object")
     by_light = against is not None and against.alone
@@ -104,13 +104,13 @@ def with_evidence(
 def prefer_image_fault(
     fault: Fault, refusal: OperationError, findings: list[ImageFinding], guessed: bool = False
 ) -> tuple[Fault, OperationError]:
-    """What is at fault: the picture as such before what was not seen in it.
+    """The cause: problems of the picture as such before anything that was not detected in it.
 
     Args:
-        fault, refusal: what holds where nothing is wrong with the picture as such.
-        findings: what is wrong with it.
-        guessed: the refusal's reason only lists what it could be, so that a finding
-            comes in its place and not before it.
+        fault, refusal: the cause if the picture as such has no problem.
+        findings: its problems.
+        guessed: the reason only lists possible causes, so that a finding replaces it instead
+            of preceding it.
     """
     named = next((one for one in findings if one.code in _FINDING_FAULTS), None)
     if named is None:
@@ -138,7 +138,7 @@ def mark_clipped_regions(clipped: NDArray[np.bool_]) -> list[ImageAnnotation]:
 
 
 def _mark_segments(found: SearchResult, shape: tuple[int, ...]) -> list[ImageAnnotation]:
-    """The weightiest straight edges that were seen."""
+    """The most significant straight edges that were detected."""
     height, width = shape
     lines = found.segments[:_SEGMENTS] * max(width, height)
     lines = lines + np.tile([(width - 1) / 2, (height - 1) / 2], 2)
@@ -148,7 +148,8 @@ def _mark_segments(found: SearchResult, shape: tuple[int, ...]) -> list[ImageAnn
 def _mark_outline(
     nearest: EdgeMeasurements, against: RejectionReason | None
 ) -> list[ImageAnnotation]:
-    """The visible edges as the placing draws them: agreeing, disagreeing, out of the frame."""
+    """The visible edges as the hypothesis predicts them: agreeing, disagreeing, out of the
+    frame."""
     camera, frame = nearest.camera, nearest.frame
     parts = find_visible_edges(frame, camera.centre_mm)
     begin = frame.starts_mm[parts.edge]

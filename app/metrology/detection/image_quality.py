@@ -1,4 +1,4 @@
-"""Is a picture fit to measure in: exposure, saturation and sharpness, in words."""
+"""Checks whether a picture is suitable for measurement: exposure, saturation and sharpness."""
 
 from dataclasses import dataclass, replace
 
@@ -13,26 +13,26 @@ from app.metrology.transforms import Floats
 
 Image = NDArray[np.uint8] | NDArray[np.uint16]
 
-# Brightest parts below this share of full scale: noise and rounding begin to matter.
+# Bright parts below this share of full scale: noise and rounding become significant.
 DIM = 0.15
 # Contrast below this share of full scale cannot be distinguished from the noise of one frame.
 DARK = 0.03
-# Share of clipped pixels at which a face, not just a glint or the stripe, is lost.
+# Share of clipped pixels from which a face, not just a glint or the stripe, is lost.
 CLIPPED = 0.03
-# Width of a step of brightness (standard deviation of the blur) over the longer side.
-# Beyond the second, the two edges of a groove's side run into one.
+# Width of a step of brightness (standard deviation of the blur) relative to the longer side. Beyond
+# the second, the two edges of a groove's side merge.
 SOFT = 0.0016
 BLURRED = 0.004
-# Noise over the contrast at which the lower steps between faces are lost.
+# Ratio of noise to contrast at which the smaller steps between faces are lost.
 NOISY = 0.04
 _SMOOTH_PX = 0.7
-# From a tenth to nine tenths of its height, a step is so many standard deviations wide.
+# From 10 % to 90 % of its height, a step is this many standard deviations wide.
 EDGE_WIDTH = 2.56
 
 
 @dataclass(frozen=True)
 class ImageFinding:
-    """Something about a picture that the operator should mend.
+    """A problem of a picture that the operator should correct.
 
     ``value`` and ``limit`` are shares of full scale, of the pixels, or pixels.
     """
@@ -66,13 +66,14 @@ def grey_levels(image: Image) -> tuple[Floats, NDArray[np.bool_]]:
     clipped = array >= saturation_level(array)
     if array.dtype == np.uint8:
         return array.astype(np.float64), clipped
-    # The fewest bits that a sensor of today has and that hold this picture.
+    # The smallest bit depth of current sensors that can hold this picture.
     bits = next(b for b in (8, 10, 12, 14, 16) if int(array.max()) < 2**b)
     return array.astype(np.float64) * (255.0 / (2**bits - 1)), clipped
 
 
 def is_noisy(grey: Floats) -> bool:
-    """Whether a picture (H, W) is so noisy, for its contrast, that edges of faces may be lost."""
+    """Whether a picture (H, W) is so noisy, relative to its contrast, that edges of faces may be
+    lost."""
     bend = np.abs(grey[1:-1:2, 2::2] - 2 * grey[1:-1:2, 1:-1:2] + grey[1:-1:2, :-2:2])
     noise = float(np.median(bend)) / (0.6745 * np.sqrt(6.0))
     low, high = np.percentile(grey[::4, ::4], (2.0, 98.0))
@@ -82,14 +83,14 @@ def is_noisy(grey: Floats) -> bool:
 def edge_blur_px(grey: NDArray[np.floating]) -> float:
     """Standard deviation of the blur at the edges of an image.
 
-    A step of height a, blurred by s, is steepest by ``a / (s sqrt(2 pi))``; height and slope
-    are taken where the image is steepest.
+    A step of height a, blurred by s, has a maximum slope of ``a / (s sqrt(2 pi))``; height and
+    slope are taken where the image is steepest.
 
     Args:
         grey: (H, W).
 
     Returns:
-        Blur in px; inf where there are no edges.
+        Blur in px; inf if there are no edges.
     """
     shrink = max(1, max(grey.shape) // 2000)
     blur = float("inf")
@@ -100,7 +101,7 @@ def edge_blur_px(grey: NDArray[np.floating]) -> float:
             small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), np.float32)
         found = _level_blur_px(small)
         blur = found * shrink if np.isfinite(found) else blur
-        # Beyond this the window that takes the step's height no longer holds it.
+        # Beyond this, the window in which the height of the step is measured is too small.
         if found < 3.0:
             break
         shrink *= 2
@@ -119,8 +120,8 @@ def _level_blur_px(small: NDArray[np.float32]) -> float:
     low, high = np.percentile(smooth[::4, ::4], (1.0, 99.0))
     ridge = (slope > 6 * noise + 0.3) & (height > 0.3 * (high - low))
     ridge &= slope >= cv2.dilate(slope, np.ones((3, 3), np.uint8))
-    # A step within the box is at least as steep as its height over the box's diagonal;
-    # what is less steep is noise beside a step.
+    # A step within the box is at least as steep as its height over the box's diagonal; anything
+    # less steep is noise beside a step.
     ridge &= slope * 20.0 > height
     if int(ridge.sum()) < 50:
         return float("inf")
@@ -130,12 +131,12 @@ def _level_blur_px(small: NDArray[np.float32]) -> float:
 
 @dataclass(frozen=True)
 class ImageQuality:
-    """What a picture is worth, in figures.
+    """The quality of a picture in figures.
 
-    ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark
-    and bright parts as shares of full scale, ``blur_px`` the standard deviation of the blur at
-    its edges: None in a dim or clipped picture, where it would mislead, and where there are no
-    edges. ``soft_px`` is what it may be.
+    ``saturated`` is the share of clipped pixels, ``low`` and ``high`` the levels of the dark and
+    bright parts as shares of full scale, ``blur_px`` the standard deviation of the blur at its
+    edges: None in a dim or clipped picture, where it would be misleading, and if there are no
+    edges. ``soft_px`` is the limit of the blur.
     """
 
     saturated: float

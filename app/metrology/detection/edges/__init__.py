@@ -1,1 +1,1 @@
-"""All edges of the block measured to a fraction of a pixel. Entry point: ``measure_all``."""
+"""Sub-pixel measurement of all edges of the block. Entry point: ``measure_all``."""

@@ -1,4 +1,4 @@
-"""The camera that fits edge points of the block: all of its parameters at once."""
+"""The camera that fits the edge points of the block, with all parameters estimated together."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats, nearest_rotation, rotation_from_vec
 from app.native.arguments import F64, Array, Function, Real
 from app.native.library import CRENEL
 
-# fx, fy, cx, cy, three turns, three shifts, k1, k2
+# fx, fy, cx, cy, three rotations, three translations, k1, k2
 _COUNT = 12
 FOCAL_AND_POSE = (0, 4, 5, 6, 7, 8, 9)
 NO_DISTORTION = (0, 1, 2, 3, 4, 5, 6, 7, 8, 9)
@@ -33,7 +33,7 @@ _rows = Function(
 
 def apply_camera_step(camera: Camera, step: Floats) -> Camera:
     """The camera after a step (12,): focal lengths (relative), principal point (of the width),
-    turn (rad) and shift (of the distance) in the camera frame, k1, k2."""
+    rotation (rad) and translation (of the distance) in the camera frame, k1, k2."""
     matrix = camera.matrix.copy()
     matrix[0, 0] *= np.exp(step[0])
     # The second focal length follows the first; step 1 is their ratio.
@@ -53,10 +53,10 @@ def apply_camera_step(camera: Camera, step: Floats) -> Camera:
 
 
 def _camera_prior(camera: Camera) -> tuple[Floats, Floats]:
-    """What lenses are like before any measurement: values (5,) and their standard deviations.
+    """Prior of a lens before any measurement: values (5,) and their standard deviations.
 
-    Square pixels to a thousandth, the axis within a twentieth of the width of the
-    middle, mild distortion. They only count where the picture says nothing.
+    Square pixels to a thousandth, the axis within a twentieth of the width of the middle, little
+    distortion. The prior matters only if the picture contains no information.
     """
     K = camera.matrix
     values = np.array(
@@ -75,7 +75,7 @@ _PRIOR_STEPS = (1, 2, 3, 10, 11)
 
 
 def prior_rows(camera: Camera, free: tuple[int, ...]) -> Floats:
-    """What is held of the chosen parameters, as rows (H, P) over their standard deviations."""
+    """Prior rows (H, P) of the chosen parameters, over their standard deviations."""
     _, deviations = _camera_prior(camera)
     rows = np.zeros((len(_PRIOR_STEPS), len(free)))
     for row, step in enumerate(_PRIOR_STEPS):
@@ -85,7 +85,7 @@ def prior_rows(camera: Camera, free: tuple[int, ...]) -> Floats:
 
 
 def residuals(camera: Camera, points_mm: Floats, uv_px: Floats, normal: Floats) -> Floats:
-    """Distances (N,) in px, along the normals, of measured from predicted edges."""
+    """Distances (N,) in px, along the normals, between measured and predicted edges."""
     return np.asarray(((uv_px - project(camera, points_mm)) * normal).sum(axis=1))
 
 
@@ -104,7 +104,7 @@ def residuals_with_jacobian(
 def _equations(
     off: Floats, J: Floats, sigma: Floats, chosen: NDArray[np.int64]
 ) -> tuple[Floats, Floats, float]:
-    """``J' W J`` and ``J' W off`` of the chosen columns by Huber's weights, and the scatter."""
+    """``J' W J`` and ``J' W off`` of the chosen columns with Huber's weights, and the scatter."""
     z = np.abs(off) / sigma
     spread = max(1.0, float(np.median(z)) / 0.6745)
     weight = np.minimum(1.0, 2.0 * spread / np.maximum(z, 1e-12)) / sigma**2
@@ -122,16 +122,16 @@ def fit_edges(
     free: tuple[int, ...],
     rounds: int = 6,
 ) -> tuple[Camera, Floats]:
-    """Gauss-Newton with Huber's weights of the chosen parameters on edge points.
+    """Gauss-Newton with Huber's weights for the chosen parameters on edge points.
 
     Args:
-        camera: the start.
-        points_mm: (N, 3) points of the edges; uv_px: (N, 2) where the edge was met
-            along normal: (N, 2); sigma_px: (N,) standard deviations.
-        free: parameters that move, as numbered in this module.
+        camera: start values.
+        points_mm: (N, 3) points of the edges; uv_px: (N, 2) measured positions of the edge along
+            normal: (N, 2); sigma_px: (N,) standard deviations.
+        free: parameters to estimate, as numbered in this module.
 
     Returns:
-        the camera, and the covariance of its 12 parameters: zero for those held, with
+        The camera, and the covariance of its 12 parameters: zero for those held, with
         the a-priori variance factor.
     """
     chosen = np.array(free)

@@ -1,9 +1,9 @@
-"""Is a size of the certificate wrong: would the edges fit far better were one plane shifted?
+"""Tests the dimensions of the certificate: would the edges fit far better with one plane shifted?
 
-All edges in one of the block's planes shift together when a size is wrong, and the
-fitted camera takes up part of that. So each plane's shift is estimated beside the camera,
-in one adjustment, and judged over its standard deviation by the scatter that is left
-(Baarda's test of one alternative hypothesis, with the variance estimated).
+All edges in one of the block's planes shift together if a dimension is wrong, and the fitted camera
+absorbs part of the shift. The shift of each plane is therefore estimated together with the camera,
+in one adjustment, and judged relative to its standard deviation by the remaining scatter (Baarda's
+test of one alternative hypothesis, with the variance estimated).
 """
 
 from dataclasses import dataclass
@@ -25,28 +25,28 @@ from app.metrology.detection.visibility import Wireframe
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
-# Each part's points are gathered into so many pieces at most, of at least so many points.
+# The points of each part are merged into at most this many pieces, of at least this many points.
 _PIECES, _IN_PIECE = 3, 4
-# What the image leaves of an edge's place beside noise and marks, over the blur.
+# Error of an edge's position beyond noise and marks, relative to the blur.
 _LEFT_BLURS = 0.03
-# So many points that a plane's shift by a mm would move so many px show where it lies.
+# A plane is located if its shift by 1 mm would move this many points by this many px.
 _SENSITIVE_POINTS, _SENSITIVE_PX = 4, 2.0
-# Pieces further off than this many deviations weigh less (Huber), and rounds of that.
+# Pieces further off than this many standard deviations have less weight (Huber), and iterations.
 _HUBER, _ROUNDS = 2.5, 3
-# By how much, in mm, a size may be thought wrong.
+# Largest error of a dimension considered, in mm.
 FURTHEST_MM = 2.6
-# An edge is where it should be where at least so many px of it, and this share of its points,
-# lie within so many px of it, and might be moved by twice that were the size wrong.
+# An edge is in place if at least this many px of it, and this share of its points, lie within this
+# many px of it, and would move by twice that if the dimension were wrong.
 _ENOUGH_PX, _MOST_OF_IT, _IN_PLACE_PX = 18.0, 0.6, 1.6
 
 
 @dataclass(frozen=True)
 class PlaneShift:
-    """How far a plane of the block seems to lie from its place in the certificate.
+    """The estimated shift of a plane of the block from its position in the certificate.
 
-    ``axis`` and ``at_mm``: the plane; ``edges``: rows in the wireframe of those in it;
-    ``by_mm`` along the axis; ``ratio``: that over its standard deviation, the
-    certificate's included.
+    ``axis`` and ``at_mm``: the plane; ``edges``: the rows of its edges in the wireframe; ``by_mm``:
+    the shift along the axis; ``ratio``: the shift over its standard deviation, including that of
+    the certificate.
     """
 
     axis: int
@@ -58,9 +58,9 @@ class PlaneShift:
 
 @dataclass(frozen=True)
 class _Pieces:
-    """Gathered points: distances (M,) from the camera's edges, their variances (M,) in px
-    squared, and what the camera's parameters (M, P) and the planes' shifts (M, K), px a mm,
-    do to them."""
+    """Merged points: distances (M,) from the predicted edges, their variances (M,) in px squared,
+    and their derivatives by the camera's parameters (M, P) and by the planes' shifts (M, K), px per
+    mm."""
 
     off_px: Floats
     variance: Floats
@@ -80,7 +80,7 @@ def planes(frame: Wireframe) -> list[tuple[int, float, tuple[int, ...]]]:
 
 
 def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
-    """Edges along X, those in one line together, from the left to the right."""
+    """Edges along X, grouped by line, from left to right."""
     lines: dict[tuple[str, str], list[int]] = {}
     for edge, name in enumerate(frame.names):
         words = name.split(":")
@@ -90,15 +90,16 @@ def lines_along_x(frame: Wireframe, kinds: tuple[str, ...]) -> list[list[int]]:
 
 
 def moves_px_per_mm(camera: Camera, at: EdgeStations, axis: int) -> Floats:
-    """(N,) how far a shift along an axis moves each station's edge across, along its normal."""
+    """(N,) shift of each station's edge along its normal by a shift along an axis."""
     ahead = project(camera, at.points_mm + 0.1 * np.eye(3)[axis]) - at.uv_px
     return np.asarray(10.0 * (ahead * at.normal).sum(axis=1))
 
 
 def count_in_place(found: EdgeMeasurements, edges: tuple[int, ...], axis: int) -> int:
-    """How many of a plane's edges are seen, all but whole, where the certificate puts them.
+    """The number of a plane's edges that are almost completely visible where the certificate puts
+    them.
 
-    Only those count that a shift of the plane would move in the picture.
+    Only edges count that a shift of the plane would move in the picture.
     """
     at = found.at
     count = 0
@@ -113,10 +114,10 @@ def count_in_place(found: EdgeMeasurements, edges: tuple[int, ...], axis: int) -
 
 
 def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[PlaneShift]:
-    """How far each plane seems shifted; none where the edges show nothing of it.
+    """The estimated shift of each plane; planes whose edges show nothing of it are omitted.
 
     Args:
-        found: the edges measured, and the camera fitted to them.
+        found: the measured edges, and the camera fitted to them.
         certificate_mm: standard uncertainty of the block's coordinates.
     """
     faces = planes(found.frame)
@@ -135,8 +136,8 @@ def estimate_shifts(found: EdgeMeasurements, certificate_mm: float) -> list[Plan
 def find_unobserved_planes(found: EdgeMeasurements) -> tuple[tuple[int, int], ...]:
     """The block's planes, by axis and number, that no measured edge locates.
 
-    Faces of equal brightness, shadows and the frame hide edges; a size that is wrong there
-    would not be noticed.
+    Faces of equal brightness, shadows and the frame hide edges; a wrong dimension there would go
+    unnoticed.
     """
     faces = planes(found.frame)
     rows = np.flatnonzero(found.used)
@@ -151,7 +152,7 @@ def find_unobserved_planes(found: EdgeMeasurements) -> tuple[tuple[int, int], ..
 
 
 def describe_plane(axis: int, number: int) -> Text:
-    """The name of the so-manieth plane along an axis: merlons are counted from the left."""
+    """The name of the n-th plane along an axis; merlons are counted from the left."""
     if axis == 0:
         side = ("left", "right")[number % 2]
         return message("side-merlon", side=side, number=number // 2 + 1)
@@ -166,7 +167,7 @@ def _gather_pieces(
     free: tuple[int, ...],
     certificate_mm: float,
 ) -> _Pieces:
-    """The used points in pieces of their parts."""
+    """The used points, merged into pieces of their parts."""
     rows = np.flatnonzero(found.used)
     at, camera = found.at, found.camera
     part = at.part[rows]
@@ -202,7 +203,7 @@ def _shift_effects(
     rows: NDArray[np.int64],
     faces: list[tuple[int, float, tuple[int, ...]]],
 ) -> Floats:
-    """What a shift of each plane by a mm does to the points' distances, (N, K) px."""
+    """Change of the points' distances, (N, K) px, by a shift of each plane by 1 mm."""
     points, normal = found.at.points_mm[rows], found.at.normal[rows]
     here = project(found.camera, points)
     along = [
@@ -219,9 +220,10 @@ def _shift_effects(
 def _estimate_shift(
     pieces: _Pieces, held: Floats, plane: int, certificate_mm: float
 ) -> tuple[float, float]:
-    """A plane's shift in mm and that over its deviation; zeros where the camera does as much.
+    """A plane's shift in mm and over its standard deviation; zeros if the camera explains it
+    equally well.
 
-    ``held`` (H, P): what is known of cameras beforehand, as further rows of the camera's.
+    ``held`` (H, P): prior knowledge about cameras, as additional rows of the camera's parameters.
     """
     weight = 1 / np.sqrt(pieces.variance)
     count, spare = len(pieces.off_px), len(pieces.off_px) - pieces.camera.shape[1] - 1

@@ -1,7 +1,7 @@
-"""Where the block's edges along X end in the picture: at their certificate's corners?
+"""Tests whether the block's edges along X end at the corners of the certificate.
 
-An edge that ends elsewhere shows a wrong size where the edges of the shifted plane
-itself are hidden: by faces of equal brightness, or lost among shadows' borders.
+An edge that ends elsewhere reveals a wrong dimension if the edges of the shifted plane itself are
+hidden: by faces of equal brightness, or among the borders of shadows.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,33 +24,33 @@ from app.metrology.detection.visibility import find_visible_edges
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import Floats
 
-# An edge's step is estimated from at least so much of it, px.
+# The step of an edge is estimated from at least this length, px.
 _ENOUGH_PX = 16.0
-# What is too little to be reported as another size, px; an edge is followed by so many px more
-# than a size may be thought wrong, to either side.
+# Shifts smaller than this are not reported as a different dimension, px; an edge is followed by
+# this many px more than a dimension may be wrong, to either side.
 _NEAREST_PX, _FURTHER_PX = 5.0, 14.0
-# An edge is where its step is at least this share of its usual one, and not where it is less
-# than that; its usual one stands out so many times from what lies beside it.
+# An edge is present if its step is at least this share of the usual one, and absent if it is less
+# than that; the usual step must exceed its surroundings by this factor.
 _THERE, _GONE, _OVER_SURROUNDINGS = 0.6, 0.3, 4.0
-# Of what is followed, this share may be otherwise on the edge's side of its end, and beyond;
-# so many px must be known of either, the edge's light gathered along so many.
+# Tolerated share of contradicting pixels on the edge's side of its end and beyond; minimum number
+# of known px on either side, with the light gathered along this many.
 _LESS, _MORE, _KNOWN_PX, _ALONG_PX = 0.1, 0.15, 6, 5
-# An end that is hidden, and so is unclear by more than this beyond what the blur leaves, is none.
+# An end that is hidden, and therefore uncertain by more than this beyond the blur, does not count.
 _UNCLEAR_PX = 3.0
-# Where an edge ends, its light is mixed with what lies beyond for so many px and blurs.
+# Where an edge ends, its light mixes with its surroundings for this many px and blurs.
 _CLEAR_PX, _CLEAR_BLURS = 3.0, 1.5
-# Ends are the same, moved, where they are moved alike to so many px, or to this share.
+# Ends are moved alike if they agree to this many px, or to this share.
 _ALIKE_PX, _ALIKE = 4.0, 0.15
-# A share of an edge that is rounding.
+# Share of an edge that is rounded.
 _ROUNDING = 1e-6
-# Of the way to the next edge in the line, how much is the edge's own.
+# Share of the way to the next edge in the line that belongs to the edge.
 _SHARE_OF_GAP = 0.6
 
 
 @dataclass(frozen=True)
 class EdgeEnd:
-    """Where an edge seems to end: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
-    ``at_mm``, as far as the picture is clear, to ``unclear_px``."""
+    """The measured end of an edge: ``by_mm`` ``outward`` (1 or -1 along X) of its plane at
+    ``at_mm``, with the uncertainty ``unclear_px`` of the picture."""
 
     at_mm: float
     outward: float
@@ -68,13 +68,13 @@ class EdgeEnd:
 
 
 def measure_ends(grey: Floats, found: EdgeMeasurements) -> list[EdgeEnd]:
-    """Where the edges of crests and base along X end, as far as the picture shows.
+    """The ends of the edges of crests and base along X, as far as the picture shows them.
 
-    Broken edges cut all of them short alike: so each is compared with the others of the block.
+    Broken edges shorten all of them alike, so each is compared with the others of the block.
 
     Args:
-        grey: (H, W) the picture, NaN where it must not count.
-        found: the edges measured in it.
+        grey: (H, W) the picture, NaN at pixels that must not count.
+        found: the measured edges.
     """
     ends = [end for way in _ways(found) if (end := _measure_end(grey, found, way)) is not None]
     usual_mm = float(np.median([end.by_mm for end in ends])) if ends else 0.0
@@ -82,7 +82,7 @@ def measure_ends(grey: Floats, found: EdgeMeasurements) -> list[EdgeEnd]:
 
 
 def ends_in_place(ends: Sequence[EdgeEnd], at_mm: float, by_mm: float) -> bool:
-    """Whether edges end where they should at a plane along X, rather than ``by_mm`` further."""
+    """Whether edges end as expected at a plane along X, rather than ``by_mm`` further."""
     own = [end for end in ends if end.at_mm == at_mm]
     away = [abs(end.outward * by_mm - end.by_mm) * end.px_per_mm for end in own]
     stand = [not end.moved and px > end.unclear_px for end, px in zip(own, away, strict=True)]
@@ -92,18 +92,18 @@ def ends_in_place(ends: Sequence[EdgeEnd], at_mm: float, by_mm: float) -> bool:
 def find_misplaced_ends(
     grey: Floats, found: EdgeMeasurements, everywhere: Sequence[EdgeEnd]
 ) -> RejectionReason | None:
-    """A size along X that the picture shows to be another, as edges end elsewhere, if any.
+    """A dimension along X that differs in the picture, because edges end elsewhere, if any.
 
-    One edge may be cut short by anything that lies before it. Where two edges of crests and
-    base end at one other place, or one does and lines run where that would put the plane's
-    own edges, none ends where it should, and no edge in the plane that ends them is seen in
-    its place, that plane lies there; where they go on beyond their ends, which nothing else
-    does to two, fewer edges may be in place than ends are not.
+    Anything in front of the block may shorten one edge. A plane is considered shifted if two edges
+    of crests and base end at the same other position, or if one does and lines run where the
+    plane's own edges would then be; if no edge ends as expected; and if no edge in the plane that
+    ends them is seen in its place. If the edges continue beyond their expected ends, which nothing
+    else causes for two edges, fewer edges may be in place than there are displaced ends.
 
     Args:
-        grey: (H, W) the picture, NaN where it must not count.
-        found: the edges measured in it.
-        everywhere: where its edges end.
+        grey: (H, W) the picture, NaN at pixels that must not count.
+        found: the measured edges.
+        everywhere: the ends of its edges.
     """
     for axis, at_mm, edges in planes(found.frame):
         ends = [end for end in everywhere if axis == 0 and end.at_mm == at_mm]
@@ -112,13 +112,13 @@ def find_misplaced_ends(
         if not together or len(moved) < len(ends):
             continue
         by_mm = float(np.mean([end.by_mm for end in together]))
-        # Another edge of the block may lie, by chance, where one of the plane's is drawn.
+        # Another edge of the block may happen to lie where one of the plane's is predicted.
         by_chance = len(together) - 1 if by_mm > 0 else 0
         if count_in_place(found, edges, axis) > by_chance:
             continue
         if len(together) > 1 or _lines_confirm(grey, found, edges, together[0]):
             by_px = max(end.by_px for end in together)
-            # What lies over two ends shortens both alike; nothing makes an edge longer.
+            # An occlusion of two ends shortens both alike; nothing makes an edge longer.
             alone = by_mm < 0 and len(together) < 3
             return size_mismatch(found.frame.names[edges[0]], abs(by_mm), by_px, edges, alone)
     return None
@@ -127,21 +127,21 @@ def find_misplaced_ends(
 def _lines_confirm(
     grey: Floats, found: EdgeMeasurements, edges: tuple[int, ...], end: EdgeEnd
 ) -> bool:
-    """Whether lines run where the edges of an end's plane would lie, ended the plane there."""
+    """Whether lines run where the edges of an end's plane would be if the plane were there."""
     return lines_lie_at(grey, found, edges, 0, end.outward * end.by_mm, _ALIKE_PX)
 
 
 def _alike(end: EdgeEnd, others: list[EdgeEnd]) -> list[EdgeEnd]:
-    """The ends that are moved by as much as one of them."""
+    """The ends that are moved by the same amount as one of them."""
     near_mm = max(_ALIKE_PX, _ALIKE * end.by_px) / end.px_per_mm
     return [one for one in others if abs(one.by_mm - end.by_mm) < near_mm]
 
 
 @dataclass(frozen=True)
 class _Way:
-    """The way along an edge through its corner (3,), which lies ``outward`` (1 or -1) along X.
+    """The path along an edge through its corner (3,), which is ``outward`` (1 or -1) along X.
 
-    ``within_mm``: as far as the edge is in sight; ``beyond_mm``: as far as no other edge is.
+    ``within_mm``: as far as the edge is visible; ``beyond_mm``: as far as there is no other edge.
     """
 
     edge: int
@@ -152,7 +152,7 @@ class _Way:
 
 
 def _ways(found: EdgeMeasurements) -> Iterator[_Way]:
-    """Through every corner in sight of the edges of crests and base along X."""
+    """Paths through every visible corner of the edges of crests and base along X."""
     frame = found.frame
     parts = find_visible_edges(frame, found.camera.centre_mm)
     for line in lines_along_x(frame, ("crest", "base")):
@@ -170,7 +170,7 @@ def _ways(found: EdgeMeasurements) -> Iterator[_Way]:
 
 
 def _measure_end(grey: Floats, found: EdgeMeasurements, way: _Way) -> EdgeEnd | None:
-    """Where the edge ends on its way; None where the picture does not show it."""
+    """The end of an edge on its path; None if the picture does not show it."""
     out = np.array([way.outward, 0.0, 0.0])
     ends = project(found.camera, way.corner_mm + np.array([[-0.05], [0.05]]) * out)
     px_per_mm = 10.0 * float(np.hypot(*(ends[1] - ends[0])))
@@ -200,9 +200,9 @@ def _measure_end(grey: Floats, found: EdgeMeasurements, way: _Way) -> EdgeEnd | 
 
 
 def _along(found: EdgeMeasurements, way: _Way, px_per_mm: float, row: int) -> EdgeStations:
-    """Stations every px along a way, as far as it is followed and in the picture.
+    """Stations every px along a path, as far as it is followed and in the picture.
 
-    ``row``: of a station on the edge itself.
+    ``row``: the row of a station on the edge itself.
     """
     most_px = FURTHEST_MM * px_per_mm + _FURTHER_PX
     first = -min(way.within_mm * px_per_mm, most_px)
@@ -213,14 +213,14 @@ def _along(found: EdgeMeasurements, way: _Way, px_per_mm: float, row: int) -> Ed
 
 
 def _median(values: Floats) -> float:
-    """Of those known; NaN where none is."""
+    """Median of the known values; NaN if there is none."""
     known = values[np.isfinite(values)]
     return float(np.median(known)) if len(known) else np.nan
 
 
 def _contrast(grey: Floats, at: EdgeStations, blur_px: float) -> tuple[Floats, Floats]:
-    """By how much it is brighter on one side of stations (N,) than on the other, grey levels,
-    and the same (2, N) where no edge is looked for, to either side of them."""
+    """Difference in brightness (grey levels) between the two sides of stations (N,), and the same
+    (2, N) at places to either side where no edge is expected."""
     far = int(np.ceil(1.0 + blur_px))
     levels = sample_profiles(grey, at.uv_px, at.normal, 3 * far)[:, :: 2 * far].T
     steps = np.diff(levels, axis=0)
@@ -228,7 +228,7 @@ def _contrast(grey: Floats, at: EdgeStations, blur_px: float) -> tuple[Floats, F
 
 
 def _moving_average(step: Floats) -> Floats:
-    """Means (N,) over neighbours; NaN where too few are known."""
+    """Means (N,) over neighbours; NaN if too few are known."""
     known = np.isfinite(step)
     near = np.ones(_ALONG_PX)
     total = np.convolve(np.where(known, step, 0.0), near, "same")
@@ -237,10 +237,10 @@ def _moving_average(step: Floats) -> Floats:
 
 
 def _find_end(along_px: Floats, share: Floats, clear_px: float, furthest_px: float) -> float | None:
-    """How far along its way an edge ends, of which there is so much (N,) at every px.
+    """The position along its path at which an edge ends, from its strength (N,) at every px.
 
-    The place that leaves least of it beyond, and least of it wanting before. None where
-    neither side is known, much speaks against every place, or as little for many.
+    The position that leaves least of it beyond and least missing before. None if neither side is
+    known, if much contradicts every position, or if many positions are equally good.
     """
     there = np.where(share > _THERE, 1.0, np.where(share < _GONE, 0.0, 0.5))
     known = np.isfinite(share)

@@ -1,4 +1,4 @@
-"""All edges of the located block measured in the full picture, and the camera they give."""
+"""Measures all edges of the located block in the full picture, and fits the camera to them."""
 
 from dataclasses import astuple, dataclass, replace
 
@@ -32,25 +32,27 @@ from app.metrology.detection.visibility import Wireframe
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.transforms import Floats
 
-# One point for every so many pixels of edge: as far apart as each gathers light.
+# One point per this many pixels of edge: the spacing equals the length over which each gathers
+# light.
 _SPACING_PX = 5.0
-# A step this many times its own standard deviation is an edge that shows.
+# Minimum ratio of a step to its standard deviation for a visible edge.
 _SHOWS = 6.0
-# In noise a part of an edge may show as a whole, and then its points if they agree.
+# In noise, a part of an edge may be visible as a whole, and then its points if they agree.
 _PART_SHOWS, _IN_PART = 9.0, 2.5
-# Points less certain than this are of no use.
+# Points with a larger standard deviation are not used.
 _WORST_PX = 1.0
-# A lens term is kept where it is this many times its standard deviation.
+# A lens term is kept if it exceeds its standard deviation by this factor.
 _SIGNIFICANT = 3.0
-# Steps over noise at which points every few pixels are good, and the most they may lengthen.
+# Ratio of steps to noise at which points every few pixels are good, and the longest extension.
 _GOOD_CONTRAST, _LONGEST = 12.0, 5.0
 _NOISY_SPACING_PX = 20.0
-# Faint edges are measured in pieces so many times as long, up to this.
+# Faint edges are measured in pieces longer by this factor, up to this.
 _LONGER, _LONGEST_PX = 5.0, 60.0
-# Marks along an edge, over its step, from which on it cannot be distinguished from them.
+# Ratio of the marks along an edge to its step from which the edge cannot be distinguished from
+# them.
 _MARKS = 0.3
-# An edge so many times as wide as the picture's others is a shadow's; every so many points
-# of it are looked at, and so many must show a width.
+# An edge this many times as wide as the others of the picture is that of a shadow; every this many
+# points of it are examined, and this many must show a width.
 _SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
 
 
@@ -58,13 +60,12 @@ _SOFTER, _EVERY, _WIDTHS = 1.6, 3, 3
 class EdgeMeasurements:
     """Measured edges and the camera fitted to them.
 
-    ``at``: the stations; ``uv_px`` (N, 2) where their edges lie; ``sigma_px`` (N,) standard
-    deviations, scaled to the scatter along the edges and of the edges, ``own_px`` (N,) to the
-    former alone; ``marks_px`` (N,) how far marks along a part may move the whole of it;
-    ``off_px`` (N,) distance from the camera's edge along the normal; ``step`` (N,) its
-    height in grey levels, from the second region to the first; ``shows`` (N,) whether the
-    picture shows an edge there; ``used`` (N,) whether it agrees with its neighbours;
-    ``blur_px``: the standard deviation of the picture's blur.
+    ``at``: the stations; ``uv_px`` (N, 2) the positions of their edges; ``sigma_px`` (N,) standard
+    deviations, scaled to the scatter along the edges and of whole edges, ``own_px`` (N,) to the
+    former only; ``marks_px`` (N,) how far marks along a part may move all of it; ``off_px`` (N,)
+    distance from the predicted edge along the normal; ``step`` (N,) its height in grey levels, from
+    the second region to the first; ``shows`` (N,) whether the picture shows an edge there; ``used``
+    (N,) whether it agrees with its neighbours; ``blur_px``: standard deviation of the blur.
     """
 
     frame: Wireframe
@@ -82,23 +83,23 @@ class EdgeMeasurements:
 
 
 def smooth_for_search(grey: Floats, coarse_px: float) -> Floats:
-    """The picture (H, W) in which a camera that is ``coarse_px`` off finds its edges."""
+    """The picture (H, W), smoothed so that a camera that is ``coarse_px`` off finds its edges."""
     return np.asarray(cv2.GaussianBlur(grey, (0, 0), max(0.8, coarse_px / 4)), dtype=np.float64)
 
 
 def align_camera_to_edges(
     smooth: Floats, frame: Wireframe, camera: Camera, reach_px: float
 ) -> Camera | None:
-    """The camera that draws the block's edges where the picture has its steepest places.
+    """The camera whose predicted edges of the block are at the steepest places of the picture.
 
     Args:
         smooth: (H, W) the picture, ``smooth_for_search``.
         frame: the block.
-        camera: a camera for this picture that draws the edges within ``reach_px``.
-        reach_px: how far off it may be.
+        camera: a camera for this picture, off by at most ``reach_px``.
+        reach_px: its maximum error.
 
     Returns:
-        None where too few edges show, or the block is not before the camera.
+        None if too few edges show, or the block is not in front of the camera.
     """
     for radius in (reach_px, max(0.6 * reach_px, 2.0)):
         at = place_stations(frame, camera, 2 * _SPACING_PX, radius + 2)
@@ -120,18 +121,18 @@ def measure_edges(
     """Measures every visible edge of the block and fits the camera to them.
 
     Args:
-        masked: (H, W) the picture, 0..255, NaN where it must not count (clipped, lit by the
-            laser).
+        masked: (H, W) the picture, 0..255, NaN at pixels that must not count (clipped, lit by
+            the laser).
         frame: the block.
-        camera: a camera for this picture, ``align_camera_to_edges``.
-        blur_px: about the standard deviation of the picture's blur.
+        camera: a camera for this picture, from ``align_camera_to_edges``.
+        blur_px: approximate standard deviation of the picture's blur.
         certificate_mm: standard uncertainty of the block's coordinates.
 
     Returns:
-        None where too few edges show to fit anything.
+        None if too few edges show for a fit.
     """
     blur, contrast = _blur(masked, frame, camera, blur_px)
-    # In a noisy picture each point gathers light along more of its edge.
+    # In a noisy picture, each point gathers light along a longer part of its edge.
     spacing = _SPACING_PX * float(np.clip((_GOOD_CONTRAST / contrast) ** 2, 1.0, _LONGEST))
     for _ in range(2):
         fitted = _fit_camera(
@@ -150,16 +151,16 @@ def measure_edges(
 def refit_without(
     found: EdgeMeasurements, parts: list[int], certificate_mm: float
 ) -> EdgeMeasurements | None:
-    """The survey with the camera fitted to all but some parts; None if too few are left."""
+    """The survey with the camera fitted to all except some parts; None if too few are left."""
     left_out = np.isin(found.at.part, parts)
     again = replace(found, shows=found.shows & ~left_out)
     return _fit_significant_lens(again, certificate_mm)
 
 
 def stations_along_x(found: EdgeMeasurements, points_mm: Floats, row: int) -> EdgeStations:
-    """Stations at points (N, 3) in the line of an edge along X, as far as in the picture.
+    """Stations at points (N, 3) in the line of an edge along X, as far as they are in the picture.
 
-    What else lies about them is not known. ``row``: of a station on the edge itself.
+    Their surroundings are unknown. ``row``: the row of a station on the edge itself.
     """
     camera = found.camera
     uv = project(camera, points_mm)
@@ -182,7 +183,7 @@ def stations_along_x(found: EdgeMeasurements, points_mm: Floats, row: int) -> Ed
 
 
 def _blur(masked: Floats, frame: Wireframe, camera: Camera, blur: float) -> tuple[float, float]:
-    """The picture's blur and its steps over its noise, from some of the stations."""
+    """The picture's blur and the ratio of its steps to its noise, from some of the stations."""
     contrast = 1.0
     for _ in range(4):
         at = with_clearance(place_stations(frame, camera, _NOISY_SPACING_PX, 4.0), blur)
@@ -204,7 +205,7 @@ def _measure_stations(
     at = with_clearance(place_stations(frame, camera, spacing, margin), blur)
     seen = measure_steps(masked, at, blur)
     shows = _find_visible(at, seen)
-    # Where an edge is too faint for short pieces, long ones may show it.
+    # If an edge is too faint for short pieces, long ones may show it.
     wide = min(_LONGER * spacing, _LONGEST_PX)
     faint = ~np.isin(at.part, at.part[shows])
     if faint.any():
@@ -222,7 +223,7 @@ def _measure_stations(
     off = np.where(shows, seen.offset_px, np.nan)
     step = np.where(shows, seen.step, 0.0)
     ratio, moved = texture(masked, at, step, blur)
-    # Among marks as strong as itself an edge cannot be distinguished.
+    # Among marks as strong as itself, an edge cannot be distinguished.
     shows &= ratio < _MARKS
     shows &= ~_find_soft_parts(masked, at, shows, blur)
     return EdgeMeasurements(
@@ -233,7 +234,7 @@ def _measure_stations(
 def _find_soft_parts(
     masked: Floats, at: EdgeStations, shows: NDArray[np.bool_], blur: float
 ) -> NDArray[np.bool_]:
-    """Stations (N,) of parts that are less sharp than the picture: a shadow's border runs there."""
+    """Stations (N,) of parts that are less sharp than the picture: borders of shadows."""
     some = np.flatnonzero(shows)[::_EVERY]
     seen = measure_steps(masked, select_stations(at, some), blur, free_blur=True)
     soft = np.zeros(len(shows), dtype=bool)
@@ -251,13 +252,14 @@ def _concatenate(
     other: StepMeasurements,
     of_other: NDArray[np.bool_],
 ) -> StepMeasurements:
-    """Some of one's values, then some of the other's."""
+    """Some values of the first, then some of the second."""
     rows = zip(astuple(one), astuple(other), strict=True)
     return StepMeasurements(*(np.concatenate([a[of_one], b[of_other]]) for a, b in rows))
 
 
 def _find_visible(at: EdgeStations, seen: StepMeasurements) -> NDArray[np.bool_]:
-    """Where the picture shows an edge: by itself, or as one of a part that does."""
+    """Mask of the stations at which the picture shows an edge: by itself, or as one of a part that
+    does."""
     there = np.isfinite(seen.offset_px) & (seen.sigma_px < _WORST_PX)
     ratio = np.where(there, seen.step / seen.step_sigma, 0.0)
     weight = np.where(there, 1 / np.maximum(seen.step_sigma, 1e-6) ** 2, 0.0)
@@ -278,8 +280,8 @@ def _fit_camera(
     at = found.at
     edge = at.edge[keep]
     per_edge = np.bincount(edge, minlength=len(found.frame.names))[edge]
-    # The certificate's error moves a whole edge at once, a mark a whole part of it: spread
-    # over the points they weigh as they should.
+    # The certificate's error moves a whole edge together, a mark a whole part of it: distributed
+    # over the points, they have the correct weight.
     depth = (at.points_mm @ found.camera.rotation.T + found.camera.translation_mm)[:, 2]
     certificate_px = certificate_mm * found.camera.matrix[0, 0] / depth
     per_part = np.bincount(at.part[keep])[at.part[keep]]
@@ -305,7 +307,7 @@ def _fit_camera(
 def _fit_significant_lens(
     found: EdgeMeasurements, certificate_mm: float
 ) -> EdgeMeasurements | None:
-    """The fit with as many distortion terms as the edges support."""
+    """The fit with as many distortion terms as the edges determine."""
     best = None
     for free, term in ((WITH_K2, 11), (WITH_K1, 10), (NO_DISTORTION, -1)):
         start = found.camera.distortion.copy()

@@ -1,4 +1,4 @@
-"""What the picture shows elsewhere than where the certificate puts it."""
+"""Edges that the picture shows at other positions than the certificate."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,44 +19,44 @@ from app.metrology.detection.edges.step_fit import select_stations
 from app.metrology.detection.rejection import RejectionReason, size_mismatch
 from app.metrology.transforms import Floats
 
-# What is too little to be reported as another size, px.
+# Shifts smaller than this are not reported as a different dimension, px.
 _NEAREST_PX = 1.6
-# Stations are so far apart; lines are followed over so many of them.
+# Spacing of stations; lines are followed over this many of them.
 _SPACING_PX, _AVERAGING = 3.0, 13
-# A line counts by its height over the edges' usual one, and over what lies beside it.
+# Minimum ratio of a line's height to the usual one of the edges, and to its surroundings.
 _STEP, _OVER_NOISE = 0.1, 5.0
-# Share of the edges of a size that must show elsewhere where the size is wrong, beyond what
-# shows where the certificate puts them and what shows somewhere else; of those edges at least
-# so many free of others; and how much may show where the certificate puts them.
+# Minimum share of the edges of a dimension that must show elsewhere if the dimension is wrong,
+# beyond the share in the place of the certificate and at other positions; minimum number of these
+# edges that are free of others; and maximum share that may show in the place of the certificate.
 _STANDS_OUT, _FREE, _HERE = 0.15, 0.4, 0.25
-# What bears out a place that ends of edges show must stand out by so much.
+# Evidence that supports a position from the ends of edges must stand out by this much.
 _BEARS_OUT = 0.08
-# The next likely place is so far from the likeliest at least.
+# Minimum distance between the likeliest position and the next.
 _APART_PX = 6.0
 # Share of one edge, or of each of two, that shows there.
 _MOST_OF_IT, _PART_OF_IT = 0.6, 0.3
-# Length, px, that the edges of a size must have in the picture to say anything.
+# Minimum length, px, of a dimension's edges in the picture for a statement.
 _LENGTH_PX = 25.0
-# How far a line may run beside an edge, in px, and be the edge's.
+# Maximum distance between a line and an edge, in px, for the line to belong to the edge.
 _STRAIGHT_PX = 1.5
-# Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
+# Gaussian: a step of height a blurred by s has the slope a / (s sqrt(2 pi)).
 _ROOT_TWO_PI = 2.5066
 
 
 def find_wrong_dimension(
     grey: Floats, found: EdgeMeasurements, in_place_by_ends: Callable[[float, float], bool]
 ) -> RejectionReason | None:
-    """A size of the certificate that the picture shows to be another, if any.
+    """A dimension of the certificate that differs in the picture, if any.
 
-    Faces of equal brightness, shadows and things in the way hide edges, which is no
-    fault. But where the edges of one size (all those in one plane) are missing, and would
-    all be seen if the plane lay elsewhere, the block has another measure.
+    Faces of equal brightness, shadows and occlusions hide edges, which is not a fault. But if the
+    edges of one dimension (all those in one plane) are missing, and would all be visible if the
+    plane were elsewhere, the block has another dimension.
 
     Args:
-        grey: (H, W) the picture, NaN where it must not count.
-        found: the edges measured in it.
-        in_place_by_ends: whether edges end in the plane at so many mm along X, rather than so
-            many mm further: then lines there are shadows' borders, or shading.
+        grey: (H, W) the picture, NaN at pixels that must not count.
+        found: the measured edges.
+        in_place_by_ends: whether edges end in the plane at a position (mm) along X, rather than a
+            distance (mm) further: then lines there are borders of shadows, or shading.
     """
     lines = _lines_about(grey, found)
     for axis, at_mm, edges in planes(found.frame):
@@ -76,10 +76,10 @@ def lines_lie_at(
     by_mm: float,
     off_px: float,
 ) -> bool:
-    """Whether lines run where a plane's edges would lie, were it shifted along its axis, rather
+    """Whether lines run where a plane's edges would be if it were shifted along its axis, rather
     than elsewhere.
 
-    ``by_mm``: the shift, good to ``off_px`` in the picture.
+    ``by_mm``: the shift, accurate to ``off_px`` in the picture.
     """
     lines = _lines_about(grey, found)
     rows = np.flatnonzero(np.isin(lines.at.edge, edges))
@@ -100,10 +100,10 @@ def lines_lie_at(
 
 @dataclass(frozen=True)
 class _Lines:
-    """Where lines run beside stations, along their edges.
+    """Lines beside stations, along their edges.
 
-    ``there``: (N, 2 reach + 1) whether one lies at each offset along the normal;
-    ``free``: (N, 2 reach + 1) whether no other drawn edge lies near.
+    ``there``: (N, 2 reach + 1) whether there is one at each offset along the normal; ``free``: (N,
+    2 reach + 1) whether no other predicted edge is near.
     """
 
     at: EdgeStations
@@ -113,8 +113,8 @@ class _Lines:
 
 @dataclass(frozen=True)
 class _PlaneOffset:
-    """Where a plane seems to lie: by how many mm along its axis, and px in the picture, from its
-    place; ``alone``: one of its edges says so, and another the contrary."""
+    """The apparent shift of a plane: in mm along its axis, and in px in the picture; ``alone``: one
+    of its edges supports it, and another contradicts it."""
 
     by_mm: float
     by_px: float
@@ -150,7 +150,7 @@ def _lines_about(grey: Floats, found: EdgeMeasurements) -> _Lines:
 
 
 def _average_along(slope: Floats) -> Floats:
-    """Slopes (N, M) averaged over neighbouring stations, which leaves of texture little."""
+    """Slopes (N, M) averaged over adjacent stations, which suppresses texture."""
     known = np.isfinite(slope)
     size = (1, min(_AVERAGING, len(slope)))
     total = cv2.boxFilter(np.where(known, slope, 0.0), -1, size, borderType=cv2.BORDER_ISOLATED)
@@ -161,11 +161,10 @@ def _average_along(slope: Floats) -> Floats:
 def _find_plane_offset(
     found: EdgeMeasurements, lines: _Lines, rows: NDArray[np.int64], axis: int, staying: int
 ) -> _PlaneOffset | None:
-    """How far along an axis the edges at some stations lie elsewhere; None if they do not.
+    """Shift along an axis at which the edges at some stations appear; None if there is none.
 
     Every shift of their plane moves each station's edge along its normal by a known amount.
-    ``staying``: how many of the edges are seen where they should be; as many must lie
-    elsewhere, and one more.
+    ``staying``: the number of edges that are seen in place; at least one more must be elsewhere.
     """
     at = lines.at
     px_per_mm = moves_px_per_mm(found.camera, select_stations(at, rows), axis)
@@ -181,13 +180,13 @@ def _find_plane_offset(
     share = seen @ length / np.maximum(free @ length, _FREE * length.sum())
     best = int(np.argmax(share))
     here = float(lines.there[rows, reach] @ length / length.sum())
-    # In texture, and between parallel lines, something lies everywhere.
+    # In texture, and between parallel lines, there is an edge everywhere.
     apart = np.abs(steps - steps[best]) * fastest > _APART_PX
     second = float(share[apart].max(initial=0.0))
     edge = at.edge[rows]
     shows = _shares(seen[best], length, edge)
     most = int(np.sum(shows > _MOST_OF_IT))
-    # One line alone may be a shadow's; it must be there for most of the edge.
+    # A single line may belong to a shadow; it must be there for most of the edge.
     like_edges = most > 0 or np.sum(shows > _PART_OF_IT) > 1
     stands_out = like_edges and share[best] - here - second > _STANDS_OUT
     if most <= staying and staying > 0:
@@ -202,7 +201,8 @@ def _find_plane_offset(
 
 
 def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
-    """Shifts (S,), mm, every half px of the fastest station, and where they move all (S, N), px."""
+    """Shifts (S,), mm, every half px of the fastest station, and the resulting motions (S, N),
+    px."""
     steps = np.arange(-FURTHEST_MM, FURTHEST_MM, 0.5 / float(np.abs(px_per_mm).max()))
     return steps, np.rint(steps[:, None] * px_per_mm).astype(np.int64)
 
@@ -210,7 +210,8 @@ def _shifts(px_per_mm: Floats) -> tuple[Floats, NDArray[np.int64]]:
 def _lines_at(
     lines: _Lines, rows: NDArray[np.int64], away_px: NDArray[np.int64]
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Whether a line is seen so far (..., R) away from stations (R,), and whether one might be."""
+    """Whether a line is at these distances (..., R) from stations (R,), and whether one could
+    be."""
     reach = lines.there.shape[1] // 2
     column = np.clip(away_px + reach, 0, 2 * reach)
     free = lines.free[rows, column] & (np.abs(away_px) >= _NEAREST_PX)
@@ -218,7 +219,7 @@ def _lines_at(
 
 
 def _shares(there: NDArray[np.bool_], length: Floats, edge: NDArray[np.int64]) -> Floats:
-    """Of each edge (E,), the share of its stations' length at which a line lies."""
+    """For each edge (E,), the share of its stations' length at which there is a line."""
     every, number = np.unique(edge, return_inverse=True)
     total = np.bincount(number, length, len(every))
     shown = np.bincount(number, length * there, len(every))

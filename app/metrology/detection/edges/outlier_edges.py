@@ -1,4 +1,4 @@
-"""Single edges that lie elsewhere than the rest of the block says: shadows, damage, wrong sizes."""
+"""Single edges that disagree with the rest of the block: shadows, damage, wrong dimensions."""
 
 from dataclasses import dataclass
 
@@ -10,29 +10,29 @@ from app.metrology.detection.edges.measure_all import EdgeMeasurements, refit_wi
 from app.metrology.detection.rejection import RejectionReason, describe_edge
 from app.metrology.sensor.camera import project
 
-# An edge that lies this many standard deviations off is not the certificate's.
+# An edge that is off by this many standard deviations does not fit the certificate.
 _SIGMAS = 5.0
-# An edge alone this many off, its neighbours being where they should, is left out; and the
-# share of the parts of edges that may be.
+# A single edge that is off by this many, with its neighbours in place, is excluded; and the maximum
+# share of excluded parts of edges.
 _ODD, _FEW = 3.5, 0.1
-# A single edge less than this off, px, is left out.
+# A single edge that is off by less than this, px, may be excluded.
 _LONE_PX = 1.0
-# A plane that all edges together put elsewhere by less, over its deviation, is where it should be.
+# A plane that all edges together shift by less than this many standard deviations is in place.
 _STAYS = 3.0
-# What a camera model and an edge's finish may do to a whole edge, over the longer side.
+# Error of a whole edge due to the camera model and the edge's finish, relative to the longer side.
 _MODEL = 0.05 / 1280
-# All edges together may lie off by this many standard deviations.
+# All edges together may be off by this many standard deviations.
 _SPREAD = 3.0
-# How far edges may lie off on average, over the blur.
+# Maximum average offset of edges, relative to the blur.
 _STRAIN_BLURS = 0.3
-# Points that make a part.
+# Minimum number of points of a part.
 _POINTS = 4
 
 
 @dataclass(frozen=True)
 class EdgePart:
-    """A measured part of an edge: its number and edge, how far it lies from where the camera
-    draws it, and that over what image noise, certificate and camera model leave it."""
+    """A measured part of an edge: its number and edge, its distance from the predicted edge, and
+    that distance relative to image noise, certificate and camera model."""
 
     number: int
     edge: int
@@ -43,7 +43,7 @@ class EdgePart:
 
 
 def measure_parts(found: EdgeMeasurements, certificate_mm: float) -> list[EdgePart]:
-    """The measured parts, of enough points each.
+    """The measured parts with enough points.
 
     ``certificate_mm``: standard uncertainty of the block's coordinates.
     """
@@ -74,7 +74,7 @@ def measure_parts(found: EdgeMeasurements, certificate_mm: float) -> list[EdgePa
 
 
 def drop_outlier_edges(found: EdgeMeasurements, certificate_mm: float) -> EdgeMeasurements:
-    """The survey without the few parts that something moved each alone."""
+    """The survey without the few parts that were each moved individually."""
     parts = measure_parts(found, certificate_mm)
     displaced = _find_displaced(parts, _ODD)
     if not displaced:
@@ -92,10 +92,10 @@ def drop_outlier_edges(found: EdgeMeasurements, certificate_mm: float) -> EdgeMe
 
 
 def drop_single_outlier(found: EdgeMeasurements, certificate_mm: float) -> EdgeMeasurements:
-    """The survey without a single edge that lies a little off, where all else is in place then.
+    """The survey without a single edge that is slightly off, if everything else is then in place.
 
-    Too little to be distinguished from a shadow's border or a worn edge; what it alone shows
-    of the block then counts as not seen.
+    Such an offset is too small to be distinguished from the border of a shadow or a worn edge; what
+    only this edge shows of the block then counts as not seen.
     """
     displaced = _find_displaced(measure_parts(found, certificate_mm), _SIGMAS)
     little = max((part.distance_px for part in displaced), default=np.inf) < _LONE_PX
@@ -105,7 +105,7 @@ def drop_single_outlier(found: EdgeMeasurements, certificate_mm: float) -> EdgeM
 
 
 def _planes_stay(part: EdgePart, planes: list[PlaneShift]) -> bool:
-    """Whether all edges together leave the planes of a part's edge where they should be."""
+    """Whether all edges together leave the planes of a part's edge in place."""
     own = [plane.ratio for plane in planes if part.edge in plane.edges]
     return bool(own) and max(own) < _STAYS
 
@@ -113,7 +113,7 @@ def _planes_stay(part: EdgePart, planes: list[PlaneShift]) -> bool:
 def find_outlier_edges(
     found: EdgeMeasurements, parts: list[EdgePart], certificate_mm: float
 ) -> RejectionReason | None:
-    """Edges that lie too far from where the certificate puts them."""
+    """Edges that are too far from their position in the certificate."""
     displaced = _find_displaced(parts, _SIGMAS)
     if not displaced:
         return _find_strain(found, parts)
@@ -134,7 +134,7 @@ def find_outlier_edges(
 def _is_single_edge(
     found: EdgeMeasurements, displaced: list[EdgePart], certificate_mm: float
 ) -> bool:
-    """Whether a single edge says so: without it, its planes are where they should be."""
+    """Whether only a single edge indicates this: without it, its planes are in place."""
     if len({part.edge for part in displaced}) > 1:
         return False
     rest = refit_without(found, [part.number for part in displaced], certificate_mm)
@@ -144,7 +144,8 @@ def _is_single_edge(
 
 
 def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionReason | None:
-    """All edges lie off by more than texture explains: the camera had to take up a wrong size."""
+    """All edges are off by more than texture explains: the camera had to absorb a wrong
+    dimension."""
     usual_px = float(np.median([part.distance_px for part in parts])) / 0.6745
     if usual_px < _STRAIN_BLURS * max(1.0, found.blur_px):
         return None
@@ -163,8 +164,8 @@ def _find_strain(found: EdgeMeasurements, parts: list[EdgePart]) -> RejectionRea
 
 
 def _find_displaced(parts: list[EdgePart], sigmas: float) -> list[EdgePart]:
-    """The parts that lie too far from where the camera draws them; all where most do."""
-    # Texture along the edges moves each as a whole; one that is moved more stands out.
+    """The parts that are too far from their predicted position; all if most are."""
+    # Texture along the edges moves each as a whole; an edge that moves more stands out.
     spread = max(1.0, float(np.median([part.ratio for part in parts] or [0.0])) / 0.6745)
     if spread > _SPREAD:
         return parts
@@ -172,10 +173,10 @@ def _find_displaced(parts: list[EdgePart], sigmas: float) -> list[EdgePart]:
 
 
 def _others_agree(found: EdgeMeasurements, outlier: EdgePart, parts: list[EdgePart]) -> bool:
-    """Whether in both planes of a displaced edge others lie where they should.
+    """Whether other edges in both planes of a displaced edge are in place.
 
-    A wrong size moves all edges of its plane. Only those count that a shift of the
-    plane would move at least half as far in the picture.
+    A wrong dimension moves all edges of its plane. Only edges count that a shift of the plane would
+    move at least half as far in the picture.
     """
     displaced = {part.number for part in _find_displaced(parts, _ODD)}
     frame = found.frame
@@ -196,7 +197,7 @@ def _others_agree(found: EdgeMeasurements, outlier: EdgePart, parts: list[EdgePa
 
 
 def _shift_px(found: EdgeMeasurements, part: EdgePart, axis: int) -> float:
-    """How far, px, a part moves across itself when its edge is shifted by 1 µm along an axis."""
+    """Motion of a part across itself, px, for a shift of its edge by 1 µm along an axis."""
     row = int(np.flatnonzero(found.at.part == part.number)[0])
     ahead = found.at.points_mm[row] + 1e-3 * np.eye(3)[axis]
     moved = project(found.camera, ahead[None])[0] - found.at.uv_px[row]

@@ -1,4 +1,4 @@
-"""How measured edge points scatter: along each edge, and the edges as wholes."""
+"""The scatter of measured edge points: along each edge, and of whole edges."""
 
 from dataclasses import dataclass
 
@@ -8,20 +8,22 @@ from numpy.typing import NDArray
 from app.metrology.detection.edges.stations import EdgeStations
 from app.metrology.transforms import Floats
 
-# Points further from their part's median, over their deviation and scatter, are none of it.
+# Points further from the median of their part, relative to standard deviation and scatter, are
+# outliers.
 _WITHIN = 4.0
-# Points that show how a part scatters; that make its mean; means that show how parts scatter.
+# Minimum number of points for the scatter of a part; for its mean; of means for the scatter of
+# parts.
 _IN_PART, _IN_MEAN, _FEWEST_MEANS = 8, 3, 6
-# Neighbouring points that err alike by more than this are held to err alike by this.
+# If the errors of adjacent points are correlated by more than this, this correlation is assumed.
 _MOST_ALIKE = 0.8
-# The median of the square of a normal deviate.
+# The median of the square of a standard normal variable.
 _MEDIAN_SQUARE = 0.455
 
 
 @dataclass(frozen=True)
 class _Mean:
-    """Of a part: its number, its points' mean distance, and that mean's variance, by the
-    points, by marks along it and by the block's certificate, px squared."""
+    """A part: its number, the mean distance of its points, and the variance of that mean due to the
+    points, to marks along it and to the certificate, px squared."""
 
     part: int
     off_px: float
@@ -38,21 +40,21 @@ def estimate_scatter(
     marks_px: Floats,
     certificate_px: Floats,
 ) -> tuple[NDArray[np.bool_], float, Floats]:
-    """Which points agree with the others of their part, and what their sigmas lack.
+    """Which points agree with the others of their part, and factors on their sigmas.
 
     Args:
-        off_px: (N,) distances of the points from where the camera draws their edges.
-        at: their stations; shows: (N,) which were seen.
-        sigma_px: (N,) their deviations by the pixels' noise; marks_px: (N,) how far marks
-            along a part may move the whole of it; certificate_px: (N,) how far the
-            block's certificate may.
+        off_px: (N,) distances of the points from their predicted edges.
+        at: their stations; shows: (N,) visible ones.
+        sigma_px: (N,) their standard deviations due to pixel noise; marks_px: (N,) how far
+            marks along a part may move all of it; certificate_px: (N,) how far the error of
+            the certificate may.
 
     Returns:
-        (N,) which agree; the factor that brings the sigmas to the scatter along the parts,
-        further to that of parts' means where neighbouring points err alike (texture); and
-        factors (N,) beyond it, so that the parts' means scatter no more than they and the
-        certificate say. The certificate itself is not in the sigmas: who adjusts the block
-        with them counts it by itself.
+        (N,) points that agree; the factor that scales the sigmas to the scatter along the parts,
+        or to that of the parts' means if the errors of adjacent points are correlated (texture);
+        and additional factors (N,), so that the parts' means scatter no more than the sigmas
+        and the certificate state. The sigmas do not include the certificate: an adjustment of
+        the block must include it separately.
     """
     used = np.zeros(len(off_px), dtype=bool)
     spreads, products, squares = [], 0.0, 0.0
@@ -82,10 +84,10 @@ def estimate_scatter(
 
 
 def _part_factors(at: EdgeStations, means: list[_Mean], scale: float) -> Floats:
-    """Factors (N,) on the points' sigmas for what moves each edge as a whole.
+    """Factors (N,) on the points' sigmas for effects that move each edge as a whole.
 
-    Marks along an edge, a shadow at its foot, rounding. ``scale``: what the variances lack
-    already.
+    Such effects are marks along an edge, a shadow at its foot, or rounding. ``scale``: the factor
+    already applied to the variances.
     """
     factor = np.ones(len(at.part))
     off = np.array([one.off_px for one in means])
@@ -93,7 +95,7 @@ def _part_factors(at: EdgeStations, means: list[_Mean], scale: float) -> Floats:
     others = np.array([one.marks + one.certificate for one in means])
     moved = 0.0
     if len(means) >= _FEWEST_MEANS:
-        # About as much as makes the median of the squares what it is of unit variance.
+        # Scales the median of the squares to its value for unit variance.
         lack = np.median(off**2 - _MEDIAN_SQUARE * (own + others)) / _MEDIAN_SQUARE
         moved = max(float(lack), 0.0)
     for one, variance in zip(means, own, strict=True):

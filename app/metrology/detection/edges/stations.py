@@ -1,4 +1,4 @@
-"""Sub-pixel points on the block's edges in a picture, searched where a camera predicts them."""
+"""Sub-pixel points on the block's edges in a picture, searched at their predicted positions."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Integer, Real
 from app.native.library import CRENEL
 
-# Faces that are seen at less than this, as sines, may as well be hidden, or seen.
+# Faces seen at a flatter angle than this, as sines, may be hidden or visible.
 _EDGE_ON = 0.004
 
 _measure_clearance = Function(
@@ -49,15 +49,14 @@ _profiles = Function(
 
 @dataclass(frozen=True)
 class EdgeStations:
-    """Places along the visible edges at which the picture is to be measured.
+    """Places along the visible edges at which the picture is measured.
 
-    Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part),
-    ``points_mm`` (N, 3), ``uv_px`` (N, 2) where they are expected, ``normal`` (N, 2)
-    unit, towards the part's first region, ``clearance_px`` (N, 2) distance along
-    and against the normal to the next edge that shows, or would from a little aside,
-    ``length_px`` (N,) of edge each stands for. ``regions`` (parts, 2): what adjoins each
-    part. ``half_length_px``: how far along the edge each gathers light to either side, the
-    least of them where they differ.
+    Arrays of one length N: ``edge`` (row in the wireframe), ``part`` (visible part), ``points_mm``
+    (N, 3), ``uv_px`` (N, 2) expected positions, ``normal`` (N, 2) unit, towards the part's first
+    region, ``clearance_px`` (N, 2) distance along and against the normal to the next edge that is
+    visible, or would be from a slightly different view, ``length_px`` (N,) length of edge that each
+    represents. ``regions`` (parts, 2): the regions adjacent to each part. ``half_length_px``:
+    length along the edge over which each gathers light to either side; the smallest if they differ.
     """
 
     edge: NDArray[np.int64]
@@ -72,7 +71,8 @@ class EdgeStations:
 
 
 def block_ahead(frame: Wireframe, camera: Camera) -> bool:
-    """Whether the block lies before the camera, and the camera before its front and above it."""
+    """Whether the block is in front of the camera, and the camera in front of its front face and
+    above it."""
     if not all(np.isfinite(one).all() for one in (camera.matrix, camera.translation_mm)):
         return False
     _, y, z = camera.centre_mm
@@ -87,8 +87,8 @@ def place_stations(
 ) -> EdgeStations:
     """Stations every ``spacing_px`` along all edges that ``camera`` sees in its picture.
 
-    They keep ``margin_px`` from the ends of each visible part, where other edges meet it.
-    The block lies before the camera (``block_ahead``).
+    They keep ``margin_px`` from the ends of each visible part, where other edges meet it. The block
+    must be in front of the camera (``block_ahead``).
     """
     parts = find_visible_edges(frame, camera.centre_mm)
     begin, along = frame.starts_mm[parts.edge], (frame.ends_mm - frame.starts_mm)[parts.edge]
@@ -132,7 +132,8 @@ def place_stations(
 def _just_hidden(
     frame: Wireframe, visible: NDArray[np.int64], centre_mm: Floats
 ) -> NDArray[np.int64]:
-    """Hidden edges of faces that are seen nearly edge on: a camera little aside would see them."""
+    """Hidden edges of faces that are seen almost edge on: a slightly different view would show
+    them."""
     aside = np.abs(frame.starts_mm - centre_mm)
     edge_on = aside < _EDGE_ON * np.sqrt((aside**2).sum(axis=1, keepdims=True))
     edge_on &= frame.starts_mm == frame.ends_mm
@@ -142,10 +143,10 @@ def _just_hidden(
 
 
 def search_edges(image: Floats, at: EdgeStations, radius_px: float) -> tuple[Floats, Floats]:
-    """Offsets (N,) in px along the normals and slopes (N,), grey levels a pixel, of the edges.
+    """Offsets (N,) in px along the normals and slopes (N,), grey levels per pixel, of the edges.
 
-    The steepest place of the picture within ``radius_px`` of each station; NaN where
-    there is none. Good to some tenths of a pixel: ``measure`` refines.
+    The steepest place of the picture within ``radius_px`` of each station; NaN if there is none.
+    Accurate to some tenths of a pixel: ``measure`` refines it.
     """
     found = np.empty((len(at.uv_px), 2))
     workspace = np.empty((2, 2 * (int(np.ceil(radius_px)) + 2) + 1))
@@ -155,9 +156,9 @@ def search_edges(image: Floats, at: EdgeStations, radius_px: float) -> tuple[Flo
 
 
 def sample_profiles(image: Floats, uv_px: Floats, normal: Floats, reach_px: int) -> Floats:
-    """The picture along the normals (N, 2) at places (N, 2), every pixel from -reach to reach.
+    """The picture along the normals (N, 2) at positions (N, 2), every pixel from -reach to reach.
 
-    (N, 2 reach + 1), NaN outside of the picture.
+    (N, 2 reach + 1), NaN outside the picture.
     """
     found = np.empty((len(uv_px), 2 * reach_px + 1))
     _profiles(image, uv_px, normal, found)

@@ -1,4 +1,4 @@
-"""The place of a step of brightness, from the pixels about it, with its standard deviation."""
+"""The position of a step of brightness, from the pixels around it, with its standard deviation."""
 
 import math
 from dataclasses import dataclass, replace
@@ -11,13 +11,13 @@ from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Integer, Real
 from app.native.library import CRENEL
 
-# The window reaches this far from the edge: so many blurs and pixels, at least three.
+# Extent of the window from the edge: in blurs and pixels, at least three.
 _REACH_BLURS, _REACH_PX, _LEAST_REACH_PX = 2.5, 1.0, 3.0
-# A neighbouring edge's light reaches this many of its blurs.
+# The light of an adjacent edge extends over this many of its blurs.
 _NEIGHBOUR_BLURS = 2.0
-# What must be left of the window on either side.
+# Minimum size of the window that must remain on either side.
 _NEEDED_BLURS, _NEEDED_PX = 1.5, 0.5
-# The Gaussian's integral and its density at every so much of its standard deviation.
+# The Gaussian's integral and its density, tabulated at this step of its standard deviation.
 _PER_SIGMA, _OUTERMOST = 128, 9
 _AT = np.arange(-_OUTERMOST * _PER_SIGMA, _OUTERMOST * _PER_SIGMA + 1) / _PER_SIGMA
 _NODES = np.array(
@@ -26,7 +26,7 @@ _NODES = np.array(
         np.exp(-0.5 * _AT**2) / math.sqrt(2.0 * math.pi),
     ]
 )
-# The pixels are taken so many at a time.
+# Number of pixels processed at a time.
 _AT_A_TIME = 8
 
 _measure = Function(
@@ -46,7 +46,7 @@ _measure = Function(
 
 @dataclass(frozen=True)
 class StepMeasurements:
-    """What ``measure_steps`` gives per station, arrays (N,); NaN where there is no sound edge.
+    """Results of ``measure_steps`` per station, arrays (N,); NaN without a sound edge.
 
     ``offset_px`` along the normal and its ``sigma_px``; ``step``: height in grey levels
     from the second region to the first, and its ``step_sigma``; ``blur_px``: the
@@ -63,7 +63,8 @@ class StepMeasurements:
 
 
 def with_clearance(at: EdgeStations, blur_px: float) -> EdgeStations:
-    """The stations whose next edges are far enough for a blur of this standard deviation."""
+    """The stations with enough clearance to adjacent edges for a blur of this standard
+    deviation."""
     needed = (_NEIGHBOUR_BLURS + _NEEDED_BLURS) * blur_px + _NEEDED_PX
     return select_stations(at, at.clearance_px.min(axis=1) >= needed)
 
@@ -99,15 +100,15 @@ def join_stations(one: EdgeStations, other: EdgeStations) -> EdgeStations:
 def measure_steps(
     image: Floats, at: EdgeStations, blur_px: float, free_blur: bool = False
 ) -> StepMeasurements:
-    """Sub-pixel edges at stations that lie within about two pixels, or two blurs, of them.
+    """Sub-pixel edges at stations that are within about two pixels, or two blurs, of them.
 
-    Least squares on the pixels themselves: nothing is interpolated, so nothing
-    depends on how an edge lies to the rows and columns.
+    Least squares on the pixels themselves: nothing is interpolated, so the result does not depend
+    on the orientation of an edge relative to rows and columns.
 
     Args:
-        image: (H, W) grey levels, NaN where they must not count.
+        image: (H, W) grey levels, NaN at pixels that must not count.
         at: stations with clearance (``with_clearance``).
-        blur_px: standard deviation of the picture's blur; fitted too if ``free_blur``.
+        blur_px: standard deviation of the picture's blur; also fitted if ``free_blur``.
     """
     reach = max(_LEAST_REACH_PX, _REACH_BLURS * blur_px + _REACH_PX)
     clearance = np.minimum(reach, at.clearance_px - _NEIGHBOUR_BLURS * blur_px)

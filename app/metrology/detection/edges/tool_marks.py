@@ -1,4 +1,4 @@
-"""What tool marks beside an edge do to it: lines that run along it, and may be taken for it."""
+"""The effect of tool marks on an edge: lines that run along it and may be mistaken for it."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,31 +6,31 @@ from numpy.typing import NDArray
 from app.metrology.detection.edges.stations import EdgeStations, sample_profiles
 from app.metrology.transforms import Floats
 
-# The texture is taken from so many windows of the step's fit to either side of it.
+# The texture is taken from this many windows of the step's fit on either side.
 _WINDOWS = 4
-# Fewer places than this along the normals show nothing.
+# With fewer places than this along the normals, nothing is known.
 _FEWEST = 6
-# Gaussian: a step of height a blurred by s is a / (s sqrt(2 pi)) steep.
+# Gaussian: a step of height a blurred by s has the slope a / (s sqrt(2 pi)).
 _ROOT_TWO_PI = 2.5066
 
 
 def texture(
     image: Floats, at: EdgeStations, step: Floats, blur_px: float
 ) -> tuple[Floats, NDArray[np.float64]]:
-    """Texture along whole parts of edges, over the edges' steps, and how far it moves them.
+    """Texture along whole parts of edges, relative to the edges' steps, and how far it moves them.
 
-    Marks that run along an edge stay when the picture is averaged along it, noise and marks
-    across it do not. What is left beside the edge, of less than the fit's width, is what
-    the step lies in.
+    Marks that run along an edge remain when the picture is averaged along it; noise and marks
+    across it do not. What remains beside the edge, narrower than the width of the fit, disturbs the
+    step.
 
     Args:
-        image: (H, W) grey levels, NaN where they must not count.
-        at: stations; step: (N,) the heights there, NaN or 0 where none was found.
+        image: (H, W) grey levels, NaN at pixels that must not count.
+        at: stations; step: (N,) the heights there, NaN or 0 if none was found.
         blur_px: standard deviation of the picture's blur.
 
     Returns:
-        (N,) per station that ratio of its part, and (N,) the part's displacement in px, one
-        standard deviation; 0 where nothing is known.
+        (N,) that ratio for the part of each station, and (N,) the displacement of the part in px,
+        one standard deviation; 0 if unknown.
     """
     window = int(np.ceil(2.5 * blur_px + 1.0))
     reach = (_WINDOWS + 1) * window
