@@ -14,8 +14,8 @@ def saturation_level(image: Image) -> float:
         image: (H, W) of uint8 or uint16.
 
     Returns:
-        255 for 8 bits. For 16 bits the full scale of the sensor (1023, 4095, …, also shifted to
-        the upper bits) where the brightest pixel shows it, else 65535.
+        255 for 8 bits. For 16 bits, the full scale of the sensor (1023, 4095, …, also shifted to
+        the upper bits) if the brightest pixel shows it, otherwise 65535.
 
     Example:
         >>> saturation_level(np.array([[0, 4095]], dtype=np.uint16))

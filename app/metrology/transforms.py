@@ -1,7 +1,7 @@
 """Rigid transforms between frames, the best one between two sets of points, and small motions.
 
 A small motion is a twist ``(rx, ry, rz, tx, ty, tz)`` in rad and mm. A left twist of ``T_ab``
-moves it to ``se3_exp(twist) @ T_ab``: it turns about the origin of frame a, and then shifts.
+changes it to ``se3_exp(twist) @ T_ab``: a rotation about the origin of frame a, then a translation.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message
 
-# Arrays of float64, of any shape; the shape stands in each docstring.
+# Arrays of float64, of any shape; docstrings state the shape.
 Floats = NDArray[np.float64]
 
 
@@ -132,7 +132,7 @@ def vector_from_rotation(rotation: Floats) -> Floats:
         >>> np.allclose(vector_from_rotation(rotation_from_vector(vector)), vector)
         True
     """
-    from scipy.spatial.transform import Rotation  # slow to load, and seldom needed
+    from scipy.spatial.transform import Rotation  # slow to import, and seldom needed
 
     return np.asarray(Rotation.from_matrix(rotation).as_rotvec(), dtype=np.float64)
 
@@ -161,7 +161,7 @@ def rigid_fit(points_a_mm: Floats, points_b_mm: Floats, weights: Floats | None =
         weights: (N,) non-negative, or None for equal weights.
 
     Returns:
-        (4, 4) rigid transform of least weighted squares.
+        (4, 4) weighted least-squares rigid transform.
 
     Raises:
         OperationError: ``too-few-pairs``, or arrays of different length;
@@ -200,7 +200,7 @@ def se3_exp(twist: Floats) -> Floats:
 
 
 def adjoint(T_ab: Floats) -> Floats:
-    """(6, 6): a small twist given in frame b, as seen in frame a (the adjoint of ``T_ab``)."""
+    """(6, 6): converts a small twist in frame b to frame a (the adjoint of ``T_ab``)."""
     R = T_ab[:3, :3]
     matrix = np.zeros((6, 6))
     matrix[:3, :3] = matrix[3:, 3:] = R
@@ -209,12 +209,12 @@ def adjoint(T_ab: Floats) -> Floats:
 
 
 def adjoint_inverse(T_ab: Floats) -> Floats:
-    """(6, 6): a small twist given in frame a, as seen in frame b."""
+    """(6, 6): converts a small twist in frame a to frame b."""
     return adjoint(inverse(T_ab))
 
 
 def pivot_adjoint(pivot_mm: Floats) -> Floats:
-    """(6, 6): a twist that turns about a pivot (3,), as one that turns about the origin."""
+    """(6, 6): converts a twist about a pivot (3,) to one about the origin."""
     matrix = np.eye(6)
     matrix[3:, :3] = skew(pivot_mm)
     return matrix

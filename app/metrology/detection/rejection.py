@@ -1,4 +1,4 @@
-"""Why an image is rejected, and where the block lies elsewhere."""
+"""Reasons for rejecting a hypothesis, and where the picture shows the block instead."""
 
 from dataclasses import dataclass
 
@@ -11,11 +11,11 @@ from app.messages.message import Text, message, quantity
 class RejectionReason:
     """Why the picture does not confirm a hypothesis.
 
-    ``definite``: it shows other measures, rather than too little; ``edges``: rows in the
-    wireframe of those that disagree. ``alone``: a single edge shows it, and nothing confirms
-    it; a shadow or something before the block may look like that. ``off_px``: how far the
-    picture shows them elsewhere, at most. ``hidden``: what shows is in its place, but edges
-    without which it cannot be decided do not.
+    ``definite``: the picture shows different dimensions, rather than too little; ``edges``: rows in
+    the wireframe of the edges that disagree. ``alone``: a single edge shows it, and nothing
+    confirms it; a shadow or an object in front of the block may look like that. ``off_px``: the
+    largest distance at which the picture shows them. ``hidden``: the visible edges are in place,
+    but edges that are necessary for a decision are hidden.
     """
 
     text: Text
@@ -27,7 +27,7 @@ class RejectionReason:
 
 
 def describe_edge(edge: str) -> Text:
-    """The name of an edge for people: merlons and grooves counted from the left.
+    """The display name of an edge; merlons and grooves are counted from the left.
 
     ``crest:1:L`` is the left edge of merlon 2's crest, ``wall:0:R:front`` the upright
     front edge on merlon 1's right.
@@ -47,7 +47,7 @@ def describe_edge(edge: str) -> Text:
 def size_mismatch(
     edge: str, off_mm: float, off_px: float, edges: tuple[int, ...], alone: bool = False
 ) -> RejectionReason:
-    """The objection that a size differs: an edge of it, how far it lies off, all its edges."""
+    """The rejection because a dimension differs: an edge of it, its distance, and all its edges."""
     return RejectionReason(
         message(
             "seems-lie-where-certificate-puts",

@@ -1,4 +1,4 @@
-"""The pixels that the laser stripe covers in a picture with ambient light and laser."""
+"""The pixels that the laser stripe covers in a picture with ambient light and laser light."""
 
 import cv2
 import numpy as np
@@ -24,13 +24,13 @@ def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:
     mask[row, column] = 1
     reach = _half_width(grey, column, row, by_column=_counts_columns(stripe.u, stripe.v)) + 1
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
-    # Along the stripe its points may miss where it is faint or crosses an edge.
+    # Along the stripe, points may be missing if it is faint or crosses an edge.
     bridged = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     return np.asarray(cv2.dilate(bridged, disc) > 0)
 
 
 def _counts_columns(u: Floats, v: Floats) -> bool:
-    """Whether the points are counted along the columns (whole u) rather than the rows."""
+    """Whether there is one point per column (integer u) rather than per row."""
     return bool(np.abs(u - np.rint(u)).sum() <= np.abs(v - np.rint(v)).sum())
 
 
@@ -49,8 +49,8 @@ def _half_width(
     steepest = int(np.argmax(fall))
     if fall[steepest] <= 0:
         return 2
-    # A Gaussian stripe falls most steeply at one standard deviation, and at 2.4 a quarter
-    # as steeply, whatever brightness it lies on.
+    # The slope of a Gaussian stripe is largest at one standard deviation, and a quarter of that at
+    # 2.4, whatever the brightness of the background.
     level = fall[steepest:] < 0.25 * fall[steepest]
     flat = steepest + int(np.argmax(level)) if level.any() else _WIDEST_PX
     return max(2, int(np.ceil(1.3 * flat)))

@@ -1,8 +1,8 @@
-"""What of the crenellated block a camera sees: edge parts, what adjoins them, corners.
+"""Visible parts of the crenellated block: edge parts, adjacent regions, corners.
 
-Exact up to rounding. The block is the union of boxes along the axes; what is seen
-of an edge can change only where, as seen from the camera, another edge crosses
-it. So every edge is cut at all such crossings, and one ray to each piece decides.
+Exact up to rounding. The block is the union of boxes along the axes; the visibility of an edge can
+change only where, as seen from the camera, another edge crosses it. Every edge is therefore cut at
+all such crossings, and one ray per piece decides.
 """
 
 from dataclasses import dataclass
@@ -45,9 +45,9 @@ _points = Function(
 class VisiblePart:
     """A part of an edge that the camera sees, between two points (3,) in the object frame.
 
-    ``regions`` names what adjoins it on either side: ``crest:I``, ``floor:J``,
-    ``wall:I:L|R``, ``front``, ``back``, ``bottom`` or ``background``. The first lies
-    on the side of ``(start - centre) x (end - centre)``.
+    ``regions`` names the regions on either side: ``crest:I``, ``floor:J``, ``wall:I:L|R``,
+    ``front``, ``back``, ``bottom`` or ``background``. The first lies on the side of ``(start -
+    centre) x (end - centre)``.
     """
 
     edge: str
@@ -58,7 +58,7 @@ class VisiblePart:
 
 @dataclass(frozen=True)
 class Wireframe:
-    """The block as arrays, for many questions about its visibility.
+    """The block as arrays, for many visibility queries.
 
     ``starts_mm``, ``ends_mm``: (E, 3) edges in the order of ``names``;
     ``boxes_mm``: (B, 6) as xmin, xmax, ymin, ymax, zmin, zmax, the body first;
@@ -78,7 +78,7 @@ class VisibleEdges:
     """Visible parts as arrays of one length N.
 
     ``edge``: row in the wireframe; ``start``, ``end``: fractions of the edge;
-    ``regions``: (N, 2) numbers of what adjoins on either side.
+    ``regions``: (N, 2) numbers of the adjacent regions.
     """
 
     edge: NDArray[np.int64]
@@ -94,7 +94,7 @@ def wireframe(block: Crenellated) -> Wireframe:
     count = block.merlon_count
     x = block.edges_x_mm
     depth = (block.front_y_mm, block.back_y_mm)
-    # The merlons reach down through the body, so that no ray slips between them.
+    # The merlons extend down through the body, so that no ray passes between them.
     boxes = [(x[0], x[-1], *depth, block.base_z_mm, block.floor_z_mm)]
     boxes += [
         (x[2 * i], x[2 * i + 1], *depth, block.base_z_mm, block.crest_z_mm) for i in range(count)
@@ -116,7 +116,7 @@ def find_visible_edges(frame: Wireframe, centre_mm: Floats) -> VisibleEdges:
     """Visible parts of all edges from an optical centre, as arrays.
 
     Args:
-        frame: as of ``wireframe``.
+        frame: from ``wireframe``.
         centre_mm: (3,) optical centre in the object frame, outside the block.
     """
     edges = len(frame.starts_mm)
@@ -142,9 +142,8 @@ def find_visible_edges(frame: Wireframe, centre_mm: Floats) -> VisibleEdges:
 def visible_parts(block: Crenellated, centre_mm: Floats) -> list[VisiblePart]:
     """Every part of every edge of the block that is visible from an optical centre.
 
-    A part ends where it is hidden, and where what adjoins it changes. Edges at which a face
-    ends in front of another face are listed, too: they show only where the two differ in
-    brightness.
+    A part ends where it becomes hidden, and where an adjacent region changes. Edges at which a face
+    ends in front of another face are included: they show only if the two differ in brightness.
 
     Args:
         centre_mm: (3,) optical centre in the object frame, outside the block.

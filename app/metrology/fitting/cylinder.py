@@ -1,4 +1,4 @@
-"""Cylinders fitted to clouds, with the same robust start and filter as planes and spheres."""
+"""Cylinders fitted to clouds, with the same robust start and filter as for planes and spheres."""
 
 from dataclasses import dataclass
 
@@ -17,9 +17,9 @@ from app.metrology.fitting.plane_sphere import (
 from app.metrology.transforms import Floats
 
 NEIGHBOURS = 24
-"""Of the sample's points; their plane gives the surface's normal there."""
+"""Number of adjacent sample points whose plane gives the normal of the surface."""
 ITERATIONS = 50
-# Two normals nearer to each other than this determine no axis.
+# Two normals at a smaller angle than this do not determine an axis.
 LEAST_CROSS = 0.05
 
 
@@ -42,8 +42,8 @@ class CylinderFit:
 def fit_cylinder(points_mm: Floats) -> CylinderFit:
     """Least-squares cylinder (radial distances) through a cloud, filtered as in ``fit_plane``.
 
-    The start is the best of many cylinders, each through two points with the normals of the
-    surface there: the axis is perpendicular to both normals.
+    The start is the best of many cylinders, each through two points with the surface normals there:
+    the axis is perpendicular to both normals.
 
     Args:
         points_mm: (N, 3) in any frame, N >= 5; NaN points are never used.
@@ -115,10 +115,10 @@ def perpendicular_axes(direction: Floats) -> tuple[Floats, Floats]:
 
 
 def cylinder_jacobian(points_mm: Floats, axis: Floats) -> Floats:
-    """Change (N, 5) of radial distances with the axis and the radius.
+    """Derivatives (N, 5) of radial distances by the axis and the radius.
 
-    With a shift of the axis along ``perpendicular_axes(direction)``, mm, a turn about its point to
-    them, rad, and the radius.
+    By a shift of the axis along ``perpendicular_axes(direction)``, mm, a rotation about its point
+    towards them, rad, and the radius.
     """
     point, direction = axis[:3], axis[3:]
     a, b = perpendicular_axes(direction)
@@ -155,13 +155,13 @@ def _normals(near: Floats) -> Floats:
 
 
 def _cylinder_through(p: Floats, q: Floats, n: Floats, m: Floats) -> ShapeParameters | None:
-    """The cylinder through ``p`` and ``q`` with these normals there; None where there is none."""
+    """The cylinder through ``p`` and ``q`` with these normals; None if there is none."""
     direction = np.cross(n, m)
     length = float(np.linalg.norm(direction))
     if length < LEAST_CROSS:
         return None
     direction /= length
-    # in the plane across the axis the two normals meet on it: p + s n = q + t m
+    # in the plane perpendicular to the axis, the two normals meet on it: p + s n = q + t m
     gap = q - p
     s = float(np.linalg.det(np.array([gap, m, direction]))) / length
     point = p + s * n
@@ -175,7 +175,7 @@ def _least_squares_cylinder(points: Floats, start: ShapeParameters) -> ShapePara
     axis, radius = start
     largest = 2 * float(np.ptp(points, axis=0).max()) + 1e-9
     for _ in range(ITERATIONS):
-        # about the points' own middle a turn and a shift of the axis are distinguished
+        # about the middle of the points, a rotation and a shift of the axis are distinguishable
         middle = points.mean(axis=0)
         axis = np.concatenate(
             [axis[:3] + axis[3:] * float((middle - axis[:3]) @ axis[3:]), axis[3:]]

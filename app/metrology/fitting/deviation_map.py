@@ -14,14 +14,16 @@ LEAST_POINTS = 2
 
 @dataclass(frozen=True)
 class DeviationMap:
-    """Cells of a square grid, looked at from outside; arm X points right as far as it can."""
+    """Cells of a square grid, seen from outside; X of the arm frame points right as far as
+    possible."""
 
     cell_mm: float
     x_mm: Floats
-    """(K,) middles of the cells, from the plane's or the cap's middle; on a sphere along it."""
+    """(K,) centres of the cells, relative to the middle of the plane or the cap; on a sphere, along
+    it."""
     y_mm: Floats
     deviation_um: Floats
-    """(K,) mean of the cell's points; outward is positive."""
+    """(K,) mean of the points in the cell; outward is positive."""
 
 
 def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
@@ -29,11 +31,11 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
 
     Args:
         fit: a plane or sphere.
-        points_mm: (N, 3), the points that the fit was given.
+        points_mm: (N, 3), the points of the fit.
 
     Returns:
-        The cells that hold at least ``LEAST_POINTS`` of the points that the fit used. A sphere is
-        unrolled from the middle of its cap, so that distances from there are kept.
+        The cells with at least ``LEAST_POINTS`` of the points that the fit used. A sphere is
+        unrolled from the middle of its cap, so that distances from there are preserved.
     """
     points = points_mm[fit.used]
     off_um = 1e3 * distances_from(fit, points)
@@ -58,21 +60,22 @@ def deviation_map(fit: PlaneFit | SphereFit, points_mm: Floats) -> DeviationMap:
 
 
 def flat_places(away_mm: Floats, normal: Floats) -> Floats:
-    """Places projected along a normal, as seen from outside.
+    """Positions projected along a normal, as seen from outside.
 
     Args:
-        away_mm: (N, 3) places, relative to the point that becomes (0, 0).
+        away_mm: (N, 3) positions relative to the point that becomes (0, 0).
         normal: (3,) unit length, towards the viewer.
 
     Returns:
-        (N, 2) mm, to the right and up; the X axis of the frame points right as far as it can.
+        (N, 2) mm, to the right and up; the X axis of the frame points right as far as possible.
     """
     right, up = _axes(normal)
     return np.column_stack([away_mm @ right, away_mm @ up])
 
 
 def _unroll_sphere(fit: SphereFit, points: Floats) -> Floats:
-    """(N, 2) along the sphere from the middle of its cap, the distances from there kept."""
+    """(N, 2) along the sphere from the middle of its cap, with the distances from there
+    preserved."""
     outward = points - fit.centre_mm
     outward = outward / np.linalg.norm(outward, axis=1)[:, None]
     middle = outward.mean(axis=0)
@@ -85,7 +88,7 @@ def _unroll_sphere(fit: SphereFit, points: Floats) -> Floats:
 
 
 def _axes(normal: Floats) -> tuple[Floats, Floats]:
-    """Right and up (3,) as seen from the normal's side."""
+    """Right and up (3,) as seen from the side of the normal."""
     guide = np.array([1.0, 0.0, 0.0]) if abs(normal[0]) < 0.9 else np.array([0.0, 1.0, 0.0])
     right = guide - (guide @ normal) * normal
     right = right / np.linalg.norm(right)

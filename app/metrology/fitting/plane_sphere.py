@@ -11,7 +11,7 @@ from app.messages.message import message
 from app.metrology.transforms import Floats
 
 FILTER_SIGMAS = 3.0
-"""Points farther than this many standard deviations from the fit are filtered out."""
+"""Points further than this many standard deviations from the fit are excluded."""
 # A plane's normal (3,) and offset, a sphere's centre (3,) and radius, or a cylinder's axis
 # (6,), a point and the direction, and radius; in mm.
 ShapeParameters = tuple[Floats, float]
@@ -53,7 +53,7 @@ def fit_plane(points_mm: Floats) -> PlaneFit:
     """Least-squares plane through a cloud, with a filter on the distances.
 
     The start is robust: the sample plane with the least median distance. Points beyond
-    ``FILTER_SIGMAS`` standard deviations of the distances are left out, and the plane is fitted
+    ``FILTER_SIGMAS`` standard deviations of the distances are excluded, and the plane is fitted
     again, until the selection no longer changes.
 
     Args:
@@ -133,7 +133,7 @@ def fit_sphere(points_mm: Floats) -> SphereFit:
 
 
 def finite_points(points_mm: Floats, least: int, shape: str) -> tuple[Floats, NDArray[np.bool_]]:
-    """The usable points (N, 3) of a cloud (M, 3), and which they are, (M,).
+    """The usable points (N, 3) of a cloud (M, 3), and their mask (M,).
 
     Raises:
         OperationError: fewer than ``least``.
@@ -155,13 +155,13 @@ def filter_outliers(
     distances_of: Callable[[Floats, ShapeParameters], Floats],
     least_squares: Callable[[Floats, ShapeParameters], ShapeParameters],
 ) -> tuple[ShapeParameters, NDArray[np.bool_]]:
-    """Fits a shape and leaves out points that lie too far off, until the selection is stable.
+    """Fits a shape and excludes points that are too far off, until the selection is stable.
 
     Args:
         points: (N, 3) mm.
-        start: a robust first shape.
+        start: a robust start shape.
         distances_of: signed distances (N,) in mm of points from a shape.
-        least_squares: the least-squares shape of points, from a start.
+        least_squares: the least-squares shape of points, from a start shape.
 
     Returns:
         The shape, and (N,) the points within ``FILTER_SIGMAS`` standard deviations of it.
@@ -170,7 +170,7 @@ def filter_outliers(
         The article, section 4.
     """
     shape, off = start, distances_of(points, start)
-    # to begin with, what is near the start by a scale that outliers do not stretch
+    # first, the points close to the start, by a scale that outliers do not affect
     keep = np.abs(off) <= 5 * max(1.4826 * float(np.median(np.abs(off))), 1e-9)
     for _ in range(50):
         shape = least_squares(points[keep], shape)
@@ -193,7 +193,7 @@ def _sphere_distances(points: Floats, sphere: ShapeParameters) -> Floats:
 
 
 def _plane_through(points: Floats, _: ShapeParameters | None = None) -> ShapeParameters:
-    """The plane through the centroid, across the direction of least spread."""
+    """The plane through the centroid, perpendicular to the direction of least spread."""
     centre = points.mean(axis=0)
     values, vectors = np.linalg.eigh((points - centre).T @ (points - centre))
     if values[1] <= 1e-12 * values[2]:

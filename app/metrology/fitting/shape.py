@@ -1,10 +1,9 @@
-"""Standard uncertainty of a fitted shape's parameters, by the scatter of the scan itself.
+"""Standard uncertainty of a fitted shape's parameters, from the scatter of the scan itself.
 
-Points of one frame share the frame's own error, and neighbouring frames share the arm's;
-taken for independent, a million points would promise nanometres. So the points are taken
-together in runs of consecutive frames, and the covariance is the one of clustered
-residuals (Liang and Zeger, 1986): what one run pulls at the parameters is independent
-only of what another pulls.
+Points of one frame share the error of the frame, and adjacent frames share the error of the arm;
+treated as independent, a million points would suggest nanometres. The points are therefore grouped
+in runs of consecutive frames, and the covariance is that of clustered residuals (Liang and Zeger,
+1986): only the contributions of different runs are independent.
 """
 
 from dataclasses import dataclass
@@ -30,18 +29,18 @@ FEWEST_RUNS = 10
 def parameter_covariance(
     jacobian: Floats, residuals: Floats, frame: NDArray[np.int64]
 ) -> Floats | None:
-    """Covariance of least-squares parameters (k = 1) by the scatter between runs of frames.
+    """Covariance of least-squares parameters (k = 1) from the scatter between runs of frames.
 
-    Points of one frame share the error of the frame, and neighbouring frames share that of the
-    arm. So residuals count as independent only from run to run of consecutive frames.
+    Points of one frame share the error of the frame, and adjacent frames share that of the arm.
+    Residuals are therefore treated as independent only between runs of consecutive frames.
 
     Args:
-        jacobian: (N, p) change of the residuals with the parameters.
+        jacobian: (N, p) derivatives of the residuals by the parameters.
         residuals: (N,) at the least-squares solution.
-        frame: (N,) which frame each point came from, numbered in the order of time.
+        frame: (N,) frame number of each point, in order of time.
 
     Returns:
-        (p, p); None where the points come from too few frames.
+        (p, p); None if the points come from too few frames.
 
     Source:
         Clustered residuals: Liang and Zeger (1986).
@@ -51,7 +50,7 @@ def parameter_covariance(
     runs = min(MOST_RUNS, len(numbers))
     if runs < max(FEWEST_RUNS, parameters + 2):
         return None
-    # of about equally many points each
+    # with about equally many points each
     points_before = np.concatenate([[0], np.cumsum(np.bincount(of_frame))[:-1]])
     run_of_frame = np.minimum(points_before * runs // len(residuals), runs - 1)
     run = np.unique(run_of_frame, return_inverse=True)[1][of_frame]
@@ -60,7 +59,7 @@ def parameter_covariance(
         return None
     pull = np.column_stack([np.bincount(run, column * residuals, runs) for column in jacobian.T])
     inverse = np.linalg.inv(jacobian.T @ jacobian)
-    # a parameter each makes the scatter of the runs look smaller than it is
+    # one parameter each makes the scatter of the runs look smaller than it is
     return np.asarray(runs / (runs - parameters) * (inverse @ (pull.T @ pull) @ inverse))
 
 
@@ -78,9 +77,9 @@ class MeasuredShape:
     name: ShapeName
     fit: PlaneFit | SphereFit | CylinderFit
     largest_mm: float
-    """Of the distances of the points used."""
+    """Rms of the distances of the points used."""
     covariance: Floats | None
-    """None where too few frames took part."""
+    """None with too few frames."""
 
     def distances(self, points_mm: Floats) -> Floats:
         """Signed distances (N,) in mm of points (N, 3)."""
@@ -93,10 +92,10 @@ def measure_shape(name: ShapeName, points_mm: Floats, frame: NDArray[np.int64]) 
     Args:
         name: ``plane``, ``sphere`` or ``cylinder``.
         points_mm: (N, 3) in any frame.
-        frame: (N,) which frame each point came from, numbered in the order of time.
+        frame: (N,) frame number of each point, in order of time.
 
     Returns:
-        The fit in the same frame; its covariance is None where too few frames took part.
+        The fit in the same frame; its covariance is None with too few frames.
 
     Raises:
         OperationError: as ``fit_plane``, ``fit_sphere`` and ``fit_cylinder``.
@@ -133,7 +132,7 @@ def distances_from(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -
 
 
 def _jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Floats:
-    """Change (N, p) of the distances with the parameters."""
+    """Derivatives (N, p) of the distances by the parameters."""
     if isinstance(fit, PlaneFit):
         a, b = perpendicular_axes(fit.normal)
         away = points_mm - fit.centre_mm
@@ -146,7 +145,8 @@ def _jacobian(fit: PlaneFit | SphereFit | CylinderFit, points_mm: Floats) -> Flo
 
 
 def _facing_up(fit: PlaneFit) -> PlaneFit:
-    """With the normal's largest part positive, so that the same plane reads the same."""
+    """The plane with the largest component of its normal positive, so that equal planes have equal
+    values."""
     if fit.normal[np.argmax(np.abs(fit.normal))] > 0:
         return fit
     return PlaneFit(-fit.normal, -fit.offset_mm, fit.centre_mm, fit.rms_mm, fit.form_mm, fit.used)

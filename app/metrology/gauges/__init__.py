@@ -1,4 +1,4 @@
-"""Errors of probed and scanned gauges against their certificates (ISO 14253-1).
+"""Errors of probed and scanned gauges relative to their certificates (ISO 14253-1).
 
 Entry points: ``probed_gauge`` fits a gauge to contact points, ``scanned_gauge`` to a cloud;
 ``errors`` compares fits with nominals and states repeatability, ``conformity.decide`` applies the

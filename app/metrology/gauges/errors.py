@@ -1,4 +1,4 @@
-"""How well clouds of gauges agree with their nominals: the article's figures (Eq. 10-12)."""
+"""Agreement of gauge clouds with their nominals: the article's figures (Eq. 10-12)."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ ARCSEC_PER_RAD = 180 / np.pi * 3600
 
 @dataclass(frozen=True)
 class NominalPlane:
-    """A gauge plane by its certificate or by probing, in the arm frame."""
+    """A gauge plane from its certificate or from probing, in the arm frame."""
 
     point_mm: Floats  # (3,)
     normal: Floats  # (3,) unit length
@@ -26,7 +26,7 @@ class NominalPlane:
 
 @dataclass(frozen=True)
 class NominalSphere:
-    """A gauge sphere by its certificate or by probing, in the arm frame."""
+    """A gauge sphere from its certificate or from probing, in the arm frame."""
 
     centre_mm: Floats  # (3,)
     radius_mm: float
@@ -34,25 +34,25 @@ class NominalSphere:
 
 @dataclass(frozen=True)
 class PlaneCheck:
-    """A scanned plane, and its errors against the nominal where there is one."""
+    """A scanned plane, and its errors relative to the nominal, if there is one."""
 
     fit: PlaneFit
     angle_arcsec: float | None = None
     """Angle between the normals (Eq. 10)."""
     z_error_um: float | None = None
-    """``Z_N - Z`` of the cloud's centre projected along Z on both planes (Eq. 11-12);
-    None where a plane stands too steeply for a projection along Z."""
+    """``Z_N - Z`` of the cloud's centre projected along Z on both planes (Eq. 11-12); None if a
+    plane is too steep for a projection along Z."""
     offset_um: float | None = None
     """Distance of the cloud's centre from the nominal plane, along its normal."""
 
 
 @dataclass(frozen=True)
 class SphereCheck:
-    """A scanned sphere, and its errors against the nominal where there is one."""
+    """A scanned sphere, and its errors relative to the nominal, if there is one."""
 
     fit: SphereFit
     radius_error_um: float | None = None
-    """Nominal minus measured, as the article's section 4 has it."""
+    """Nominal minus measured, as in section 4 of the article."""
     centre_error_um: float | None = None
     """Distance between the centres."""
 
@@ -62,7 +62,7 @@ def check_plane(points_mm: Floats, nominal: NominalPlane | None = None) -> Plane
 
     Args:
         points_mm: (N, 3), arm frame; NaN points are never used.
-        nominal: None where only the fit is wanted.
+        nominal: None if only the fit is wanted.
 
     Returns:
         The fit, its normal towards the side of the nominal's, and the errors in arcsec and µm.
@@ -91,7 +91,7 @@ def check_plane(points_mm: Floats, nominal: NominalPlane | None = None) -> Plane
 
 
 def compare_plane(fit: PlaneFit, nominal: NominalPlane) -> PlaneCheck:
-    """The errors of a fitted plane against its nominal; the signs of the normals do not matter.
+    """The errors of a fitted plane relative to its nominal; the signs of the normals do not matter.
 
     Args:
         fit, nominal: in the same frame.
@@ -112,7 +112,7 @@ def check_sphere(points_mm: Floats, nominal: NominalSphere | None = None) -> Sph
 
     Args:
         points_mm: (N, 3), arm frame; NaN points are never used.
-        nominal: None where only the fit is wanted.
+        nominal: None if only the fit is wanted.
 
     Returns:
         The fit, and the errors in µm: nominal minus measured radius, distance of the centres.
@@ -165,7 +165,7 @@ def _z_error_um(fit: PlaneFit, nominal: NominalPlane) -> float | None:
 
 @dataclass(frozen=True)
 class Repeatability:
-    """How far a figure scatters over several clouds (article, Fig. 7-10)."""
+    """The scatter of a figure over several clouds (article, Fig. 7-10)."""
 
     mean: float
     standard_deviation: float
@@ -176,7 +176,7 @@ def compute_repeatability(values: list[float]) -> Repeatability:
     """Mean, standard deviation (n - 1) and range of a figure over several clouds.
 
     Args:
-        values: one of each cloud, two at least, in one unit.
+        values: one per cloud, at least two, in one unit.
 
     Raises:
         OperationError: ``too-few-clouds``.
@@ -199,7 +199,7 @@ def angle_ranges_arcsec(normals: Floats) -> Floats:
     """The largest angle between any two of several normals, for several planes at once.
 
     Args:
-        normals: (C, K, 3) unit normals of C clouds for K planes, of one sense.
+        normals: (C, K, 3) unit normals of C clouds for K planes, with consistent signs.
 
     Returns:
         (K,) arcsec.

@@ -1,6 +1,6 @@
-"""Where a gauge stands by the touch probe: the plane or sphere through its contact points.
+"""The position of a gauge by the touch probe: the plane or sphere through its contact points.
 
-What a scan of the same gauge is compared with, as ISO 10360-9 compares two probing systems.
+A scan of the same gauge is compared with it, as ISO 10360-9 compares two probing systems.
 """
 
 from dataclasses import dataclass
@@ -16,23 +16,25 @@ from app.metrology.transforms import Floats
 
 PLANE_LEAST, SPHERE_LEAST = 4, 5
 LEAST_SPREAD_MM = 5.0
-"""Rms of a plane's touches along the shorter side of their field, about their middle."""
+"""Minimum rms of a plane's contact points along the shorter side of their area, about their
+middle."""
 LEAST_FACING = 0.05
-"""Mean square of the sphere's outward directions, at the touches, along any direction."""
+"""Minimum mean square of the sphere's outward directions at the contact points, along any
+direction."""
 FIXED_RADIUS = 1e-6
-"""Touches that are worse conditioned do not determine the sphere's radius."""
+"""Contact points with a larger condition number do not determine the sphere's radius."""
 STEPS = 30
 TWO_SIGMA = 0.97725
 
 
 @dataclass(frozen=True)
 class ProbedPlane:
-    """A plane, outward to where the probe came from, that N contacts fix."""
+    """A plane determined by N contact points; its normal points to the side of the probe."""
 
     nominal: NominalPlane
-    """Its point is in the contacts' middle."""
+    """Its point is the middle of the contact points."""
     residuals_mm: Floats
-    """(N,) of the contacts, outward."""
+    """(N,) of the contact points, outward."""
     covariance: Floats
     """(3, 3) of the height in the middle (mm) and the tilts (rad) along ``perpendicular_axes``."""
 
@@ -42,11 +44,11 @@ class ProbedPlane:
 
     @property
     def angle_sd_rad(self) -> float:
-        """Of the normal in its worst direction, k = 1."""
+        """Standard uncertainty of the normal in its worst direction, k = 1."""
         return _worst(self.covariance[1:, 1:])
 
     def height_sd_mm(self, point_mm: Floats) -> float:
-        """Of the plane at a point (3,) of it, k = 1."""
+        """Standard uncertainty of the plane at a point (3,) of it, k = 1."""
         a, b = perpendicular_axes(self.nominal.normal)
         away = point_mm - self.nominal.point_mm
         g = np.array([1.0, away @ a, away @ b])
@@ -55,15 +57,15 @@ class ProbedPlane:
 
 @dataclass(frozen=True)
 class ProbedSphere:
-    """A sphere of known size that N contacts fix."""
+    """A sphere of known size determined by N contact points."""
 
     nominal: NominalSphere
     residuals_mm: Floats
-    """(N,) of the contacts, outward."""
+    """(N,) of the contact points, outward."""
     covariance: Floats
     """(3, 3) of the centre, mm²."""
     radius_mm: float
-    """By the contact points alone, not by the certificate."""
+    """From the contact points alone, not from the certificate."""
     radius_sd_mm: float
 
     @property
@@ -77,10 +79,10 @@ class ProbedSphere:
 
 
 def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
-    """The plane that the tip touched, with its uncertainty.
+    """The plane that the tip probed, with its uncertainty.
 
     Args:
-        arm: its tip radius is taken off, its encoder noise limits the uncertainty from below.
+        arm: its tip radius is subtracted; its encoder noise is a lower limit of the uncertainty.
         q_rad: (N, n) encoder angles at the contact points, N >= ``PLANE_LEAST``.
 
     Returns:
@@ -111,16 +113,17 @@ def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
 
 
 def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere:
-    """The sphere of known radius that the tip touched, with its uncertainty.
+    """The sphere of known radius that the tip probed, with its uncertainty.
 
     Args:
-        arm: its tip radius is taken off, its encoder noise limits the uncertainty from below.
+        arm: its tip radius is subtracted; its encoder noise is a lower limit of the uncertainty.
         q_rad: (N, n) encoder angles at the contact points, N >= ``SPHERE_LEAST``.
-        radius_mm: by the certificate.
+        radius_mm: from the certificate.
 
     Returns:
-        The sphere in the arm frame with the covariance of its centre (k = 1), and the radius as
-        the contact points alone give it.
+        The sphere in the arm frame with the covariance of its centre (k = 1), and the radius that
+        the contact points
+        alone give.
 
     Raises:
         OperationError: ``too-few-touches`` or ``touches-too-close``.
@@ -178,9 +181,9 @@ def _flanges(arm: Arm, q_rad: Floats) -> Floats:
 
 
 def _contact_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
-    """Of one touch, k = 1: by how they scatter, allowing for how few there are, and no
-    better than the encoders are."""
-    from scipy.special import stdtrit  # slow to load, and seldom needed
+    """Standard uncertainty of one contact point, k = 1: from their scatter, corrected for their
+    number, and at least that of the encoders."""
+    from scipy.special import stdtrit  # slow to import, and seldom needed
 
     of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, q_rad), outward)
     encoders = float(np.sqrt(np.mean(of_encoders)))
@@ -213,7 +216,7 @@ def sphere_through(tips: Floats) -> tuple[Floats, float, Floats]:
 
 
 def _fit_centre(tips: Floats, radius_mm: float, start: Floats) -> Floats:
-    """(3,) of the sphere of a known radius nearest to the tips, by Gauss-Newton."""
+    """Centre (3,) of the sphere of known radius that fits the tips best, by Gauss-Newton."""
     centre = start
     for _ in range(STEPS):
         far, outward = _outward(tips, centre)

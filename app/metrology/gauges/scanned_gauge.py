@@ -1,4 +1,4 @@
-"""A scanned cloud of a plane or sphere gauge: the gauge found in it, fitted, and judged whole."""
+"""The plane or sphere gauge in a scanned cloud: detected, fitted and checked for completeness."""
 
 from dataclasses import dataclass
 
@@ -14,13 +14,13 @@ from app.metrology.transforms import Floats
 
 LEAST_POINTS = 500
 LEAST_WIDTH_MM = 8.0
-"""Of a plane's cloud, across its narrower direction (four standard deviations)."""
+"""Minimum width of a plane's cloud in its narrower direction (four standard deviations)."""
 LEAST_CAP_RAD = float(np.deg2rad(35.0))
-"""Of a sphere's cloud, from its middle to its rim."""
+"""Minimum angle of a sphere's cloud, from its middle to its rim."""
 ROUGHEST_MM = 0.5
-"""Rms of a cloud about its shape; beyond, it is not of that shape."""
+"""Rms of a cloud about its shape above which it is not of that shape."""
 OTHER_RADIUS_MM, OTHER_RADIUS_SHARE = 0.4, 0.03
-"""A radius so far off is another sphere's."""
+"""A radius that is off by this belongs to another sphere."""
 NEAR_MM = 1.0
 SAME_PLACE_MM = 0.05
 SHARE_IN_ZONE = 0.95
@@ -28,35 +28,35 @@ SHARE_IN_ZONE = 0.95
 
 @dataclass(frozen=True)
 class GaugeCloud:
-    """The gauge's part of a cloud."""
+    """The part of a cloud that belongs to the gauge."""
 
     shape: MeasuredShape
     points: int
-    """In the cloud, whatever they are of."""
+    """Number of points in the cloud, whatever they show."""
     used: int
     form_mm: float
     """Width of the narrowest zone about the shape that holds 95 % of the points used."""
     points_mm: Floats
-    """(N, 3) that the fit was made of, arm frame."""
+    """(N, 3) points of the fit, arm frame."""
 
 
 def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
     """The plane gauge in a scanned cloud.
 
-    Frames that lie where an earlier frame lay are left out, so that a pause of the operator
-    gains no weight.
+    Frames at the position of an earlier frame are excluded, so that a pause of the operator has no
+    weight.
 
     Args:
         points_mm: (N, 3), arm frame; NaN points are never used.
-        frame: (N,) which frame each point came from, numbered in the order of time.
+        frame: (N,) frame number of each point, in order of time.
 
     Returns:
-        The fitted plane with its covariance (k = 1), and the width of the zone that holds 95 %
-        of the points used.
+        The fitted plane with its covariance (k = 1), and the width of the zone that contains
+        95 % of the points used.
 
     Raises:
-        OperationError: ``too-few-points``, ``points-on-a-line``; ``cloud-too-small``, also for
-            too narrow a strip; ``another-gauge``.
+        OperationError: ``too-few-points``, ``points-on-a-line``; ``cloud-too-small``, also for a
+            strip that is too narrow; ``another-gauge``.
     """
     points, frames = _usable(points_mm, frame)
     found = measure_shape("plane", points, frames)
@@ -76,22 +76,22 @@ def fit_gauge_plane(points_mm: Floats, frame: NDArray[np.int64]) -> GaugeCloud:
 
 
 def fit_gauge_sphere(points_mm: Floats, frame: NDArray[np.int64], radius_mm: float) -> GaugeCloud:
-    """The sphere gauge of known radius in a scanned cloud, which may show other things as well.
+    """The sphere gauge of known radius in a scanned cloud, which may also show other things.
 
-    Frames that lie where an earlier frame lay are left out, so that a pause of the operator
-    gains no weight.
+    Frames at the position of an earlier frame are excluded, so that a pause of the operator has no
+    weight.
 
     Args:
         points_mm: (N, 3), arm frame; NaN points are never used.
-        frame: (N,) which frame each point came from, numbered in the order of time.
-        radius_mm: by the certificate; it finds the sphere, and the fit is free of it.
+        frame: (N,) frame number of each point, in order of time.
+        radius_mm: from the certificate; it is used to detect the sphere, not for the fit.
 
     Returns:
-        The fitted sphere with its covariance (k = 1), and the width of the zone that holds 95 %
-        of the points used.
+        The fitted sphere with its covariance (k = 1), and the width of the zone that contains
+        95 % of the points used.
 
     Raises:
-        OperationError: ``too-few-points``; ``cloud-too-small``, also for too small a cap;
+        OperationError: ``too-few-points``; ``cloud-too-small``, also for a cap that is too small;
             ``another-gauge``.
     """
     points, frames = _usable(points_mm, frame)
@@ -135,13 +135,13 @@ def _assemble_cloud(found: MeasuredShape, points: Floats, of: int) -> GaugeCloud
 
 
 def zone_mm(off_mm: Floats) -> float:
-    """Width of the narrowest zone that holds 95 % of the distances.
+    """Width of the narrowest zone that contains 95 % of the distances.
 
     Args:
         off_mm: (N,) signed distances from the shape, N >= 1.
 
     Source:
-        As ``D95%`` of ISO 10360-8.
+        Like ``D95%`` of ISO 10360-8.
 
     Example:
         >>> zone_mm(np.array([*np.linspace(0.0, 1.0, 95), 9.0, 9.0, 9.0, 9.0, 9.0]))
@@ -168,10 +168,10 @@ def _usable(points_mm: Floats, frame: NDArray[np.int64]) -> tuple[Floats, NDArra
 
 
 def _first_visits(points: Floats, frame: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """(N,) the points of frames that lie where no frame before them lay.
+    """(N,) the points of frames at positions where no earlier frame was.
 
-    A hand that rests at the end of a pass would make the one line that it rests on weigh more
-    than all that it passed over. A frame's place is the means of its points' two halves.
+    If the operator rests at the end of a pass, that one line would have more weight than everything
+    passed before. The position of a frame is given by the means of the two halves of its points.
     """
     order = np.argsort(frame, kind="stable")
     _, first, of, count = np.unique(
@@ -199,10 +199,10 @@ def _refuse_rough(rms_mm: float, shape: str) -> None:
 
 
 def _near_sphere(points: Floats, radius_mm: float) -> NDArray[np.bool_]:
-    """(N,) the points about the sphere of this radius that most points lie on.
+    """(N,) the points near the sphere of this radius on which most points lie.
 
-    Every three points have two spheres of a given radius through them. Three that lie within a
-    radius of one another are of the sphere together far more often than any three are.
+    Every three points have two spheres of a given radius through them. Three points within a radius
+    of each other belong to the sphere together far more often than three arbitrary ones.
     """
     sample, seeds = draw_samples(points, 1)
     rng = np.random.default_rng(0)

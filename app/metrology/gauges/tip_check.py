@@ -1,7 +1,7 @@
-"""Whether the probe's tip is as in the arm's datasheet: a sphere of known size is probed.
+"""Tip check: compares the tip with the arm's datasheet by probing a sphere of known size.
 
-Its apparent size gives the tip's diameter; the scatter, with the wrist turned differently each
-time, shows whether the tip sits where the datasheet has it.
+The apparent size of the sphere gives the tip diameter. The scatter, with the wrist turned
+differently each time, shows whether the tip is at the position in the datasheet.
 """
 
 from dataclasses import dataclass
@@ -15,11 +15,11 @@ from app.metrology.gauges.probed_gauge import fit_probed_sphere, sphere_through
 from app.metrology.transforms import Floats
 
 OTHER_TIP_MM = 0.3
-"""A diameter so far off is another tip's (or another sphere's)."""
+"""A diameter that is off by this belongs to another tip (or another sphere)."""
 BEND_SDS = 3.0
 BEND_CONTACTS = 8
 LEAST_TURN_RAD = float(np.deg2rad(25.0))
-"""The stylus' directions must differ by so much for a bend to show."""
+"""Minimum difference of the stylus directions for a bend to be detectable."""
 K = 2.0
 
 Cause = Literal["sound", "other-tip", "small", "large", "bent", "scatter", "unsure"]
@@ -27,20 +27,20 @@ Cause = Literal["sound", "other-tip", "small", "large", "bent", "scatter", "unsu
 
 @dataclass(frozen=True)
 class TipCheck:
-    """What the touches of one sphere show of the tip."""
+    """The result of the contact points on one sphere."""
 
     contact_count: int
     diameter_mm: float
-    """Of the tip, by the touches and the sphere's certificate."""
+    """Diameter of the tip, from the contact points and the sphere's certificate."""
     error_um: float
-    """Of the diameter against the datasheet."""
+    """Error of the diameter relative to the datasheet."""
     expanded_uncertainty_um: float
-    """Of the same, k = 2."""
+    """Its expanded uncertainty, k = 2."""
     scatter_um: float
-    """Largest distance of a touch from the sphere that fits them all."""
+    """Largest distance of a contact point from the sphere that fits all of them."""
     bend_um: float | None
-    """How far the tip's centre seems to be from where the datasheet has it; None where the
-    wrist was not turned enough."""
+    """Distance of the tip centre from its position in the datasheet; None if the wrist was not
+    turned enough."""
     decision: Decision
     cause: Cause
 
@@ -54,14 +54,14 @@ def check_tip(
 ) -> TipCheck:
     """Judges the tip by contact points on a calibrated sphere.
 
-    The apparent size of the sphere gives the diameter of the tip; the scatter, with the wrist
-    turned differently each time, shows whether the tip sits where the datasheet has it.
+    The apparent size of the sphere gives the tip diameter. The scatter, with the wrist turned
+    differently each time, shows whether the tip is at the position in the datasheet.
 
     Args:
-        arm: the arm with its tip by the datasheet.
+        arm: the arm with its tip from the datasheet.
         q_rad: (N, n) encoder angles at the contact points.
-        sphere_diameter_mm, sphere_sd_mm: by the certificate, with its standard uncertainty.
-        limit_um: of the error of the diameter and of the scatter; None: nothing is decided.
+        sphere_diameter_mm, sphere_sd_mm: from the certificate, with its standard uncertainty.
+        limit_um: for the error of the diameter and for the scatter; None: no decision.
 
     Returns:
         Errors in µm, the expanded uncertainty (k = 2), the decision by ISO 14253-1 and the cause.
@@ -70,7 +70,7 @@ def check_tip(
         OperationError: as ``fit_probed_sphere``.
     """
     found = fit_probed_sphere(arm, q_rad, sphere_diameter_mm / 2)
-    # the touches have the sphere bigger by what the tip is bigger than in its datasheet
+    # the sphere appears larger by the excess of the tip over its datasheet
     error_mm = 2 * (found.radius_mm - sphere_diameter_mm / 2)
     sd_mm = float(np.hypot(2 * found.radius_sd_mm, sphere_sd_mm))
     tips = tip_centres(arm, q_rad)
@@ -115,7 +115,8 @@ def _cause(
 
 
 def _bend_mm(arm: Arm, q_rad: Floats, tips: Floats, centre: Floats) -> tuple[float, float] | None:
-    """How far the tip's centre is off its place in the flange frame, and its own sd."""
+    """Distance of the tip centre from its position in the flange frame, and the sd of that
+    distance."""
     R = flange_poses(arm, q_rad)[:, :3, :3]
     stylus = R @ (arm.tip.centre_mm / np.linalg.norm(arm.tip.centre_mm))
     turned = float(np.arccos(np.clip(np.min(stylus @ stylus.T), -1.0, 1.0)))
@@ -123,7 +124,7 @@ def _bend_mm(arm: Arm, q_rad: Floats, tips: Floats, centre: Floats) -> tuple[flo
         return None
     outward = (tips - centre) / np.linalg.norm(tips - centre, axis=1)[:, None]
     off = np.linalg.norm(tips - centre, axis=1)
-    # of the sphere: its centre and size; of the tip: where it is in the flange frame
+    # of the sphere: centre and size; of the tip: position in the flange frame
     J = np.column_stack([outward, np.ones(len(tips)), -np.einsum("ni,nij->nj", outward, R)])
     if np.linalg.cond(J) > 1e3:
         return None

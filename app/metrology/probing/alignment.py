@@ -1,7 +1,8 @@
-"""Where the object lies in the arm: ``T_arm_obj`` from contact points (the article's M_CAL->CMA).
+"""The pose of the object in the arm frame: ``T_arm_obj`` from contact points (the article's
+M_CAL->CMA).
 
-Every contact gives one equation: the tip's centre lies one tip radius outside the
-face that was touched. All faces are fitted at once by least squares.
+Every contact point gives one equation: the tip centre is one tip radius outside the face that was
+probed. All faces are fitted together by least squares.
 """
 
 from collections.abc import Sequence
@@ -23,14 +24,14 @@ from app.metrology.probing.contacts import (
 from app.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
 from app.metrology.transforms import Floats
 
-# Where contacts fit worse than this, and some not at all, no single one is at fault.
+# If contact points fit worse than this, and some not at all, no single one is the cause.
 POOR_FIT_MM = 0.3
 CHECK_THE_ARM = message("check-arms-file-lengths-angles-signs")
 
 
 @dataclass(frozen=True)
 class FaceFit:
-    """How well the contacts of one face lie on it; outliers are left out."""
+    """How well the contact points of one face fit it; outliers are excluded."""
 
     face: str
     points: int
@@ -41,29 +42,29 @@ class FaceFit:
 
 @dataclass(frozen=True)
 class Alignment:
-    """The object's frame in the arm, and how well the contacts agree with it."""
+    """The object's frame in the arm frame, and how well the contact points agree with it."""
 
     T_arm_obj: Floats
     """(4, 4)"""
     residuals_mm: Floats
-    """(N,) distance of each contact from its face, positive outward."""
+    """(N,) distance of each contact point from its face, positive outward."""
     outliers: NDArray[np.bool_]
-    """(N,) contacts that were left out of the fit."""
+    """(N,) contact points that were excluded from the fit."""
     faces: tuple[FaceFit, ...]
     sigma_mm: float
-    """A-posteriori standard deviation of one contact."""
+    """A-posteriori standard deviation of one contact point."""
     covariance: Floats
     """(6, 6) of a left perturbation (rx, ry, rz in rad; tx, ty, tz in mm) about ``centre_mm``."""
     centre_mm: Floats
-    """(3,) pivot of that perturbation, in the arm frame: the contacts' centroid."""
+    """(3,) pivot of that perturbation, in the arm frame: the centroid of the contact points."""
     points_obj_mm: Floats
-    """(N, 3) contact points, tip radius taken off, in the object frame."""
+    """(N, 3) contact points, with the tip radius subtracted, in the object frame."""
     tips_obj_mm: Floats
     """(N, 3) tip centres in the object frame."""
 
     @property
     def rms_mm(self) -> float:
-        """Of the residuals of all contacts in the fit."""
+        """Rms residual of all contact points in the fit."""
         kept = self.residuals_mm[~self.outliers]
         return float(np.sqrt(np.mean(kept**2)))
 
@@ -77,12 +78,12 @@ def align(
 ) -> Alignment:
     """Fits all faces of the block to the contact points together.
 
-    Contact points that contradict the others are left out and marked in ``outliers``.
+    Contact points that contradict the others are excluded and marked in ``outliers``.
 
     Args:
         features: the face of each of the N contact points, one of ``FACES``.
         tip_centres_mm: (N, 3) centres of the tip's sphere, arm frame.
-        tip_radius_mm: radius of that sphere, taken off along the normal of each face.
+        tip_radius_mm: radius of that sphere, subtracted along the normal of each face.
         tip_covariances_mm2: (N, 3, 3) noise of each centre by the arm's encoders
             (``kinematics.tip_covariances``), which weights the contact points; None: equal
             weights.
@@ -92,8 +93,8 @@ def align(
 
     Raises:
         OperationError: ``unknown-face``, ``bad-contacts``; ``too-few-contacts`` or
-            ``contacts-on-a-line``, which do not fix the pose; ``contacts-mirrored`` or
-            ``contacts-do-not-fit`` where the block does not fit them as labelled.
+            ``contacts-on-a-line`` if they do not determine the pose; ``contacts-mirrored`` or
+            ``contacts-do-not-fit`` if the block does not fit them as labelled.
 
     Source:
         The article, section 3.2 and Fig. 3.
@@ -117,7 +118,7 @@ def align(
     scaled = residuals[kept] / sds_mm[kept]
     variance_factor = float(scaled @ scaled) / max(int(kept.sum()) - 6, 1)
     if tip_covariances_mm2 is not None:
-        # few contacts may agree by chance: never claim less than the encoders' noise
+        # few contact points may agree by chance: never claim less than the encoder noise
         variance_factor = max(variance_factor, 1.0)
     J_scaled = J[kept] / sds_mm[kept, None]
     return Alignment(
@@ -136,17 +137,17 @@ def align(
 def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Crenellated) -> None:
     """Refuses contact points that are labelled with one face and lie on another.
 
-    A contact point that slipped is an outlier and stays one. One that misses its own face by
-    millimetres is a mistake in the data, which the operator must know of. Where the others do
-    not agree either, no single contact point is at fault.
+    A contact point that slipped is an outlier and remains one. A contact point that misses its own
+    face by millimetres is a mistake in the data, which the operator must know about. If the others
+    do not agree either, no single contact point is the cause.
 
     Args:
         alignment: the result of ``align`` for these contact points.
         features: the face of each of the N contact points.
 
     Raises:
-        OperationError: ``contact-on-wrong-face`` names the first such contact point and the face
-            that it lies on; ``contacts-do-not-fit``.
+        OperationError: ``contact-on-wrong-face`` names the first such contact point and the face on
+            which it lies; ``contacts-do-not-fit``.
     """
     far = alignment.outliers & (np.abs(alignment.residuals_mm) >= FACE_SLACK_MM)
     count = int(far.sum())
@@ -192,7 +193,7 @@ def _face_fits(
 
 
 def other_face(alignment: Alignment, contact: int, labelled: str, block: Crenellated) -> str:
-    """The face beside the labelled one that a contact's tip touches; empty where there is none."""
+    """The face next to the labelled one that a contact's tip touches; empty if there is none."""
     tip = alignment.tips_obj_mm[contact]
     radius_mm = float(np.linalg.norm(tip - alignment.points_obj_mm[contact]))
     found = (face for face in FACES if _touches(tip, radius_mm, face, block))

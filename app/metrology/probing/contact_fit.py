@@ -1,4 +1,4 @@
-"""The best position of the block under its contact points: a start, then least squares."""
+"""The best pose of the block for its contact points: start values, then least squares."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +19,10 @@ OUTLIER_SIGMAS = 4.0
 
 
 def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated) -> Floats:
-    """The pose that puts most contacts onto their faces, among the four that fit as planes.
+    """The pose that puts most contact points onto their faces, among the four that fit as planes.
 
-    Three perpendicular planes are matched equally well by four orientations of the
-    block; only one of them has the contacts within the faces' bounds.
+    Four orientations of the block fit three perpendicular planes equally well; only one of them has
+    the contact points within the bounds of the faces.
     """
     found: list[tuple[int, float, Floats]] = []
     for rotation in _start_rotations(contacts):
@@ -40,7 +40,7 @@ def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated)
 
 
 def _start_rotations(contacts: FaceContacts) -> list[Floats]:
-    """The four rotations ``R_arm_obj`` that turn the block's axes into the planes touched."""
+    """The four rotations ``R_arm_obj`` that align the block's axes with the probed planes."""
     labels = np.array(contacts.features)
     axes: list[Floats] = []
     for faces in DIRECTIONS:
@@ -66,7 +66,8 @@ def _start_translation(contacts: FaceContacts, rotation: Floats) -> Floats:
 
 
 def jacobian(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
-    """(N, 6) derivative of the residuals by a left perturbation of ``T_arm_obj``, and its pivot."""
+    """(N, 6) derivatives of the residuals by a left perturbation of ``T_arm_obj``, and its
+    pivot."""
     centre_mm = contacts.tips_mm.mean(axis=0)
     normals_arm = contacts.normals @ T_arm_obj[:3, :3].T
     arms = contacts.tips_mm - centre_mm
@@ -93,13 +94,12 @@ def _huber(residuals_mm: Floats) -> Floats:
 def fit_without_outliers(
     contacts: FaceContacts, T_arm_obj: Floats
 ) -> tuple[Floats, NDArray[np.bool_]]:
-    """Least squares on the contacts that agree; (N,) mask of those kept.
+    """Least squares on the contact points that agree; (N,) mask of those kept.
 
-    Contacts that miss their face by millimetres at the robust start are on another
-    face and would tilt the fit: they are left out at once. Then one contact at a time
-    is dropped, the one whose residual is largest against its own standard deviation
-    (its leverage taken into account), as long as it exceeds the limit and enough
-    contacts remain.
+    Contact points that miss their face by millimetres at the robust start lie on another face and
+    would tilt the fit: they are excluded at once. Then one contact point at a time is removed, the
+    one with the largest residual relative to its own standard deviation (including its leverage),
+    as long as it exceeds the limit and enough contact points remain.
     """
     kept = np.abs(contacts.residuals_mm(T_arm_obj)) < FACE_SLACK_MM
     if missing_contacts([contacts.features[int(i)] for i in np.flatnonzero(kept)]):
@@ -119,7 +119,8 @@ def fit_without_outliers(
 def _worst_outlier(
     contacts: FaceContacts, T_arm_obj: Floats, kept: NDArray[np.bool_]
 ) -> int | None:
-    """Index of the contact that most exceeds the limit, by its deleted (studentised) residual."""
+    """Index of the contact point that most exceeds the limit, by its deleted (studentised)
+    residual."""
     J, _ = jacobian(contacts, T_arm_obj)
     own = np.flatnonzero(kept)
     sds_mm = contacts.sds_mm(T_arm_obj)[own]
@@ -133,7 +134,7 @@ def _worst_outlier(
     sum_without = np.maximum(np.sum(residuals**2) - residuals**2 / spare, 0.0)
     deleted = np.abs(residuals) / np.sqrt(spare * np.maximum(sum_without / freedom, 1e-12))
     deleted[leverage > 0.99] = 0.0
-    # Student's t has heavier tails than the normal when few contacts remain
+    # Student's t has heavier tails than the normal distribution if few contact points remain
     limit = OUTLIER_SIGMAS * (1 + 4.0 / freedom)
     for worst in np.argsort(-deleted):
         if deleted[worst] <= limit:

@@ -1,4 +1,4 @@
-"""Contact points on the crenellated object, and whether they fix its position."""
+"""Contact points on the crenellated object, and whether they determine its position."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ from app.metrology.transforms import Floats, apply, inverse
 
 DIRECTIONS = (("crest", "floor"), ("front", "back"), ("left", "right"))
 MIN_CONTACTS = 3
-"""On each of three non-parallel faces: fewer leave no residual to judge by."""
+"""On each of three non-parallel faces: with fewer, there is no residual to judge by."""
 MIN_SPREAD_MM = 0.5
-"""Contacts whose rms distance from their best line is less count as lying on it."""
+"""Contact points with a smaller rms distance from their best line count as lying on it."""
 CONTACT_SD_MM = 0.001
-"""Repeatability of the touch itself, beside the encoders' noise."""
+"""Repeatability of the touch itself, in addition to the encoder noise."""
 FACE_SLACK_MM = 1.5
-"""How far beside its face a contact may seem to lie before it counts as off it."""
+"""Tolerated distance of a contact point beyond its face before it counts as off the face."""
 MERLON_SLACK_MM = 0.5
 """The same across a crest or floor: the tip meets the edge before it passes it."""
 
@@ -31,24 +31,24 @@ class FaceContacts:
 
     features: tuple[str, ...]
     tips_mm: Floats  # (N, 3) tip centres in the arm frame
-    normals: Floats  # (N, 3) outward normal of each contact's face, object frame
+    normals: Floats  # (N, 3) outward normal of each contact point's face, object frame
     reach_mm: Floats  # (N,) face offset plus tip radius
-    tip_covariances_mm2: Floats  # (N, 3, 3) of the tip centres; equal where nothing is known
+    tip_covariances_mm2: Floats  # (N, 3, 3) of the tip centres; equal if nothing is known
 
     def residuals_mm(self, T_arm_obj: Floats) -> Floats:
-        """(N,) distance of each contact from its face, positive outward."""
+        """(N,) distance of each contact point from its face, positive outward."""
         in_obj = apply(inverse(T_arm_obj), self.tips_mm)
         return np.asarray(np.einsum("ij,ij->i", self.normals, in_obj) - self.reach_mm)
 
     def sds_mm(self, T_arm_obj: Floats) -> Floats:
-        """(N,) expected standard deviation of each contact along its face's normal."""
+        """(N,) expected standard deviation of each contact point along the normal of its face."""
         normals_arm = self.normals @ T_arm_obj[:3, :3].T
         variances = np.einsum("ij,ijk,ik->i", normals_arm, self.tip_covariances_mm2, normals_arm)
         return np.asarray(np.sqrt(variances + CONTACT_SD_MM**2))
 
 
 def missing_contacts(features: Sequence[str]) -> Text:
-    """What must still be probed before an alignment is possible; empty when nothing is.
+    """What must still be probed before an alignment is possible; empty if nothing is missing.
 
     Args:
         features: the face of each contact point so far.
@@ -123,8 +123,8 @@ def refuse_lines(contacts: FaceContacts) -> None:
 def in_plane_spread(points_mm: Floats) -> tuple[float, Floats]:
     """Rms distance of points (N, 3) from their best line, and their plane's normal (3,).
 
-    The plane is that of most of the points (least median of squares over triples),
-    so that a contact on a wrong face does not tilt it.
+    The plane fits most of the points (least median of squares over triples), so that a contact
+    point on a wrong face does not tilt it.
     """
     if len(points_mm) < 3:
         return 0.0, np.zeros(3)
@@ -153,10 +153,10 @@ def surface_points(contacts: FaceContacts, T_arm_obj: Floats, tip_radius_mm: flo
 def off_face_mask(
     features: Sequence[str], points_obj_mm: Floats, block: Crenellated
 ) -> NDArray[np.bool_]:
-    """(N,) which contact points (N, 3) lie beside the bounds of the face they belong to.
+    """(N,) contact points (N, 3) that lie outside the bounds of their face.
 
-    A crest ends at its groove and a floor at its walls, so that contacts on the crests
-    distinguish a block from the same block turned half round.
+    A crest ends at its groove and a floor at its walls, so that contact points on the crests
+    distinguish a block from the same block rotated by half a turn.
     """
     x, y, z = points_obj_mm.T
     edges = np.array(block.edges_x_mm)
@@ -176,6 +176,6 @@ def off_face_mask(
 
 
 def _within_spans(x_mm: Floats, left_mm: Floats, right_mm: Floats) -> NDArray[np.bool_]:
-    """(N,) which places lie on one of the merlons, or grooves, of these edges."""
+    """(N,) positions on one of the merlons, or grooves, of these edges."""
     after = x_mm[:, None] > left_mm - MERLON_SLACK_MM
     return np.asarray((after & (x_mm[:, None] < right_mm + MERLON_SLACK_MM)).any(axis=1))

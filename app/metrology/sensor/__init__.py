@@ -1,6 +1,6 @@
-"""The stripe sensor: camera, light plane, and points from pixels (Eq. 9).
+"""The stripe sensor: camera, laser plane, and points from pixels (Eq. 9).
 
-Entry points: ``camera.project`` and ``camera.rays`` go from points to pixels and back,
-``triangulation`` from stripe pixels to points, ``faugeras.solve_faugeras`` from known points to
-a first camera.
+Entry points: ``camera.project`` and ``camera.rays`` convert points to pixels and back,
+``triangulation`` converts stripe pixels to points, and ``faugeras.solve_faugeras`` computes a first
+camera from known points.
 """

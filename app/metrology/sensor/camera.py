@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats, apply
 
 @dataclass(frozen=True)
 class Camera:
-    """A camera, and where it looks from in the sensor frame.
+    """A camera and its pose in the sensor frame.
 
     ``x_cam = rotation @ x_sensor + translation_mm``; ``distortion`` is
     ``k1, k2, p1, p2, k3``.
@@ -38,8 +38,8 @@ def project(camera: Camera, points_mm: Floats) -> Floats:
     """Pixels of points, lens distortion included.
 
     Args:
-        points_mm: (N, 3) in the sensor frame, in front of the camera; points behind it are
-            projected, too, through the optical centre.
+        points_mm: (N, 3) in the sensor frame, in front of the camera; points behind it are also
+            projected, through the optical centre.
 
     Returns:
         (N, 2) distorted pixels (u, v), also outside the image.
@@ -65,7 +65,7 @@ def project(camera: Camera, points_mm: Floats) -> Floats:
 
 
 def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
-    """Undistorted directions of pixels, by iteration.
+    """Undistorted directions of pixels, computed iteratively.
 
     Args:
         uv_px: (N, 2) distorted pixels.
@@ -74,7 +74,7 @@ def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
         (N, 2) x/z and y/z in the camera frame.
     """
     uv = np.ascontiguousarray(uv_px, dtype=np.float64).reshape(-1, 1, 2)
-    if not len(uv):  # OpenCV has no answer for no points
+    if not len(uv):  # OpenCV does not accept an empty array
         return np.empty((0, 2))
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 50, 1e-12)
     found = cv2.undistortPointsIter(
@@ -84,7 +84,7 @@ def undistort_pixels(camera: Camera, uv_px: Floats) -> Floats:
 
 
 def rays(camera: Camera, uv_px: Floats) -> tuple[Floats, Floats]:
-    """Rays of pixels, lens distortion removed.
+    """Rays of pixels, with lens distortion removed.
 
     Args:
         uv_px: (N, 2) distorted pixels.

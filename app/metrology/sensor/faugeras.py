@@ -1,9 +1,9 @@
-"""The camera's perspective matrix by Faugeras and Toscani: the article's intrinsic calibration.
+"""The perspective matrix of a camera by Faugeras and Toscani: the article's intrinsic calibration.
 
-The twelve numbers of the matrix follow linearly from points known in the object
-frame and in the image, under ``|m3| = 1`` (m3: the first three elements of the
-third row). That constraint neither turns nor moves with the object frame, and it
-has no trouble with an origin in the camera's own plane, unlike ``m34 = 1``.
+The twelve elements of the matrix follow linearly from points known in the object frame and in the
+image, under ``|m3| = 1`` (m3: the first three elements of the third row). This constraint is
+invariant to rotations and translations of the object frame, and it allows an origin in the camera's
+own plane, unlike ``m34 = 1``.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from app.messages.message import join, message, quantity
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats, nearest_rotation
 
-# Condition of the normalised system: 4 to 9 for a good object, 87 for a step of 0.5 mm.
+# Condition number of the normalised system: 4 to 9 for a good object, 87 for a step of 0.5 mm.
 LARGEST_CONDITION = 50.0
 # Share of the largest extent below which a set of points counts as flat.
 FLAT = 1e-6
@@ -23,13 +23,12 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class FaugerasSolution:
-    """What the linear step yields.
+    """The result of the linear step.
 
-    ``projection_matrix`` (3, 4) has ``|m3| = 1`` and maps the object frame in mm to
-    pixels; ``camera`` holds the intrinsics and the pose read from it, without skew
-    and distortion; ``orthogonality_defect`` is ``|R R' - I|`` before ``R`` was made
-    a rotation, 0 for perfect data; ``condition_number`` that of the normalised
-    system.
+    ``projection_matrix`` (3, 4) has ``|m3| = 1`` and maps the object frame in mm to pixels;
+    ``camera`` has the intrinsics and the pose derived from it, without skew and distortion;
+    ``orthogonality_defect`` is ``|R R' - I|`` before ``R`` was made a rotation, 0 for perfect data;
+    ``condition_number`` is that of the normalised system.
     """
 
     projection_matrix: Floats
@@ -45,7 +44,7 @@ def solve_faugeras(
 
     Args:
         points_mm: (N, 3) in the object frame, N >= 6, on more than one plane.
-        uv_px: (N, 2) where the camera sees them; distortion is not modelled.
+        uv_px: (N, 2) their pixels; distortion is not modelled.
         width_px, height_px: size of the image.
 
     Returns:
@@ -98,7 +97,7 @@ def _require_points(points: Floats, uv: Floats) -> None:
 
 
 def _refuse_flat(points: Floats) -> None:
-    """Names why points in one plane (or on one line) do not fix the camera."""
+    """Explains why points in one plane (or on one line) do not determine the camera."""
     _, extent, axes = np.linalg.svd(points - points.mean(axis=0))
     if extent[2] > FLAT * extent[0]:
         return
@@ -148,7 +147,7 @@ def _system(x: Floats, y: Floats) -> Floats:
 
 
 def _condition(system: Floats, points: Floats) -> float:
-    """Largest over smallest singular value, but for the one that belongs to the solution."""
+    """Ratio of largest to smallest singular value, without the one of the solution."""
     values = np.linalg.svd(system, compute_uv=False)
     condition = float(values[0] / max(values[10], 1e-300))
     if condition > LARGEST_CONDITION:
@@ -169,8 +168,8 @@ def _condition(system: Floats, points: Floats) -> float:
 def _least_under_unit_m3(system: Floats) -> Floats:
     """The (3, 4) matrix of least algebraic error with ``|m3| = 1``.
 
-    With ``B v1 + C v2 = 0`` (v2 = m3), v2 is the least singular vector of what is
-    left of C outside the columns of B, and ``v1 = -B^+ C v2``.
+    With ``B v1 + C v2 = 0`` (v2 = m3), v2 is the least singular vector of the part of C outside the
+    columns of B, and ``v1 = -B^+ C v2``.
     """
     B, C = system[:, :9], system[:, 9:]
     Q, R = np.linalg.qr(B)

@@ -1,4 +1,4 @@
-"""The plane of the laser's light, in the sensor frame, from its stripe on crests and floors."""
+"""The plane of the laser light, in the sensor frame."""
 
 import math
 from collections.abc import Sequence
@@ -27,14 +27,15 @@ class LaserPlane:
         return LaserPlane(normal, float(self.offset_mm + normal @ T_new_old[:3, 3]))
 
     def apply_step(self, step: Floats) -> "LaserPlane":
-        """After a step (3,): tilts along ``tangents(normal)`` (rad), then the offset (mm)."""
+        """The plane after a step (3,): tilts along ``tangents(normal)`` (rad), then the offset
+        (mm)."""
         normal = self.normal + step[:2] @ tangents(self.normal)
         length = float(np.linalg.norm(normal))
         return LaserPlane(normal / length, (self.offset_mm + float(step[2])) / length)
 
 
 def in_frame(camera: Camera, plane: LaserPlane, T_new_old: Floats) -> tuple[Camera, LaserPlane]:
-    """The same camera and light plane in another sensor frame.
+    """The same camera and laser plane in another sensor frame.
 
     Args:
         camera, plane: in the old sensor frame.
@@ -56,7 +57,7 @@ def tangents(normal: Floats) -> Floats:
         normal: (3,) unit length.
 
     Returns:
-        (2, 3); tilts of a light plane are stated along these two.
+        (2, 3); tilts of a laser plane are stated along these two.
     """
     least = int(np.argmin(np.abs(normal)))
     axis = [float(k == least) for k in range(3)]
@@ -67,19 +68,19 @@ def tangents(normal: Floats) -> Floats:
 
 
 def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    """Of two single vectors, where the library's way costs twenty times as much."""
+    """Cross product of two single vectors; the library function takes twenty times as long."""
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:
-    """Where the rays of pixels meet planes of constant z of the sensor frame.
+    """Intersections of the rays of pixels with planes of constant z of the sensor frame.
 
     Args:
         uv_px: (N, 2) distorted pixels.
         z_mm: one height, or (N,) heights.
 
     Returns:
-        (N, 3) mm in the sensor frame; not finite where a ray is parallel to the plane.
+        (N, 3) mm in the sensor frame; not finite if a ray is parallel to the plane.
     """
     origin, along = rays(camera, uv_px)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -88,13 +89,13 @@ def meet_levels(camera: Camera, uv_px: Floats, z_mm: Floats | float) -> Floats:
 
 
 def refuse_edge_on(plane: LaserPlane, sight: Floats) -> None:
-    """Refuses a light plane that the camera looks along.
+    """Refuses a laser plane that contains the line of sight.
 
     Args:
         sight: (M, 3) lines of sight to the stripe, sensor frame.
 
     Raises:
-        OperationError: ``laser-through-camera``, where the median angle between the lines of
+        OperationError: ``laser-through-camera``, if the median angle between the lines of
             sight and the plane is less than ``LEAST_ANGLE_DEG``.
     """
     sine = np.abs(sight @ plane.normal) / np.linalg.norm(sight, axis=1)

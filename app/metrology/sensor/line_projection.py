@@ -1,4 +1,4 @@
-"""How pixels lie across the images of straight lines, with all derivatives."""
+"""Distances of pixels from the images of straight lines, with all derivatives."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,10 +28,10 @@ _across = Function(
 def add_ends(
     J: Floats, by_points: Floats, shares: Floats, ends: NDArray[np.int64], first: int
 ) -> None:
-    """Adds to J (N, P) what the coordinates of the lines' ends do to residuals.
+    """Adds to J (N, P) the derivatives of the residuals by the coordinates of the lines' ends.
 
-    ``ends`` (N, 2, 3) numbers these coordinates, which stand from column ``first`` on; the
-    others as ``across_lines`` gives them.
+    ``ends`` (N, 2, 3) numbers these coordinates, which begin at column ``first``; the others as
+    returned by ``across_lines``.
     """
     row, share = np.arange(len(J))[:, None], shares[:, None]
     J[row, first + ends[:, 0]] += by_points * (1 - share)
@@ -41,9 +41,9 @@ def add_ends(
 def across_lines(
     camera: Camera, uv_px: Floats, start: Floats, along: Floats, columns: int = COUNT
 ) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """How pixels (N, 2) lie across the images of the lines ``start + share along`` (N, 3).
+    """Distances of pixels (N, 2) from the images of the lines ``start + share along`` (N, 3).
 
-    Each at the share where its ray comes nearest to the line.
+    Each at the share at which its ray is closest to the line.
 
     Returns:
         (N,) distances in px, residuals; (N, 2) unit normals of the lines' images; their

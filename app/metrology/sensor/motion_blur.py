@@ -1,4 +1,4 @@
-"""How fast the sensor passes over a surface, in what it does to the points."""
+"""The speed of the sensor over a surface, and its effect on the points."""
 
 from dataclasses import dataclass
 
@@ -7,23 +7,23 @@ import numpy as np
 from app.metrology.transforms import Floats
 
 BLUR_SPACINGS, BLUR_UNCERTAINTIES = 4.0, 10.0
-"""A stripe that smears over less than this many of its points' spacings, or of their own
-standard uncertainties, loses nothing that could be measured."""
+"""A stripe that blurs over less than this multiple of its point spacing, or of the points' standard
+uncertainty, loses no information."""
 
 
 @dataclass(frozen=True)
 class PassSpeed:
-    """Of one frame."""
+    """Motion during one frame."""
 
     blur_mm: float
-    """The way of a point of the surface under the stripe during the exposure."""
+    """Distance that a point of the surface moves under the stripe during the exposure."""
     step_mm: float
-    """The way across the stripe from one frame to the next: the spacing along the pass."""
+    """Distance across the stripe from one frame to the next: the spacing along the pass."""
     spacing_mm: float
-    """Of neighbouring points along the stripe."""
+    """Spacing of adjacent points along the stripe."""
 
     def limit_mm(self, uncertainty_mm: float) -> float:
-        """The blur from which on it is worth a warning, for points known to this (k = 1)."""
+        """The blur from which a warning is justified, for points with this uncertainty (k = 1)."""
         return max(BLUR_SPACINGS * self.spacing_mm, BLUR_UNCERTAINTIES * uncertainty_mm)
 
 
@@ -35,17 +35,17 @@ def pass_speed(
     exposure_s: float,
     period_s: float,
 ) -> PassSpeed | None:
-    """How far the stripe moves over the surface during an exposure and between frames.
+    """Motion of the stripe over the surface during an exposure and between frames.
 
     Args:
-        stripe_mm: (N, 3) points of the frame in their order, sensor frame; NaN is ignored.
+        stripe_mm: (N, 3) points of the frame in order, sensor frame; NaN is ignored.
         T_before, T_after: (4, 4) ``T_arm_sensor``, ``between_s`` apart.
         between_s: time from ``T_before`` to ``T_after``.
         exposure_s: exposure time of the frame.
-        period_s: time from the frame before to this one.
+        period_s: time from the previous frame to this one.
 
     Returns:
-        None where the frame has no two distinct points, or no time has passed.
+        None if the frame has no two distinct points, or if no time has passed.
     """
     points = stripe_mm[np.isfinite(stripe_mm).all(axis=1)]
     if len(points) < 2 or between_s <= 0:

@@ -1,4 +1,4 @@
-"""How pixels change with the camera's parameters and with the points seen."""
+"""Derivatives of pixels by the camera's parameters and by the points."""
 
 from dataclasses import replace
 
@@ -7,7 +7,7 @@ import numpy as np
 from app.metrology.sensor.camera import Camera
 from app.metrology.transforms import Floats, nearest_rotation, rotation_from_vector
 
-# fx, fy, u0, v0 (px), turn (rad) and shift (mm) of the object in the camera frame, lens
+# fx, fy, u0, v0 (px), rotation (rad) and translation (mm) of the object in the camera frame, lens
 PARAMETERS = ("fx", "fy", "u0", "v0", "rx", "ry", "rz", "tx", "ty", "tz", "k1", "k2", "p1", "p2")
 COUNT = len(PARAMETERS)
 LENS = slice(10, 14)
@@ -61,7 +61,7 @@ def project_with_jacobian(camera: Camera, points_mm: Floats) -> tuple[Floats, Fl
     J = np.zeros((len(P), 2, COUNT))
     J[:, 0, 0], J[:, 1, 1] = xd, yd
     J[:, 0, 2] = J[:, 1, 3] = 1.0
-    J[:, :, 4:7] = np.cross(P[:, None, :], by_P)  # a turn w moves P by w x P
+    J[:, :, 4:7] = np.cross(P[:, None, :], by_P)  # a rotation w moves P by w x P
     J[:, :, 7:10] = by_P
     J[:, 0, 10], J[:, 1, 10] = fx * x * r2, fy * y * r2
     J[:, 0, 11], J[:, 1, 11] = fx * x * r2**2, fy * y * r2**2

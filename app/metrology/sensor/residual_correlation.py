@@ -1,4 +1,5 @@
-"""How the points of straight lines scatter: beyond what they say, and alike as neighbours."""
+"""Scatter of the points of straight lines: beyond the stated noise, and correlation of
+neighbours."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,9 +25,9 @@ _variances = Function(
 
 
 def neighbours_alike(uv_px: Floats, normalised_residuals: Floats) -> float:
-    """How many neighbouring points (N,) carry the information of one: 1 for white noise.
+    """Number of adjacent points (N,) that carry the information of one: 1 for white noise.
 
-    The sum of the residuals' autocorrelation up to where it has died away. ``uv_px`` (N, 2).
+    The sum of the residuals' autocorrelation up to where it has decayed. ``uv_px`` (N, 2).
     """
     uv = np.ascontiguousarray(uv_px, dtype=np.float64)
     return float(_alike(uv, np.ascontiguousarray(normalised_residuals, dtype=np.float64)))
@@ -40,13 +41,14 @@ def variances_of_lines(
     about_mean: bool,
     fewest: int,
 ) -> Floats:
-    """Variance (N,) of each line's points beside what they say: at least 1, 1 where too few.
+    """Variance (N,) of each line's points relative to the stated one: at least 1; 1 with too few
+    points.
 
     Args:
-        off: (N,) residuals over their deviations; line: (N,) the number of each one's line.
-        kept: (N,) which of them count; places: (N, 2) pixels they were observed at.
-        about_mean: whether what all points of a line share is no scatter.
-        fewest: points that determine a line's scatter.
+        off: (N,) residuals over their standard deviations; line: (N,) the line number of each.
+        kept: (N,) mask of those that count; places: (N, 2) their observed pixels.
+        about_mean: whether an error that all points of a line share does not count as scatter.
+        fewest: minimum number of points for the scatter of a line.
     """
     count = len(off)
     variances, workspace = np.empty(count), np.empty((3, count))

@@ -1,6 +1,6 @@
-"""From stripe pixels to points: the camera's ray meets the laser plane (Eq. 9).
+"""From stripe pixels to points: intersection of the camera's rays with the laser plane (Eq. 9).
 
-And how well each point is known by the fit of its stripe alone.
+It also gives the uncertainty of each point due to the fit of its stripe.
 """
 
 import numpy as np
@@ -32,13 +32,13 @@ _frame_points = Function(
 def sensor_points(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:
     """Points of the stripe in the sensor frame: the ``X_LSS`` of Eq. 9.
 
-    The ray of each pixel is met with the light plane.
+    The ray of each pixel is intersected with the laser plane.
 
     Args:
         uv_px: (N, 2) distorted pixels, as extracted from the image.
 
     Returns:
-        (N, 3) mm; NaN where the ray does not meet the light plane in front of the camera.
+        (N, 3) mm; NaN if the ray does not meet the laser plane in front of the camera.
 
     Example:
         >>> K = np.array([[1000.0, 0.0, 320.0], [0.0, 1000.0, 256.0], [0.0, 0.0, 1.0]])
@@ -62,7 +62,7 @@ def arm_points(
     Args:
         T_flange_sensor: (4, 4), the probe matrix (Eq. 8).
         uv_px: (N, 2) distorted pixels.
-        T_arm_flange: (4, 4) pose of the arm at mid-exposure, or (N, 4, 4), one for each pixel.
+        T_arm_flange: (4, 4) pose of the arm at mid-exposure, or (N, 4, 4), one per pixel.
 
     Returns:
         (N, 3) mm; NaN as in ``sensor_points``.
@@ -88,10 +88,10 @@ def frame_points(
     """Points of consecutive frames in the arm frame, each frame in its own pose.
 
     Args:
-        u_px, v_px: (N,) distorted pixels of all frames, frame after frame.
-        count: (F,) pixels of each frame; N in all.
+        u_px, v_px: (N,) distorted pixels of all frames, frame by frame.
+        count: (F,) number of pixels of each frame; N in total.
         T_arm_sensor: (F, 4, 4) ``T_arm_flange @ T_flange_sensor`` at mid-exposure.
-        points_mm: (N, 3) to be filled; None makes a new one.
+        points_mm: (N, 3) array to fill; None: a new one.
 
     Returns:
         (N, 3) mm; NaN as in ``sensor_points``.
@@ -119,15 +119,15 @@ def scan_points(
 ) -> tuple[Floats, Floats]:
     """Points of consecutive frames in the arm frame, with their standard uncertainty.
 
-    The uncertainty is that of the stripe's fit, in the light plane: the part that differs from
-    point to point. Calibration and arm move whole frames together; their part is stated with the
-    calibration. It follows from Eq. 9 differentiated by the pixel, with the lens distortion
-    taken as equal for neighbouring pixels.
+    The uncertainty is that of the stripe's fit, in the laser plane: the part that differs from
+    point to point. Calibration and arm shift all points of a frame together; their part is stated
+    with the calibration. It follows from the derivative of Eq. 9 by the pixel, with the lens
+    distortion treated as equal for adjacent pixels.
 
     Args:
-        u_px, v_px, count, T_arm_sensor: as of ``frame_points``.
+        u_px, v_px, count, T_arm_sensor: as in ``frame_points``.
         sigma_px: (N,) standard deviation of the stripe's points across the stripe.
-        axis: ``u`` where there is one point in each column, so that ``v`` was measured; or ``v``.
+        axis: ``u`` for one point in each column, so that ``v`` was measured; or ``v``.
 
     Returns:
         (N, 3) mm, NaN as in ``sensor_points``; (N,) µm, k = 1.
@@ -161,7 +161,7 @@ def _fill(
     axis: str = "u",
     spread_um: Floats | None = None,
 ) -> None:
-    """Fills points, and their uncertainty where it is asked for."""
+    """Fills in the points, and their uncertainty if requested."""
     found = _frame_points(
         _contiguous(u_px),
         _contiguous(v_px),
@@ -177,13 +177,13 @@ def _fill(
 
 
 def _constants(camera: Camera, plane: LaserPlane, axis: str) -> Floats:
-    """What the loop needs of camera and plane (32,), in the order of its structure ``Sensor``.
+    """Parameters of camera and plane for the loop (32,), in the order of its structure ``Sensor``.
 
-    The ray of direction p in the camera's frame meets the plane, of normal h there, at
-    ``distance / (h p)`` times p.
+    The ray with direction p in the camera frame meets the plane, with normal h there, at ``distance
+    / (h p)`` times p.
     """
     K, centre_mm = camera.matrix, camera.centre_mm
-    # by what a pixel across the stripe turns the ray (x, y, 1)
+    # rotation of the ray (x, y, 1) by a pixel across the stripe
     across = [1 / K[0, 0], 0.0]
     if axis == "u":
         across = [-K[0, 1] / (K[0, 0] * K[1, 1]), 1 / K[1, 1]]

@@ -1,32 +1,32 @@
-"""The laser stripe in an image: its centre below a pixel, and how far to trust it.
+"""The laser stripe in an image: its sub-pixel centre, and the uncertainty of each point.
 
 ``extract_stripe`` finds it in one image, ``StripeTracker`` follows it from frame to frame. The
-work is done in C (``app/native/c/stripe``), one call a frame, in this order:
+computation is in C (``app/native/c/stripe``), one call per frame, in this order:
 
-1. ``search.c``: scores of all places, in one reading of the image; the best of each strip.
+1. ``search.c``: scores of all places, in one pass over the image; the best of each strip.
 2. ``read_noise.c``: the variance of a dark pixel.
-3. ``peaks.c``: all peaks that stand out of that noise.
-4. ``choice.c``: one peak a column, by the tracks that peaks lie on.
-5. ``profiles.c``: the pixels about each peak, 64 columns side by side.
-6. ``start.c``: where each fit starts, and the pixels that it takes.
+3. ``peaks.c``: all peaks that exceed that noise.
+4. ``choice.c``: one peak per column, by the tracks on which peaks lie.
+5. ``profiles.c``: the pixels around each peak, 64 columns in parallel.
+6. ``start.c``: the start of each fit, and its pixels.
 7. ``normal.c``: the normal equations of a Gaussian on a background, weighted by the noise.
 8. ``fit.c``: the fit, by Gauss-Newton.
-9. ``noise.c``: how the noise grows with the signal, from some of the peaks, before all are fitted.
-10. ``sift.c``: peaks as wide and high as a stripe.
-11. ``runs.c``: pieces that are long enough.
-12. ``speckle.c``: what their points scatter by beyond the noise of the pixels.
+9. ``noise.c``: growth of the noise with the signal, from some of the peaks, before all are fitted.
+10. ``sift.c``: peaks with the width and height of a stripe.
+11. ``runs.c``: sufficiently long pieces.
+12. ``speckle.c``: scatter of their points beyond the noise of the pixels.
 
-``pipeline.c`` reads top to bottom. Where the line's core is clipped (``clipped.h``), only its
-flanks show where it lies:
+``pipeline.c`` reads top to bottom. If the core of the line is clipped (``clipped.h``), only
+its flanks show its position:
 
 1. ``clipped_runs.c``: the runs of clipped pixels in every column.
 2. ``cores.c``: those that are the line's core.
-3. ``flanks.c``: the pixels beside the core, 16 columns side by side.
-4. ``flank_step.c``: one step of the fit of both flanks, by a shape that all columns share.
-5. ``flank_noise.c``: the noise of the pixels, by what the fit leaves of them.
-6. ``flank_fit.c``: the rounds of the fit.
+3. ``flanks.c``: the pixels next to the core, 16 columns in parallel.
+4. ``flank_step.c``: one step of the fit of both flanks, with a shape that all columns share.
+5. ``flank_noise.c``: the noise of the pixels, from the residuals of the fit.
+6. ``flank_fit.c``: the iterations of the fit.
 7. ``smooth.c``: the line smoothed along itself over its core's width.
-8. ``join.c``: its points among those of the other columns, with their deviations.
+8. ``join.c``: inserts its points among those of the other columns, with their deviations.
 """
 
 from app.metrology.stripe.extraction import extract_stripe

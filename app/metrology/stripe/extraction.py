@@ -1,4 +1,4 @@
-"""Finding the stripe in an image: checks, the call into C, and its result."""
+"""Stripe extraction from an image: checks, the call into C, and its result."""
 
 from typing import cast
 
@@ -32,12 +32,12 @@ def extract_stripe(
     where: NDArray[np.bool_] | None = None,
     settings: StripeSettings = AUTOMATIC,
 ) -> Stripe:
-    """The laser stripe in an image: one point in each column or row where it crosses.
+    """The laser stripe in an image: one point in each column or row that it crosses.
 
-    A Gaussian on a constant background is fitted to each peak, weighted by the noise of the
-    pixels, which is estimated from the image itself; clipped pixels are left out. Where a broad
-    core is clipped, the line is placed by its two flanks and smoothed along itself over the
-    width of the core.
+    A Gaussian on a constant background is fitted to each peak, weighted by the noise of the pixels,
+    which is estimated from the image itself; clipped pixels are excluded. If a broad core is
+    clipped, the position of the line follows from its two flanks and is smoothed along the line
+    over the width of the core.
 
     Args:
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
@@ -46,7 +46,7 @@ def extract_stripe(
         settings: threshold, widths and the choice between several peaks.
 
     Returns:
-        The points in ascending order, each with its standard deviation; none where the image
+        The points in ascending order, each with its standard deviation; none if the image
         shows no stripe.
 
     Raises:
@@ -74,15 +74,15 @@ def extract_parts(
     settings: StripeSettings,
     known: NDArray[np.float32] | None = None,
 ) -> Stripe:
-    """The stripe in parts of an image that is turned already; see ``extract_stripe``.
+    """The stripe in parts of an image that is already oriented; see ``extract_stripe``.
 
     Args:
-        grey: (H, W) with the stripe across its columns, as ``orient_image`` makes it.
-        parts: (n, 4) first row and the one behind the last, first column and the one
-            behind the last, of what is looked at.
-        where: (H, W) pixels in which the stripe may lie; None for all.
-        known: (4,) the noise's three terms and the usual width (a standard deviation, px)
-            by earlier frames; zeros are filled.
+        grey: (H, W) with the stripe across its columns, from ``orient_image``.
+        parts: (n, 4) first row and the one after the last, first column and the one after the
+            last, of each part.
+        where: (H, W) pixels in which the stripe may lie; None: anywhere.
+        known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
+            from earlier frames; zeros are filled in.
     """
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
@@ -99,10 +99,10 @@ def extract_parts(
 
 
 def orient_image(image: Image, axis: str) -> Image:
-    """The image with the stripe across its columns, rows contiguous in memory.
+    """The image with the stripe across its columns, with rows contiguous in memory.
 
     Raises:
-        OperationError: not a grey image of whole numbers, or an unknown axis.
+        OperationError: not a grey image of integers, or an unknown axis.
     """
     array = np.asarray(image)
     if array.ndim != 2 or array.dtype not in EXTRACT:
@@ -121,10 +121,10 @@ def orient_image(image: Image, axis: str) -> Image:
 def orient_mask(
     where: NDArray[np.bool_] | None, grey: Image, axis: str
 ) -> NDArray[np.bool_] | None:
-    """The mask turned as the image was.
+    """The mask, oriented like the image.
 
     Raises:
-        OperationError: it is of another size than the image.
+        OperationError: its size differs from that of the image.
     """
     if where is None:
         return None

@@ -10,11 +10,10 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class Stripe:
-    """Points of the laser stripe, at most one a column (axis u) or a row (axis v).
+    """Points of the laser stripe, at most one per column (axis u) or row (axis v).
 
-    ``intensity`` is the height of the stripe over its background in grey levels,
-    ``sigma_px`` the standard deviation of the point across the stripe's direction
-    of counting: of v for axis u, of u for axis v.
+    ``intensity`` is the height of the stripe above its background in grey levels, ``sigma_px`` the
+    standard deviation of the measured coordinate: v for axis u, u for axis v.
     """
 
     u: Floats  # (N,)
@@ -30,12 +29,12 @@ class Stripe:
 
     @property
     def along_across(self) -> tuple[Floats, Floats]:
-        """(N,) each: the coordinate that is counted, and the measured one."""
+        """(N,) each: the counting coordinate, and the measured one."""
         return (self.u, self.v) if self.axis == "u" else (self.v, self.u)
 
     @property
     def across(self) -> Floats:
-        """(2,) the unit pixel direction in which ``sigma_px`` counts."""
+        """(2,) unit pixel direction of ``sigma_px``."""
         return np.array([0.0, 1.0]) if self.axis == "u" else np.array([1.0, 0.0])
 
 
@@ -49,16 +48,16 @@ def empty_stripe(axis: str) -> Stripe:
     """A stripe without points.
 
     Args:
-        axis: ``u`` or ``v``, as of ``extract_stripe``.
+        axis: ``u`` or ``v``, as in ``extract_stripe``.
     """
     return stripe_from_points(np.zeros((4, 0)), axis)
 
 
 def concatenate_stripes(parts: Sequence[Stripe]) -> Stripe:
-    """The points of several stripes, one stripe after the other.
+    """The points of several stripes, one after the other.
 
     Args:
-        parts: one stripe at least, all counted along the same axis.
+        parts: at least one stripe, all with the same axis.
     """
     return Stripe(
         np.concatenate([part.u for part in parts]),

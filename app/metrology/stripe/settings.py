@@ -1,4 +1,4 @@
-"""What an operator may set of stripe extraction."""
+"""Settings of stripe extraction that an operator can change."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -9,21 +9,21 @@ from app.messages.message import Text, message, rounded
 PeakChoice = Literal["continuity", "strength", "first", "last"]
 CHOICES: tuple[PeakChoice, ...] = ("continuity", "strength", "first", "last")
 SHORTEST_RUN = 6
-"""A point belongs to a run of at least this many neighbouring points."""
+"""A point belongs to a run of at least this many adjacent points."""
 
 
 @dataclass(frozen=True)
 class StripeSettings:
-    """What an operator may set; None leaves it to the image.
+    """Settings that an operator can change; None means automatic, from the image.
 
-    ``threshold``: grey levels by which the stripe stands out of its surroundings (else four
-    standard deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half
-    height (else 0.45 and 2.2 times the usual one). ``min_run``: points of a piece, which is
-    always more than a round spot of its width would show.
-    ``choice``: which of several peaks of a column is the stripe. ``continuity``: the one
-    whose piece of line is the brightest on average, where pieces of less than 40 points
-    count by the square of their length; ``strength``: the brightest; ``first`` and ``last``: the
-    uppermost and the lowest (axis v: leftmost and rightmost) that belongs to a piece.
+    ``threshold``: grey levels by which the stripe exceeds its surroundings (otherwise four standard
+    deviations of the noise). ``min_width_px``, ``max_width_px``: its width at half height
+    (otherwise 0.45 and 2.2 times the usual one). ``min_run``: number of points of a piece, which is
+    always more than a round spot of its width would show. ``choice``: which of several peaks of a
+    column is the stripe. ``continuity``: the one whose piece of line is the brightest on average,
+    where pieces of less than 40 points count by the square of their length; ``strength``: the
+    brightest; ``first`` and ``last``: the uppermost and the lowest (axis v: leftmost and rightmost)
+    that belongs to a piece.
     """
 
     threshold: float | None = None
@@ -37,7 +37,7 @@ AUTOMATIC = StripeSettings()
 
 
 def check_settings(settings: StripeSettings) -> None:
-    """Accepts settings that can be meant.
+    """Checks that the settings make sense.
 
     Raises:
         OperationError: a value is negative, widths do not ascend, or the choice is unknown.

@@ -1,4 +1,4 @@
-"""Following the stripe from frame to frame, reading only where it can be."""
+"""Tracks the stripe from frame to frame, reading only where it can be."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +11,13 @@ from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
 
 BLOCK_PX = 256
-"""Columns that are read over the same rows, as in ``tracking.c``."""
+"""Number of columns that are read over the same rows, as in ``tracking.c``."""
 MARGIN_PX = 24
-"""Rows that the stripe may move by from one frame to the next."""
+"""Number of rows by which the stripe may move from one frame to the next."""
 LOST_POINTS = 16
-"""A block has lost the stripe where it shows so many points fewer than in the frame before."""
+"""A block has lost the stripe if it shows this many fewer points than in the previous frame."""
 NOISE_FRAMES = 8
-"""Frames after which the noise and the usual width are estimated again."""
+"""Number of frames after which the noise and the usual width are estimated again."""
 
 _plan_parts = Function(
     CRENEL,
@@ -38,13 +38,13 @@ _count_in_blocks = Function(
 
 
 class StripeTracker:
-    """Extracts the stripe of frames that follow one another; one thread at a time.
+    """Extracts the stripe of consecutive frames; for one thread at a time.
 
-    Every block of columns is read about the rows where the stripe was in the frame before.
-    A block that loses the stripe is read over its whole height at once, in the same frame.
-    One slice of the image after the other is read, too, so that what comes into view
-    elsewhere is found after as many frames as there are slices. The noise, by which
-    points are weighed and their deviations stated, is estimated again every few frames.
+    Every block of columns is read around the rows of the stripe in the previous frame. A block that
+    loses the stripe is read over its full height at once, in the same frame. In addition, one slice
+    of the image after the other is read, so that a stripe that appears elsewhere is found after as
+    many frames as there are slices. The noise, which determines the weights and standard deviations
+    of points, is estimated again every few frames.
     """
 
     def __init__(
@@ -54,11 +54,11 @@ class StripeTracker:
         settings: StripeSettings = AUTOMATIC,
         margin_px: int = MARGIN_PX,
     ) -> None:
-        """Begins without knowing where the stripe is.
+        """Starts without knowledge of the stripe's position.
 
         Args:
-            axis, where, settings: see ``extract_stripe``.
-            margin_px: how far the stripe may move from one frame to the next.
+            axis, where, settings: as in ``extract_stripe``.
+            margin_px: maximum motion of the stripe from one frame to the next.
         """
         self._axis = axis
         self._where = where
@@ -72,7 +72,7 @@ class StripeTracker:
         self._known = np.zeros(4, dtype=np.float32)
 
     def extract(self, image: Image) -> Stripe:
-        """The stripe of the next frame; see ``extract_stripe`` for what is returned and raised."""
+        """The stripe of the next frame; results and errors are those of ``extract_stripe``."""
         grey = orient_image(image, self._axis)
         if grey.shape != self._shape:
             self._allowed = orient_mask(self._where, grey, self._axis)
@@ -95,7 +95,7 @@ class StripeTracker:
         return stripe
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
-        """The parts (n, 4) of the image to read; all of it where that is no slower."""
+        """The parts (n, 4) of the image to read; the complete image if that is not slower."""
         parts = np.empty((len(whole) + 1, 4), dtype=np.int64)
         count = _plan_parts(
             self._along, self._across, whole, *self._shape, self._margin_px, self._turn, parts
@@ -103,7 +103,7 @@ class StripeTracker:
         return parts[:count]
 
     def _extract(self, parts: NDArray[np.int64], grey: Image) -> Stripe:
-        """The stripe in these parts; remembers where it is."""
+        """The stripe in these parts; stores its position."""
         stripe = extract_parts(grey, self._axis, parts, self._allowed, self._settings, self._known)
         self._along, self._across = stripe.along_across
         self._counts = np.empty_like(self._counts)

@@ -1,4 +1,4 @@
-"""The memory in which stripes are extracted: kept, since fetching it again costs time."""
+"""The memory for stripe extraction: reused, because allocating it again takes time."""
 
 import ctypes
 import math
@@ -22,7 +22,7 @@ STRIP_ROWS, RING_ROWS, GREYS, BLOCK = 16, 16, 64, 64
 BLOCK_ROWS, PROFILE_ROWS, FIT_ROWS, PEAK_ROWS = 26, 112, 8, 5
 NOISE_BLOCKS, COUNT_LISTS, COUNT_LEVELS = 2, 4, 4096
 LEAST_ROWS = 20
-"""Fewer rows hold no core with its surroundings."""
+"""Fewer rows cannot contain a core with its surroundings."""
 PARTS = Array(I64, "parts", 4)
 ALLOWED = Array(BOOL, "height", "width")
 KNOWN = Array(F32, 4, written=True)
@@ -56,7 +56,7 @@ class Fields(ctypes.Structure):
 
 
 class Workspace:
-    """What a frame of one size and type is extracted in; one thread at a time."""
+    """The memory for frames of one size and type; for one thread at a time."""
 
     def __init__(self, key: Key) -> None:
         (height, width), kind = key
@@ -104,9 +104,9 @@ class Workspace:
         where: NDArray[np.bool_] | None,
         known: NDArray[np.float32],
     ) -> None:
-        """Points to a frame: what is read of it, where a peak may lie, what is known of it.
+        """Sets the pointers to a frame: the parts to read, where a peak may lie, and what is known.
 
-        The arrays must be kept as long as the frame is worked on.
+        The arrays must be kept alive while the frame is processed.
         """
         fields = self.fields
         fields.pixels = pointer(grey, self._image)
@@ -115,7 +115,7 @@ class Workspace:
         fields.known = pointer(known, KNOWN)
 
     def set_settings(self, settings: StripeSettings) -> None:
-        """Takes over the operator's settings; they are checked already."""
+        """Sets the operator's settings, which have been checked."""
         fields = self.fields
         fields.rule, fields.shortest_run = CHOICES.index(settings.choice), settings.min_run
         fields.threshold = math.nan if settings.threshold is None else settings.threshold
@@ -123,7 +123,8 @@ class Workspace:
         fields.widest_px = _sigma(settings.max_width_px)
 
     def _give(self, name: str, shape: tuple[int, ...], kind: Any) -> None:
-        """Gives a field zeros that begin on a line of the caches: no vector lies across two."""
+        """Allocates zeros for a field, aligned to a cache line, so that no vector crosses two
+        lines."""
         size = math.prod(shape) * np.dtype(kind).itemsize
         raw = np.zeros(size + ALIGNED_BYTES, np.uint8)
         begin = -raw.ctypes.data % ALIGNED_BYTES
@@ -131,7 +132,7 @@ class Workspace:
         setattr(self.fields, name, raw.ctypes.data + begin)
 
     def view(self, name: str, kind: type[np.generic]) -> NDArray[Any]:
-        """What a field's memory holds, as numbers of its own kind."""
+        """The memory of a field as an array of its own type."""
         return self._memory[name].view(kind)
 
 
@@ -140,13 +141,12 @@ def _sigma(width_px: float | None) -> float:
     return math.nan if width_px is None else width_px * PER_FULL_WIDTH
 
 
-# Workspaces that nobody works in, by images' size and type: taking one from a deque and putting
-# it back are each one step for every thread.
+# Unused workspaces by image size and type: taking one from a deque and putting it back are atomic.
 _free: dict[Key, deque[Workspace]] = {}
 
 
 def acquire_workspace(image: Image) -> Workspace:
-    """A workspace for images like this one, the caller's alone until it is given back."""
+    """A workspace for such images, reserved for the caller until it is returned."""
     key: Key = ((image.shape[0], image.shape[1]), image.dtype)
     try:
         return _free[key].pop()
@@ -155,7 +155,8 @@ def acquire_workspace(image: Image) -> Workspace:
 
 
 def release_workspace(workspace: Workspace) -> None:
-    """Keeps a workspace for the next caller; those of other sizes go when they are many."""
+    """Stores a workspace for the next caller; workspaces of other sizes are dropped if there are
+    many."""
     if workspace.key not in _free:
         if len(_free) >= MOST_SIZES:
             _free.clear()

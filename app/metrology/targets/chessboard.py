@@ -1,8 +1,8 @@
-"""The flat chessboard by its certificate.
+"""The flat chessboard from its certificate.
 
-Its frame lies at the first inner corner, X along the rows, Z out of the board towards the
-camera. First is the corner whose outermost square is black; where the colours leave a
-choice (``numbering_count``), every choice is as good as long as all pictures share it.
+The origin of its frame is the first inner corner, X runs along the rows, Z out of the board towards
+the camera. The first corner is the one whose outermost square is black; if the colours are
+ambiguous (``numbering_count``), every choice is equally good as long as all pictures share it.
 """
 
 from dataclasses import dataclass
@@ -15,11 +15,10 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class Chessboard:
-    """A board whose inner corners (where four squares meet) stand in columns and rows.
+    """A board whose inner corners (where four squares meet) form columns and rows.
 
-    ``standard_uncertainty_mm`` is that of the pattern's width and of its height, between
-    the outermost inner corners; ``flatness_mm`` is by how much the board typically bends
-    over the pattern.
+    ``standard_uncertainty_mm`` is that of the pattern's width and of its height, between the
+    outermost inner corners; ``flatness_mm`` is the typical bend of the board over the pattern.
     """
 
     name: str
@@ -75,7 +74,7 @@ def pattern_centre(board: Chessboard) -> Floats:
 
 
 def numbering_count(board: Chessboard) -> int:
-    """In how many ways (1, 2 or 4) the board can lie so that its colours look the same."""
+    """The number of orientations (1, 2 or 4) in which the colours of the board look the same."""
     columns, rows = board.inner_corners
     if (columns + rows) % 2:
         return 1

@@ -1,7 +1,7 @@
-"""The crenellated object: a comb-shaped block known from its certificate.
+"""The crenellated object: a comb-shaped block with known dimensions from its certificate.
 
-X runs across the merlons (the teeth), Y along the grooves, Z upward. The sensor's
-camera looks at it from the front (-Y) and above.
+X runs across the merlons (the teeth), Y along the grooves, Z upward. The camera of the sensor looks
+at it from the front (-Y) and above.
 """
 
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ FACES = ("crest", "floor", "front", "back", "left", "right")
 
 
 def on_face(face: str) -> Message:
-    """Where on the block: "on the left face"."""
+    """Locations on the block: "on the left face"."""
     return message("on-face", face=face)
 
 
 @dataclass(frozen=True)
 class Crenellated:
-    """A block by its certificate, in the object frame.
+    """A block from its certificate, in the object frame.
 
-    ``edges_x_mm`` holds the left and right edge of each merlon, ascending; the
-    first and the last are the block's end faces.
+    ``edges_x_mm`` lists the left and right edge of each merlon in ascending order; the first and
+    the last are the end faces of the block.
     """
 
     name: str
@@ -124,7 +124,7 @@ def edges(block: Crenellated) -> list[BlockEdge]:
 
 
 def probing_face(block: Crenellated, face: str) -> tuple[Floats, float]:
-    """The plane of a face that is probed, in the object frame.
+    """The plane of a probed face, in the object frame.
 
     Args:
         face: one of ``FACES``.

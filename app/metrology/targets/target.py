@@ -1,4 +1,4 @@
-"""The objects that a sensor is calibrated on: a crenellated block, or a flat chessboard."""
+"""Calibration targets: a crenellated block, or a flat chessboard."""
 
 import numpy as np
 
@@ -11,15 +11,15 @@ from app.metrology.transforms import Floats
 CalibrationTarget = Crenellated | Chessboard
 
 PixelSegment = tuple[tuple[float, float], tuple[float, float]]
-"""Of a drawing: the pixels of its two ends."""
+"""A line of a drawing: the pixels of its two ends."""
 
 
 def target_centre(item: CalibrationTarget) -> Floats:
     """The point about which the sensor is held.
 
     Returns:
-        (3,) mm in the object frame: of a block midway between its floors and crests, of a board
-        the centre of its pattern.
+        (3,) mm in the object frame: midway between floors and crests for a block, the centre of
+        the pattern for a board.
     """
     if isinstance(item, Chessboard):
         return boards.pattern_centre(item)
@@ -37,8 +37,8 @@ def width_mm(item: CalibrationTarget) -> float:
     """Extent of the target along X, mm.
 
     Returns:
-        Of a block across its merlons, of a board along the rows of its pattern, outermost
-        squares included.
+        Across the merlons for a block, along the rows of the pattern for a board, including the
+        outermost squares.
     """
     if isinstance(item, Chessboard):
         return float(item.square_mm * (item.inner_corners[0] + 1))
@@ -52,8 +52,8 @@ def outline(camera: Camera, item: CalibrationTarget) -> tuple[PixelSegment, ...]
         camera: with the object frame as its sensor frame.
 
     Returns:
-        Pairs of pixels ((u0, v0), (u1, v1)): the edges of a block's crests and floors; of a
-        board, the border of its pattern and two lines across.
+        Pairs of pixels ((u0, v0), (u1, v1)): for a block, the edges of its crests and floors;
+        for a board, the border of its pattern and two lines across.
     """
     if isinstance(item, Chessboard):
         ends_mm = board_lines(item)

@@ -1,9 +1,8 @@
 """The constant delay between arm and camera, from a back-and-forth pass over a plane.
 
-A frame's pose is the arm's at the frame's stamp plus the delay. A wrong delay moves a
-frame's points by the way that the sensor goes meanwhile: off the plane to one side while
-it goes nearer, to the other while it goes away. The delay is the one that brings both
-together.
+The pose of a frame is that of the arm at the frame's time stamp plus the delay. A wrong delay moves
+the points of a frame by the distance that the sensor travels in the meantime: off the plane to one
+side while it approaches, to the other while it moves away. The correct delay makes both agree.
 """
 
 from dataclasses import dataclass
@@ -24,39 +23,40 @@ from app.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, fit_str
 from app.metrology.transforms import Floats
 
 SEARCH_NS, SEARCH_STEP_NS = 250_000_000, 5_000_000
-"""Delays that are tried before the fit."""
+"""Delays tried before the fit."""
 SEARCH_FRAMES, SEARCH_POINTS = 200, 10
 GATE_MM = 1.0
-"""Points farther from the plane than this are another surface's, to begin with: half a
-step of the search at 300 mm/s."""
+"""Points further from the plane than this initially count as another surface: half a step of the
+search at 300 mm/s."""
 GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
 LEAST_FRAMES = 30
 LEAST_SHARE = 0.5
-"""Of the points that lie on a plane."""
+"""Minimum share of the points that lie on a plane."""
 MOST_SPREAD_MM = 0.3
-"""Of the points about a plane, whatever the delay; an arm does better over one plate."""
+"""Maximum scatter of the points about a plane at any delay; an arm is better than this over one
+plate."""
 MOST_UNCERTAINTY_MS = 1.0
-"""Known no better than this, a delay does more harm than good."""
+"""A delay with a larger uncertainty does more harm than good."""
 SLOW_MM_S = 10.0
 ONE_WAY = 0.2
-"""The way back, as a share of the way forth, across the plane."""
+"""Minimum share of the way back relative to the way forth, perpendicular to the plane."""
 
 
 @dataclass(frozen=True)
 class ClockDelay:
-    """By how much the arm's stamps are later than the camera's, and how well it is known."""
+    """The delay of the arm's time stamps relative to the camera's, and its uncertainty."""
 
     delay_ms: float
-    """To be added to a frame's stamp before the arm is asked where it was."""
+    """To be added to the time stamp of a frame before looking up the pose of the arm."""
     standard_uncertainty_ms: float
     """k = 1"""
     frames: int
     reversals: int
     seconds: float
     speed_mm_s: float
-    """Rms, of the sensor across the plane: what determines the delay."""
+    """Rms speed of the sensor perpendicular to the plane, which determines the delay."""
     rms_without_um: float
-    """Of the points about their plane, with no delay applied."""
+    """Rms of the points about their plane, without the delay."""
     rms_um: float
     """The same with the delay."""
 
@@ -64,17 +64,17 @@ class ClockDelay:
 def estimate_delay(passed: PlanePass) -> ClockDelay:
     """The delay between arm and camera from a pass over a plane, by maximum likelihood.
 
-    Unknown are the delay and the plane. Errors of calibration and arm depend on where the
-    sensor is, not on its direction of motion: terms in its height over the plane absorb them.
-    The spread of the frames about the plane, which holds the noise of the encoders, is
-    estimated from the frames themselves.
+    The unknowns are the delay and the plane. Errors of calibration and arm depend on the position
+    of the sensor, not on its direction of motion: terms in its height above the plane absorb them.
+    The spread of the frames about the plane, which includes the noise of the encoders, is estimated
+    from the frames themselves.
 
     Args:
-        passed: points of the frames in the sensor frame, and where the arm was when.
+        passed: points of the frames in the sensor frame, and the poses of the arm.
 
     Returns:
-        The delay in ms with its standard uncertainty (k = 1): what is added to the stamp of a
-        frame before the arm is asked for its pose.
+        The delay in ms with its standard uncertainty (k = 1): to be added to the time stamp of a
+        frame before looking up the pose of the arm.
 
     Raises:
         OperationError: ``pass-too-short``, ``no-joints-around-frames``, ``not-a-plane``,
@@ -108,13 +108,14 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
 
 
 def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:
-    """(N,) of the points from the plane, mm; infinite where the arm's place is not known."""
+    """(N,) distance of the points from the plane, mm; infinite if the pose of the arm is
+    unknown."""
     off = np.abs(passed.points_in_arm(fit.delay_ns) @ fit.normal - fit.offset_mm)
     return np.where(np.isfinite(off), off, np.inf)
 
 
 def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> float:
-    """Of the points about the plane that fits them best."""
+    """Rms of the points about the plane that fits them best."""
     points = passed.points_in_arm(delay_ns)[on_plane]
     points = points[np.isfinite(points).all(axis=1)]
     centred = points - points.mean(axis=0)
@@ -123,7 +124,8 @@ def _rms_um(passed: PlanePass, on_plane: NDArray[np.bool_], delay_ns: float) -> 
 
 
 def _search_delay(sample: PlanePass) -> DelayHypothesis:
-    """The delay of a grid that brings the points nearest to one plane; the least of equals."""
+    """The delay of a grid that brings the points closest to one plane; the smallest of equal
+    ones."""
     best: tuple[float, DelayHypothesis] | None = None
     for delay_ns in sorted(range(-SEARCH_NS, SEARCH_NS + 1, SEARCH_STEP_NS), key=abs):
         points = sample.points_in_arm(delay_ns)
@@ -176,7 +178,7 @@ def _check_plane(off_mm: Floats, gate_mm: float, frames: int) -> None:
 
 
 def _check_delay(found: DelayEstimate) -> None:
-    """Refuses a pass that cannot determine the delay, in words that say what to do otherwise."""
+    """Refuses a pass that cannot determine the delay, with a remedy."""
     across, u_ms = found.across_mm_s, found.uncertainty_ns / 1e6
     speed = float(np.sqrt(np.mean(across**2)))
     known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))

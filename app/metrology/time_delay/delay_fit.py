@@ -1,4 +1,4 @@
-"""Delay and plane from the lines that a pass saw, in maximum likelihood."""
+"""Maximum-likelihood fit of delay and plane to the lines of a pass."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,8 +11,8 @@ from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 
 CHORD_NS = 10_000_000
-"""Velocities are estimated over so much before and after. The encoders' noise at the frame's
-own moment has then no part in them, so that it cannot pull the delay."""
+"""Velocities are estimated over this time before and after. The encoder noise at the time of the
+frame then does not contribute to them, so that it cannot bias the delay."""
 STEPS, STEP_NS = 40, 500.0
 HUBER = 2.0
 SINGULAR = 1e-9
@@ -29,14 +29,14 @@ class DelayHypothesis:
 
 @dataclass(frozen=True)
 class DelayEstimate(DelayHypothesis):
-    """What a fit gives beside them."""
+    """Further results of the fit."""
 
     uncertainty_ns: float
-    """k = 1; infinite where the pass does not determine the delay at all."""
+    """k = 1; infinite if the pass does not determine the delay at all."""
     across_mm_s: Floats
-    """(F,) the line's velocity across the plane."""
+    """(F,) velocity of the line perpendicular to the plane."""
     speed_mm_s: float
-    """Rms, in any direction."""
+    """Rms speed, in any direction."""
 
 
 @dataclass(frozen=True)
@@ -48,20 +48,20 @@ class _PlaneConditions:
     J: Floats
     """(2F, P); the delay's column first, in mm/s."""
     tangents: Floats
-    """(2, 3) in which the normal turns."""
+    """(2, 3) directions in which the normal tilts."""
     velocity: Floats
-    """(F, 3) of the centres, mm/s."""
+    """(F, 3) velocities of the centres, mm/s."""
 
 
 def fit_delay(
     lines: StripeLines, poses_at: Callable[[Stamps], Floats], start: DelayHypothesis
 ) -> DelayEstimate:
-    """The delay by Gauss-Newton from a start; outlying frames weigh less (Huber).
+    """The delay by Gauss-Newton from start values; outlying frames have less weight (Huber).
 
-    The spread of centres and of ends about the plane is taken from themselves, but never
-    less than what the points' uncertainty makes it. The standard uncertainty allows for
-    errors that neighbouring frames share (a covariance of the score, Bartlett's weights over
-    half the time between two reversals).
+    The spread of centres and of ends about the plane is estimated from themselves, but is at least
+    that due to the uncertainty of the points. The standard uncertainty includes errors that
+    adjacent frames share (a covariance of the score, with Bartlett's weights over half the time
+    between two reversals).
     """
     fit, weight = start, np.zeros(0)
     for _ in range(STEPS):
@@ -71,7 +71,7 @@ def fit_delay(
         step = np.linalg.lstsq(root[:, None] * rows.J, -root * rows.off_mm, rcond=SINGULAR)[0]
         normal = fit.normal + step[1:3] @ rows.tangents
         length = float(np.linalg.norm(normal))
-        # far from the solution a step may be too long for what the chords show
+        # far from the solution, a step may exceed the range of the chords
         change_ns = float(np.clip(step[0] * 1e9, -20e6, 20e6))
         fit = DelayHypothesis(
             fit.delay_ns + change_ns, normal / length, (fit.offset_mm + step[3]) / length
@@ -92,7 +92,7 @@ def fit_delay(
 def _plane_conditions(
     lines: StripeLines, poses_at: Callable[[Stamps], Floats], fit: DelayHypothesis
 ) -> tuple[_PlaneConditions, NDArray[np.bool_]]:
-    """Of the frames whose pose is known, and which these are."""
+    """The linearised condition for frames with a known pose, and their mask."""
     at_ns = lines.stamps_ns + round(fit.delay_ns)
     T, before, after = (poses_at(at_ns + off) for off in (0, -CHORD_NS, CHORD_NS))
     known = np.asarray(np.isfinite(T + before + after).all(axis=(1, 2)))
@@ -113,7 +113,7 @@ def _plane_conditions(
 
 
 def _weights(off_mm: Floats, variance: Floats) -> Floats:
-    """(2F,) of centres and ends, by the spread of each, less where they are far off."""
+    """(2F,) weights of centres and ends, by the spread of each, reduced for outliers."""
     found = []
     for off in np.split(off_mm, 2):
         # the terms of the plane and of the height leave the spread's centre at zero
@@ -125,7 +125,7 @@ def _weights(off_mm: Floats, variance: Floats) -> Floats:
 
 
 def _uncertainty_ns(rows: _PlaneConditions, weight: Floats, across: Floats) -> float:
-    """Of the delay, k = 1."""
+    """Standard uncertainty of the delay, k = 1."""
     J, frames = rows.J, len(across)
     size = np.linalg.norm(J, axis=0)
     N = (J / size).T @ (weight[:, None] * (J / size))
@@ -147,7 +147,7 @@ def _uncertainty_ns(rows: _PlaneConditions, weight: Floats, across: Floats) -> f
 
 
 def count_reversals(across_mm_s: Floats) -> int:
-    """How often the velocity (F,) across the plane changes its sign for good."""
+    """Number of lasting changes of sign of the velocity (F,) perpendicular to the plane."""
     limit = 0.3 * float(np.sqrt(np.mean(across_mm_s**2)))
     signs = np.sign(across_mm_s[np.abs(across_mm_s) > limit])
     return int(np.count_nonzero(np.diff(signs)))

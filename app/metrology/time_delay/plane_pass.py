@@ -1,4 +1,4 @@
-"""A pass of the sensor over a plane: its frames, and the line that each saw of it."""
+"""A pass of the sensor over a plane: its frames, and the line of the plane in each."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,36 +10,36 @@ from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.transforms import Floats
 
 LEAST_POINTS = 20
-"""On the plane, of a frame that counts."""
+"""Minimum number of points on the plane for a frame to count."""
 
 
 @dataclass(frozen=True)
 class PlanePass:
-    """What was seen of a plane, and how to ask where the arm was."""
+    """The frames of a plane, and a function for the poses of the arm."""
 
     stamps_ns: Stamps
-    """(F,) of the frames, rising."""
+    """(F,) increasing time stamps of the frames."""
     first: NDArray[np.int64]
-    """(F + 1,) where each frame's points begin, and at last N."""
+    """(F + 1,) index of the first point of each frame, and N at the end."""
     points_mm: Floats
     """(N, 3) in the sensor frame."""
     sigma_mm: Floats
-    """(N,) standard uncertainty of a point (k = 1) by its own fit."""
+    """(N,) standard uncertainty of a point (k = 1) from its own fit."""
     poses_at: Callable[[Stamps], Floats]
-    """``T_arm_sensor`` (F, 4, 4) at the arm's stamps (F,); NaN where it is not known."""
+    """``T_arm_sensor`` (F, 4, 4) at the arm's time stamps (F,); NaN if unknown."""
 
     @property
     def frame(self) -> NDArray[np.int64]:
-        """(N,) each point's frame."""
+        """(N,) frame of each point."""
         return np.repeat(np.arange(len(self.stamps_ns)), np.diff(self.first))
 
     def points_in_arm(self, delay_ns: float) -> Floats:
-        """(N, 3) the points in the arm frame; NaN where the arm's place is not known."""
+        """(N, 3) the points in the arm frame; NaN if the pose of the arm is unknown."""
         T = self.poses_at(self.stamps_ns + round(delay_ns))[self.frame]
         return np.asarray(np.einsum("nij,nj->ni", T[:, :3, :3], self.points_mm) + T[:, :3, 3])
 
     def subsample(self, frames: NDArray[np.int64], most: int) -> "PlanePass":
-        """Some of the frames (rising), with at most so many points of each, evenly spread."""
+        """Some of the frames (in order), with at most this many points of each, evenly spaced."""
         rows = []
         for first, last in zip(self.first[frames], self.first[frames + 1], strict=True):
             rows.append(np.arange(first, last, max(1, -(-int(last - first) // most))))
@@ -62,13 +62,14 @@ class StripeLines:
     centre_mm: Floats
     """(F, 3) in the sensor frame."""
     half_mm: Floats
-    """(F, 3) along the line, as long as the rms of its points from the centre."""
+    """(F, 3) along the line; its length is the rms distance of the points from the centre."""
     variance: Floats
-    """(F,) mm², of how far centre and end are off the plane, by the points alone."""
+    """(F,) mm², variance of the distance of centre and end from the plane, due to the points
+    alone."""
 
     @property
     def height(self) -> Floats:
-        """(F,) where in its range the sensor saw the plane, in units of the spread."""
+        """(F,) position of the plane in the range of the sensor, in units of the spread."""
         off = self.centre_mm - self.centre_mm.mean(axis=0)
         along = off @ np.linalg.svd(off, full_matrices=False)[2][0]
         return np.asarray(along / max(float(np.std(along)), 1e-9))
@@ -79,7 +80,7 @@ def fit_stripe_lines(passed: PlanePass, on_plane: NDArray[np.bool_]) -> StripeLi
 
     Args:
         passed: the pass.
-        on_plane: (N,) points that count.
+        on_plane: (N,) mask of points that count.
 
     Returns:
         Lines of the F frames with at least ``LEAST_POINTS`` such points, weighted by the

@@ -1,4 +1,5 @@
-"""The block found in a picture, to a pixel or so: placings drawn, pulled onto the edges, judged."""
+"""Locates the block to about a pixel: hypotheses are drawn, fitted to the edges of the picture, and
+judged."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -31,23 +32,23 @@ from app.metrology.sensor.camera import Camera, project
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# How a picture is freed of texture: of a ground surface's, of a coarsely cut one's, or of thin
-# lines and speckle.
+# Ways to suppress texture: of a ground surface, of a coarsely milled one, or of thin lines and
+# speckle.
 Cleaning = Literal["fine", "coarse", "speckled"]
-# Steps of brightness this many standard deviations of the noise steep count as edges.
+# Steps of brightness with this slope, in standard deviations of the noise, count as edges.
 _CONTRAST = 5.0
 _SPACING_PX = 5.0
 _MARGIN_PX = 3.0
-# So many placings are drawn and judged, and the best of them pulled onto the edges.
+# Number of hypotheses that are drawn and judged, and number of the best that are fitted to edges.
 _SCORED, _REFINED = 60, 8
 
 
 @dataclass(frozen=True)
 class CoarsePose:
-    """A camera that draws the block's edges onto the picture's.
+    """A camera whose predicted edges of the block match those of the picture.
 
-    ``camera`` for the picture at its working size; ``support``: how much of the drawn
-    and of the seen edges match (0 to 1).
+    ``camera`` is for the picture at its working size; ``support``: share of the predicted and the
+    detected edges that match (0 to 1).
     """
 
     camera: Camera
@@ -57,11 +58,11 @@ class CoarsePose:
 
 @dataclass(frozen=True)
 class SearchResult:
-    """What was found: the best placings, refined, best first, and what they came from.
+    """The search result: the best hypotheses, refined, best first, and their basis.
 
-    ``explained``: share of the picture's straight segments that follow three
-    perpendicular directions; ``segments``: (S, 4) those segments as u0, v0, u1, v1, from
-    the picture's middle and over its longer side.
+    ``explained``: share of the picture's straight segments that follow three perpendicular
+    directions; ``segments``: (S, 4) those segments as u0, v0, u1, v1, relative to the picture's
+    middle and its longer side.
     """
 
     poses: tuple[CoarsePose, ...]
@@ -76,7 +77,7 @@ class SearchResult:
 def working_image(
     grey: Floats, ignore: NDArray[np.bool_] | None, longer_px: int
 ) -> tuple[NDArray[np.uint8], NDArray[np.bool_] | None, float]:
-    """The picture (0..255) made small, stretched in contrast; its mask; and the scale."""
+    """The picture (0..255) reduced in size, with stretched contrast; its mask; and the scale."""
     height, width = grey.shape
     scale = min(1.0, longer_px / max(height, width))
     size = (round(width * scale), round(height * scale))
@@ -91,7 +92,7 @@ def working_image(
 
 
 def remove_texture(picture: NDArray[np.uint8], cleaning: Cleaning) -> NDArray[np.uint8]:
-    """The picture without noise and texture, its steps as steep as they were."""
+    """The picture without noise and texture, with the steepness of its steps preserved."""
     if cleaning == "fine":
         soft = cv2.GaussianBlur(picture, (0, 0), 1.0)
         return np.asarray(cv2.bilateralFilter(soft, 9, 25.0, 4.0), dtype=np.uint8)
@@ -108,7 +109,7 @@ def locate_block(
     block: Crenellated,
     cleaning: Cleaning = "fine",
 ) -> SearchResult:
-    """The block's likeliest placings in a small picture (H, W)."""
+    """The likeliest hypotheses of the block in a reduced picture (H, W)."""
     seen = segments(remove_texture(picture, cleaning), ignore)
     frames = perpendicular_directions(seen)
     guesses: list[PoseHypothesis] = []
@@ -145,7 +146,8 @@ def locate_block(
 
 
 def _distinct_hypotheses(guesses: list[PoseHypothesis]) -> list[PoseHypothesis]:
-    """The first placings that differ by more than a hundredth of the distance, or in sense."""
+    """The first hypotheses that differ by more than a hundredth of the distance, or in
+    orientation."""
     kept: list[PoseHypothesis] = []
     for guess in guesses:
         reach = 0.01 * float(np.linalg.norm(guess.centre_mm))
@@ -170,7 +172,7 @@ def _camera(guess: PoseHypothesis, shape: tuple[int, ...]) -> Camera:
 
 
 def _slope_noise(smooth: Floats) -> float:
-    """Standard deviation of the slope, grey levels a pixel, where nothing is."""
+    """Standard deviation of the slope, grey levels per pixel, in areas without edges."""
     slope = 0.5 * (smooth[::2, 2:] - smooth[::2, :-2])
     return max(float(np.nanmedian(np.abs(slope))) / 0.6745, 0.15)
 
@@ -178,10 +180,9 @@ def _slope_noise(smooth: Floats) -> float:
 def _support(
     smooth: Floats, frame: Wireframe, camera: Camera, radius: float, noise: float, seen: Segments
 ) -> float:
-    """Dice's coefficient of edges drawn and edges seen: 1 when each has its counterpart.
+    """Dice's coefficient of predicted and detected edges: 1 if each has a counterpart.
 
-    A counterpart at the search's limit counts for nothing, nor does what is seen beside
-    the block.
+    A counterpart at the limit of the search does not count, nor do edges outside the block.
     """
     at = place_stations(frame, camera, _SPACING_PX, _MARGIN_PX)
     if len(at.edge) == 0:
@@ -197,7 +198,7 @@ def _support(
 
 
 def _segments_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> float:
-    """Weight, px, of the segments whose middles lie within the block's outline."""
+    """Weight, px, of the segments whose middles are inside the block's outline."""
     longer = max(camera.width_px, camera.height_px)
     corners = project(camera, np.vstack([frame.starts_mm, frame.ends_mm])).astype(np.float32)
     outline = cv2.convexHull(corners)[:, 0].astype(np.float64)
@@ -212,7 +213,8 @@ def _segments_within_px(frame: Wireframe, camera: Camera, seen: Segments) -> flo
 
 
 def _refine_camera(smooth: Floats, frame: Wireframe, camera: Camera, noise: float) -> Camera | None:
-    """The camera pulled onto the steepest places near the drawn edges, ever nearer."""
+    """The camera fitted to the steepest places near its predicted edges, with decreasing
+    distance."""
     for radius, free in (
         (8.0, FOCAL_AND_POSE),
         (5.0, FOCAL_AND_POSE),

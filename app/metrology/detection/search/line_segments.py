@@ -1,4 +1,4 @@
-"""Straight line segments of a picture, each with what it weighs.
+"""Straight line segments of a picture, each with its weight.
 
 Coordinates are centred pixels over the picture's longer side.
 """
@@ -11,21 +11,22 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 
-# Shorter ones are left out, over the picture's longer side.
+# Minimum length, relative to the picture's longer side.
 _SHORTEST = 0.02
-# So many segments count; a step as high as this share of their length reaches counts in full.
+# Maximum number of segments; a step of the height reached by this share of their length has full
+# weight.
 _MOST = 100
 _STRONG = 0.6
-# Segments this near to a line are its own, over the longer side; together they weigh at most.
+# Segments this close to a line belong to it, relative to the longer side; maximum weight of a line.
 _SAME_LINE, _ONE_LINE = 0.004, 0.25
 
 
 @dataclass(frozen=True)
 class Segments:
-    """Straight segments of a picture, weightiest first.
+    """Straight segments of a picture, in order of decreasing weight.
 
-    ``lines``: (S, 4) as u0, v0, u1, v1, normalised as above; ``weight``: (S,) their
-    lengths, less where the step across them is low beside the picture's others.
+    ``lines``: (S, 4) as u0, v0, u1, v1, normalised as above; ``weight``: (S,) their lengths,
+    reduced if the step across them is low compared with others in the picture.
     """
 
     lines: Floats
@@ -33,10 +34,10 @@ class Segments:
 
 
 def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) -> Segments:
-    """Straight segments of a picture (H, W) that is free of noise and texture.
+    """Straight segments of a picture (H, W) without noise and texture.
 
-    Grompone von Gioi's line segment detector. ``ignore`` (H, W) marks pixels, such
-    as the laser stripe, whose segments are left out.
+    Grompone von Gioi's line segment detector. ``ignore`` (H, W) marks pixels, such as the laser
+    stripe, whose segments are excluded.
     """
     found = cv2.createLineSegmentDetector(cv2.LSD_REFINE_STD, 1.0).detect(image)[0]
     if found is None:
@@ -64,12 +65,13 @@ def segments(image: NDArray[np.uint8], ignore: NDArray[np.bool_] | None = None) 
 
 
 def _shares(lines: Floats, weight: Floats) -> Floats:
-    """What (S,) each segment's weight is to be multiplied by, so that no line has too much.
+    """Factors (S,) on the weights of segments, so that no line dominates.
 
-    Segments of one line count together: a ruler's edge says no more than a block's.
+    The segments of one line count together: the edge of a ruler is no more significant than that of
+    a block.
     """
     start, along = lines[:, :2], lines[:, 2:] - lines[:, :2]
-    # how far each segment's ends lie off the line of each, times its length
+    # distance of each segment's ends from the line of each, times its length
     away = lines.reshape(-1, 1, 2, 2) - start[:, None]
     off = np.abs(away[..., 0] * along[:, None, 1] - away[..., 1] * along[:, None, 0]).max(axis=2)
     own = off < _SAME_LINE * np.hypot(*along.T)
@@ -79,7 +81,7 @@ def _shares(lines: Floats, weight: Floats) -> Floats:
 def _steps(image: NDArray[np.uint8], lines: Floats) -> Floats:
     """Heights (S,) in grey levels of the steps across segments (S, 4) in px.
 
-    Between means over bands on either side, so that a thin line is no step.
+    Differences of means over bands on either side, so that a thin line is not a step.
     """
     along = lines[:, 2:] - lines[:, :2]
     length = np.hypot(*along.T)

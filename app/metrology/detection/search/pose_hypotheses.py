@@ -1,12 +1,11 @@
-"""Which edge of the block each segment of the picture is: poses voted for, then drawn and judged.
+"""Which edge of the block each segment of the picture is: poses are voted for, drawn and judged.
 
-With the three directions and the focal length known, a segment along one of them
-is a bearing in the plane across it: the camera lies on the line through one of the
-block's edges, seen end on, in that bearing. Two bearings to two edges place the camera
-in that plane, the segments along the other two directions on the third axis, and all
-vote. Each direction takes its turn as the first: of any, the picture may show too
-little, or tool marks too much. The block's mirror image is tried as well, so that it
-can be distinguished from the block.
+With the three directions and the focal length known, a segment along one of them is a bearing in
+the plane perpendicular to it: in that plane, the camera lies on the line with this bearing through
+one of the block's edges. Two bearings to two edges locate the camera in the plane, the segments
+along the other two directions locate it on the third axis, and all of them vote. Each direction is
+used as the first one in turn, because the picture may show too few of its segments, or too many
+tool marks. The block's mirror image is also tried, so that it can be distinguished from the block.
 """
 
 from collections.abc import Iterator
@@ -27,22 +26,23 @@ from app.metrology.detection.search.vanishing_points import Directions
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
 
-# How far a segment may lie from the edge it votes for, over the picture's longer side.
+# Maximum distance of a segment from the edge it votes for, relative to the picture's longer side.
 _NEAR = 0.008
-# Segments longer than this, over the picture's longer side, count as this long.
+# Segments longer than this, relative to the picture's longer side, count with this length.
 _LONG = 0.15
-# How far the block's middle may lie from the picture's, and the block's size, over the
-# picture's longer side; and how far along the camera's axis its X or Y may point wrongly.
+# Maximum distance of the block's middle from the picture's, and limits of the block's size,
+# relative to the picture's longer side; and tolerance of the direction of its X or Y along the
+# optical axis.
 _OFF_CENTRE, _SMALLEST, _LARGEST, _ACROSS = 0.75, 0.15, 3.0, 0.35
-# The same of its size, while only two of the camera's three coordinates are known.
+# The limits of its size while only two of the camera's three coordinates are known.
 _NEARER, _FURTHER = 0.11, 4.3
 
 
 @dataclass(frozen=True)
 class PoseHypothesis:
-    """A guess of how the block stands before the camera.
+    """A hypothesis of the block's pose relative to the camera.
 
-    ``x_cam = rotation @ (x_obj - centre_mm)``; ``focal`` over the picture's longer side.
+    ``x_cam = rotation @ (x_obj - centre_mm)``; ``focal`` relative to the picture's longer side.
     """
 
     rotation: Floats
@@ -53,25 +53,25 @@ class PoseHypothesis:
 
 
 def mirror_block(block: Crenellated) -> Crenellated:
-    """The block's mirror image, which is also how the block reads from its back."""
+    """The block's mirror image, which is also how the block appears from its back."""
     return replace(block, edges_x_mm=tuple(-x for x in reversed(block.edges_x_mm)))
 
 
 def pose_hypotheses(
     directions: Directions, seen: Segments, block: Crenellated, best: float = 0.0, most: int = 24
 ) -> list[PoseHypothesis]:
-    """Placings of the block and of its mirror image, most votes first.
+    """Hypotheses of the block and of its mirror image, most votes first.
 
     Args:
         directions: three perpendicular directions in the picture.
-        seen: the segments they were found from.
+        seen: the segments from which they were found.
         block: the block by its certificate.
-        best: the votes of the best placing so far; far fewer are of no interest.
-        most: how many to return.
+        best: the votes of the best hypothesis so far; hypotheses with far fewer are dropped.
+        most: maximum number to return.
     """
     focal = directions.focal
     normals = _normals(directions, seen)
-    # A long edge of a table has no more to say than one of the block's.
+    # A long edge of a table must not have more weight than one of the block.
     weight = np.minimum(seen.weight, _LONG)
     found: list[PoseHypothesis] = []
     labellings = list(_labellings(directions.rotation))
@@ -92,8 +92,7 @@ def pose_hypotheses(
 def _normals(directions: Directions, seen: Segments) -> Floats:
     """Unit normals (S, 3) of the planes through each segment's middle and along its direction.
 
-    Not along the segment itself: seen from afar, a camera aside of it is where a short
-    segment points least surely.
+    The plane does not follow the segment itself: the orientation of a short segment is uncertain.
     """
     middle = (seen.lines[:, :2] + seen.lines[:, 2:]) / 2
     middle = np.column_stack([middle, np.full(len(middle), directions.focal)])
@@ -102,7 +101,8 @@ def _normals(directions: Directions, seen: Segments) -> Floats:
 
 
 def _view(block: Crenellated, axis: Floats, focal: float) -> ViewConstraints:
-    """What a camera has that sees the block; ``axis``: its own, in the object frame."""
+    """Constraints on a camera that sees the block; ``axis``: its optical axis, in the object
+    frame."""
     middle, size = _extent(block)
     low = np.array([-np.inf, -np.inf, block.crest_z_mm])
     high = np.array([np.inf, block.front_y_mm, np.inf])
@@ -111,7 +111,7 @@ def _view(block: Crenellated, axis: Floats, focal: float) -> ViewConstraints:
 
 
 def _is_visible(centre_mm: Floats, rotation: Floats, block: Crenellated, focal: float) -> bool:
-    """Whether a camera there has the block before it, in the picture, and large enough."""
+    """Whether a camera there has the block in front of it, in the picture, and large enough."""
     if centre_mm[1] >= block.front_y_mm or centre_mm[2] <= block.crest_z_mm:
         return False
     middle, size = _extent(block)
@@ -137,7 +137,7 @@ def _labellings(axes: Floats) -> Iterator[tuple[Floats, tuple[int, int, int]]]:
         _, y, z = (axes[:, k] for k in order)
         for y_sense in (1.0, -1.0):
             for z_sense in (1.0, -1.0):
-                # Y runs away from the camera, Z towards it, or nearly across its axis.
+                # Y points away from the camera, Z towards it, or almost perpendicular to its axis.
                 if y_sense * y[2] < -_ACROSS or z_sense * z[2] > _ACROSS:
                     continue
                 columns = [np.cross(y_sense * y, z_sense * z), y_sense * y, z_sense * z]
@@ -150,7 +150,7 @@ def _end_on(block: Crenellated) -> EndOn:
     depths = (block.front_y_mm, block.back_y_mm)
     levels = (block.crest_z_mm, block.floor_z_mm, block.base_z_mm)
     x = block.edges_x_mm
-    # The base's back edge is below and behind: never seen.
+    # The base's back edge is below and behind: it is never visible.
     along_x = [(y, z) for z in levels for y in depths][:5]
     along_y = [(levels[0], at) for at in x] + [(levels[1], at) for at in x[1:-1]]
     along_y += [(levels[2], x[0]), (levels[2], x[-1])]

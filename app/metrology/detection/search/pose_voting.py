@@ -1,4 +1,4 @@
-"""Where the camera may stand, voted for by bearings: the inner loops of identification."""
+"""Positions of the camera by votes of bearings: the inner loops of the identification."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Real
 from app.native.library import CRENEL
 
-# So many bearings of each direction vote; so many places are returned for one reading of them.
+# Number of bearings of each direction that vote; number of positions returned per labelling.
 _BEARINGS, _READINGS = 12, 12
 
 _merge = Function(
@@ -47,10 +47,10 @@ _vote = Function(
 
 @dataclass(frozen=True)
 class Bearings:
-    """Bearings in the planes across x, y and z of the object, with what they weigh.
+    """Bearings in the planes perpendicular to x, y and z of the object, with their weights.
 
-    ``normals`` (3, B, 2): perpendicular to each, of unit length, the coordinates in turn;
-    ``weight`` (3, B), the weightiest first; ``counts`` (3,): how many there are of each.
+    ``normals`` (3, B, 2): perpendicular to each, of unit length, in cyclic order of coordinates;
+    ``weight`` (3, B), in decreasing order; ``counts`` (3,): the number of each.
     """
 
     normals: Floats
@@ -60,11 +60,11 @@ class Bearings:
 
 @dataclass(frozen=True)
 class ViewConstraints:
-    """What is known of a camera that has the block before it, object frame, three values each.
+    """Constraints on a camera that has the block in front of it, object frame, three values each.
 
-    ``middle_mm``: of the block; ``axis``: the camera's; ``low_mm``, ``high_mm``: where a camera
-    before and above the block stands; ``reach``: tangent of half the field of view, least and
-    greatest distance (mm) along the axis.
+    ``middle_mm``: of the block; ``axis``: the optical axis; ``low_mm``, ``high_mm``: range of a
+    camera in front of and above the block; ``reach``: tangent of half the field of view, minimum
+    and maximum distance (mm) along the axis.
     """
 
     middle_mm: Floats
@@ -76,9 +76,10 @@ class ViewConstraints:
 
 @dataclass(frozen=True)
 class EndOn:
-    """Edges along x, then y, then z as points (P, 2) in the planes across, the coordinates in turn.
+    """Edges along x, then y, then z as points (P, 2) in the perpendicular planes, in cyclic order
+    of coordinates.
 
-    ``first`` (4,): where those of each axis begin, and their number.
+    ``first`` (4,): index of the first one of each axis, and their number.
     """
 
     points_mm: Floats
@@ -92,14 +93,15 @@ def merge_bearings(
     labellings: Sequence[tuple[Floats, tuple[int, int, int]]],
     near_rad: float,
 ) -> list[Bearings]:
-    """The weightiest bearings of each labelling, those of collinear segments merged.
+    """The bearings of each labelling with the largest weights; those of collinear segments are
+    merged.
 
     Args:
         normals: (S, 3) of the planes through the camera and each segment, camera frame.
         weight: (S,) of the segments; family: (S,) which direction each follows, -1 for none.
         labellings: rotations (3, 3) from the object to the camera, with the number of the
             direction that is x, y and z.
-        near_rad: bearings nearer to each other than this are one.
+        near_rad: bearings closer to each other than this are merged.
     """
     count = len(labellings)
     if not count:
@@ -120,15 +122,16 @@ def vote_for_centres(
 ) -> tuple[Floats, Floats]:
     """Camera centres (K, 3), object frame, and the weight (K,) of the bearings that agree.
 
-    Two bearings to two edges place the camera in the plane across a direction, the bearings of
-    the other two along it, and all vote; each direction takes its turn as the first.
+    Two bearings to two edges locate the camera in the plane perpendicular to a direction, the
+    bearings of the other two along it, and all vote; each direction is used as the first one in
+    turn.
 
     Args:
-        near_rad: how far a bearing may pass an edge to count; it counts the more the nearer.
-        best: the votes of the best placing so far; far fewer are of no interest.
+        near_rad: maximum distance of a bearing from an edge; closer bearings have more weight.
+        best: the votes of the best hypothesis so far; hypotheses with far fewer are dropped.
 
     Returns:
-        the most votes first.
+        The positions with the most votes first.
     """
     centres, votes = np.empty((_READINGS, 3)), np.empty(_READINGS)
     known = np.array([view.middle_mm, view.axis, view.low_mm, view.high_mm, view.reach])

@@ -1,8 +1,8 @@
 """The three perpendicular directions that most straight segments of a picture follow.
 
-Coordinates here are centred pixels over the picture's longer side, so that one set
-of limits serves every camera; ``focal`` is in the same unit. The principal point is
-taken to be the picture's centre, as it only has to do for a first guess.
+Coordinates here are centred pixels relative to the picture's longer side, so that one set of limits
+applies to every camera; ``focal`` is in the same unit. The principal point is assumed to be the
+picture's centre, which is sufficient for start values.
 """
 
 from dataclasses import dataclass
@@ -15,27 +15,27 @@ from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function, Real
 from app.native.library import CRENEL
 
-# Focal lengths tried, over the longer side: 95 to 5 degrees of view, half an octave apart.
+# Focal lengths tried, relative to the longer side: 95 to 5 degrees field of view, half an octave
+# apart.
 _FOCALS = tuple(0.5 * 2.0 ** (k / 2) for k in range(10))
 _TRIALS = 900
-# So many of the tries are looked at, and so many that differ are refined.
+# Number of attempts that are examined, and number of different ones that are refined.
 _CANDIDATES, _REFINED = 1000, 40
-# Limits of the focal length, and how weakly it is held, per segment.
+# Limits of the focal length, and weight of its prior per segment.
 _LOG_FOCAL = (float(np.log(0.4)), float(np.log(14.0)))
 _FOCAL_PRIOR = 0.02
 _ALIKE = float(np.cos(np.deg2rad(3.0)))
-# A segment follows a direction when it points at its vanishing point this closely.
+# A segment follows a direction if it points at its vanishing point to this accuracy.
 _TOLERANCE_RAD = float(np.deg2rad(2.0))
 
 
 @dataclass(frozen=True)
 class Directions:
-    """Three perpendicular directions and the focal length under which segments follow them.
+    """Three perpendicular directions and the focal length for which segments follow them.
 
-    ``rotation``: (3, 3), the directions as columns in the camera frame, in no
-    particular order or sense. ``family``: (S,) which of them a segment follows, -1
-    for none. ``explained``: share of the segments' weight that follows one, less where
-    it does so loosely.
+    ``rotation``: (3, 3), the directions as columns in the camera frame, in arbitrary order and
+    sign. ``family``: (S,) the direction that each segment follows, -1 for none. ``explained``:
+    share of the segments' weight that follows one, reduced if it does so loosely.
     """
 
     rotation: Floats
@@ -72,9 +72,9 @@ _refine = Function(
 def perpendicular_directions(seen: Segments, most: int = 16) -> list[Directions]:
     """The triples of perpendicular directions that most segments follow, best first.
 
-    Three segments make a triple (two of one direction, one of a second); thousands
-    are tried under a range of focal lengths and the best are refined. The sampling
-    is seeded: one picture always gives one answer.
+    Three segments determine a triple (two of one direction, one of a second); thousands are tried
+    for a range of focal lengths and the best are refined. The sampling is seeded: one picture
+    always gives the same result.
     """
     lines, weight = seen.lines, seen.weight
     if len(lines) < 6:
@@ -107,9 +107,9 @@ def _candidates(lines: Floats, weight: Floats, share: Floats) -> tuple[Floats, F
 
 
 def _distinct(axes: Floats, focals: Floats, most: int) -> NDArray[np.int64]:
-    """Rows, in order, of triples (N, 3, 3) that are like none before them; ``most`` at most.
+    """Indices, in order, of triples (N, 3, 3) that differ from all previous ones; at most ``most``.
 
-    Alike are those that agree to 3 degrees and a seventh of the focal length.
+    Triples are equal if they agree to 3 degrees and a seventh of the focal length.
     """
     log_focal, left = np.log(focals), np.arange(len(axes))
     directions = np.swapaxes(axes, 1, 2).reshape(len(axes), 9)
@@ -117,7 +117,7 @@ def _distinct(axes: Floats, focals: Floats, most: int) -> NDArray[np.int64]:
     while len(left) and len(kept) < most:
         first = left[0]
         kept.append(int(first))
-        # each of a triple's directions must have its like among the other's
+        # each direction of a triple must have its counterpart in the other
         along = np.abs(directions[left].reshape(-1, 3) @ axes[first]).reshape(-1, 3, 3)
         agreement = along.max(axis=2).min(axis=1)
         alike = (agreement > _ALIKE) & (np.abs(log_focal[left] - log_focal[first]) <= 0.15)

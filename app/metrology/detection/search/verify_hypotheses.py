@@ -1,5 +1,5 @@
-"""The tries at finding the block: one search of a small picture each, the likeliest placings
-measured in the full one, and how far the picture bears them out."""
+"""The attempts to find the block: each searches a reduced picture, measures the likeliest
+hypotheses in the full one, and judges how well the picture supports them."""
 
 from dataclasses import dataclass, replace
 
@@ -23,27 +23,27 @@ from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.crenellated_block import corners as corners_of
 from app.metrology.transforms import Floats
 
-# A placing this much less supported than the best is no rival.
+# A hypothesis with this much less support than the best one is not a rival.
 _RIVAL = 0.85
 _RIVALS = 4
-# Tool marks leave even the right placing little support; with less it is not worth measuring.
+# Tool marks leave even the correct hypothesis little support; with less, it is not worth measuring.
 _LEAST_SUPPORT = 0.15
-# Placings that draw the crests alike to so much of the picture's longer side are the same.
+# Hypotheses whose crests agree to this share of the picture's longer side are the same.
 _SAME, _VERY_SAME = 0.01, 0.0005
-# A reading the other way round with this share of the best's support leaves it in doubt.
+# A mirrored hypothesis with this share of the best one's support makes the orientation doubtful.
 _DOUBTFUL = 0.95
 _SURE = 0.8
 _MOST = 0.6
-# Nor is one that explains less than this share of what the best does.
+# A hypothesis that explains less than this share of what the best one does is not a rival either.
 _MORE = 0.88
 _USUAL_BLUR_PX = 1.5
 
 
 @dataclass(frozen=True)
 class CameraHypothesis:
-    """A placing: its camera for the full picture, and whether it shows the block mirrored.
+    """A hypothesis: its camera for the full picture, and whether it shows the block mirrored.
 
-    ``shown_px``: length of its edges that the picture shows, where it was measured.
+    ``shown_px``: length of its edges that the picture shows, if it was measured.
     """
 
     camera: Camera
@@ -53,10 +53,10 @@ class CameraHypothesis:
 
 @dataclass(frozen=True)
 class AttemptResult:
-    """One attempt: the placings that the picture bears out, best first, or, where there are
-    none, the one that it does most (``nearest``) and what speaks against it.
+    """One attempt: the hypotheses that the picture supports, best first, or, if there are none, the
+    one that it supports most (``nearest``) and the evidence against it.
 
-    ``doubted``: whether the block may as well stand the other way round.
+    ``doubted``: whether the block may equally well have the opposite orientation.
     """
 
     search: SearchResult
@@ -67,7 +67,7 @@ class AttemptResult:
 
     @property
     def measured(self) -> EdgeMeasurements | None:
-        """The best placing, borne out or not."""
+        """The best hypothesis, supported or not."""
         return self.good[0][1] if self.good else self.nearest
 
     @property
@@ -77,19 +77,20 @@ class AttemptResult:
 
     @property
     def confirmed_px(self) -> float:
-        """The same, where the picture bears a placing out."""
+        """The same, if the picture supports a hypothesis."""
         return _visible_length_px(self.good[0][1]) if self.good else 0.0
 
     @property
     def visible_share(self) -> float:
-        """Of the length of the edges drawn."""
+        """Relative to the length of the predicted edges."""
         if self.measured is None:
             return 0.0
         return self.visible_px / max(float(self.measured.at.length_px.sum()), 1e-9)
 
     @property
     def is_other_object(self) -> bool:
-        """Whether the nearest placing is an object very like the block; no other try shows more."""
+        """Whether the nearest hypothesis is an object very similar to the block; no other attempt
+        shows more."""
         if self.nearest is None or self.against is None or not self.against.edges:
             return False
         well_drawn = self.search.poses[0].support > _SURE
@@ -97,12 +98,12 @@ class AttemptResult:
 
     @property
     def is_ambiguous(self) -> bool:
-        """Whether another placing is as good, or the other way round may be."""
+        """Whether another hypothesis is equally good, or the opposite orientation may be."""
         return len(self.good) > 1 or self.mirror_doubt
 
     @property
     def doubtful(self) -> bool:
-        """Whether another look at the picture may show better which way the block stands."""
+        """Whether another attempt may show the orientation of the block better."""
         return self.good[0][0].mirrored or self.is_ambiguous
 
 
@@ -117,13 +118,13 @@ def verify_hypotheses(
     block: Crenellated,
     declined: list[CameraHypothesis],
 ) -> AttemptResult:
-    """Measures the likeliest placings but those ``declined`` before, to which it adds."""
+    """Measures the likeliest hypotheses except those ``declined`` before, to which it adds."""
     if not found.poses or found.poses[0].support < _LEAST_SUPPORT:
         return AttemptResult(found, [])
     best = found.poses[0].support
     looks = _HypothesisVerifier(grey, hidden, scale, block, declined)
     for rank, rival in enumerate(found.poses):
-        # The other way round may be drawn as well by one that comes late.
+        # A later hypothesis may show the opposite orientation equally well.
         if rival.support >= (_RIVAL if rank < _RIVALS else _DOUBTFUL) * best:
             looks.verify(rival)
     good = sorted(looks.good, key=lambda one: -_visible_length_px(one[1]))
@@ -133,7 +134,7 @@ def verify_hypotheses(
         return AttemptResult(
             found, rivals, mirror_doubt=looks.mirror_is_likely(good[0][0], enough_px)
         )
-    # What hardly looks like the block says nothing against it either.
+    # A hypothesis that hardly looks like the block is no evidence against it either.
     if best < acceptance.LEAST_SUPPORT:
         return AttemptResult(found, [])
     nearest = max(looks.rejected, key=lambda one: _visible_length_px(one[0]), default=(None, None))
@@ -141,7 +142,7 @@ def verify_hypotheses(
 
 
 class _HypothesisVerifier:
-    """The placings of one try as the full picture shows them: ``good``, or ``rejected``."""
+    """The hypotheses of one attempt as the full picture shows them: ``good``, or ``rejected``."""
 
     def __init__(
         self,
@@ -153,7 +154,7 @@ class _HypothesisVerifier:
     ) -> None:
         self._coarse_px = max(3.0, 2.0 / scale)
         blur_px = edge_blur_px(grey)
-        # Of a picture with hardly an edge out of its noise it is not known; a start must be.
+        # If hardly an edge exceeds the noise, the blur is unknown; a start value is needed.
         self._blur_px = blur_px if np.isfinite(blur_px) else _USUAL_BLUR_PX
         self._masked = np.where(hidden, np.nan, grey)
         self._smooth = smooth_for_search(grey, self._coarse_px)
@@ -163,7 +164,7 @@ class _HypothesisVerifier:
         self.rejected: list[tuple[EdgeMeasurements, RejectionReason]] = []
 
     def verify(self, rival: CoarsePose) -> None:
-        """Measures a placing, unless it was before."""
+        """Measures a hypothesis, unless it was measured before."""
         block, reverse = self._block, rival.mirrored
         known = [CameraHypothesis(found.camera, located.mirrored) for located, found in self.good]
         start = _scale_camera(rival.camera, self._scale, self._masked.shape)
@@ -174,7 +175,7 @@ class _HypothesisVerifier:
         if camera is None:
             self._others.append((rival, np.inf))
             return
-        # Several starts may lead to one placing; it is measured once.
+        # Several start values may lead to one hypothesis; it is measured once.
         before = _find_same(camera, reverse, self._declined, block, _VERY_SAME)
         if before is not None:
             self._others.append((rival, before.visible_px))
@@ -186,7 +187,7 @@ class _HypothesisVerifier:
             self._others.append((rival, np.inf))
             return
         if self.good and _visible_length_px(measured) < _MORE * self._most_visible_px():
-            # Dropping outliers only shortens it: it cannot become a rival.
+            # Removing outliers only shortens it: it cannot become a rival.
             return
         measured, against = acceptance.check_measurements(self._masked, measured, made_mm)
         if against is not None:
@@ -200,8 +201,8 @@ class _HypothesisVerifier:
         return max(_visible_length_px(measured) for _, measured in self.good)
 
     def mirror_is_likely(self, best: CoarsePose, enough_px: float) -> bool:
-        """Whether the other way round is drawn about as well, and the full picture does not
-        show that it explains less: it could not be measured, or as much of it shows."""
+        """Whether the opposite orientation is drawn about equally well, and the full picture does
+        not show that it explains less: it could not be measured, or as much of it shows."""
         return any(
             one.mirrored != best.mirrored
             and one.support > _DOUBTFUL * best.support
@@ -211,7 +212,7 @@ class _HypothesisVerifier:
 
 
 def _visible_length_px(measured: EdgeMeasurements) -> float:
-    """Length, px, of the edges that the picture shows where they are drawn."""
+    """Length, px, of the edges that the picture shows at their predicted positions."""
     return float(measured.at.length_px[measured.used].sum())
 
 
@@ -222,7 +223,8 @@ def _find_same(
     block: Crenellated,
     share: float,
 ) -> CameraHypothesis | None:
-    """The placing that draws the crests where another does, to a share of the longer side."""
+    """The hypothesis whose crests agree with those of another one, to a share of the longer
+    side."""
     points = np.array([at for name, at in corners_of(block).items() if name.startswith("crest")])
     for other in placings:
         if other.mirrored != reverse:
@@ -234,7 +236,7 @@ def _find_same(
 
 
 def _scale_camera(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
-    """The camera of the small picture for the full one; pixels' centres are whole numbers."""
+    """The camera of the reduced picture for the full one; pixel centres are integers."""
     height, width = shape[:2]
     K = camera.matrix.copy()
     across, down = width / camera.width_px, height / camera.height_px
