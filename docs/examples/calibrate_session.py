@@ -35,7 +35,7 @@ def main(folder: Path) -> None:
     for part in document.uncertainty.budget:
         print(f"  {part.source}: {part.value_um:.1f} µm")
 
-    # Pixels of the stripe become points on the light plane, then points in the flange frame.
+    # Pixels of the stripe become points on the laser plane, then points in the flange frame.
     calibration = calibration_from_document(document)
     in_sensor = sensor_points(calibration.camera, calibration.plane, np.array(truth["pixels"]))
     in_flange = apply(calibration.T_flange_sensor, in_sensor)

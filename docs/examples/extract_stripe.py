@@ -29,7 +29,7 @@ def main() -> None:
     )[::150]:
         print(f"  u {u:5.0f}  v {v:8.3f}  intensity {intensity:5.1f}  sigma {sigma_px:.3f} px")
 
-    # The true line: where the light plane meets the plate, projected into the image.
+    # The true line: where the laser plane meets the plate, projected into the image.
     x = np.linspace(-40.0, 40.0, 2000)
     z = np.full_like(x, -2.0)  # the plate in the sensor frame
     n = rig.light_plane.normal

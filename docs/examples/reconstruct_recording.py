@@ -54,7 +54,7 @@ def main(folder: Path) -> None:
     # Points are in the arm frame; each has its uncertainty and the number of its frame.
     cloud = read_cloud(cloud_path)
     assert cloud.uncertainty_um is not None
-    print(f"standard uncertainty in the light plane: {np.median(cloud.uncertainty_um):.1f} µm")
+    print(f"standard uncertainty in the laser plane: {np.median(cloud.uncertainty_um):.1f} µm")
     fit = fit_sphere(cloud.points_mm)
     print(f"radius: {fit.radius_mm:.3f} mm, true: {sphere.radius_mm:.3f} mm")
     print(f"distance of the points from the sphere: {1e3 * fit.rms_mm:.1f} µm rms")
