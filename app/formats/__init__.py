@@ -1,6 +1,6 @@
-"""Files: read, checked, and written as a whole.
+"""Files: reading, checking, and atomic writing.
 
-Each sub-package has the files of one subject. ``open_file`` opens what may be anything,
-``atomic_write`` writes, ``json_document`` and ``csv_table`` check, ``io_errors`` says in one line
-what went wrong.
+Each sub-package has the files of one subject. ``open_file`` opens files safely, ``atomic_write``
+writes, ``json_document`` and ``csv_table`` check, ``io_errors`` explains in one line what went
+wrong.
 """

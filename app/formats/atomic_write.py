@@ -1,4 +1,4 @@
-"""Writing so that a file is either whole or not there."""
+"""Atomic writing: a file is either complete or absent."""
 
 import os
 import secrets
@@ -16,11 +16,11 @@ from app.messages.message import message
 
 @contextmanager
 def atomic_file(path: Path) -> Iterator[BinaryIO]:
-    """A binary file to write and seek in, which takes its name only once complete.
+    """A binary file for writing and seeking, which gets its name only when it is complete.
 
-    The bytes go to a hidden file in the same folder; leaving the block without an
-    exception flushes them to disk and renames, anything else removes them and
-    leaves what stood under the name before.
+    The bytes go to a hidden file in the same folder. Leaving the block without an exception flushes
+    them to disk and renames the file; otherwise they are removed, and a file that had the name
+    before stays.
 
     Raises:
         OperationError: the folder is missing or not writable, the disk is full, or the
@@ -32,7 +32,7 @@ def atomic_file(path: Path) -> Iterator[BinaryIO]:
 
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
-    """As ``atomic_file``, for a library that opens its file itself: the name to give it."""
+    """As ``atomic_file``, for a library that opens its file itself: returns the name for it."""
     target = check_output_path(path)
     part = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
     with convert_io_errors(path):
@@ -48,21 +48,21 @@ def atomic_path(path: Path) -> Iterator[Path]:
 
 
 def write_atomically(path: Path, content: bytes) -> None:
-    """Writes a whole file at once; see ``atomic_file``."""
+    """Writes a complete file at once; see ``atomic_file``."""
     with atomic_file(path) as file:
         file.write(content)
 
 
 def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
-    """Where a file of this name would be written, links followed.
+    """The path to which a file with this name would be written, with links followed.
 
     Args:
-        sources: files that the job reads, which its result must not replace.
+        sources: input files, which the result must not replace.
 
     Raises:
         OperationError: its folder is missing or not writable, or the name is taken by
-            something that is not a file, or by one of the sources. So a job can be
-            refused before its work.
+            something that is not a file, or by one of the sources. A job can thus be refused
+            before it starts.
     """
     with convert_io_errors(path):
         target = path.resolve()
@@ -102,11 +102,11 @@ def check_output_path(path: Path, sources: Iterable[Path] = ()) -> Path:
 
 
 def make_folder(folder: Path) -> None:
-    """Makes a folder that is not there yet, with those above it, durably.
+    """Creates a folder that does not exist yet, with its parents, durably.
 
     Raises:
-        FileExistsError: it is there.
-        OSError: it cannot be made.
+        FileExistsError: it exists.
+        OSError: it cannot be created.
     """
     if not folder.parent.is_dir():
         make_folder(folder.parent)
@@ -115,10 +115,10 @@ def make_folder(folder: Path) -> None:
 
 
 def ensure_folder(folder: Path) -> None:
-    """Makes a folder durably, with those above it, where it is not there.
+    """Creates a folder with its parents, durably, if it does not exist.
 
     Raises:
-        OSError: it cannot be made, or something else has its name.
+        OSError: it cannot be created, or something else has its name.
     """
     try:
         make_folder(folder)
@@ -128,13 +128,13 @@ def ensure_folder(folder: Path) -> None:
 
 
 def sync_file(path: Path) -> None:
-    """Brings what another process or library wrote to the disk; raises ``OSError``."""
+    """Syncs to disk what another process or library wrote; raises ``OSError``."""
     with open_file(path) as file:
         os.fsync(file.fileno())
 
 
 def sync_folder(folder: Path) -> None:
-    """Makes the names in a folder durable, where the platform can; raises ``OSError``."""
+    """Makes the names in a folder durable, if the platform can; raises ``OSError``."""
     if os.name == "nt":
         return
     handle = os.open(folder, os.O_RDONLY)

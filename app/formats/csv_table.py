@@ -51,7 +51,7 @@ class TableRow:
         return number
 
     def count(self, column: str) -> int:
-        """A whole number, zero or more."""
+        """An integer, zero or larger."""
         value = self.text(column)
         if not (value.isascii() and value.isdecimal()):
             raise OperationError(
@@ -72,8 +72,7 @@ class CsvTable:
 def read_table(path: Path, required: Iterable[str]) -> CsvTable:
     """Reads a CSV file whose first line names its columns, in any order.
 
-    A byte-order mark, blank lines and either line end are accepted; columns that
-    nobody asks for are ignored.
+    A byte-order mark, blank lines and either line ending are accepted; unknown columns are ignored.
 
     Raises:
         OperationError: unreadable, a required column missing or named twice, a row of
@@ -104,7 +103,7 @@ def read_table(path: Path, required: Iterable[str]) -> CsvTable:
 
 
 def table_text(columns: Sequence[str], rows: Iterable[Sequence[str | float | int]]) -> str:
-    """The text of a CSV file; numbers are written so that they read back exactly."""
+    """The text of a CSV file; numbers are written so that they are read back exactly."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(columns)

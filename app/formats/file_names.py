@@ -1,4 +1,4 @@
-"""How messages name files, and names of files that are no valid text."""
+"""Names of files in messages, and file names that are not valid text."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -11,21 +11,21 @@ _data_folders: list[Path] = []
 
 
 def register_data_folder(folder: Path) -> None:
-    """From here on messages name what is in this data folder as from it."""
+    """From here on, messages name files in this data folder relative to it."""
     _data_folders.append(folder.absolute())
 
 
 def unregister_data_folder(folder: Path) -> None:
-    """Ends a ``register_data_folder``; idempotent."""
+    """Undoes ``register_data_folder``; idempotent."""
     with suppress(ValueError):
         _data_folders.remove(folder.absolute())
 
 
 def display_path(path: Path | str) -> str:
-    """How a message names a file: as from the data folder, where a station has it open.
+    """The name of a file in messages: relative to the data folder, if a station has it open.
 
-    Nobody else's browser needs to know where on the station's disk that is. What is no
-    character stands as an escape, and of a very long name its end.
+    Browsers need not know the location on the station's disk. Invalid characters are escaped, and
+    very long names are reduced to their end.
     """
     text = str(path)
     for folder in _data_folders:
@@ -37,7 +37,7 @@ def display_path(path: Path | str) -> str:
 
 
 def check_name(path: Path) -> None:
-    """Raises ``OperationError`` where a file's name is no valid Unicode, as in Latin-1."""
+    """Raises ``OperationError`` if the name of a file is not valid Unicode, as in Latin-1."""
     try:
         path.name.encode()
     except UnicodeEncodeError as error:
@@ -49,7 +49,8 @@ def check_name(path: Path) -> None:
 
 
 def escape_unprintable(text: str, kept: str = "") -> str:
-    """The text with all that is no letter, sign or space as its number, save what is kept."""
+    """The text with all characters except letters, symbols and spaces replaced by their number,
+    apart from those in ``kept``."""
     if text.isprintable():
         return text
     return "".join(

@@ -1,4 +1,4 @@
-"""What an image file announces in its header: nothing is decoded for it."""
+"""The size of an image from its header, without decoding it."""
 
 import re
 import struct
@@ -8,11 +8,11 @@ from dataclasses import dataclass
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 JPEG_SIGNATURE = b"\xff\xd8\xff"
 PNG_CHANNELS = {2: 3, 3: 3, 4: 2, 6: 4}
-"""By the colour type; a palette is colours."""
+"""By colour type; a palette counts as colours."""
 JPEG_SIZES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
-"""Markers of JPEG behind which the size stands."""
+"""JPEG markers that are followed by the size."""
 JPEG_BARE = frozenset(range(0xD0, 0xD9)) | {0x01, 0xFF}
-"""Markers of JPEG without content, and what fills the space between markers."""
+"""JPEG markers without content, and fill bytes between markers."""
 BMP_CORE = 12
 PNM = re.compile(rb"P([1-6])((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})")
 PNM_HEAD = 4096
@@ -23,7 +23,8 @@ TIFF_TYPES = {1: "B", 3: "H", 4: "I", 16: "Q"}
 
 @dataclass(frozen=True)
 class Announced:
-    """Size in pixels, how many channels, and bits of each as far as the header states them."""
+    """Size in pixels, number of channels, and bits per channel, as far as the header states
+    them."""
 
     width: int
     height: int
@@ -36,12 +37,12 @@ class Announced:
 
 
 def announced_size(raw: bytes) -> Announced | None:
-    """What the header states; None for no image, or one of a kind that is not read here."""
+    """The content of the header; None for files that are not images, or not of a supported kind."""
     for signatures, read in KINDS:
         if raw.startswith(signatures):
             try:
                 return read(raw)
-            except (struct.error, IndexError, OverflowError):  # it ends before that place
+            except (struct.error, IndexError, OverflowError):  # the file ends before that position
                 return None
     return None
 
@@ -92,7 +93,7 @@ def _pnm(raw: bytes) -> Announced | None:
 
 
 def _webp(raw: bytes) -> Announced | None:
-    """Always decoded in colours."""
+    """Always decoded in colour."""
     kind = raw[12:16]
     if raw[8:12] != b"WEBP":
         return None
@@ -112,7 +113,7 @@ def _three_bytes(raw: bytes, at: int) -> int:
 
 
 def _tiff(raw: bytes) -> Announced | None:
-    """Of the first picture, which is the one that is read."""
+    """Size of the first picture, which is the one that is read."""
     tags: dict[int, int] = {}
     for tag, value in _tiff_tags(raw):
         tags.setdefault(tag, value)
@@ -122,7 +123,7 @@ def _tiff(raw: bytes) -> Announced | None:
 
 
 def _tiff_tags(raw: bytes) -> Iterator[tuple[int, int]]:
-    """The tags of the first picture that hold whole numbers, each with its first."""
+    """The integer tags of the first picture, each with its first value."""
     order = "<" if raw[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", raw, 2)[0] == 43
     count_kind, place_kind, size = ("Q", "Q", 20) if big else ("H", "I", 12)
@@ -148,4 +149,4 @@ KINDS: tuple[tuple[tuple[bytes, ...], Callable[[bytes], Announced | None]], ...]
     ((b"RIFF",), _webp),
     (tuple(b"P%d" % number for number in range(1, 7)), _pnm),
 )
-"""Signatures of the kinds that are read, and what reads their headers."""
+"""Signatures of the supported kinds, and the readers of their headers."""

@@ -51,7 +51,7 @@ def decode_grey(raw: bytes, named: Text, colour: LaserColour | None = None) -> G
     _check_announced(announced, named)
     try:
         image = cv2.imdecode(np.frombuffer(raw, np.uint8), cv2.IMREAD_UNCHANGED)
-    except cv2.error:  # larger than OpenCV reads
+    except cv2.error:  # larger than OpenCV can read
         image = None
     if image is None:
         raise _no_image(raw, named)
@@ -127,7 +127,7 @@ def png_size(path: Path) -> tuple[int, int]:
 
 
 def _check_png(raw: bytes, named: Text) -> None:
-    """Walks the chunks: decoders fill what is missing of a damaged file with black."""
+    """Walks through the chunks: decoders fill missing parts of a damaged file with black."""
     at = len(PNG_SIGNATURE)
     while at + 12 <= len(raw):
         (length,) = struct.unpack_from(">I", raw, at)

@@ -1,4 +1,4 @@
-"""What went wrong with a file, said as a refusal."""
+"""Errors of files and their explanation as refusals."""
 
 import errno
 from collections.abc import Iterator
@@ -61,9 +61,9 @@ _BY_ERRNO: dict[int, tuple[str, Text, Text]] = {
 
 
 def error_from_os(error: OSError, path: Path | str | None = None) -> OperationError:
-    """What an operating system's error on a file means to its user.
+    """The meaning of an operating system's error on a file for its user.
 
-    ``path`` is the file as the user knows it, where that is known.
+    ``path`` is the file as the user knows it, if known.
     """
     named = path if path is not None else error.filename
     what = display_path(named) if named is not None else message("file")
@@ -84,7 +84,7 @@ def convert_io_errors(path: Path | str) -> Iterator[None]:
 
 @contextmanager
 def prefix_errors(path: Path | str) -> Iterator[None]:
-    """Puts a file's name before what the mathematics refuses of its content."""
+    """Adds the name of a file to errors that the mathematics raises for its content."""
     try:
         yield
     except OperationError as error:
@@ -118,7 +118,7 @@ def error_from_validation(path: Path | str, error: ValidationError) -> Operation
 
 
 def _invalid_field(path: Path | str, place: str, value: object) -> Text:
-    """A field with its value, where that is not an object of its own."""
+    """A field with its value, unless that is an object."""
     if not place:
         return display_path(path)
     if isinstance(value, dict):

@@ -1,7 +1,7 @@
-"""Opening what may be anything: ordinary files alone, of a bounded size.
+"""Safe opening of files: only regular files, of limited size.
 
-Whatever lies in the data folder under a file's name, opening and reading it ends: a pipe, a
-socket or a device would else keep its reader waiting, or feed it for ever.
+Whatever has a file's name in the data folder, opening and reading it must end: a pipe, a socket or
+a device could otherwise keep its reader waiting, or supply data forever.
 """
 
 import errno
@@ -12,18 +12,18 @@ from io import BufferedReader
 from pathlib import Path
 
 LARGEST_DOCUMENT = 64 << 20
-"""Bytes of a file that is read as a whole: a document, a table, a picture."""
+"""Maximum size of a file that is read as a whole: a document, a table, a picture."""
 _FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 
 def open_file(path: Path) -> BufferedReader:
-    """An ordinary file to read in.
+    """Opens a regular file for reading.
 
     Raises:
         OSError: missing or unreadable; ``EISDIR`` for a folder, ``ENXIO`` for a pipe, a socket
             or a device.
     """
-    _check_kind(path, os.stat(path).st_mode)  # opening a device may already do something
+    _check_kind(path, os.stat(path).st_mode)  # opening a device may already have an effect
     handle = os.open(path, _FLAGS)
     try:
         _check_kind(path, os.fstat(handle).st_mode)
@@ -34,7 +34,7 @@ def open_file(path: Path) -> BufferedReader:
 
 
 def read_bounded(path: Path, largest: int = LARGEST_DOCUMENT) -> bytes:
-    """The bytes of an ordinary file.
+    """The bytes of a regular file.
 
     Raises:
         OSError: as ``open_file``; ``EOVERFLOW`` for a file of more than ``largest`` bytes.
@@ -49,7 +49,7 @@ def read_bounded(path: Path, largest: int = LARGEST_DOCUMENT) -> bytes:
 
 
 def read_tail(path: Path, most: int) -> tuple[bytes, bool]:
-    """The last bytes of an ordinary file of any size, and whether that is all of it.
+    """The last bytes of a regular file of any size, and whether they are the complete file.
 
     Raises:
         OSError: as ``open_file``.
@@ -61,7 +61,7 @@ def read_tail(path: Path, most: int) -> tuple[bytes, bool]:
 
 
 def check_ordinary(path: Path) -> None:
-    """Raises ``OSError`` where something else than an ordinary file has this name."""
+    """Raises ``OSError`` if something other than a regular file has this name."""
     with suppress(FileNotFoundError):
         _check_kind(path, os.stat(path).st_mode)
 

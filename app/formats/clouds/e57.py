@@ -1,7 +1,7 @@
 """E57 (ASTM E2807), through pye57's binding of libE57Format.
 
-The standard counts in metres. ``crenel:frame`` and ``crenel:uncertainty_um`` are an
-extension, which other programs pass over.
+The standard uses metres. ``crenel:frame`` and ``crenel:uncertainty_um`` are an extension, which
+other programs ignore.
 """
 
 import uuid
@@ -29,7 +29,7 @@ OPTIONAL_FIELDS = {
 }
 FIELDS = AXES | OPTIONAL_FIELDS
 KINDS = {"frame": np.longlong, "x": np.float64, "y": np.float64, "z": np.float64}
-"""Of the library's buffers, which takes a C long for 32 bits; the others are single."""
+"""Types of the library's buffers, which treats a C long as 32 bits; the others are single."""
 INVALID = "cartesianInvalidState"
 LIMITS = {
     **{field: ("cartesianBounds", f"{field}Minimum", f"{field}Maximum") for field in "xyz"},
@@ -67,7 +67,7 @@ class E57Sink:
             self._write(len(piece))
 
     def finish(self) -> None:
-        """Completes the points, adds their bounds, and closes."""
+        """Completes the points, adds their bounds, and closes the file."""
         _call_e57(self._path, self._writer.close)
         boxes = {box: self._e57.StructureNode(self._image) for box, _, _ in LIMITS.values()}
         if np.isfinite(self._limits["x"][0]):
@@ -79,7 +79,7 @@ class E57Sink:
         _call_e57(self._path, self._file.close)
 
     def abandon(self) -> None:
-        """Lets go of the file, which is not to be."""
+        """Closes the file without completing it."""
         self._image.cancel()
 
     def _open_writer(self) -> Any:  # the binding has no types
@@ -108,7 +108,8 @@ class E57Sink:
 
 
 def read_e57(path: Path) -> Cloud:
-    """Reads the Cartesian points of all scans of an E57, by their poses in one frame.
+    """Reads the Cartesian points of all scans of an E57 file into one frame, using the poses of the
+    scans.
 
     Raises:
         OperationError: malformed or cut off, or without Cartesian points.
@@ -128,7 +129,7 @@ def read_e57(path: Path) -> Cloud:
 
 
 def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]:
-    """One scan's columns (N,), mm, invalid points left out."""
+    """The columns (N,) of one scan, mm, without invalid points."""
     header = file.get_header(index)
     present = [name for name in (*FIELDS, INVALID) if name in header.point_fields]
     if not set(AXES) <= set(present):
@@ -160,5 +161,5 @@ def _read_scan(path: Path, e57: Any, file: Any, index: int) -> dict[str, Floats]
 
 
 def _call_e57(path: Path, work: Callable[[], Any]) -> Any:
-    """What the library does to the file, its failure as a refusal."""
+    """Runs a library function on the file; its failure becomes an ``OperationError``."""
     return call_library(path, "E57Exception", work)

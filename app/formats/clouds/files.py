@@ -1,4 +1,4 @@
-"""Clouds: written in pieces and read, in whatever format the file's name asks for."""
+"""Clouds: written in chunks and read, in the format given by the file's name."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,9 +23,9 @@ from app.metrology.transforms import Floats
 
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
 CHUNK_POINTS = 1 << 16
-"""Points are handed to a format in pieces of at least so many."""
+"""Minimum number of points passed to a format at a time."""
 FARTHEST_MM = 1e7
-"""Nothing that an arm measures lies further away."""
+"""An arm measures no points further away than this."""
 
 __all__ = ["POINT", "SUFFIXES", "Cloud", "CloudWriter", "cloud_writer", "pack_points", "read_cloud"]
 
@@ -49,9 +49,9 @@ class CloudWriter:
         """Appends points (N, 3); rows with NaN are left out.
 
         Args:
-            intensity: (N,) as of the stripe.
+            intensity: (N,) of the stripe.
             uncertainty_um: (N,) k = 1, see ``metrology.reconstruct``.
-            frame: which frame they came from, one for all or (N,).
+            frame: frame number, one for all points or (N,).
         """
         self.append(pack_points(points_mm, intensity, uncertainty_um, frame))
 
@@ -79,9 +79,9 @@ class CloudWriter:
 
 @contextmanager
 def cloud_writer(path: Path) -> Iterator[CloudWriter]:
-    """A cloud to append to, which appears once it is complete.
+    """A cloud to which points are appended; the file appears when it is complete.
 
-    Only some pieces are in memory at a time, however large it grows.
+    Only some chunks are in memory at a time, whatever the size of the cloud.
 
     Raises:
         OperationError: its suffix is none of ``SUFFIXES``, the format's library is not
@@ -113,7 +113,7 @@ def cloud_writer(path: Path) -> Iterator[CloudWriter]:
 
 
 def check_suffix(path: Path) -> str:
-    """The format that a cloud's name asks for; raises ``OperationError`` for an unknown one."""
+    """The format given by the name of a cloud; raises ``OperationError`` for an unknown one."""
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise OperationError(
@@ -129,8 +129,9 @@ def read_cloud(path: Path) -> Cloud:
     """Reads a cloud, whatever its name: PLY, PCD, E57, LAS, LAZ or XYZ text.
 
     Raises:
-        OperationError: missing, cut off, malformed, or without points; or the format's
-            library is not installed.
+        OperationError: missing, cut off, malformed, or without points; or the library of the format
+            is not
+            installed.
     """
     with convert_io_errors(path), open_file(path) as file:
         head = file.read(16)

@@ -1,4 +1,4 @@
-"""A finished cloud of our own read in pieces, so that memory stays bounded."""
+"""Reads a finished cloud of Crenel in chunks, so that memory stays bounded."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,10 +17,10 @@ PIECE = 250_000
 
 
 def read_cloud_pieces(path: Path) -> Iterator[tuple[Points, float]]:
-    """Points of ``cloud.ply`` in the order of their frames, and how much is read, 0 to 1.
+    """Points of ``cloud.ply`` in frame order, and the share that has been read, 0 to 1.
 
     Raises:
-        OperationError: missing, cut off, or not as the scanner writes it.
+        OperationError: missing, truncated, or not as the scanner writes it.
     """
     with convert_io_errors(path), open_file(path) as file:
         vertices = find_vertices(path, file)

@@ -1,4 +1,4 @@
-"""Points of a cloud, as every format takes and returns them."""
+"""Points of a cloud, as every format accepts and returns them."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -20,8 +20,8 @@ POINT = np.dtype(
         ("frame", "<i4"),
     ]
 )
-"""One point: mm in the arm frame; grey levels over the background; standard uncertainty
-(k = 1) by the fit of its stripe, in µm; number of its frame in the recording."""
+"""One point: mm in the arm frame; grey levels above the background; standard uncertainty (k = 1)
+from the fit of its stripe, in µm; number of its frame in the recording."""
 
 Points = NDArray[np.void]
 """(N,) of ``POINT``."""
@@ -40,23 +40,23 @@ _pack_points = Function(
 
 @dataclass(frozen=True)
 class Cloud:
-    """A cloud as read; the rest beside the points where the file has it."""
+    """A cloud that was read; values other than the points are present if the file has them."""
 
     points_mm: Floats
     """(N, 3)"""
     intensity: Floats | None = None
     """(N,)"""
     frame: Floats | None = None
-    """(N,) number of the frame that each point came from."""
+    """(N,) frame number of each point."""
     uncertainty_um: Floats | None = None
     """(N,) k = 1"""
 
 
 class PointSink(Protocol):
-    """A file of some format that grows by pieces."""
+    """A file of some format to which chunks are appended."""
 
     def write(self, points: Points) -> None:
-        """Appends points; raises ``OperationError`` where the format cannot hold them."""
+        """Appends points; raises ``OperationError`` if the format cannot hold them."""
 
     def finish(self) -> None:
         """Completes the file."""
@@ -72,7 +72,7 @@ def pack_points(
 
     Args:
         intensity, uncertainty_um: (N,).
-        frame: which frame they came from, one for all or (N,).
+        frame: frame number, one for all points or (N,).
     """
     records = np.empty(len(points_mm), POINT)
     numbers = np.full(len(points_mm), frame, dtype=np.int64)

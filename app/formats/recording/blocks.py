@@ -1,4 +1,4 @@
-"""A stretch of a recording, opened at once: its joints as arrays, its stripes as arrays."""
+"""A part of a recording, opened at once: its joints and its stripes as arrays."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -19,14 +19,14 @@ ROWS_AT_ONCE = 4096
 
 @dataclass(frozen=True)
 class ChunkRecords:
-    """The bytes of a chunk, and where its records stand."""
+    """The bytes of a chunk, and the positions of its records."""
 
     data: bytes
     table: wire.Table
-    """(R, 5) as of ``wire_format.find_records``."""
+    """(R, 5) from ``wire_format.find_records``."""
 
     described: tuple[Schema | Channel, ...] = ()
-    """In their order."""
+    """In order."""
 
     @property
     def bytes(self) -> wire.Bytes:
@@ -38,7 +38,7 @@ class ChunkRecords:
         return np.asarray(self.table[self.table[:, 0] == wire.MESSAGE])
 
     def records(self) -> Iterator[Schema | Channel | Message]:
-        """All of them in their order, messages as they come."""
+        """All records in order, with messages as they come."""
         described = iter(self.described)
         for start in range(0, len(self.table), ROWS_AT_ONCE):
             rows = self.table[start : start + ROWS_AT_ONCE].tolist()
@@ -72,7 +72,7 @@ def _read_descriptions(data: bytes, table: wire.Table) -> Iterator[Schema | Chan
 
 
 def chunk_from_messages(messages: Sequence[Message]) -> ChunkRecords:
-    """Messages that stood in no chunk."""
+    """Messages outside chunks."""
     data = b"".join(message.data for message in messages)
     table = np.zeros((len(messages), 5), dtype=np.int64)
     table[:, 0] = wire.MESSAGE
@@ -85,10 +85,10 @@ def chunk_from_messages(messages: Sequence[Message]) -> ChunkRecords:
 
 @dataclass(frozen=True)
 class Profiles:
-    """Stripes of some frames, one behind the other."""
+    """Stripes of several frames, one after the other."""
 
     count: wire.Table
-    """(F,) points of each frame; N in all."""
+    """(F,) points of each frame; N in total."""
     u: Floats  # (N,) distorted pixels
     v: Floats  # (N,)
     intensity: Floats  # (N,)
@@ -97,9 +97,9 @@ class Profiles:
 
 
 def read_profiles(opened: ChunkRecords, rows: wire.Table) -> Profiles:
-    """The stripes that ``rows`` (F, 9) of ``wire_format.find_stripes`` describe.
+    """The stripes described by ``rows`` (F, 9) of ``wire_format.find_stripes``.
 
-    They must be of one axis.
+    They must have the same axis.
     """
     u, v, intensity, sigma_px = (
         wire.gather_list(opened.bytes, rows, column).astype(np.float64, copy=False)

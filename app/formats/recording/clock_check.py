@@ -1,4 +1,4 @@
-"""What the stamps of a recording show of its clocks: holes, and jumps."""
+"""Clock faults that the time stamps of a recording reveal: gaps, and jumps."""
 
 from array import array
 from dataclasses import dataclass
@@ -9,30 +9,31 @@ from numpy.typing import NDArray
 Stamps = NDArray[np.int64]
 
 JUMP_NS = 100_000_000
-"""By so much a stamp goes back, or runs apart from the time it was logged at, in a jump."""
+"""A jump: a stamp that goes back by this, or deviates by this from the time at which it was
+logged."""
 HOLE_PERIODS = 1.5
-"""Further apart than so many of the usual periods, something between is missing."""
+"""If stamps are further apart than this multiple of the usual period, samples are missing."""
 
 
 @dataclass(frozen=True)
 class ClockReport:
-    """What is odd about the stamps of one device."""
+    """Faults in the time stamps of one device."""
 
     holes: int
-    """Places where samples are missing."""
+    """Number of gaps."""
     missing: int
-    """About how many of them, by the usual period."""
+    """Approximate number of missing samples, by the usual period."""
     longest_ns: int
-    """Of the holes."""
+    """Of the gaps."""
     longest_at_ns: int
-    """The last stamp before it."""
+    """The last stamp before the longest gap."""
     jumps: int
-    """Places where the clock was set back or forth."""
+    """Number of times that the clock was set back or forward."""
     first_jump_at_ns: int
 
 
 class ClockWatch:
-    """Looks at the stamps of one device in the order of the file."""
+    """Checks the stamps of one device in the order of the file."""
 
     def __init__(self) -> None:
         self._stamps_ns = array("q")
@@ -41,7 +42,7 @@ class ClockWatch:
         self._first_jump_at_ns = 0
 
     def add(self, stamps_ns: Stamps, log_ns: Stamps) -> None:
-        """Takes stamps (J,) and the times (J,) at which their messages were logged."""
+        """Adds stamps (J,) and the times (J,) at which their messages were logged."""
         if not len(stamps_ns):
             return
         before = self._last or (int(stamps_ns[0]), int(log_ns[0]))
@@ -56,7 +57,7 @@ class ClockWatch:
         self._stamps_ns.frombytes(np.ascontiguousarray(stamps_ns, np.int64).tobytes())
 
     def report(self) -> ClockReport:
-        """What was found in all stamps so far."""
+        """The faults in all stamps so far."""
         steps = np.diff(np.unique(np.array(self._stamps_ns)))
         if len(steps) < 3:
             return ClockReport(0, 0, 0, 0, self._jumps, self._first_jump_at_ns)

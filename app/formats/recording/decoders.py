@@ -30,7 +30,7 @@ SCHEMAS = {
 }
 GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
 LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
-"""Bytes of one message, which in memory are many times as many."""
+"""Maximum size of one message in bytes; in memory, it is many times as large."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,16 +44,16 @@ class JointRecord:
 
 @dataclass(frozen=True, slots=True)
 class ImageRecord:
-    """One frame; the picture is decoded when asked for, on whatever thread asks."""
+    """One frame; the picture is decoded on access, in the calling thread."""
 
     stamp_ns: int
     picture: Callable[[], GreyImage]
-    """Raises ``OperationError`` where the picture cannot be read."""
+    """Raises ``OperationError`` if the picture cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
 class StripeRecord:
-    """One frame whose stripe was extracted when it was taken."""
+    """One frame whose stripe was extracted when it was captured."""
 
     stamp_ns: int
     width_px: int
@@ -93,7 +93,7 @@ class _CompressedImage(_StampedMessage, Protocol):
 
 
 class Decoders:
-    """From messages to records, by the schemas that the file itself carries."""
+    """Converts messages to records, with the schemas in the file itself."""
 
     def __init__(self, path: Path) -> None:
         self.schemas: dict[int, Schema] = {}
@@ -104,7 +104,7 @@ class Decoders:
         self._described_bytes = 0
 
     def learn(self, described: Schema | Channel) -> None:
-        """Takes a schema or channel; raises ``McapError`` where there are too many."""
+        """Adds a schema or channel; raises ``McapError`` if there are too many."""
         if isinstance(described, Schema):
             known = described.id in self.schemas and self.schemas[described.id] == described
             self.schemas[described.id] = described
@@ -119,7 +119,7 @@ class Decoders:
             raise McapError
 
     def decode(self, logged: LoggedMessage) -> Record | None:
-        """None for topics that the program does not know."""
+        """None for unknown topics."""
         channel = self.channels.get(logged.channel_id)
         if channel is None or channel.topic not in SCHEMAS:
             return None
@@ -187,7 +187,7 @@ class Decoders:
 
 
 def _stamp_ns(stamped: _StampedMessage, log_ns: int) -> int:
-    """The message's own stamp where it has one, else the time it was logged at."""
+    """The message's own time stamp if it has one, otherwise the time at which it was logged."""
     if not stamped.HasField("timestamp"):
         return log_ns
     return stamped.timestamp.seconds * 1_000_000_000 + stamped.timestamp.nanos

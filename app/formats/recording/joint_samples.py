@@ -1,4 +1,4 @@
-"""The joint angles of a recording, brought into the arm's order and checked."""
+"""The joint angles of a recording, in the arm's order and checked."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -15,10 +15,10 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
 RATE_HZ = 1000.0
-"""By which a recording's readings are judged; their stamps say more."""
+"""Uncertainty with which the readings of a recording are judged; their stamps contain more."""
 FEW_OUTSIDE = 1000
-"""Readings outside the arm's limits may be an encoder that lied for a moment; where they are
-most of so many, the arm is another."""
+"""Readings outside the arm's limits may come from an encoder fault; if they are the majority of
+this many, it is a different arm."""
 
 
 class _JointReading(NamedTuple):
@@ -27,7 +27,7 @@ class _JointReading(NamedTuple):
 
 
 class JointReader:
-    """Checks each reading against one arm, as a running scan does."""
+    """Checks each reading with one arm, as a running scan does."""
 
     def __init__(self, path: Path, arm: Arm) -> None:
         self._path = path
@@ -39,11 +39,11 @@ class JointReader:
         )
         self._read = 0
         self.unusable = 0
-        """Readings that held something else than numbers, and were left out."""
+        """Readings that were not numbers, and were excluded."""
 
     @property
     def implausible(self) -> int:
-        """Readings that could not be true, and were left out."""
+        """Impossible readings, which were excluded."""
         return self._judge.rejected_count
 
     @property
@@ -51,15 +51,15 @@ class JointReader:
         return self._judge.first
 
     def readings(self, samples: JointSamples) -> tuple[Stamps, Floats]:
-        """The readings' stamps (J,) and angles (J, n) in the arm's order.
+        """The time stamps (J,) and angles (J, n) of the readings in the arm's order.
 
-        Readings with an angle missing (NaN), and those that cannot be true, are left out
-        and counted. The last ones may come with the next call, or with ``rest``. Joints go
-        by name where the recording names them as ``arm.json`` does, else by their order.
+        Readings with a missing angle (NaN), and impossible readings, are excluded and counted. The
+        last ones may be returned by the next call, or by ``rest``. Joints are assigned by name if
+        the recording names them as ``arm.json`` does, otherwise by order.
 
         Raises:
-            OperationError: another number of joints than the arm's, only some names known, or
-                most angles outside the arm's limits.
+            OperationError: the number of joints differs from the arm's, only some names are known,
+                or most angles are outside the arm's limits.
         """
         if samples.names != self._names:
             self._order = self._joint_order(samples.names)
@@ -77,11 +77,11 @@ class JointReader:
         return self._arrays(good)
 
     def last_readings(self) -> tuple[Stamps, Floats]:
-        """The last readings, once there are no more."""
+        """The last readings, after the end of the recording."""
         return self._arrays(self._judge.flush())
 
     def refuse_another_arm(self) -> None:
-        """Raises ``OperationError`` where most readings lie outside the arm's limits."""
+        """Raises ``OperationError`` if most readings are outside the arm's limits."""
         first = self._judge.first
         if first is None or 2 * self._judge.outside <= self._read:
             return

@@ -1,4 +1,4 @@
-"""The arm's angles over time, read between the samples."""
+"""The arm's angles over time, interpolated between the samples."""
 
 from array import array
 from bisect import bisect_left
@@ -9,14 +9,15 @@ from app.metrology.arm.joint_interpolation import Stamps, interpolate_angles
 from app.metrology.transforms import Floats
 
 SHORTEST_GAP_LIMIT_NS = 25_000_000
-"""A hand that accelerates at 1 m/s² leaves the straight line by 80 µm within 25 ms."""
+"""With an acceleration of 1 m/s², the motion deviates from a straight line by 80 µm within 25
+ms."""
 GAP_LIMIT_PERIODS = 3.5
-"""For slower arms: their own sample periods."""
+"""For slower arms: multiples of their own sample period."""
 LONGEST_GAP_LIMIT_NS = 150_000_000
 
 
 class JointTrack:
-    """Joint samples by their stamps; 8 bytes a number, so that an hour fits in memory."""
+    """Joint samples by time stamp; 8 bytes per number, so that an hour fits in memory."""
 
     def __init__(self, joint_count: int) -> None:
         self._count = joint_count
@@ -36,7 +37,7 @@ class JointTrack:
 
     @property
     def gap_limit_ns(self) -> int:
-        """Between samples farther apart than this the hand may have gone anywhere."""
+        """Between samples further apart than this, the motion is unknown."""
         if len(self._stamps_ns) < 2:
             return SHORTEST_GAP_LIMIT_NS
         period_ns = (self._stamps_ns[-1] - self._stamps_ns[0]) / (len(self._stamps_ns) - 1)
@@ -44,7 +45,7 @@ class JointTrack:
         return min(limit_ns, LONGEST_GAP_LIMIT_NS)
 
     def add(self, stamp_ns: int, q_rad: Floats | tuple[float, ...]) -> None:
-        """Takes a sample (n,); late ones find their place, a repeated stamp is ignored."""
+        """Adds a sample (n,); late samples are sorted in, a repeated stamp is ignored."""
         at = len(self._stamps_ns)
         if at and stamp_ns <= self._stamps_ns[-1]:
             at = bisect_left(self._stamps_ns, stamp_ns)
@@ -55,7 +56,7 @@ class JointTrack:
         self._angles_rad[start:start] = array("d", q_rad)
 
     def extend(self, stamps_ns: Stamps, q_rad: Floats) -> None:
-        """Takes samples (J,) and (J, n); as ``add`` of each."""
+        """Adds samples (J,) and (J, n), like ``add`` for each."""
         if not len(stamps_ns):
             return
         last_ns = self.last_ns
@@ -67,7 +68,7 @@ class JointTrack:
             self.add(stamp_ns, angles)
 
     def at_all(self, stamps_ns: Stamps) -> Floats:
-        """The angles (F, n) at stamps (F,), as ``at``; NaN where it says None."""
+        """The angles (F, n) at time stamps (F,), as from ``at``; NaN instead of None."""
         found = np.full((len(stamps_ns), self._count), np.nan)
         if not len(self._stamps_ns) or not len(stamps_ns):
             return found
@@ -80,12 +81,12 @@ class JointTrack:
         )
 
     def at(self, stamp_ns: int) -> Floats | None:
-        """The angles (n,) at a stamp, each on the straight line between its neighbours.
+        """The angles (n,) at a time stamp, linearly interpolated between the adjacent samples.
 
-        A joint that passes the half turn is followed the short way round.
+        A joint that passes half a turn is followed along the shorter way.
 
         Returns:
-            None outside the samples, or where they are more than ``gap_limit_ns`` apart.
+            None outside the samples, or if they are more than ``gap_limit_ns`` apart.
         """
         angles = self.at_all(np.array([stamp_ns], dtype=np.int64))[0]
         return None if np.isnan(angles).any() else angles

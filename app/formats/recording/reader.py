@@ -1,4 +1,4 @@
-"""Reading a scan recording (MCAP) as a stream, also one that was cut off."""
+"""Reads a scan recording (MCAP) as a stream, even if it was truncated."""
 
 import os
 from collections.abc import Iterator
@@ -22,11 +22,11 @@ from app.messages.message import Text, message, quantity
 STATION_METADATA = "crenel/station"
 ARM_DELAY = "arm_delay_ns"
 EXTRACTION = "extraction"
-"""How stripes were extracted, as JSON; empty where all was automatic."""
+"""Settings of stripe extraction, as JSON; empty if all were automatic."""
 SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
-"""By which a scan is listed whose process was killed."""
+"""The name under which the scan of a killed process is listed."""
 LARGEST_PREAMBLE = 256 << 10
-"""Bytes of a recording's beginning within which it describes itself."""
+"""A recording describes itself within this many bytes from its beginning."""
 
 
 @dataclass
@@ -40,14 +40,14 @@ class Recording:
     """Newest log time so far."""
     first_ns: int | None = None
     cut: Text = ""
-    """Where and why reading ended early; empty for a whole file."""
+    """Where and why reading ended early; empty for a complete file."""
     station: dict[str, str] = field(default_factory=dict)
-    """What the recording says of arm and sensor, e.g. ``sensor_serial``."""
+    """Properties of arm and sensor in the recording, e.g. ``sensor_serial``."""
     topics: set[str] = field(default_factory=set)
 
     @property
     def delay_ns(self) -> int:
-        """By how much the arm's stamps were taken to be later than the camera's."""
+        """The delay of the arm's time stamps relative to the camera's that was applied."""
         with suppress(ValueError):
             return int(self.station.get(ARM_DELAY, "0"))
         return 0
@@ -55,8 +55,7 @@ class Recording:
     def records(self) -> Iterator[Record]:
         """Joints, images and stripes in the order of the file.
 
-        A file that was cut off, or is damaged from some place on, ends there with
-        ``cut`` saying so.
+        A file that is truncated or damaged ends at that position, which ``cut`` then states.
 
         Raises:
             OperationError: missing, no MCAP, or a topic of another message type.
@@ -66,9 +65,9 @@ class Recording:
             yield from self._decode(file)
 
     def station_metadata(self) -> dict[str, str]:
-        """What it says of the station before its first message; empty where it does not.
+        """The properties of the station before the first message; empty if there are none.
 
-        It looks at the beginning alone, and opens no chunk.
+        Only the beginning is read, and no chunk is opened.
 
         Raises:
             OperationError: missing, or no MCAP.
@@ -98,7 +97,8 @@ class Recording:
                     yield decoded
 
     def _raw(self, file: BinaryIO, decoders: "Decoders") -> Iterator[McapRecord]:
-        """The file's records, chunks opened and checked, up to the end of its data or the cut.
+        """The records of the file, with chunks opened and checked, up to the end of its data or the
+        cut.
 
         Schemas and channels go to the decoders.
         """
@@ -118,7 +118,7 @@ class Recording:
             self.mark_cut()
 
     def learn(self, described: Schema | Channel, decoders: "Decoders") -> None:
-        """Takes note of a schema or channel.
+        """Registers a schema or channel.
 
         Raises:
             McapError: there are more of them than any recording has.
@@ -128,12 +128,12 @@ class Recording:
             self.topics.add(described.topic)
 
     def note_times(self, first_ns: int, last_ns: int) -> None:
-        """Takes note of log times that were met."""
+        """Registers log times."""
         self.first_ns = first_ns if self.first_ns is None else min(self.first_ns, first_ns)
         self.last_ns = last_ns if self.last_ns is None else max(self.last_ns, last_ns)
 
     def mark_cut(self) -> None:
-        """Takes note that nothing can be read behind what was read."""
+        """Registers that nothing can be read beyond this position."""
         path, share = display_path(self.path), 100 * self.bytes_read / max(self.size, 1)
         if self.first_ns is None or self.last_ns is None:
             self.cut = message(
@@ -155,7 +155,7 @@ class Recording:
 
 
 def open_recording(path: Path) -> Recording:
-    """A recording to read once; raises ``OperationError`` where there is no such file."""
+    """Opens a recording for one pass; raises ``OperationError`` if there is no such file."""
     with convert_io_errors(path):
         size = path.stat().st_size
         if not path.is_file():
@@ -169,12 +169,12 @@ def open_recording(path: Path) -> Recording:
 
 
 def find_damage(path: Path, bytes_written: int | None = None) -> Text:
-    """Why a recording that was completed is not what it was; empty where it seems whole.
+    """Why a completed recording has changed; empty if it seems complete.
 
-    It looks at the size and at both ends alone, so that a thousand are looked at in a moment.
+    Only its size and both ends are checked, so that a thousand recordings take a moment.
 
     Args:
-        bytes_written: its size when it was completed, where that is known.
+        bytes_written: its size when it was completed, if known.
     """
     try:
         size = path.stat().st_size
@@ -199,7 +199,7 @@ def find_damage(path: Path, bytes_written: int | None = None) -> Text:
 
 
 def last_stamp_ns(path: Path) -> int | None:
-    """The log time of a recording's last message, by its summary; None where it has none."""
+    """The log time of the last message of a recording, from its summary; None if it has none."""
     with convert_io_errors(path), open_file(path) as file:
         try:
             statistics = summary_statistics(file)
@@ -211,7 +211,8 @@ def last_stamp_ns(path: Path) -> int | None:
 
 
 def check_magic(path: Path, file: BinaryIO) -> None:
-    """Reads a recording's first bytes; raises ``OperationError`` where they are another's."""
+    """Reads the first bytes of a recording; raises ``OperationError`` if it is another kind of
+    file."""
     head = file.read(len(MAGIC))
     if head != MAGIC:
         why = message("no-mcap-recording") if head else message("empty")

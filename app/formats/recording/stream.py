@@ -1,4 +1,5 @@
-"""A recording read block by block, the heavy work on all cores: for whole rebuilds."""
+"""Reads a recording block by block with the heavy work on all cores, for complete
+reconstructions."""
 
 from collections import deque
 from collections.abc import Generator, Iterator
@@ -32,15 +33,15 @@ from app.formats.recording.reader import STATION_METADATA, Recording, check_magi
 from app.metrology.transforms import Floats
 
 LOOSE_BYTES = 1 << 20
-"""Messages outside chunks are put together to blocks of this size."""
+"""Messages outside chunks are combined to blocks of this size."""
 MOST_LOOSE = 100_000
 MOST_WAITING_BYTES = 2 * LARGEST_CHUNK
-"""Of chunks that are being opened."""
+"""Total size of the chunks that are being opened."""
 
 
 @dataclass(frozen=True)
 class JointSamples:
-    """Readings of the arm that name their joints alike."""
+    """Consecutive readings of the arm with the same joint names."""
 
     names: tuple[str, ...]
     stamps_ns: wire.Table  # (J,)
@@ -50,7 +51,7 @@ class JointSamples:
 
 @dataclass(frozen=True)
 class RecordedFrame:
-    """One frame: a row of its block's table of stripes, or a record of its own."""
+    """One frame: a row of its block's table of stripes, or a separate record."""
 
     stamp_ns: int
     log_ns: int
@@ -59,20 +60,19 @@ class RecordedFrame:
 
 @dataclass(frozen=True)
 class Block:
-    """What a stretch of the recording holds, in its order."""
+    """The content of a part of the recording, in order."""
 
     chunk: ChunkRecords
     joints: list[JointSamples]
     frames: list[RecordedFrame]
     stripes: wire.Table
-    """(S, 9) of ``wire_format.find_stripes``."""
+    """(S, 9) from ``wire_format.find_stripes``."""
 
 
 def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Block]:
-    """The recording's blocks in the order of the file, ``ahead`` of them being opened.
+    """The blocks of a recording in the order of the file; ``ahead`` of them are opened in advance.
 
-    A file that was cut off, or is damaged from some place on, ends there with
-    ``recording.cut`` saying so.
+    A file that is truncated or damaged ends at that position, which ``recording.cut`` then states.
 
     Raises:
         OperationError: as ``Recording.records``.
@@ -97,13 +97,13 @@ def read_blocks(recording: Recording, pool: Executor, ahead: int) -> Iterator[Bl
 
 @dataclass(frozen=True)
 class _Opening:
-    """A block on its way."""
+    """A block that is being opened."""
 
     opened: Future[ChunkRecords]
     end: int
-    """Where it ends in the file."""
+    """Its end in the file."""
     size: int
-    """Bytes that it opens to."""
+    """Its size after decompression."""
 
 
 def _is_enough(waiting: deque[_Opening], ahead: int) -> bool:
@@ -114,7 +114,7 @@ def _is_enough(waiting: deque[_Opening], ahead: int) -> bool:
 def _take_block(
     recording: Recording, reader: "_Reader", waiting: deque[_Opening]
 ) -> Generator[Block, None, bool]:
-    """Yields the oldest block; returns True where it was damaged."""
+    """Yields the oldest block; returns True if it was damaged."""
     opening = waiting.popleft()
     try:
         opened = opening.opened.result()
@@ -130,7 +130,7 @@ def _take_block(
 def _open_chunks(
     recording: Recording, reader: "_Reader", file: BinaryIO, pool: Executor
 ) -> Iterator[_Opening]:
-    """Chunks, and messages outside of them, in the order of the file."""
+    """Chunks, and messages outside them, in the order of the file."""
     loose: list[Message] = []
     loose_bytes = 0
     try:
@@ -158,7 +158,7 @@ def _open_chunks(
 
 
 class _Reader:
-    """Finds joints and frames in opened blocks, by the schemas that the file carries."""
+    """Finds joints and frames in opened blocks, with the schemas in the file."""
 
     def __init__(self, recording: Recording) -> None:
         self.damaged = False

@@ -61,7 +61,7 @@ class StripeMessage(Protocol):
 
 
 def stripe_descriptors() -> bytes:
-    """The schema in the form that MCAP wants: a serialized ``FileDescriptorSet``."""
+    """The schema in the form required by MCAP: a serialized ``FileDescriptorSet``."""
     files = DescriptorSet(file=[_timestamp_file(), _stripe_file()])
     return files.SerializeToString()
 
@@ -69,8 +69,8 @@ def stripe_descriptors() -> bytes:
 def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) -> bytes:
     """One frame's stripe as the bytes of a message.
 
-    Messages put one behind the other are one message, and packed numbers are the bytes of
-    their array (Protocol Buffers' encoding): so the lists need not pass through Python.
+    Concatenated messages are one message, and packed numbers are the bytes of their array (Protocol
+    Buffers encoding), so the lists need not pass through Python.
     """
     profile = cast(StripeMessage, _message_class()())
     profile.timestamp.seconds, profile.timestamp.nanos = divmod(stamp_ns, 1_000_000_000)
@@ -88,7 +88,7 @@ def encode_stripe(stripe: Stripe, stamp_ns: int, width_px: int, height_px: int) 
 
 
 def _pack_numbers(field: str, values: Floats, kind: str) -> tuple[bytes, ...]:
-    """A list of numbers: its field's number and length, and the numbers; nothing of none."""
+    """A list of numbers: number and length of its field, then the numbers; empty for none."""
     if not len(values):
         return ()
     data = values.astype(kind, copy=False).tobytes()
@@ -96,7 +96,7 @@ def _pack_numbers(field: str, values: Floats, kind: str) -> tuple[bytes, ...]:
 
 
 def _varint(value: int) -> bytes:
-    """Seven bits a byte, the lowest first; the eighth says that more follow."""
+    """Seven bits per byte, the lowest first; the eighth bit says that more follow."""
     coded = bytearray()
     while value > 0x7F:
         coded.append(value & 0x7F | 0x80)
@@ -106,7 +106,7 @@ def _varint(value: int) -> bytes:
 
 
 def decode_stripe(profile: StripeMessage) -> Stripe:
-    """The points of a message; raises ``ValueError`` where its lists differ in length."""
+    """The points of a message; raises ``ValueError`` if its lists differ in length."""
     stripe = Stripe(
         np.array(profile.u, dtype=np.float64),
         np.array(profile.v, dtype=np.float64),

@@ -1,8 +1,8 @@
-"""What a recording's bytes mean, read at the speed of memory.
+"""Fast decoding of the bytes of a recording.
 
-The records of an MCAP chunk, and the two kinds of protobuf messages that come by the
-thousand a second: joints and stripes. What does not look as it is mostly written is left
-to the general decoders: such a message has a negative number of joints or points.
+Decodes the records of an MCAP chunk, and the two kinds of protobuf messages that come by the
+thousand per second: joints and stripes. Messages in an unusual form are left to the general
+decoders; they are marked by a negative number of joints or points.
 """
 
 import numpy as np
@@ -18,7 +18,8 @@ Table = NDArray[np.int64]
 
 INVALID, MESSAGE = 0, 5
 MOST_RECORDS = 1_000_000
-"""Of one chunk. The smallest that is of use has more than a hundred bytes."""
+"""Maximum number of records in one chunk. The smallest useful record has more than a hundred
+bytes."""
 MOST_JOINTS = 16
 # Columns of a stripe: stamp, width, height, offsets of u, v, intensity, sigma, and of the
 # axis' letter (0 where there is none), then the points.
@@ -65,12 +66,12 @@ _gather_list = Function(
 def find_records(data: Bytes) -> Table:
     """The records of a chunk (R, 5).
 
-    Of each its opcode, channel (of a message, else -1), log time (of a message, else 0),
-    first byte of what it holds, and length of that.
+    For each: opcode, channel (of a message, otherwise -1), log time (of a message, otherwise 0),
+    position of its content, and length of the content.
 
     Raises:
-        McapError: a record reaches beyond the chunk's end, or none begins as one there does;
-            or there are too many.
+        McapError: a record extends beyond the end of the chunk, or has an unknown opcode; or
+            there are too many.
     """
     count = _count_records(data)
     if count < 0:
@@ -85,7 +86,7 @@ def find_records(data: Bytes) -> Table:
 
 
 def find_joints(data: Bytes, messages: Table) -> tuple[Table, Table, Table]:
-    """Where the positions of ``foxglove.JointStates`` stand.
+    """Positions of the joint angles of ``foxglove.JointStates``.
 
     Args:
         messages: (M, 5) rows of ``find_records``.
@@ -102,10 +103,10 @@ def find_joints(data: Bytes, messages: Table) -> tuple[Table, Table, Table]:
 
 
 def gather_joints(data: Bytes, rows: Table, count: int) -> Floats:
-    """The positions (M, count) of ``rows`` of ``find_joints``.
+    """The joint angles (M, count) of ``rows`` of ``find_joints``.
 
     Raises:
-        ValueError: a row is not of these bytes.
+        ValueError: a row does not belong to these bytes.
     """
     positions = np.empty((len(rows), count))
     if not _gather_joints(data, rows, positions):
@@ -114,7 +115,7 @@ def gather_joints(data: Bytes, rows: Table, count: int) -> Floats:
 
 
 def find_stripes(data: Bytes, messages: Table) -> Table:
-    """Where the parts of ``crenel.StripeProfile`` stand.
+    """Positions of the parts of ``crenel.StripeProfile``.
 
     Args:
         messages: (M, 5) rows of ``find_records``.
@@ -129,14 +130,14 @@ def find_stripes(data: Bytes, messages: Table) -> Table:
 
 
 def gather_list(data: Bytes, rows: Table, column: int) -> Floats:
-    """One list (N,) of all stripes behind one another, as it is stored.
+    """One list (N,) of all stripes, concatenated, as stored.
 
     Args:
         rows: (M, ``STRIPE_COLUMNS``) of ``find_stripes``, all with points or none.
         column: ``U``, ``V``, ``INTENSITY`` or ``SIGMA``.
 
     Raises:
-        ValueError: a row is not of these bytes.
+        ValueError: a row does not belong to these bytes.
     """
     numbers = np.empty(int(rows[:, POINTS].sum()), LISTS[column])
     if _gather_list(data, rows, column, numbers.view(np.uint8)) != numbers.nbytes:

@@ -1,4 +1,4 @@
-"""Writing a scan recording (MCAP) while it is taken."""
+"""Writes a scan recording (MCAP) during the scan."""
 
 import os
 import threading
@@ -29,11 +29,11 @@ CHUNK_BYTES = 1 << 20
 
 
 class RecordingWriter:
-    """A recording that grows on disk; what is there is readable at any moment.
+    """A recording that grows on disk; its content is readable at any moment.
 
-    Chunks of 1 MiB go to disk as they fill, LZ4 compressed, so that a killed process
-    loses less than one of them. For use from one thread, but for ``sync``. ``close``
-    completes the file and syncs it; leaving the ``with`` block closes.
+    Chunks of 1 MiB go to disk when they are full, LZ4 compressed, so that a killed process loses
+    less than one of them. For use from one thread, except ``sync``. ``close`` completes the file
+    and syncs it; leaving the ``with`` block closes.
     """
 
     def __init__(
@@ -42,8 +42,8 @@ class RecordingWriter:
         """Creates the file, which must not exist.
 
         Args:
-            station: what is known of the devices and was set: ``arm_serial``,
-                ``sensor_serial``, ``arm_delay_ns``, ``extraction``.
+            station: properties of the devices and settings: ``arm_serial``, ``sensor_serial``,
+                ``arm_delay_ns``, ``extraction``.
 
         Raises:
             OperationError: the file exists or cannot be created.
@@ -83,7 +83,7 @@ class RecordingWriter:
         self.close()
 
     def write_metadata(self, station: Mapping[str, str]) -> None:
-        """What has changed of ``station``; a reader goes by what stands last."""
+        """Updates ``station``; readers use the last record."""
         self._writer.add_metadata(STATION_METADATA, dict(station))
 
     @property
@@ -94,7 +94,7 @@ class RecordingWriter:
         """One reading of the arm, angles (n,) before sign and offset.
 
         Raises:
-            OperationError: the disk is full or gone, as do the other two.
+            OperationError: the disk is full or gone; the other two methods raise the same.
         """
         states = [
             JointState(name=name, position=angle)
@@ -104,11 +104,11 @@ class RecordingWriter:
         self._add(self._joints, stamp_ns, message.SerializeToString())
 
     def stripe(self, stamp_ns: int, stripe: Stripe, width_px: int, height_px: int) -> None:
-        """The stripe of a frame, by the stamp of its mid-exposure."""
+        """The stripe of a frame, with the time stamp of its mid-exposure."""
         self._add(self._stripes, stamp_ns, encode_stripe(stripe, stamp_ns, width_px, height_px))
 
     def image(self, stamp_ns: int, image: GreyImage) -> None:
-        """A frame's picture (height, width), by the stamp of its mid-exposure."""
+        """The picture (height, width) of a frame, with the time stamp of its mid-exposure."""
         height, width = image.shape
         message = RawImage(
             timestamp=_timestamp(stamp_ns),
@@ -122,19 +122,19 @@ class RecordingWriter:
         self._add(self._images, stamp_ns, message.SerializeToString())
 
     def flush(self) -> None:
-        """Passes to the system what has come so far: a killed process does not lose it."""
+        """Passes everything so far to the operating system: a killed process does not lose it."""
         self._writer.flush()
 
     def sync(self) -> None:
-        """Brings to the disk what was flushed: a power failure does not lose it.
+        """Syncs to disk what was flushed: a power failure does not lose it.
 
-        From any thread, so that a slow disk holds up no writing; the next write raises
-        where it failed.
+        May be called from any thread, so that a slow disk does not delay writing; if it fails, the
+        next write raises.
         """
         self._file.sync()
 
     def close(self) -> None:
-        """Completes the file on disk; idempotent. Raises ``OperationError`` where it could not."""
+        """Completes the file on disk; idempotent. Raises ``OperationError`` if it fails."""
         if not self._open:
             return
         self._open = False
@@ -154,9 +154,9 @@ class RecordingWriter:
 
 
 class _SyncedFile:
-    """The file under the writer, synced from any thread.
+    """The file of the writer, which can be synced from any thread.
 
-    After a failure nothing more is written: what stands there is readable up to it.
+    After a failure, nothing more is written: the content up to it stays readable.
     """
 
     def __init__(self, path: Path) -> None:
@@ -169,7 +169,7 @@ class _SyncedFile:
             sync_folder(path.parent)
 
     def write(self, data: bytes) -> int:
-        """Writes all of it; raises ``OperationError``, as each write after a failure does."""
+        """Writes all bytes; raises ``OperationError``, as does each write after a failure."""
         if self.failure is not None:
             raise self.failure
         view = memoryview(data)
@@ -185,7 +185,7 @@ class _SyncedFile:
         return self._written
 
     def flush(self) -> None:
-        """Nothing is held back here."""
+        """Nothing is buffered here."""
 
     def sync(self) -> None:
         with self._closing:
@@ -207,7 +207,7 @@ class _SyncedFile:
             self._fail(error)
 
     def _fail(self, error: OSError) -> OperationError:
-        """Keeps the first failure, and gives it."""
+        """Stores the first failure, and returns it."""
         self.failure = self.failure or error_from_os(error, self._path)
         return self.failure
 

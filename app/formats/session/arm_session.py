@@ -1,12 +1,12 @@
-"""A folder with an arm's own geometry: what was touched, read and checked.
+"""A folder of measurements for the geometry of an arm: read and checked.
 
 ``arm.json``           the arm as its datasheet has it
 ``articulation.csv``   set,q1_deg,…,qN_deg                  the tip in one seat a set, the arm swung
 ``spheres.csv``        sphere,diameter_mm,q1_deg,…          touches of calibrated spheres
 ``ballbars.csv``       bar,position,length_mm,standard_uncertainty_mm,end,q1_deg,…
 
-One row a point. Any of the tables may be missing, not all. ``sphere`` names a sphere in
-one place, ``bar`` an artefact: its positions share the error of its calibrated length.
+One row per point. Some of the tables may be missing, but not all. ``sphere`` names a sphere at one
+place, ``bar`` an artefact: its positions share the error of its calibrated length.
 """
 
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ from app.metrology.transforms import Floats
 
 ARM = "arm.json"
 IDENTIFIED = "identified.json"
-"""The arm as identified, where it is kept beside what it was identified from."""
+"""The identified arm, if it is stored with the data of its identification."""
 ARTICULATION, SPHERES, BALLBARS = "articulation.csv", "spheres.csv", "ballbars.csv"
 TABLES = (ARTICULATION, SPHERES, BALLBARS)
 
@@ -37,7 +37,7 @@ LARGEST_UNCERTAINTY_MM = 1.0
 
 @dataclass(frozen=True)
 class IdentificationSession:
-    """What was read, and from which files."""
+    """The content of a folder, and the files from which it was read."""
 
     arm: Arm
     observations: ArmObservations
@@ -54,7 +54,7 @@ def read_identification_session(folder: Path) -> IdentificationSession:
 
 
 def read_observations(folder: Path, arm: Arm) -> ArmObservations:
-    """The folder's tables, for an arm; raises ``OperationError``."""
+    """The tables of a folder, for an arm; raises ``OperationError``."""
     _check_folder(folder)
     if not any((folder / name).exists() for name in TABLES):
         raise OperationError(
@@ -70,14 +70,14 @@ def read_observations(folder: Path, arm: Arm) -> ArmObservations:
 
 
 def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
-    """Reads ``articulation.csv``: one seat a set; raises ``OperationError``."""
+    """Reads ``articulation.csv``, with one seat per set; raises ``OperationError``."""
     table = read_table(path, ("set",))
     rows = _rows_by_label(table, arm, "set")
     return tuple(Seat(name, q_rad) for name, (_, q_rad) in rows.items())
 
 
 def write_observations(folder: Path, found: ArmObservations) -> None:
-    """Brings a folder's tables up to date, each atomically; one without points is removed."""
+    """Updates the tables of a folder, each atomically; a table without points is removed."""
     _write(folder / ARTICULATION, ("set",), [((s.name,), s.q_rad) for s in found.seats])
     _write(
         folder / SPHERES,

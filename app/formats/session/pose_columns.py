@@ -1,4 +1,4 @@
-"""Where an arm stood, by the columns of a table: joint angles, or a robot's flange poses."""
+"""Pose columns of a table: joint angles, or the flange poses of a robot."""
 
 import re
 from collections.abc import Sequence
@@ -21,14 +21,14 @@ class ArmReadings:
         self._poses = None if isinstance(arm, Arm) else FlangePoses(table)
 
     def read_row(self, row: TableRow) -> tuple[Floats, Floats | None]:
-        """Angles (n,) and no pose, or no angles (0,) and ``T_arm_flange`` (4, 4)."""
+        """Angles (n,) without a pose, or no angles (0,) with ``T_arm_flange`` (4, 4)."""
         if self._angles is not None:
             return self._angles.read_row(row), None
         assert self._poses is not None
         return np.zeros(0), self._poses.read_row(row)
 
     def read_rows(self, rows: Sequence[TableRow]) -> tuple[Floats, Floats | None]:
-        """The same of all rows; ``OperationError`` where they are evidently in other units."""
+        """The same for all rows; ``OperationError`` if they are clearly in other units."""
         each = [self.read_row(row) for row in rows]
         angles = np.array([q for q, _ in each])
         if self._angles is not None:
@@ -42,9 +42,10 @@ class ArmReadings:
 
 COLUMNS = ("x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw")
 UNIT_TOLERANCE = 1e-3
-"""Quaternions written with four digits are this far from unit length at most."""
+"""Deviation from unit length of quaternions written with four digits."""
 REACH_MM = 5.0
-"""Robots whose flange never gets further than this from their base are rather in metres."""
+"""If the flange of a robot never gets further than this from its base, the unit is probably
+metres."""
 
 
 class FlangePoses:
@@ -72,8 +73,8 @@ class FlangePoses:
         )
 
     def read_row(self, row: TableRow) -> Floats:
-        """``T_arm_flange`` (4, 4) of a row; ``OperationError`` where the quaternion is none."""
-        from scipy.spatial.transform import Rotation  # slow to load; most arms give angles
+        """``T_arm_flange`` (4, 4) of a row; ``OperationError`` if the quaternion is invalid."""
+        from scipy.spatial.transform import Rotation  # slow to import; most arms have angles
 
         values = np.array([row.number(column) for column in COLUMNS])
         length = float(np.linalg.norm(values[3:]))
@@ -87,7 +88,7 @@ class FlangePoses:
         return rigid(Rotation.from_quat(values[3:]).as_matrix(), values[:3])
 
     def refuse_metres(self, poses: Sequence[Floats]) -> None:
-        """Refuses a table whose lengths are evidently metres."""
+        """Refuses a table whose lengths are clearly in metres."""
         furthest = max(float(np.linalg.norm(T[:3, 3])) for T in poses)
         if 0 < furthest < REACH_MM:
             raise OperationError(
@@ -111,7 +112,7 @@ def pose_cells(T_arm_flange: Floats) -> tuple[float, ...]:
 
 
 STOP_TOLERANCE_DEG = 0.5
-"""An arm that rests at its stop may read a little past its limit."""
+"""An arm that rests at its stop may read slightly beyond its limit."""
 
 
 def joint_columns(count: int) -> tuple[str, ...]:
@@ -123,7 +124,7 @@ class JointAngles:
     """The ``q…_deg`` columns of a table, for one arm."""
 
     def __init__(self, table: CsvTable, arm: Arm) -> None:
-        """Raises ``OperationError`` unless the table has one column a joint of the arm."""
+        """Raises ``OperationError`` unless the table has one column per joint of the arm."""
         self._path = table.path
         self._arm = arm
         self._columns = joint_columns(arm.joint_count)
@@ -184,10 +185,10 @@ class JointAngles:
         return np.asarray(np.deg2rad(q_deg))
 
     def refuse_radians(self, q_rad: Sequence[Floats]) -> None:
-        """Refuses a table that evidently holds radians.
+        """Refuses a table that clearly contains radians.
 
-        An arm over an object never has all its joints within one turn's worth of
-        radians (6.3 degrees) of zero: it would be stretched out straight.
+        If an arm over an object had all its joint angles within 6.3 degrees of zero, it would be
+        stretched out straight.
         """
         largest_deg = float(np.max(np.abs(np.rad2deg(q_rad))))
         if 0 < largest_deg <= 2 * np.pi:

@@ -1,4 +1,4 @@
-"""``mask.json``: zones of the sensor's picture in which nothing is to be measured."""
+"""``mask.json``: zones of the sensor's picture without measurement."""
 
 from pathlib import Path
 from typing import Annotated, ClassVar, Self
@@ -22,7 +22,7 @@ Zone = Annotated[tuple[Corner, ...], Field(min_length=3, max_length=64)]
 
 
 class Mask(Document):
-    """The zones, of one sensor's picture."""
+    """Zones in the picture of one sensor."""
 
     FORMAT: ClassVar[str] = "crenel/mask"
 
@@ -45,14 +45,14 @@ class Mask(Document):
         return self
 
     def where(self) -> NDArray[np.bool_]:
-        """(height, width) pixels in which the stripe may lie: all outside the zones."""
+        """Mask (height, width) of the pixels in which the stripe may lie: all outside the zones."""
         hidden = np.zeros((self.height_px, self.width_px), np.uint8)
         for zone in self.zones:
             cv2.fillPoly(hidden, [np.rint(np.array(zone)).astype(np.int32)], (1,))
         return np.asarray(hidden == 0)
 
     def check_size(self, path: Path, width_px: int, height_px: int) -> None:
-        """Raises ``OperationError`` for a picture that the zones were not drawn on."""
+        """Raises ``OperationError`` for a picture for which the zones were not drawn."""
         if (width_px, height_px) != (self.width_px, self.height_px):
             raise OperationError(
                 "mask-size",
