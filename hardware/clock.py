@@ -1,4 +1,4 @@
-"""The one clock that every stamp is on."""
+"""The common clock of all time stamps."""
 
 import time
 

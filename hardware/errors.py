@@ -1,4 +1,4 @@
-"""What a device driver raises."""
+"""The error that device drivers raise."""
 
 from app.messages.message import Text
 

@@ -1,9 +1,9 @@
-"""The two small interfaces that every driver meets, and the records they yield.
+"""The two small interfaces that every driver implements, and the records that drivers return.
 
-Drivers block: one thread opens, reads and closes a device. Nothing is touched
-before ``open``; ``close`` may be called at any time, also from another thread,
-and twice. A device that goes away raises ``DeviceError`` from ``read``; the
-thread's owner closes it and opens it again with back-off.
+Driver methods may block: one thread opens, reads and closes a device. A driver does not access its
+device before ``open``; ``close`` may be called at any time, from any thread, and repeatedly. If a
+device is lost, ``read`` raises ``DeviceError``; the thread then closes it and opens it again, with
+growing pauses.
 """
 
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ class JointSample:
     """One reading of all encoders."""
 
     sequence: int
-    """Counts up by one a sample, as the device counted; a gap is a loss."""
+    """Increases by one per sample, as counted by the device; a gap means lost samples."""
     stamp_ns: int
     """Host-monotonic time at which the encoders were latched."""
     joints_rad: tuple[float, ...]
@@ -28,7 +28,7 @@ class JointSample:
 
 
 class Button(StrEnum):
-    """What the operator pressed on the arm."""
+    """A button on the arm."""
 
     PRIMARY = "primary"
     UNDO = "undo"
@@ -37,7 +37,7 @@ class Button(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class ButtonEvent:
-    """A button went down or up; a touch trigger counts as the primary button."""
+    """A button was pressed or released; a touch trigger counts as the primary button."""
 
     sequence: int
     stamp_ns: int
@@ -53,7 +53,7 @@ class Frame:
     """One image of the sensor's camera."""
 
     sequence: int
-    """Counts up by one a frame, as the device counted; a gap is a loss."""
+    """Increases by one per frame, as counted by the device; a gap means lost frames."""
     mid_exposure_ns: int
     """Host-monotonic time of the middle of the exposure."""
     image: NDArray[np.uint8] | NDArray[np.uint16]
@@ -64,7 +64,7 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class ArmInfo:
-    """What an arm says of itself once open."""
+    """Properties of an arm, known after ``open``."""
 
     name: str
     serial_number: str
@@ -74,22 +74,22 @@ class ArmInfo:
 
 @dataclass(frozen=True, slots=True)
 class SensorInfo:
-    """What a sensor says of itself once open."""
+    """Properties of a sensor, known after ``open``."""
 
     name: str
     serial_number: str
     width_px: int
     height_px: int
     exposure_range_us: tuple[float, float]
-    """Shortest and longest exposure; equal where it cannot be set."""
+    """Shortest and longest exposure; equal if it cannot be set."""
     has_laser_switch: bool
     longest_gap_s: float = 0.0
-    """A sensor whose pictures may come so far apart while it is there says so; else 0."""
+    """The longest interval between pictures of a sensor that works; 0 if unspecified."""
 
 
 @dataclass(slots=True)
 class LinkHealth:
-    """Counts since ``open``: what arrived, and what did not."""
+    """Counts since ``open``: records received, lost and corrupt."""
 
     received: int = 0
     lost: int = 0
@@ -103,12 +103,12 @@ class ArmDriver(Protocol):
     def health(self) -> LinkHealth: ...
 
     def open(self) -> ArmInfo:
-        """Connects; raises ``DeviceError`` when the arm is not there or speaks another tongue."""
+        """Connects; raises ``DeviceError`` if the arm is missing or uses another protocol."""
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
-        """What has arrived since the last call, oldest first; empty after ``timeout_s``.
+        """All records since the last call, oldest first; empty after ``timeout_s``.
 
-        Raises ``DeviceError`` when the arm was lost.
+        Raises ``DeviceError`` if the arm was lost.
         """
 
     def close(self) -> None:
@@ -122,16 +122,17 @@ class SensorDriver(Protocol):
     def health(self) -> LinkHealth: ...
 
     def open(self) -> SensorInfo:
-        """Connects; raises ``DeviceError`` when the camera is not there."""
+        """Connects; raises ``DeviceError`` if the camera is missing."""
 
     def read(self, timeout_s: float) -> Frame | None:
-        """The next frame, or None after ``timeout_s``; raises ``DeviceError`` when lost."""
+        """The next frame, or None after ``timeout_s``; raises ``DeviceError`` if the camera was
+        lost."""
 
     def set_exposure_us(self, exposure_us: float) -> None:
-        """Applies from one of the next frames on; clipped to the sensor's range."""
+        """Sets the exposure from one of the next frames on; clipped to the range of the sensor."""
 
     def set_laser(self, on: bool) -> None:
-        """Idempotent; may be called from any thread."""
+        """Switches the laser; idempotent, may be called from any thread."""
 
     def close(self) -> None:
         """Switches the laser off and releases the device; idempotent."""

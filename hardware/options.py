@@ -1,4 +1,4 @@
-"""Driver options as station.toml gives them, checked."""
+"""Options of drivers from station.toml, checked."""
 
 from collections.abc import Mapping
 from difflib import get_close_matches
@@ -12,7 +12,8 @@ from hardware.errors import DeviceError
 
 
 class Options(BaseModel):
-    """Base of a driver's options: nothing unknown, nothing converted, nothing changed."""
+    """Base class of driver options: unknown keys are refused, values are not converted, options are
+    immutable."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
@@ -21,20 +22,21 @@ OptionsT = TypeVar("OptionsT", bound=Options)
 
 
 def read_options(model: type[OptionsT], options: Mapping[str, object], table: str) -> OptionsT:
-    """The options of one table of station.toml.
+    """The options in one table of station.toml.
 
     Args:
-        model: what the driver takes.
+        model: the options of the driver.
         options: keys and values, without ``driver``.
         table: "arm" or "sensor", for the message.
 
     Raises:
-        DeviceError: naming a wrong key and what is wrong with it.
+        DeviceError: names a wrong key and the problem with it.
     """
     try:
         return model.model_validate(dict(options))
     except ValidationError as error:
-        # A misspelt key shows as an unknown and a missing one: the unknown one says more.
+        # A misspelt key appears as one unknown and one missing key: the unknown one is more
+        # helpful.
         first = min(error.errors(), key=lambda each: each["type"] != "extra_forbidden")
     key = ".".join(str(part) for part in first["loc"][:1])
     known = sorted(model.model_fields)

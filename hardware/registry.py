@@ -1,9 +1,8 @@
-"""Finds a driver by the name that station.toml gives.
+"""Finds a driver by its name in station.toml.
 
-Drivers are entry points of the groups ``crenel.arms`` and ``crenel.sensors``: callables
-that take the table's options and return an unopened driver. The ones below are built
-in; they are registered in pyproject.toml as well and are found here without any
-installed package, too.
+Drivers are entry points of the groups ``crenel.arms`` and ``crenel.sensors``: callables that take
+the options of the table and return an unopened driver. The ones below are built in; they are also
+registered in pyproject.toml, and are found here even if no package is installed.
 """
 
 from collections.abc import Callable, Mapping
@@ -27,12 +26,12 @@ BUILT_IN = {
 
 
 def arm_drivers() -> list[str]:
-    """Names that ``[arm] driver`` may take."""
+    """Names for ``[arm] driver``."""
     return sorted(_find_drivers(_ARMS))
 
 
 def sensor_drivers() -> list[str]:
-    """Names that ``[sensor] driver`` may take."""
+    """Names for ``[sensor] driver``."""
     return sorted(_find_drivers(_SENSORS))
 
 
@@ -40,8 +39,8 @@ def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
     """An unopened arm driver.
 
     Args:
-        name: as in ``[arm] driver`` of station.toml.
-        options: the table's other keys.
+        name: value of ``[arm] driver`` in station.toml.
+        options: the other keys of the table.
 
     Raises:
         DeviceError: no such driver, its package is broken, or an option is wrong.
@@ -50,12 +49,12 @@ def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
 
 
 def sensor_driver(name: str, options: Mapping[str, object]) -> SensorDriver:
-    """An unopened sensor driver; as ``arm_driver``, for ``[sensor]``."""
+    """An unopened sensor driver; like ``arm_driver``, for ``[sensor]``."""
     return cast(SensorDriver, _factory(_SENSORS, name)(options))
 
 
 def _find_drivers(group: str) -> dict[str, list[EntryPoint]]:
-    """Every entry point of the group by name; the same one twice counts once."""
+    """Every entry point of the group by name; identical duplicates count once."""
     found = {name: [EntryPoint(name, value, group)] for name, value in BUILT_IN[group].items()}
     for entry in entry_points(group=group):
         same_name = found.setdefault(entry.name, [])

@@ -1,21 +1,20 @@
-"""A device's own time brought to the host's clock.
+"""Converts a device's own time to the host's clock.
 
-A packet says when its sample was taken, on the device's clock; the host knows only
-when it arrived: later by a transport delay that is small at best, and a fifth of a
-second when the machine is busy. What is steady is the least delay. So the difference
-``arrival - device time`` is bounded from below by a slowly sloping line (the clocks'
-offset, drifting by their difference in rate), and the packets that came through
-unhindered lie on it.
+A packet states when its sample was taken, on the device's clock; the host knows only when it
+arrived: later by a transport delay that is small at best, and a fifth of a second when the machine
+is busy. Only the minimum delay is constant. The difference ``arrival - device time`` is therefore
+bounded from below by a line with a small slope (the offset of the clocks, drifting with their
+difference in rate), and packets without additional delay lie on it.
 
-That line is found as the edge of the lower convex hull of the differences over the last
-20 s, above their mean time; of each half second only the least difference is kept.
-Any straight line under all points has the edge's slope at best, so that no threshold on
-"normal" delays is needed. For the first five seconds, too short for a slope, the line
-is level and follows the least difference of the last second.
+This line is found as the edge of the lower convex hull of the differences over the last 20 s, at
+their mean time; of each half second, only the smallest difference is kept. Any straight line below
+all points has at best the slope of this edge, so that no threshold for "normal" delays is needed.
+During the first five seconds, which are too short for a slope, the line is level and follows the
+smallest difference of the last second.
 
-The least delay itself cannot be seen from here. It is a constant (the option
-``latency_us`` of the driver), and shows in the data as the distance between a forward
-and a backward pass over one plane.
+The minimum delay itself cannot be observed here. It is a constant (the option ``latency_us`` of the
+driver), and appears in the data as the distance between a forward and a backward pass over one
+plane.
 """
 
 from collections import deque
@@ -28,20 +27,20 @@ _BUCKETS = 40
 _SLOPE_SPAN_NS = 5_000_000_000
 _LEVEL_BUCKETS = 2
 _MAX_DRIFT = 0.01
-"""Above any crystal (1e-4) and any ceramic resonator (5e-3)."""
+"""Larger than for any crystal (1e-4) and any ceramic resonator (5e-3)."""
 _LATE_NS = 50_000_000
-"""So far off the line, a clock has jumped."""
+"""If a difference is this far from the line, a clock has jumped."""
 _LATE_BUCKETS = 4
 _MIN_STEP_NS = 500_000
 
 
 class DeviceClock:
-    """Maps device time to host-monotonic time; stamps strictly increase.
+    """Maps device time to host-monotonic time; time stamps strictly increase.
 
-    ``observe`` takes arrivals, ``stamp`` asks for the mapping. Where a better
-    observation moves the mapping back, stamps run at half speed until it is met. When
-    a packet comes far earlier than can be, or nothing has arrived on the line for two
-    seconds, one of the clocks has jumped or stood still, and the line begins again.
+    ``observe`` adds arrivals, ``stamp`` applies the mapping. If a better observation moves the
+    mapping back, time stamps advance at half speed until they meet it. If a packet arrives
+    impossibly early, or nothing has arrived on the line for two seconds, one of the clocks has
+    jumped or stopped, and the line starts again.
     """
 
     def __init__(self) -> None:
@@ -49,7 +48,7 @@ class DeviceClock:
         self.restart()
 
     def restart(self) -> None:
-        """Forgets the mapping: the device was restarted. Stamps still increase."""
+        """Discards the mapping after a restart of the device. Time stamps still increase."""
         self._origin_ns: int | None = None
         self._zero_ns = 0
         self._buckets: deque[tuple[float, float]] = deque(maxlen=_BUCKETS)
@@ -61,7 +60,7 @@ class DeviceClock:
         self._device_ns: int | None = None
 
     def observe(self, device_ns: int, arrival_ns: int) -> None:
-        """Of packets that arrived together, the last one says it all."""
+        """Of packets that arrive together, only the last one is needed."""
         if self._origin_ns is None:
             self._origin_ns = arrival_ns - device_ns
             self._zero_ns = device_ns
@@ -72,7 +71,7 @@ class DeviceClock:
             self._bucket = arrival_ns // _BUCKET_NS
             self._close_bucket()
         below = self._slope * at + self._level_ns - difference
-        if below > _LATE_NS:  # earlier than can be: the device's clock has jumped forward
+        if below > _LATE_NS:  # impossibly early: the device's clock has jumped forward
             self._buckets.clear()
             self._slope, self._level_ns = 0.0, difference
         elif below > 0:
@@ -81,7 +80,7 @@ class DeviceClock:
             self._best = (at, difference)
 
     def stamp(self, device_ns: int) -> int:
-        """Host-monotonic nanoseconds of a device time; needs one observation before."""
+        """Host-monotonic nanoseconds of a device time; requires an earlier observation."""
         assert self._origin_ns is not None, "observe comes first"
         offset = self._level_ns + self._slope * (device_ns - self._zero_ns)
         stamp = device_ns + self._origin_ns + round(offset)

@@ -1,8 +1,8 @@
-r"""The encoder arm's serial protocol, version 1, byte for byte.
+r"""The encoder arm's serial protocol, version 1, byte by byte.
 
-Enough to write the firmware of an arm, or of an adapter for an existing one, that
-the ``serial-encoder`` driver understands. The bytes may travel over a UART, USB
-(CDC), RS-485 or a TCP stream: 8 data bits, no parity, 1 stop bit, no flow control,
+This is all you need to write the firmware of an arm, or of an adapter for an existing one,
+for the ``serial-encoder`` driver. The bytes may be sent over a UART, USB (CDC), RS-485 or a TCP
+stream: 8 data bits, no parity, 1 stop bit, no flow control,
 by default 921 600 baud (a 7-joint arm at 1 kHz needs 510 000).
 
 Packet
@@ -21,12 +21,12 @@ offset  size  field
 ======  ====  ========================================================================
 
 The CRC is that of zlib, PNG and Ethernet: reflected polynomial EDB88320 (04C11DB7
-unreflected), initial value FFFFFFFF, final exclusive-or FFFFFFFF; of the ASCII
+unreflected), initial value FFFFFFFF, final exclusive-or FFFFFFFF; for the ASCII
 string ``123456789`` it is CBF43926. This frame stays the same in all versions.
 
 Sample (type 01)
 ================
-The payload is 14 + 4 n bytes long, n being the number of joints, 6 or 7.
+The payload is 14 + 4 n bytes long, where n is the number of joints, 6 or 7.
 
 ======  ====  ========================================================================
 offset  size  field, within the payload
@@ -42,21 +42,21 @@ offset  size  field, within the payload
 14      4 n   counts, signed, base joint first: the encoders' absolute position
 ======  ====  ========================================================================
 
-Samples flow by themselves from power-up at a steady rate of 50 Hz to 4 kHz, with
-nobody asking. All encoders are latched at one instant. An angle is
+The arm sends samples from power-up at a constant rate of 50 Hz to 4 kHz, without a request.
+All encoders are latched at the same time. An angle is
 ``2 pi * counts / counts_per_revolution`` radians; counts pass through zero and
-through full turns without a jump. Sign and zero of a joint belong to the arm's model
-in the host, not here.
+through full turns without a jump. Sign and zero of a joint belong to the arm model
+in the host, not to the protocol.
 
-The arm debounces its buttons: a bit changes only once the contact has settled, and
-then keeps its value for at least five samples, so that the loss of a packet hides no
-press. An edge counts as of the first sample that carries it.
+The arm debounces its buttons: a bit changes only when the contact has settled, and then keeps
+its value for at least five samples, so that a lost packet cannot hide a press. The time
+of an edge is that of the first sample that contains it.
 
 Hello (type 02)
 ===============
 The payload is 69 + 4 n bytes long. The arm sends a hello within 0.5 s of a hello
-request; one that cannot receive sends it by itself each second. It goes out between
-two samples.
+request; an arm that cannot receive sends one every second. It is sent between two
+samples.
 
 ========  ====  ======================================================================
 offset    size  field, within the payload
@@ -71,25 +71,25 @@ offset    size  field, within the payload
 
 Hello request (type 81)
 =======================
-No payload, so always the same nine bytes. The host sends it on opening, and again
-each half second until a hello comes.
+It has no payload, so it is always the same nine bytes. The host sends it on opening, and
+every half second until a hello arrives.
 
 What the host does
 ==================
-- It looks for A7 5C and takes a packet only where the CRC agrees; else it goes on one
-  byte further, so that noise or a cut packet never costs the intact one behind it.
-  What it passes over is counted as ``corrupt``, once for each stretch between two good
-  packets; what it passes over before the first good packet is not counted.
+- It searches for A7 5C and accepts a packet only if the CRC matches; otherwise it continues
+  one byte further, so that noise or a truncated packet never hides the intact one after it.
+  Skipped bytes count as ``corrupt``, once between two good packets; bytes skipped before the
+  first good packet do not count.
 - A packet of unknown type with a good CRC is ignored.
 - Missing sequence numbers are counted as ``lost``. A sample that repeats the last
   sequence number is dropped and counted as ``corrupt``.
-- A sequence or a device time that runs backward means that the arm was restarted: the
-  host begins its time mapping again and goes on.
-- Buttons that are already down in the first sample after opening give no press; a
-  change of bits from one sample to the next gives a press or a release, with the
-  device time of the later sample.
-- A hello that no longer names the same arm, or samples with another number of joints,
-  end the connection with an error.
+- If a sequence number or a device time goes backward, the arm was restarted: the host
+  restarts its time mapping and continues.
+- Buttons that are already down in the first sample after opening cause no press; a change
+  of bits from one sample to the next causes a press or a release, with the device time of
+  the later sample.
+- A hello that names another arm, or samples with another number of joints, end the
+  connection with an error.
 
 Examples
 ========
@@ -134,7 +134,7 @@ _U32 = struct.Struct("<I")
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The encoders as the arm latched them at one instant."""
+    """The encoder counts that the arm latched at one time."""
 
     sequence: int
     device_us: int
@@ -144,7 +144,7 @@ class Sample:
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """What the arm says of itself."""
+    """The properties of the arm."""
 
     rate_hz: float
     counts_per_revolution: tuple[int, ...]
@@ -156,9 +156,8 @@ class Hello:
 class PacketReader:
     """Finds the packets in a stream of bytes that may start anywhere and be damaged.
 
-    ``corrupt`` counts the stretches of bytes passed over, ``received_bytes`` all that
-    came, and ``other_version`` is the version of the last intact packet that is not
-    ours to read.
+    ``corrupt`` counts the skipped parts of the stream, ``received_bytes`` all received bytes, and
+    ``other_version`` is the version of the last intact packet of an unsupported version.
     """
 
     def __init__(self) -> None:
@@ -166,14 +165,14 @@ class PacketReader:
         self.received_bytes = 0
         self.other_version: int | None = None
         self._rest = b""
-        self._skipping = True  # a start in the middle of a packet is no damage
+        self._skipping = True  # a start in the middle of a packet is not damage
 
     def feed(self, data: bytes) -> list[Sample | Hello]:
         """The packets completed by ``data``, in order."""
         self.received_bytes += len(data)
         buffer = self._rest + data
         found: list[Sample | Hello] = []
-        taken = 0  # everything before is dealt with
+        taken = 0  # everything before this has been processed
         open_at = -1  # the first packet that may still be completed
         at = buffer.find(_SYNC)
         while at >= 0:
@@ -217,11 +216,11 @@ class PacketReader:
 
 
 class _UnknownPacket:
-    """An intact packet that this version does not know."""
+    """An intact packet of an unknown version."""
 
 
 def _end(buffer: bytes, at: int) -> int:
-    """Where the packet that may start at ``at`` ends; beyond the buffer if unknown yet."""
+    """End of the packet that may start at ``at``; beyond the buffer if still unknown."""
     head_end = at + _HEAD
     return head_end + buffer[head_end - 1] + _CRC if head_end <= len(buffer) else head_end
 

@@ -1,7 +1,7 @@
-"""The ``serial-encoder`` driver: an arm that sends its encoders' counts as packets.
+"""The ``serial-encoder`` driver: an arm that sends the counts of its encoders as packets.
 
-The bytes on the line are published in ``hardware/arm/protocol.py``, for the makers of
-the arm's firmware or an adapter for an existing arm. In station.toml::
+``hardware/arm/protocol.py`` describes the bytes on the line, for developers of an arm's firmware or
+of an adapter for an existing arm. In station.toml::
 
     [arm]
     driver = "serial-encoder"
@@ -32,7 +32,7 @@ from hardware.options import Options, read_options
 _BUTTON_BITS = ((1, Button.PRIMARY), (2, Button.UNDO), (4, Button.BACK))
 _ASK_EVERY_S = 0.5
 _SETTLE_S = 0.25
-"""Samples are watched this long before the first is handed out, to learn the clock."""
+"""Samples are observed for this long before the first is returned, to learn the clock."""
 
 
 class SerialEncoderOptions(Options):
@@ -47,12 +47,12 @@ class SerialEncoderOptions(Options):
 
 
 def from_options(options: Mapping[str, object]) -> "SerialEncoderArm":
-    """The driver for one ``[arm]`` table of station.toml; raises ``DeviceError``."""
+    """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
     return SerialEncoderArm(read_options(SerialEncoderOptions, options, "arm"))
 
 
 class SerialEncoderArm:
-    """An encoder arm on a serial line or a TCP stream. Meets ``ArmDriver``."""
+    """An encoder arm on a serial line or a TCP stream. Implements ``ArmDriver``."""
 
     def __init__(self, options: SerialEncoderOptions) -> None:
         self._options = options
@@ -67,11 +67,10 @@ class SerialEncoderArm:
         return self._health
 
     def open(self) -> ArmInfo:
-        """Connects and waits until the arm has said who it is and samples flow.
+        """Connects and waits until the arm has identified itself and sends samples.
 
-        Open already, it does nothing. Raises ``DeviceError`` when the port cannot be
-        opened, nothing or something else speaks there, or the arm is not the one
-        asked for.
+        Does nothing if the arm is already open. Raises ``DeviceError`` if the port cannot be
+        opened, if nothing or something else responds, or if the arm is not the expected one.
         """
         with self._state:
             if self._wire is not None and self._info is not None:
@@ -100,7 +99,7 @@ class SerialEncoderArm:
         return self._info
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
-        """Samples and button edges since the last call, a sample before its edges."""
+        """Samples and button edges since the last call; a sample comes before its edges."""
         wire = self._wire
         if wire is None:
             raise DeviceError(message("arm-not-open", url=self._options.url))
@@ -116,7 +115,7 @@ class SerialEncoderArm:
             raise
 
     def close(self) -> None:
-        """Releases the port, ending a waiting ``open`` or ``read``; idempotent."""
+        """Releases the port and ends a waiting ``open`` or ``read``; idempotent."""
         with self._state:
             self._closings += 1
             wire, self._wire, self._info = self._wire, None, None
@@ -145,7 +144,7 @@ class SerialEncoderArm:
 
 
 class _Stream:
-    """Turns the bytes of one connection into records."""
+    """Converts the bytes of one connection into records."""
 
     def __init__(self, options: SerialEncoderOptions, health: LinkHealth) -> None:
         self._options = options
@@ -162,7 +161,7 @@ class _Stream:
         self.settled = False
 
     def records(self, data: bytes, arrival_ns: int) -> list[ArmRecord]:
-        """Records of the packets that ``data`` completes; none before the stream settled."""
+        """Records of the packets that ``data`` completes; none before the stream has settled."""
         records: list[ArmRecord] = []
         for packet in self._reader.feed(data):
             if isinstance(packet, Hello):
@@ -233,7 +232,7 @@ class _Stream:
             )
 
     def _advance(self, sample: Sample) -> bool:
-        """Follows the sequence; False for a repeated sample."""
+        """Checks the sequence number; False for a repeated sample."""
         last, self._last = self._last, sample
         step = 1
         if last is None:
@@ -282,7 +281,7 @@ class _Stream:
 
 
 def _counts(options: SerialEncoderOptions, hello: Hello) -> tuple[int, ...]:
-    """Counts per revolution to use with this arm; raises ``DeviceError`` for a wrong arm."""
+    """Counts per revolution for this arm; raises ``DeviceError`` for a wrong arm."""
     joints = len(hello.counts_per_revolution)
     if joints not in (6, 7):
         raise DeviceError(

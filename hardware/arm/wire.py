@@ -1,9 +1,8 @@
-"""A byte stream to an arm, over whatever pyserial can open.
+"""A byte stream to an arm, over any port that pyserial can open.
 
-pyserial's own blocking read returns late (it waits for a full buffer or the timeout)
-and cannot be interrupted on every kind of port. Where a port has a file descriptor we
-wait on it ourselves and read without blocking; elsewhere (Windows' COM ports,
-``rfc2217://``) we read in short slices.
+pyserial's own blocking read returns late (it waits for a full buffer or the timeout) and cannot be
+interrupted on every kind of port. If a port has a file descriptor, this module waits on it and
+reads without blocking; otherwise (Windows COM ports, ``rfc2217://``) it reads in short intervals.
 """
 
 import contextlib
@@ -42,7 +41,7 @@ class Wire:
         baudrate: for ports that have one.
 
     Raises:
-        DeviceError: when the port cannot be opened, with the reason.
+        DeviceError: if the port cannot be opened, with the reason.
     """
 
     def __init__(self, url: str, baudrate: int) -> None:
@@ -54,9 +53,9 @@ class Wire:
         self._selector = self._make_selector()
 
     def receive(self, timeout_s: float) -> bytes:
-        """What has arrived, waiting for the first byte; empty after ``timeout_s``.
+        """Received bytes, after waiting for the first one; empty after ``timeout_s``.
 
-        Raises ``DeviceError`` when the line is gone, or was closed meanwhile.
+        Raises ``DeviceError`` if the line is lost or was closed in the meantime.
         """
         with self._in_use:
             if self._closed:
@@ -73,14 +72,14 @@ class Wire:
         return data
 
     def send(self, data: bytes) -> None:
-        """Writes to the port; raises ``DeviceError`` when it is gone."""
+        """Writes to the port; raises ``DeviceError`` if it is lost."""
         with self._in_use:
             if self._closed:
                 raise self._line_closed_error()
             try:
                 self._port.write(data)
             except serial.SerialTimeoutException:
-                pass  # an arm that cannot listen still speaks
+                pass  # an arm that cannot receive still sends
             except OSError as error:
                 raise DeviceError(
                     message("nothing-can-be-sent-to-arm", url=self._url, reason=_reason(error)),
@@ -130,7 +129,7 @@ class Wire:
 
 
 def _open_port(url: str, baudrate: int) -> _Port:
-    # pyserial's RFC 2217 client refuses a limit for writing; what we write is nine bytes.
+    # pyserial's RFC 2217 client refuses a write timeout; only nine bytes are written.
     write_timeout = None if url.lower().startswith("rfc2217:") else 1.0
     try:
         port = serial.serial_for_url(
@@ -138,7 +137,7 @@ def _open_port(url: str, baudrate: int) -> _Port:
         )
     except (OSError, ValueError, OverflowError) as error:
         raise _open_error(url, error) from error
-    # FTDI converters hold bytes back for 16 ms by default; other ports know no such mode.
+    # FTDI converters buffer bytes for 16 ms by default; other ports have no such mode.
     with contextlib.suppress(AttributeError, NotImplementedError, ValueError, OSError):
         port.set_low_latency_mode(True)
     return cast(_Port, port)
