@@ -46,7 +46,7 @@ export function App() {
     document.title = title;
   }, [title]);
   if (session && !session.you) return <EntrancePage session={session} />;
-  // a kiosk display has no controls: the page fills it
+  // a kiosk screen has no controls: the page fills it
   if (session?.you?.kiosk) return <SupervisePage key={`${language} ${units}`} />;
   return (
     <div className={styles.frame}>

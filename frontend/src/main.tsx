@@ -28,7 +28,7 @@ import { theme } from "./theme";
 const root = document.getElementById("root");
 if (!root) throw new Error("the page has no #root");
 
-// it reads the address, of which a link leaves nothing
+// it reads the address, before a link is removed from it
 const language = startLanguage();
 startLive();
 void startSession();

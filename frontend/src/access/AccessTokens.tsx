@@ -15,7 +15,7 @@ interface Props {
   title: string;
   /** Above the list; the number is of those in it. */
   intro: (count: number) => ReactNode;
-  /** Gives what is displayed only once; empty where nothing was created. */
+  /** Returns the text that is shown only once; empty if nothing was created. */
   add: (name: string) => Promise<string>;
   remove: (id: string) => Promise<unknown>;
   texts: { revoke: string; once: string; label: string; placeholder: string; create: string };

@@ -15,7 +15,7 @@ import styles from "./Access.module.css";
 import { ROLES } from "./roles";
 import { useReread } from "./useReread";
 
-/** Everybody's account, and a new one. */
+/** All accounts, and a form for a new one. */
 export function Accounts() {
   const { list, reread } = useReread<AccountSummary>("/api/accounts");
   return (

@@ -3,7 +3,7 @@ import { t } from "../state/language";
 import styles from "./Access.module.css";
 import { AccessTokens } from "./AccessTokens";
 
-/** Links for kiosk displays, which give a full view and allow no action. */
+/** Links for kiosk screens, which show everything and allow no action. */
 export function KioskLinks() {
   return (
     <AccessTokens

@@ -4,7 +4,7 @@ import { notifyOfError } from "../api/commands";
 import { get } from "../api/http";
 import { t } from "../state/language";
 
-/** A list of the station's, and how to load it again after a change. */
+/** A list from the station, and a function to reload it after a change. */
 export function useReread<T>(path: string): { list: T[] | null; reread: () => Promise<void> } {
   const [list, setList] = useState<T[] | null>(null);
   const reread = useCallback(async () => {

@@ -12,7 +12,7 @@ export class Refused extends Error {
   }
 }
 
-/** The station gave no answer: it is not known whether it acted. One that is starting gives none either. */
+/** The station did not answer: it is unknown whether it acted. A starting station does not answer either. */
 export class NoAnswer extends Error {}
 
 const ANSWER_WITHIN_MS = 10_000;
@@ -43,7 +43,7 @@ function problemOf(status: number, text: string): Problem {
   };
 }
 
-/** The complete text of an answer; one that breaks off on its way is none. */
+/** The complete text of an answer; an interrupted one does not count. */
 async function request(path: string, init: RequestInit): Promise<string> {
   let answer: Response;
   let text: string;
@@ -58,7 +58,7 @@ async function request(path: string, init: RequestInit): Promise<string> {
   throw problem.code === "starting" ? new NoAnswer(path) : new Refused(problem);
 }
 
-/** What is there, in this browser's language. */
+/** The data at an address, in this browser's language. */
 export async function get<T>(path: string): Promise<T> {
   return localized(JSON.parse(await request(path, { method: "GET" })) as T);
 }
@@ -73,7 +73,7 @@ export async function post<T>(path: string, body: unknown = {}): Promise<T | nul
 }
 
 /**
- * A command, sent once more with the same key when no answer came: the station acts only once.
+ * A command, repeated with the same key if there is no answer: the station acts only once.
  */
 export async function postOnce<T>(path: string, command: { key: string }): Promise<T | null> {
   try {
@@ -84,7 +84,7 @@ export async function postOnce<T>(path: string, command: { key: string }): Promi
   }
 }
 
-/** Asks for something to be taken away. */
+/** Deletes something. */
 export async function drop<T>(path: string): Promise<T | null> {
   return parsed<T>(await request(path, { method: "DELETE" }));
 }

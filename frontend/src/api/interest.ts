@@ -3,7 +3,7 @@ export class Interest<Watcher> {
   readonly watchers = new Set<Watcher>();
   private onChange: (on: boolean) => void = () => undefined;
 
-  /** The socket's side: called when the first watcher comes and when the last one goes. */
+  /** For the socket: called for the first watcher and after the last one. */
   listen(listener: (on: boolean) => void): void {
     this.onChange = listener;
   }
@@ -12,7 +12,7 @@ export class Interest<Watcher> {
     return this.watchers.size > 0;
   }
 
-  /** Until what it returns is called. */
+  /** Until the returned function is called. */
   watch(watcher: Watcher): () => void {
     this.watchers.add(watcher);
     if (this.watchers.size === 1) this.onChange(true);

@@ -8,7 +8,7 @@ import type { AccessTokenSummary, AccountSummary, Control, SignInState } from ".
 
 const AGAIN_MS = 1000;
 
-/** What a link brought along after its #, taken out of the address at once. Earlier kiosk links say "wall". */
+/** The part of a link after its #, removed from the address at once. Earlier kiosk links have "wall". */
 function fragment(): { way: "code" | "kiosk"; value: string } | null {
   const found = /^#(code|kiosk|wall)=([\w-]+)$/.exec(window.location.hash);
   if (!found) return null;
@@ -16,7 +16,7 @@ function fragment(): { way: "code" | "kiosk"; value: string } | null {
   return { way: found[1] === "code" ? "code" : "kiosk", value: found[2] ?? "" };
 }
 
-/** Enters by the link that opened this page, or goes on as whoever is signed in here. */
+/** Signs in with the link that opened this page, or continues with the existing sign-in. */
 export async function startSession(): Promise<void> {
   const link = fragment();
   if (link) {
@@ -97,7 +97,7 @@ export const removeAccount = (name: string) =>
     t("ui-the-account-was-not-removed"),
   );
 
-/** The new link's address, which is displayed only once; empty where it was not created. */
+/** The address of the new link, which is shown only once; empty if it was not created. */
 export async function addKioskLink(name: string): Promise<string> {
   let address = "";
   await done(async () => {

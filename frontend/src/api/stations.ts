@@ -1,9 +1,9 @@
 import { Interest } from "./interest";
 
-/** In what other stations do. */
+/** Interest in other stations. */
 export const stationsInterest = new Interest<symbol>();
 
-/** Asks for what other stations do while mounted. */
+/** Subscribes to other stations while mounted. */
 export function watchStations(): () => void {
   return stationsInterest.watch(Symbol("page"));
 }

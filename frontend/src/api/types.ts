@@ -1,4 +1,4 @@
-/** Parts of the generated types by names of their own, and the messages of the live connection. */
+/** Names for parts of the generated types, and the messages of the live connection. */
 
 import type {
   BeatMessage,
@@ -24,7 +24,7 @@ export type Quality = Finding["quality"];
 export type Role = CurrentUser["role"];
 export type WorkPage = Validity["page"];
 export type Picture = FlowView["picture"];
-/** What the sensor is calibrated on. */
+/** The calibration target. */
 export type ObjectGeometry = BlockGeometry | BoardGeometry;
 export type Measure = ViewState["measure"];
 export type ShapeName = FittedShape["shape"];

@@ -7,7 +7,7 @@ import type { Measure, Region, ShapeName } from "./types";
 
 const scanAt = (id: string) => `/api/scans/${encodeURIComponent(id)}`;
 
-/** Within limits in the legend's unit, or automatic ones. */
+/** With limits in the unit of the legend, or automatic ones. */
 export const colourBy = (measure: Measure, limits: [number, number] | null = null) =>
   done(
     () => post("/api/view/colours", { measure, low: limits?.[0] ?? null, high: limits?.[1] ?? null }),

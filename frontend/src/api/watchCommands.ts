@@ -20,7 +20,7 @@ export const startBackup = () => done(() => post<BackupState>("/api/backup"), t(
 
 export interface NotificationsChange {
   url: string;
-  /** Null leaves it, empty takes it away. */
+  /** Null keeps it, an empty string removes it. */
   secret: string | null;
   done: boolean;
   fault: boolean;
@@ -36,7 +36,7 @@ export const tryNotifications = () =>
 export const readNotifications = () =>
   done(() => get<Notifications>("/api/notifications"), t("ui-result-test-message-unknown"));
 
-/** The new token, which is displayed only once; empty where it was not created. */
+/** The new token, which is shown only once; empty if it was not created. */
 export async function addMetricsToken(name: string): Promise<string> {
   const made = await done(() => post<AccessTokenSummary>("/api/tokens", { name }), t("ui-the-token-was-not-created"));
   return made?.token ?? "";

@@ -7,7 +7,7 @@ import { RunCharts } from "./RunCharts";
 import { SeatList } from "./SeatList";
 import { TipPicture } from "./TipPicture";
 
-/** The apparent motion of the tip in one place; between seats, what there is so far. */
+/** The apparent motion of the tip in one seat; between seats, the results so far. */
 export function ArmPictureView({ view }: { view: ArmView }) {
   const { picture } = view;
   if (view.purpose === "tip" && view.step !== "seat") return <TipPicture picture={picture} />;

@@ -7,7 +7,7 @@ import { Reports } from "../parts/Reports";
 import { t } from "../state/language";
 import styles from "./History.module.css";
 
-/** A check of the arm, with its report. */
+/** An arm check, with its report. */
 export function ArmRow({ check }: { check: ArmCheckSummary }) {
   const limit =
     check.limit_um === null ? t("ui-no-limit-set") : t("ui-limit-value", { value: quantity(check.limit_um, "µm") });
@@ -32,7 +32,7 @@ export function ArmRow({ check }: { check: ArmCheckSummary }) {
   );
 }
 
-/** A check of the tip, with its report. */
+/** A tip check, with its report. */
 export function TipRow({ check }: { check: TipCheckSummary }) {
   return (
     <li className={styles.row}>

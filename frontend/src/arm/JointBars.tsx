@@ -3,7 +3,7 @@ import { figures } from "../parts/format";
 import { word } from "../state/language";
 import styles from "./JointBars.module.css";
 
-/** How far each joint has turned in this seat, within what it can turn. */
+/** The range of each joint in this seat, within its limits. */
 export function JointBars({ joints }: { joints: JointSwing[] }) {
   return (
     <dl className={styles.joints}>

@@ -16,7 +16,7 @@ const TABS = [
   { value: "numbers", label: "ui-parameters" },
 ] as const;
 
-/** What the identification is worth, as bars; the parameters are one tap away. */
+/** The accuracy of the identification as bars; the parameters are one tap away. */
 export function ResultView({ result, id }: { result: ArmResult; id: string }) {
   const [tab, setTab] = useState("picture");
   return (
@@ -110,7 +110,7 @@ function changed({ parameters }: ArmResult): TableData {
   };
 }
 
-/** Pairs that the places hardly separate: why their uncertainties are larger than the tip's. */
+/** Pairs that the places hardly separate, which is why their uncertainties exceed the tip's. */
 function correlated({ correlated: pairs }: ArmResult): TableData {
   return {
     title: "ui-correlated-well-determined-together-less-well",

@@ -9,7 +9,7 @@ const WIDTH = 600;
 const HEIGHT = 120;
 const LEAST_UM = 10;
 
-/** The tip's place along each axis of the arm, point after point, between the limits. */
+/** The position of the tip along each axis of the arm, point by point, with the limits. */
 export function RunCharts({ picture, touching = false }: { picture: ArmPicture; touching?: boolean }) {
   const { tips_um, half_range_um, two_sigma_um, limit_um } = picture;
   const largest = Math.max(LEAST_UM, ...(half_range_um ?? []));

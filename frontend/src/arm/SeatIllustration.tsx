@@ -9,7 +9,7 @@ const POSTURES = [
   { elbow: [284, 84], wrist: [444, 192], state: "now" },
 ] as const;
 
-/** An arm swung about its tip, which stays in a seat. */
+/** An arm that swings about its tip, which stays in a seat. */
 export function SeatIllustration() {
   return (
     <div className={styles.illustration}>

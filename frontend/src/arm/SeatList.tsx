@@ -6,7 +6,7 @@ import { t } from "../state/language";
 import { SeatIllustration } from "./SeatIllustration";
 import styles from "./SeatList.module.css";
 
-/** The seats taken so far, each with what the tip seems to move by in it. */
+/** The seats taken so far, each with the apparent motion of the tip. */
 export function SeatList({ seats }: { seats: SeatLine[] }) {
   if (seats.length === 0) {
     return (

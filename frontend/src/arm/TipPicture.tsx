@@ -4,7 +4,7 @@ import { FigureBars } from "../verify/FigureBars";
 import { TouchView } from "../verify/TouchView";
 import styles from "./TipPicture.module.css";
 
-/** The contact points on the sphere, and once they are evaluated the figures of the tip. */
+/** The contact points on the sphere and, after their evaluation, the figures of the tip. */
 export function TipPicture({ picture }: { picture: ArmPicture }) {
   const { tip, touches, sphere_mm } = picture;
   return (

@@ -6,11 +6,11 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./CameraPicture.module.css";
 
-/** One press changes the brightness by a fifth: small enough to aim, large enough to see. */
+/** One press changes the brightness by a fifth: a small step that is still visible. */
 const FACTOR = 1.25;
 
 interface CameraPictureProps {
-  /** The object as it would look from the advised hold; empty without advice. */
+  /** The object as it would look from the suggested hold; empty without a suggestion. */
   target: [number, number, number, number][];
 }
 

@@ -3,7 +3,7 @@ import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./DevicesPicture.module.css";
 
-/** Each device and whether it is fit for the work. */
+/** Each device and whether it is ready for use. */
 export function DevicesPicture({ devices }: { devices: DeviceLine[] }) {
   return (
     <ul className={styles.devices} aria-label={t("ui-devices")}>

@@ -25,7 +25,7 @@ function count({ taken, wanted }: FaceProgress): string {
   return taken > 0 ? t("ui-n-points", { n: taken }) : t("ui-not-needed");
 }
 
-/** The faces to touch, each with its count; the way to choose one by glove or by key. */
+/** The faces to touch, each with its count; selectable with gloves or keys. */
 export function FaceChips({ faces, onSelect }: FaceChipsProps) {
   return (
     <div className={styles.chips} role="group" aria-label={t("ui-faces")}>

@@ -6,12 +6,12 @@ import styles from "./LastEvent.module.css";
 
 const DISPLAY_MS = 5000;
 
-/** What needs attention is a notice, and the next step has its own title. */
+/** Problems are notices, and the next step has its own title. */
 function isElsewhere({ kind, quality, text }: StationEvent): boolean {
   return text === "" || kind === "step_done" || quality === "attention" || quality === "bad";
 }
 
-/** What just happened, for a moment, in the place of the note: "Point 8 on the front face, +12 µm". */
+/** The last event, shown briefly in the place of the note: "Point 8 on the front face, +12 µm". */
 export function LastEvent({ children }: { children: ReactNode }) {
   const event = useLive((s) => s.event);
   const [hidden, setHidden] = useState<number | null>(event?.id ?? null);

@@ -6,7 +6,7 @@ import { DevicesPicture } from "./DevicesPicture";
 import { ObjectPicture } from "./ObjectPicture";
 import { StillPoses } from "./StillPoses";
 
-/** The large picture that the step asks for. */
+/** The large picture of the step. */
 export function PictureView({ picture }: { picture: Picture }) {
   switch (picture.kind) {
     case "devices":

@@ -3,7 +3,7 @@ import { measured } from "../parts/lengths";
 import { t } from "../state/language";
 import styles from "./ResidualLegend.module.css";
 
-/** What the dots' colours mean. */
+/** Legend of the dot colours. */
 export function ResidualLegend({ scale_um, sticks = false }: { scale_um: number; sticks?: boolean }) {
   return (
     <div className={styles.legend}>

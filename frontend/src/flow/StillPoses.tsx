@@ -4,7 +4,7 @@ import type { Picture } from "../api/types";
 import { PoseView } from "../image/PoseView";
 import { useLook } from "../state/useLook";
 
-/** The poses taken so far, the newest first until another is asked for. */
+/** The poses taken so far; shows the newest one until another is selected. */
 export function StillPoses({ picture }: { picture: Extract<Picture, { kind: "still" }> }) {
   const [selection, setSelection] = useState({ pose: picture.shown, newest: picture.shown });
   const show = (pose: number) => setSelection({ pose, newest: picture.shown });

@@ -11,7 +11,7 @@ import { usePage } from "../state/router";
 import { type BannerMessage, useLive } from "../state/store";
 import styles from "./Banners.module.css";
 
-/** What must be read now: a lost connection, a lost device, a refusal, a stop. */
+/** Urgent messages: a lost connection, a lost device, a refusal, a stop. */
 export function Banners() {
   const banner = useLive((s) => s.banner);
   const connection = useLive((s) => s.connection);
@@ -51,7 +51,7 @@ function LostBanner({ first }: { first: boolean }) {
   );
 }
 
-/** Somebody requests control: displayed to whoever has it. */
+/** A request for control, shown to the user who has it. */
 function ControlRequest() {
   const requester = useLive((s) => s.control?.asked_by ?? null);
   const yours = useLive((s) => s.control?.holder?.id === s.session?.you?.id);
@@ -73,7 +73,7 @@ function ControlRequest() {
   );
 }
 
-/** A device is called lost for as long as it is, and no longer. */
+/** A device is shown as lost only while it is lost. */
 function LostDevices() {
   const devices = useLive((s) => s.devices);
   if (!devices) return null;

@@ -12,11 +12,11 @@ import { useLive } from "../state/store";
 import styles from "./ControlMenu.module.css";
 import { PasswordForm } from "./PasswordForm";
 
-/** Who has control, in the same place on every page; under it, how to come by it. */
+/** Who has control, in the same place on every page, with a menu to obtain it. */
 export function ControlMenu() {
   const you = useLive((s) => s.session?.you ?? null);
   const control = useLive((s) => s.control);
-  // whoever came by the console's link has no password
+  // users of the console's link have no password
   const guest = useLive((s) => s.session?.by_code ?? false);
   const [opened, setOpened] = useState(false);
   if (!you) return null;

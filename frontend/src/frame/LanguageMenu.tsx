@@ -7,8 +7,8 @@ import { nameOf, t, useLanguage } from "../state/language";
 import styles from "./LanguageMenu.module.css";
 import toggles from "./Toggles.module.css";
 
-/** This browser's language and units, read off in the bar and changed under it; where there is
- *  little space next to this browser's other settings. */
+/** This browser's language and units, shown in the bar and changed below it; if there is
+ *  little space, next to this browser's other settings. */
 export function LanguageMenu({ children }: { children: ReactNode }) {
   const language = useLanguage();
   const [opened, setOpened] = useState(false);

@@ -6,7 +6,7 @@ import { TextField } from "../parts/TextField";
 import { notify } from "../state/banner";
 import { t } from "../state/language";
 
-/** A new password of one's own; a press opens it. */
+/** Changes the user's own password; a press opens the form. */
 export function PasswordForm() {
   const [opened, setOpened] = useState(false);
   const [old, setOld] = useState("");

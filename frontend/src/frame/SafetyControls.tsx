@@ -29,7 +29,7 @@ function LaserButton() {
   const live = useLive((s) => s.connection === "live");
   const { state, act, on } = laserWords(devices, live);
   const switchable = !devices || devices.has_laser_switch;
-  // what is not known to be off is switched off
+  // switched off unless it is known to be off
   const press = () => void setLaser(live && devices !== null && !devices.laser_on);
   return (
     <button

@@ -7,7 +7,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./StatusLine.module.css";
 
-/** Each device's freshness in one line; grey, with its age, when the station is not heard. */
+/** The age of each device's data in one line; grey, with its age, if the station is offline. */
 export function StatusLine() {
   const devices = useLive((s) => s.devices);
   const home = useLive((s) => s.home);

@@ -3,7 +3,7 @@ import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./Health.module.css";
 
-/** Every check: what needs somebody in full, the rest in a line each. */
+/** All checks: those that need attention in full, the others in one line each. */
 export function Checks({ health }: { health: Health }) {
   const wanting = health.items.filter((item) => item.quality === "bad" || item.quality === "attention");
   const fine = health.items.filter((item) => item.quality === "good" || item.quality === "neutral");

@@ -69,7 +69,7 @@ export function LogList() {
   );
 }
 
-/** To the second, in the reader's own zone. */
+/** To the second, in the user's time zone. */
 function timeOf(iso: string): string {
   const date = new Date(iso);
   if (Number.isNaN(date.getTime())) return iso;

@@ -16,7 +16,7 @@ interface MaintenanceProps {
   onChange: () => Promise<void>;
 }
 
-/** Copies of everything, and what to send to whoever helps. */
+/** Backups, and the support bundle. */
 export function Maintenance({ backup, admin, operator, onChange }: MaintenanceProps) {
   const { last, share } = backup;
   const start = async () => {

@@ -16,7 +16,7 @@ const KINDS = [
   { kind: "due", label: "ui-due-a-calibration-is-too-old" },
 ] as const;
 
-/** Who is notified of what is done, at fault or due. */
+/** Notifications of finished jobs, faults and due checks. */
 export function Notifications({ admin }: { admin: boolean }) {
   return (
     <section className={styles.section} aria-label={t("ui-notifications")}>

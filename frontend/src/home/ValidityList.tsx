@@ -15,7 +15,7 @@ const STATES: Record<Validity["state"], PlainId> = {
   unsure: "ui-undecided",
 };
 
-/** What must be in order to measure: whether it is, why not, and where it is done; what comes
+/** What must be valid for measuring: its state, the reason, and where to fix it; the item
  *  `next` has its button beside the list. */
 export function ValidityList({ checks, next }: { checks: Validity[]; next: string }) {
   return (

@@ -15,12 +15,12 @@ import { drawBand, drawOverlay, drawSaturated, drawTarget } from "./overlay";
 import { useRate } from "./useRate";
 
 const OLD_S = 1;
-/** After so many seconds the reason is displayed why there is no newer picture. */
+/** After this many seconds, the reason for the old picture is shown. */
 const AWAY_S = 2;
 
 type Target = [number, number, number, number][];
 
-/** The picture's size, and how many of the screen's pixels one of its own takes. */
+/** The size of the picture, and the number of screen pixels per picture pixel. */
 export interface Frame {
   width_px: number;
   height_px: number;
@@ -28,9 +28,9 @@ export interface Frame {
 }
 
 interface LiveCameraProps {
-  /** How the object should come to lie. */
+  /** The target position of the object. */
   target?: Target;
-  /** What lies on the picture, of its own size. */
+  /** An overlay with the size of the picture. */
   over?: (frame: Frame) => ReactNode;
   /** Without the figures below. */
   bare?: boolean;
@@ -80,7 +80,7 @@ export function LiveCamera({ target = [], over, bare = false }: LiveCameraProps)
   );
 }
 
-/** Why the picture stands still, and that nothing need be done for its return. */
+/** Why the picture is frozen, and that it resumes automatically. */
 function Away({ old_s }: { old_s: number }) {
   const heard = useLive((s) => s.connection === "live");
   const sensor = useLive((s) => s.devices?.sensor.state ?? "lost");
@@ -154,13 +154,13 @@ function useAge(newest: { current: number }): number {
 interface PanelProps {
   header: PreviewHeader;
   old_s: number | null;
-  /** The laser's line is looked at, not the object. */
+  /** The laser line is of interest, not the object. */
   line: boolean;
-  /** Pictures a second, as they come to this screen. */
+  /** Pictures per second received by this screen. */
   rate: number;
 }
 
-/** What the newest picture is worth, in figures, and what is wrong with it beyond the card's findings. */
+/** Quality figures of the newest picture, and problems that are not among the findings of the card. */
 function Panel({ header, old_s, line, rate }: PanelProps) {
   const onCard = useLive((s) => s.flow?.findings) ?? [];
   const texts = onCard.map((finding) => asSent(finding).text);

@@ -14,9 +14,9 @@ interface StillImageProps extends Overlay {
   image_url: string;
   width_px: number;
   height_px: number;
-  /** In a picture that was declined: what shows why. */
+  /** In a refused picture: the evidence. */
   marks?: ImageAnnotation[];
-  /** Of a result: u, v of points of the stripe, and how far each lies off. */
+  /** For a result: u, v of points of the stripe, and the deviation of each. */
   stripe_off?: Vec3[];
   /** Draws the residuals of corners and stripe as arrows, enlarged. */
   residuals?: boolean;
@@ -31,19 +31,19 @@ const MARKS: Record<ImageAnnotation["kind"], { colour: string; title: PlainId }>
   outline: { colour: COLOURS.outline, title: "ui-the-closest-detection-of-the-object" },
   segment: { colour: "#9aa7b4", title: "ui-straight-edges" },
 };
-/** At most so much of the picture's size is displayed beyond it, where the object reaches out. */
+/** Maximum extension beyond the picture, as a share of its size, if the object extends beyond it. */
 const BEYOND = 0.35;
 /** A label's height on the screen, whatever the picture's size. */
 const LABEL_PX = 15;
 const KINDS = Object.keys(MARKS) as ImageAnnotation["kind"][];
 
-/** How many times residuals (px) are enlarged, so that the largest is well visible and covers little. */
+/** Magnification of residuals (px) at which the largest is visible and covers little. */
 function enlargement(residuals_px: number[], longest_px: number): number {
   const largest = Math.max(1e-6, ...residuals_px);
   return [2000, 1000, 500, 200, 100, 50, 20, 10].find((times) => largest * times <= longest_px) ?? 5;
 }
 
-/** Of corners and stripe, each by its own: a corner is found far better than a point of the stripe. */
+/** Separate for corners and stripe: a corner is far more accurate than a point of the stripe. */
 interface Enlarged {
   corners: number;
   stripe: number;
@@ -63,7 +63,7 @@ function enlarged(corners: OverlayCorner[], stripe_off: Vec3[], width_px: number
   };
 }
 
-/** The picture's frame, widened to what of the object lies beyond it. */
+/** The picture's frame, extended to parts of the object beyond it. */
 function frameOf(marks: ImageAnnotation[], width_px: number, height_px: number): string {
   const beyond = marks.filter(({ kind }) => kind !== "segment" && kind !== "clipped");
   const range = (ends: number[], size: number): [number, number] => [
@@ -81,7 +81,7 @@ function frameOf(marks: ImageAnnotation[], width_px: number, height_px: number):
   return `${left} ${top} ${right - left} ${low - top}`;
 }
 
-/** From the corner to where it points, with a head. */
+/** An arrow from the corner. */
 function arrow(du: number, dv: number): string {
   const length = Math.hypot(du, dv);
   if (length < 1) return "";
@@ -103,7 +103,7 @@ function stripeArrows(stripe_off: Vec3[], times: number): string {
   return stripe_off.map(([u, v, off]) => `M${u} ${v}${across}${off * times}`).join("");
 }
 
-/** The captured picture with what was found in it. */
+/** The captured picture with its detections. */
 export function StillImage(props: StillImageProps) {
   const { image_url, width_px, height_px, corners, outline, stripe, marks = [], residuals = false, worst = [] } = props;
   const stripe_off = residuals ? (props.stripe_off ?? []) : [];
@@ -175,7 +175,7 @@ export function StillImage(props: StillImageProps) {
   );
 }
 
-/** The points that fit worst, each with its residual beside it, none over another. */
+/** The points with the largest residuals, each with a label; labels do not overlap. */
 function Worst({ worst, width_px, size }: { worst: WorstPointLine[]; width_px: number; size: number }) {
   const spots = worst.flatMap(({ at_px }, index) =>
     at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : [],
@@ -216,7 +216,7 @@ function cornerSummary(name: string, residual_px: number | null): string {
 }
 
 function summary({ corners, stripe }: Overlay, times: Enlarged | null): string {
-  // the stripe is sent thinned for drawing: the number of its points would be a false one
+  // the stripe is thinned for drawing: the number of its points would be wrong
   const text = stripe.length > 0 ? "ui-corners-and-the-laser-stripe" : "ui-corners-no-laser-stripe";
   const found = t(text, { corners: corners.length });
   return times ? `${found}. ${arrowsSummary(times)}` : found;

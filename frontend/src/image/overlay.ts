@@ -2,7 +2,7 @@ import type { Band, DetectedCorner, ImageCorner } from "../api/wire";
 import { quantity } from "../messages/text";
 import { t } from "../state/language";
 
-/** The error is known of the corners of a result. */
+/** For the corners of a result, the error is known. */
 export type OverlayCorner = DetectedCorner & Partial<ImageCorner>;
 
 export interface Overlay {
@@ -11,7 +11,7 @@ export interface Overlay {
   stripe: [number, number][];
 }
 
-/** Of the picture, whatever the scheme: they lie on a grey photograph. */
+/** For the picture, in every theme: they are drawn on a grey photograph. */
 export const COLOURS = {
   outline: "#57b8ff",
   corner: "#ffe066",
@@ -21,7 +21,7 @@ export const COLOURS = {
   band: "#9fe8ff",
 };
 
-/** About how far the corners lie apart: of their box, a square to each. */
+/** Approximate distance between corners: their bounding box divided into one square each. */
 export function spacing_px(corners: OverlayCorner[]): number {
   if (corners.length < 2) return Infinity;
   const range = (places: number[]) => Math.max(...places) - Math.min(...places);
@@ -59,7 +59,7 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   context.stroke();
 }
 
-/** Where the object should come to lie: dashed, so that it is not taken for what was found. */
+/** The target position of the object: dashed, to distinguish it from detections. */
 export function drawTarget(
   context: CanvasRenderingContext2D,
   target: [number, number, number, number][],
@@ -79,7 +79,7 @@ export function drawTarget(
   context.restore();
 }
 
-/** What is lost in white: hatched, so that the picture shows through. */
+/** Overexposed regions: hatched, so that the picture stays visible. */
 export function drawSaturated(
   context: CanvasRenderingContext2D,
   boxes: [number, number, number, number][],
@@ -104,7 +104,7 @@ export function drawSaturated(
   context.restore();
 }
 
-/** The lines between which the laser's light should fall, named by their distances. */
+/** The lines between which the laser line should be, labelled with their distances. */
 export function drawBand(context: CanvasRenderingContext2D, band: Band, scale: number): void {
   context.save();
   context.strokeStyle = COLOURS.band;

@@ -2,7 +2,7 @@ import { useCallback, useRef, useState } from "react";
 
 const OVER_MS = 2000;
 
-/** How often something happens a second, over the last two seconds. */
+/** Events per second, over the last two seconds. */
 export function useRate(): { rate: number; count: () => void } {
   const stamps = useRef<number[]>([]);
   const [rate, setRate] = useState(0);

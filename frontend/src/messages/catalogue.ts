@@ -1,4 +1,4 @@
-/** Messages in words: the language files, through Project Fluent's library. */
+/** Renders messages from the language files, with Project Fluent's library. */
 
 import { FluentBundle, FluentNumber, FluentResource, type FluentValue } from "@fluent/bundle";
 
@@ -11,7 +11,7 @@ export interface NumberFormat {
   count(value: number): string;
 }
 
-/** A number that a text chooses its plural by, written as everywhere. */
+/** A number that selects a plural, in the usual number format. */
 class Count extends FluentNumber {
   constructor(
     value: number,
@@ -25,7 +25,7 @@ class Count extends FluentNumber {
   }
 }
 
-/** What the language files may do to a text that is put in, as in app/messages/catalogue.py. */
+/** Functions of the language files for inserted texts, as in app/messages/catalogue.py. */
 const FUNCTIONS = {
   CAPITAL: ([text]: FluentValue[]) => capital(String(text)),
   CLAUSE: ([text]: FluentValue[]) => String(text).trim().replace(/\.+$/, ""),
@@ -34,7 +34,7 @@ const FUNCTIONS = {
 /** A path or the name of a file at the beginning of a text. */
 const FILE = /^[^\s:,]*[/\\._][\p{L}\p{N}_]/u;
 
-/** With a capital letter, unless it begins with a file. */
+/** With a capital letter, unless it begins with a file name. */
 function capital(text: string): string {
   return FILE.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1);
 }
@@ -65,7 +65,7 @@ export class Catalogue {
     return !isMessageList(text) || text.items.every((item) => this.knows(item));
   }
 
-  /** The text in this language; an id that no file has stands for itself. */
+  /** The text in this language; an unknown id stands for itself. */
   render(text: Text): string {
     if (typeof text === "string") return text;
     if (isMessage(text)) return this.message(text.message_id, text.values);
@@ -84,13 +84,13 @@ export class Catalogue {
     return typeof value === "number" ? new Count(value, this.format.count(value)) : this.part(value);
   }
 
-  /** A string within a text is a name: whatever script it is in, what is next to it stays in place. */
+  /** A string within a text is a name: in any script, it does not disturb the adjacent text. */
   private part(text: Text): string {
     return typeof text === "string" ? isolated(text) : this.render(text);
   }
 }
 
-/** Some signs are not parted from their number at a line's end. */
+/** Some signs are not separated from their number by a line break. */
 function typeset(source: string): string {
   return source
     .replaceAll(/(?<=[ (])k = (?=\d)/g, "k\u00a0=\u00a0")

@@ -1,4 +1,4 @@
-/** The browser and the station put a message into the same words; run by tests/frontend. */
+/** The browser and the station render a message identically; run by tests/frontend. */
 
 import { readFileSync } from "node:fs";
 
@@ -9,7 +9,7 @@ import { displayed } from "../parts/lengths";
 import { Catalogue } from "./catalogue";
 import type { Text } from "./text";
 
-/** A file of the station's renderings, where its tests give one. */
+/** A file of the station's renderings, if its tests provide one. */
 const path = process.env.CRENEL_RENDERINGS;
 interface Rendering {
   text: Text;
@@ -27,7 +27,7 @@ test.runIf(path)("every message of the station reads alike in both", () => {
   }
 });
 
-/** Which spaces break a line is the browser's affair. */
+/** Non-breaking spaces are up to the browser. */
 function plain(text: string): string {
   return text.replaceAll(/[\u00a0\u2009]/g, " ");
 }

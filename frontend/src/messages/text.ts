@@ -1,14 +1,14 @@
-/** Texts as data, in the shapes that the station sends. The Python side is app/messages/message.py. */
+/** Texts as data, as the station sends them. The Python counterpart is app/messages/message.py. */
 
 import type { Places } from "./places";
 
-/** The id of a text of the client's own. */
+/** The id of one of the client's own texts. */
 export type MessageId = keyof Places;
-/** One without places, to be put into words where it is displayed. */
+/** One without placeholders, rendered where it is shown. */
 export type PlainId = { [Id in MessageId]: [Places[Id]] extends [never] ? Id : never }[MessageId];
 export type Values<Id extends MessageId> = [Places[Id]] extends [never] ? [] : [values: Record<Places[Id], Value>];
 
-/** A text of the language files; its values fill the places in it. */
+/** A text of the language files; its values fill its placeholders. */
 export interface Message {
   message_id: string;
   values: Record<string, Value>;
@@ -34,7 +34,7 @@ export type Value = Text | number;
 
 const SENTENCE = "sentence";
 
-/** A text of the client's own as data. */
+/** One of the client's own texts as data. */
 export function message<Id extends MessageId>(id: Id, ...[values]: Values<Id>): Message {
   return { message_id: id, values: values ?? {} };
 }
@@ -59,7 +59,7 @@ export function isQuantity(value: object): value is Quantity {
   return "signed" in value && "unit" in value && "value" in value && "decimals" in value;
 }
 
-/** Whether a text is another, or has it in it, whatever the numbers. */
+/** Whether a text equals or contains another one, regardless of numbers. */
 export function mentions(text: Value, other: Text): boolean {
   const wanted = inner(other);
   if (typeof text !== "object") return text === wanted;

@@ -6,7 +6,7 @@ import styles from "./Illustration.module.css";
 import { ObjectDrawing } from "./ObjectDrawing";
 import { project, type View } from "./view";
 
-/** A block for pages that have no certificate to draw from; it stands for any. */
+/** A generic block for pages without a certificate. */
 const ANY_BLOCK: BlockGeometry = {
   kind: "block",
   edges_x_mm: [-24, -15, -7, -1, 6, 12, 19, 24],
@@ -21,7 +21,7 @@ const UP: Vec3 = [0, 0, 1];
 const STEP_MM = 0.5;
 const STRIPE_Y_MM = -7;
 
-/** What calibration is about: the object, and the laser stripe across crests and floors. */
+/** Illustration of a calibration: the object, and the laser stripe across crests and floors. */
 export function Illustration() {
   return (
     <div className={styles.illustration}>

@@ -11,7 +11,7 @@ import { headingFor, makeView, pathOf, type View } from "./view";
 
 interface ObjectDrawingProps {
   object: ObjectGeometry;
-  /** Best visible, and highlighted. */
+  /** The face that is turned to the viewer and highlighted. */
   face: string | null;
   onFace?: (face: string) => void;
   label: string;
@@ -19,7 +19,7 @@ interface ObjectDrawingProps {
   children?: (view: View) => ReactNode;
 }
 
-/** The block or the board as its certificate has it, in parallel projection. */
+/** The block or the board from its certificate, in parallel projection. */
 export function ObjectDrawing({ object, face, onFace, label, children }: ObjectDrawingProps) {
   const { ref, width, height } = useElementSize<HTMLDivElement>();
   const heading = useHeading(headingFor(object, face));

@@ -17,7 +17,7 @@ function placed(points: TouchedPoint[]): Placed[] {
   return points.filter((point): point is Placed => point.at_mm !== null);
 }
 
-/** Rings lying on the face, where it would be good to touch. */
+/** Rings on the face at the suggested places. */
 export function Suggestions({ view, face, places }: { view: View; face: string; places: Vec3[] }) {
   const radius_mm = (1.35 * dotRadius(view)) / view.scale;
   return (
@@ -40,13 +40,13 @@ interface TouchesProps {
   scale_um: number;
   chosen: number | null;
   onPoint: (index: number) => void;
-  /** Points whose value stands beside them, as an outlier's does. */
+  /** Points with their value beside them, as for outliers. */
   named?: number[];
 }
 
 const LABEL_PX = { wide: 84, tall: 22 };
 
-/** Touched points coloured by residual; an outlier is a diamond with its value beside it. */
+/** Contact points coloured by residual; an outlier is a diamond with its value beside it. */
 export function Touches({ view, object, points, scale_um, chosen, onPoint, named = [] }: TouchesProps) {
   const visible = placed(points)
     .sort((a, b) => Number(a.outlier) - Number(b.outlier))
@@ -80,7 +80,7 @@ interface TouchProps {
   radius: number;
   scale_um: number;
   chosen: boolean;
-  /** Where its value stands; without one it is not named. */
+  /** Position of its value; without one, the value is not shown. */
   side: Side | undefined;
   onPoint: (index: number) => void;
 }
@@ -141,7 +141,7 @@ interface SticksProps {
 
 const STICK_PX = 40;
 
-/** Each residual as a stick along its face's normal; the scale's end is 40 px beyond the dot. */
+/** Each residual as a line along the normal of its face; the end of the scale is 40 px from the dot. */
 export function ResidualSticks({ view, object, points, scale_um }: SticksProps) {
   const sticks = placed(points).filter(({ at_mm, face }) => isVisible(object, at_mm, normalOf(face), view.to));
   return (

@@ -56,7 +56,7 @@ function wall(block: BlockGeometry, x: number, foot: number): Vec3[] {
   ];
 }
 
-/** Where the block stands, a little wider than itself: its shadow. */
+/** The shadow of the block: its base, slightly enlarged. */
 export function footprint(block: BlockGeometry): Vec3[] {
   const [x, y] = middle(block);
   const outline = level(block, edge(block, 0), edge(block, block.edges_x_mm.length - 1), block.base_z_mm);
@@ -76,9 +76,9 @@ function comb(block: BlockGeometry, y: number): Vec3[] {
 }
 
 /**
- * The patches that a viewer towards `to` sees, the hidden ones first: floors, then merlons
- * from the far one to the near one, then the end and the comb face that look at the viewer.
- * Each later patch lies on the viewer's side of the earlier ones, so painting hides rightly
+ * The patches visible to a viewer in direction `to`, in painting order: floors, then merlons
+ * from far to near, then the end and the comb face that point to the viewer.
+ * Each later patch is on the viewer's side of the earlier ones, so painting order is correct
  * from every direction above the block.
  */
 export function visiblePatches(block: BlockGeometry, to: Vec3): Patch[] {

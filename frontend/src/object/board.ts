@@ -1,7 +1,7 @@
 import type { Vec3 } from "../api/types";
 import type { BoardGeometry } from "../api/wire";
 
-/** In squares: what is drawn of white around the pattern, and how thick the plate is drawn. */
+/** In squares: width of the white border around the pattern, and thickness of the plate. */
 const RIM = 1;
 const THICKNESS = 0.3;
 
@@ -35,7 +35,7 @@ function back_mm(board: BoardGeometry): number {
   return -THICKNESS * board.square_mm;
 }
 
-/** The printed side, with the white around the pattern. */
+/** The printed side, with the white border around the pattern. */
 export function printedSide(board: BoardGeometry): Vec3[] {
   const { x, y } = extent(board);
   return rectangle(x, y, 0);
@@ -84,7 +84,7 @@ export function narrowSides(board: BoardGeometry, to: Vec3): { side: "front" | "
   ];
 }
 
-/** Where the board lies, a little wider than itself: its shadow. */
+/** The shadow of the board: its outline, slightly enlarged. */
 export function boardFootprint(board: BoardGeometry): Vec3[] {
   const { x, y } = extent(board);
   const wider = ({ low, high }: Range): Range => ({ low: low - 0.03 * (high - low), high: high + 0.03 * (high - low) });

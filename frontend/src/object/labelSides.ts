@@ -2,13 +2,13 @@ export type Side = "left" | "right";
 
 interface Spot {
   index: number;
-  /** Where the point is, in the unit of the labels' size. */
+  /** Position of the point, in the unit of the label size. */
   at: [number, number];
 }
 
 /**
- * On which side of its point each label stands, so that none covers another where there is a
- * side for it, and none ends beyond the edges at ``edge`` to the left and right of 0.
+ * The side of its point on which each label is, so that labels do not overlap if there is a
+ * free side, and none extends beyond the edges at ``edge`` to the left and right of 0.
  */
 export function labelSides(spots: Spot[], label: { wide: number; tall: number }, edge = Infinity): Map<number, Side> {
   const taken: [number, number][] = [];

@@ -1,7 +1,7 @@
 import type { TouchedPoint } from "../api/wire";
 import { roundEnd } from "../parts/lengths";
 
-/** Blue for nothing through violet to orange for the scale's end: distinguishable for every eye. */
+/** Blue for zero through violet to orange for the end of the scale: suitable for colour-blind users. */
 const RAMP: [number, number, number][] = [
   [38, 118, 222],
   [140, 92, 205],
@@ -20,7 +20,7 @@ export function rampColour(share: number): string {
 
 export const RAMP_CSS = `linear-gradient(90deg, ${[0, 0.25, 0.5, 0.75, 1].map(rampColour).join(", ")})`;
 
-/** The end of the scale in µm: a round number that holds every point but the outliers. */
+/** The end of the scale in µm: a round number that includes every point except outliers. */
 export function scaleEnd(points: TouchedPoint[]): number {
   const sizes = points.filter((p) => !p.outlier).map((p) => Math.abs(p.residual_um ?? 0));
   const largest = Math.max(0, ...sizes);

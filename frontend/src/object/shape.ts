@@ -20,7 +20,7 @@ export function halfSize(object: ObjectGeometry): Vec3 {
   return object.kind === "block" ? block.halfSize(object) : boardHalfSize(object);
 }
 
-/** Where the object stands or lies, a little wider than itself: its shadow. */
+/** The shadow of the object: its base, slightly enlarged. */
 export function footprint(object: ObjectGeometry): Vec3[] {
   return object.kind === "block" ? block.footprint(object) : boardFootprint(object);
 }

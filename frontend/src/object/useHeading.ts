@@ -6,7 +6,7 @@ const TURN_MS = 420;
 
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
-/** The heading on its way to `wanted`, turning the short way round. */
+/** The heading on its way to `wanted`, along the shorter rotation. */
 export function useHeading(wanted: Heading): Heading {
   const [heading, setHeading] = useState(wanted);
   const from = useRef(wanted);

@@ -3,7 +3,7 @@ import { BOARD_FACE } from "./board";
 import { halfSize, middle } from "./shape";
 import { dot } from "./vector";
 
-/** Where the viewer stands: azimuth from the front (0) to the right (90), and elevation. */
+/** Direction of the viewer: azimuth from the front (0) to the right (90), and elevation. */
 export interface Heading {
   azimuth_deg: number;
   elevation_deg: number;
@@ -11,7 +11,7 @@ export interface Heading {
 
 interface Headings {
   resting: Heading;
-  /** From where each face is best visible. */
+  /** The direction from which each face is best visible. */
   faces: Record<string, Heading>;
 }
 
@@ -33,7 +33,7 @@ const HEADINGS: Record<ObjectGeometry["kind"], Headings> = {
   },
 };
 
-/** From where a face is best visible, turned the short way round from the current view. */
+/** The direction from which a face is best visible, along the shorter rotation from the current view. */
 export function headingFor({ kind }: ObjectGeometry, face: string | null): Heading {
   const { resting, faces } = HEADINGS[kind];
   return (face && faces[face]) || resting;
@@ -55,10 +55,10 @@ export interface View {
   height: number;
 }
 
-/** Left free around the object, as a share of the smaller side of the picture. */
+/** Margin around the object, as a share of the smaller side of the picture. */
 const MARGIN = 0.06;
 
-/** Half the width and height that the object takes on the screen, in mm, at a heading. */
+/** Half the width and height of the object on the screen, in mm, at a heading. */
 function reach(half: Vec3, { azimuth_deg, elevation_deg }: Heading): [number, number] {
   const azimuth = (azimuth_deg * Math.PI) / 180;
   const elevation = (elevation_deg * Math.PI) / 180;
@@ -78,7 +78,7 @@ function fittingScale(object: ObjectGeometry, width: number, height: number): nu
   return Math.max(0.5, Math.min((width / 2 - margin) / across, (height / 2 - margin) / up));
 }
 
-/** Parallel projection that holds the object, whatever the heading, in the same size. */
+/** Parallel projection in which the object has the same size at every heading. */
 export function makeView(object: ObjectGeometry, heading: Heading, width: number, height: number): View {
   const azimuth = (heading.azimuth_deg * Math.PI) / 180;
   const elevation = (heading.elevation_deg * Math.PI) / 180;
@@ -105,7 +105,7 @@ export function pathOf(view: View, outline: Vec3[]): string {
   return `M${points.join("L")}Z`;
 }
 
-/** An SVG matrix that lays a flat drawing in mm onto the face with this normal. */
+/** An SVG matrix that projects a flat drawing in mm onto the face with this normal. */
 export function layOn(view: View, at: Vec3, normal: Vec3): string {
   const [a, b]: [Vec3, Vec3] =
     normal[2] !== 0

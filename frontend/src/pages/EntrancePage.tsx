@@ -11,7 +11,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./EntrancePage.module.css";
 
-/** Where somebody who is not signed in comes to: one form, for the one way in. */
+/** The page for users who are not signed in: one form for the way to sign in. */
 export function EntrancePage({ session }: { session: SignInState }) {
   return (
     <main className={styles.page}>
@@ -31,7 +31,7 @@ export function EntrancePage({ session }: { session: SignInState }) {
   );
 }
 
-/** The form that suits; a demonstration can be entered by its code and by an account. */
+/** The form for the way to sign in; a demonstration accepts its code and accounts. */
 function Way({ session }: { session: SignInState }) {
   const [byName, setByName] = useState(!session.by_code);
   if (session.first_start) return <FirstAdmin />;
@@ -46,7 +46,7 @@ function Way({ session }: { session: SignInState }) {
   );
 }
 
-/** What was wrong with the last try. */
+/** The error of the last attempt. */
 function EntranceMessage() {
   const banner = useLive((s) => s.banner);
   if (!banner) return null;

@@ -6,7 +6,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";
 
-/** Who may do what at this station, and who did what. */
+/** Accounts and the audit log. */
 export function PeoplePage() {
   const role = useLive((s) => s.session?.you?.role);
   return (

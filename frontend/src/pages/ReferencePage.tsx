@@ -15,7 +15,7 @@ const DataTypes = createContext<ReadonlySet<string>>(new Set());
 export function ReferencePage() {
   const [description, setDescription] = useState<OpenApi | null>(null);
   useEffect(() => {
-    get<OpenApi>("/api/openapi.json").then(setDescription, () => undefined); // a lost connection has its banner
+    get<OpenApi>("/api/openapi.json").then(setDescription, () => undefined); // a lost connection has its own banner
   }, []);
   return (
     <main className={records.page}>
@@ -59,7 +59,7 @@ function Reference({ description }: { description: OpenApi }) {
   );
 }
 
-/** Without the marks that code has in docstrings. */
+/** Without the code marks of docstrings. */
 function plain(description = ""): string {
   return description.replaceAll("``", "");
 }

@@ -17,7 +17,7 @@ import { ZoneEditor } from "../settings/ZoneEditor";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 
-/** What an operator sets of scans, beside the live picture on which it shows at once. */
+/** Settings for scans, beside the live picture, which shows their effect at once. */
 export function SettingsPage() {
   const settings = useLive((s) => s.settings);
   const laser = useLive((s) => s.devices?.laser_on ?? false);

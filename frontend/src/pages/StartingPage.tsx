@@ -12,11 +12,11 @@ import { t } from "../state/language";
 import styles from "./StartingPage.module.css";
 
 const AGAIN_MS = 250;
-/** So many questions without an answer, and the station is taken for ended. */
+/** After this many requests without an answer, the station counts as ended. */
 const UNANSWERED = 8;
 const WORDS = { done: "ui-done", current: "ui-now", todo: "ui-to-do" } as const;
 
-/** What the station shows until it is ready: what is being prepared, and how far it is. */
+/** The page shown during the start: current step and progress. */
 export function StartingPage() {
   const { readiness, ended } = useReadiness();
   const steps = readiness?.steps ?? [];
@@ -74,7 +74,7 @@ function Step({ title, state }: { title: string; state: keyof typeof WORDS }) {
   );
 }
 
-/** Asks until the station is ready, and then opens its client at the same address. */
+/** Polls until the station is ready, then opens its client at the same address. */
 function useReadiness(): { readiness: Readiness | null; ended: boolean } {
   const [readiness, setReadiness] = useState<Readiness | null>(null);
   const [unanswered, setUnanswered] = useState(0);

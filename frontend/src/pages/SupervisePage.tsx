@@ -18,7 +18,7 @@ import styles from "./SupervisePage.module.css";
 const KEY = "crenel-supervise";
 type Scope = "this" | "all";
 
-/** For whoever looks on: this station large, or all that the broker knows. */
+/** For supervision: this station in large type, or all stations on the broker. */
 export function SupervisePage() {
   const report = useLive((s) => s.report);
   const others = useLive((s) => s.stations);
@@ -93,7 +93,7 @@ function alarmsOf(report: StationReport): Sum {
   return { words: alarms ? t("ui-n-alarms", { n: alarms }) : t("ui-live"), quality: worst(report) };
 }
 
-/** How many want somebody; of all of them. */
+/** The number of stations that need attention, of all stations. */
 function sumOf(report: StationReport, others: RemoteStation[]): Sum {
   const qualities = [worst(report), ...others.map((one) => stationState(one).quality)];
   const count = (quality: Quality) => qualities.filter((one) => one === quality).length;
@@ -119,7 +119,7 @@ function Freshness({ live, silent_s, words, quality }: Sum & { live: boolean; si
   );
 }
 
-/** It moves, as a sign that the screen itself is alive. */
+/** It moves, to show that the screen itself works. */
 function TimeOfDay() {
   const [now, setNow] = useState(() => new Date());
   useEffect(() => {

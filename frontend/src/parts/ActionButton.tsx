@@ -10,7 +10,7 @@ interface ActionButtonProps {
   describedBy?: string | undefined;
 }
 
-/** One act. A large one carries its own reason; one that asks first is drawn quietly. */
+/** One action. A large one has its own reason; one that asks first is less prominent. */
 export function ActionButton({ action, onAct, describedBy }: ActionButtonProps) {
   const [asking, setAsking] = useState(false);
   const quiet = action.confirm ? "quiet" : "secondary";

@@ -6,19 +6,19 @@ import styles from "./Actions.module.css";
 
 interface ActionsProps {
   actions: Action[];
-  /** A running job is displayed: what waits for it needs no reason of its own. */
+  /** A running job is shown: actions that wait for it need no separate reason. */
   busy?: boolean;
-  /** What belongs between stays as it is, and is read whole: it does not come and go by itself. */
+  /** The content in between stays, and screen readers read it completely. */
   whole?: boolean;
   onAct: (action: Action) => Promise<void>;
-  /** What belongs between the main act and the others. */
+  /** Content between the main action and the others. */
   children?: ReactNode;
 }
 
 /**
- * What may be done now. The main act stands where the eye is; the others keep to the foot of the
- * card, so that nothing that comes and goes moves them, those that give something up last and
- * quietly; disabled ones have the reason above them.
+ * The available actions. The main action is in view; the others stay at the bottom of the
+ * card, so that changing content does not move them. Actions that give something up come last and
+ * are less prominent; disabled actions have the reason above them.
  */
 export function Actions({ actions, onAct, busy = false, whole = false, children }: ActionsProps) {
   const id = useId();
@@ -62,12 +62,12 @@ export function Actions({ actions, onAct, busy = false, whole = false, children 
   );
 }
 
-/** The main act's place: under the thumb on a phone, however long the card. */
+/** Position of the main action: under the thumb on a phone, however long the card. */
 export function MainAct({ children }: { children: ReactNode }) {
   return <div className={styles.primary}>{children}</div>;
 }
 
-/** The main acts; next to one that can be done, one that cannot is left out. */
+/** The main actions; an unavailable one is omitted next to an available one. */
 function mainOnes(actions: Action[]): Action[] {
   const primary = actions.filter((action) => action.primary);
   const possible = primary.filter((action) => action.enabled);
@@ -83,7 +83,7 @@ interface Reason {
   labels: string[];
 }
 
-/** Each reason once, with the acts that it prevents. */
+/** Each reason once, with the actions that it prevents. */
 function reasonsOf(actions: Action[]): Reason[] {
   const reasons = new Map<string, string[]>();
   for (const { enabled, why_not, label } of actions) {

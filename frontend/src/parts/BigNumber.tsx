@@ -8,9 +8,9 @@ import { QualityMark } from "./QualityMark";
 
 interface BigNumberProps {
   number: LiveNumber;
-  /** The number decides: it stands on its quality's colour, with its reason under it. */
+  /** The number decides: it has the colour of its quality, with its reason below. */
   verdict?: boolean;
-  /** It is of a record, not live: it does not age with the connection. */
+  /** From a record, not live: it does not age with the connection. */
   stored?: boolean;
 }
 

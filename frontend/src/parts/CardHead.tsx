@@ -13,7 +13,7 @@ interface CardHeadProps {
   ref?: Ref<HTMLHeadingElement>;
 }
 
-/** The card's title and its one sentence, and more of it for whoever asks. */
+/** The title of the card and its sentence, with more help on request. */
 export function CardHead({ title, text, help, ref }: CardHeadProps) {
   return (
     <div className={styles.head}>

@@ -2,14 +2,14 @@ import styles from "./Chips.module.css";
 
 interface ChipsProps<T> {
   label: string;
-  /** `lang` where a label is in that language; `mark` is a word for why one stands out. */
+  /** `lang` if a label is in that language; `mark` is a word that says why one is marked. */
   options: { value: T; label: string; lang?: string; mark?: string | undefined }[];
   value: T;
   onChange: (value: T) => void;
   id?: string;
 }
 
-/** One of a few, large enough for gloves; nothing where there is no choice. */
+/** A choice of one among a few, large enough for gloves; nothing if there is no choice. */
 export function Chips<T extends string | number>({ label, options, value, onChange, id }: ChipsProps<T>) {
   if (options.length < 2) return null;
   return (

@@ -2,7 +2,7 @@ import { chooseLanguage, LANGUAGES, nameOf, t, useLanguage } from "../state/lang
 import { chooseUnits, type Units, useUnits } from "../state/units";
 import { Chips } from "./Chips";
 
-/** The pressed button keeps the focus while the page is loaded again. */
+/** The pressed button keeps the focus while the page reloads. */
 function focusOn(group: string): void {
   requestAnimationFrame(() => {
     if (document.activeElement !== document.body) return;
@@ -10,7 +10,7 @@ function focusOn(group: string): void {
   });
 }
 
-/** This browser's language, each by its own name. */
+/** The language of this browser; each language has its own name. */
 export function ChooseLanguage({ id }: { id: string }) {
   const language = useLanguage();
   const choose = async (code: string) => {
@@ -23,7 +23,7 @@ export function ChooseLanguage({ id }: { id: string }) {
   );
 }
 
-/** The unit in which this browser displays and takes lengths. */
+/** The unit in which this browser shows and accepts lengths. */
 export function ChooseUnits({ id }: { id: string }) {
   const units = useUnits();
   const choose = (now: Units) => {

@@ -4,7 +4,7 @@ import { lookAtPose, useLive } from "../state/store";
 import styles from "./Findings.module.css";
 import { QualityMark } from "./QualityMark";
 
-/** What the station found, each with its number, its limit and what to do. */
+/** The findings of the station, each with its value, its limit and its remedy. */
 export function Findings({ findings }: { findings: Finding[] }) {
   if (findings.length === 0) return null;
   return (
@@ -23,7 +23,7 @@ export function Findings({ findings }: { findings: Finding[] }) {
   );
 }
 
-/** Leads to the pose that a finding is about, where its picture is available. */
+/** Shows the pose that a finding concerns, if its picture is available. */
 function ShowPose({ pose }: { pose: number }) {
   const there = useLive(({ flow }) => {
     const picture = flow?.picture;

@@ -13,19 +13,19 @@ interface PressButtonProps {
   /** Why it is disabled, on the button itself. */
   why?: string;
   describedBy?: string | undefined;
-  /** It changes nothing at the station: whoever looks on may press it. */
+  /** It changes nothing at the station: viewers may press it. */
   free?: boolean;
 }
 
-/** Two presses with a glove closer than this are one. */
+/** Two presses within this time count as one (gloves). */
 const BOUNCE_MS = 350;
 
 const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
 
 /**
- * A button for gloves: large, acting once however it bounces, deaf for a moment when it has
- * just come under the finger, silent while a key repeats, and counting the seconds while its
- * answer is awaited. Enter, which comes by itself from scanners of bar codes and from elbows,
+ * A button for gloves: large; acts once even if the press bounces; ignores presses just after it has
+ * appeared under the finger, and repeats of a key; counts the seconds while its
+ * answer is pending. Enter, which barcode scanners and elbows send unintentionally,
  * starts nothing at the station; the space bar does.
  */
 export function PressButton(props: PressButtonProps) {

@@ -8,7 +8,7 @@ interface BarProps {
   text: string;
 }
 
-/** So many of so many: as ticks while they can be counted at a glance, else as a bar. */
+/** Progress "n of m": as ticks if they can be counted at a glance, otherwise as a bar. */
 export function Progress({ done, of, text }: BarProps) {
   const ticks = of > 0 && of <= 40;
   return (
@@ -40,7 +40,7 @@ function Bar({ share }: { share: number }) {
   );
 }
 
-/** A job at work: its share done, or where it has none, the seconds it has taken. */
+/** A running job: the share done, or, if unknown, the elapsed seconds. */
 export function Busy({ text, fraction }: { text: string; fraction: number | null }) {
   const elapsed_s = useElapsed(true);
   const figure = fraction === null ? measured(elapsed_s, "s") : measured(fraction * 100, "%");

@@ -6,7 +6,7 @@ import styles from "./QualityMark.module.css";
 const MARKS = { good: CheckIcon, attention: AttentionIcon, bad: BadIcon, neutral: NeutralIcon };
 const TITLES = { good: "ui-passed", attention: "ui-attention", bad: "ui-failed", neutral: null } as const;
 
-/** A quality by shape, word and colour: never by colour alone. */
+/** A quality as shape, word and colour: never as colour alone. */
 export function QualityMark({ quality, size = "1.5rem" }: { quality: Quality; size?: string }) {
   const Icon = MARKS[quality];
   const title = TITLES[quality];

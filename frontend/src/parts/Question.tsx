@@ -12,11 +12,11 @@ interface QuestionProps {
   onAct: (action: Action) => Promise<void>;
   /** The label of the harmless answer. */
   no?: string;
-  /** As of PressButton. */
+  /** As for PressButton. */
   free?: boolean;
 }
 
-/** Asked before the act, never after; the harmless answer has the focus. */
+/** A question before an action; the harmless answer has the focus. */
 export function Question({ action, opened, onClose, onAct, no = t("ui-no-continue"), free = false }: QuestionProps) {
   const agree = async () => {
     onClose();

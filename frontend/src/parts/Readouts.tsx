@@ -7,15 +7,15 @@ export interface Readout {
   value: string;
   unit?: string;
   quality?: Quality;
-  /** What is wanted, or which way to go. */
+  /** The target, or the direction to it. */
   note?: string;
 }
 
-/** A row of small labelled figures, as an instrument's panel has them; in several rows (``wrap``)
- *  where one has no space for six. */
+/** A row of small labelled figures, as on an instrument panel; in several rows (``wrap``)
+ *  if there is no space for six. */
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   const row = (
-    // one row may be wider than its place, and scrolls by the keyboard, too
+    // one row may be wider than its space, and also scrolls with the keyboard
     <dl className={styles.readouts} data-wrap={wrap || undefined} tabIndex={wrap ? undefined : 0}>
       {readouts.map(({ label, value, unit, quality, note }) => (
         <div key={label} className={styles.readout}>

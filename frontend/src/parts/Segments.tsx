@@ -8,11 +8,11 @@ interface SegmentsProps {
   value: string;
   onChange: (value: string) => void;
   disabled?: boolean;
-  /** Takes the whole width. */
+  /** Takes the full width. */
   wide?: boolean;
 }
 
-/** One of a few things to look at, side by side. */
+/** A choice of one among a few views, side by side. */
 export function Segments({ label, options, value, onChange, disabled = false, wide = false }: SegmentsProps) {
   return (
     <SegmentedControl

@@ -24,7 +24,7 @@ interface TimeChartProps {
   onPoint?: (id: string) => void;
 }
 
-/** A figure from one time to the next, the limits dashed; a bad one is drawn as a cross. */
+/** A quantity over time, with dashed limits; a bad value is drawn as a cross. */
 export function TimeChart({ points, unit, label, onPoint }: TimeChartProps) {
   const known = points.flatMap(({ value, limit }) => [value ?? 0, limit ?? 0]);
   const top = 1.15 * Math.max(...known, 1);

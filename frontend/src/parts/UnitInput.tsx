@@ -13,10 +13,10 @@ interface UnitInputProps extends Omit<InputHTMLAttributes<HTMLInputElement>, "on
   onText: (text: string) => void;
 }
 
-/** What no number has in it; comma and point are both decimal signs. */
+/** Characters that no number contains; comma and point are both decimal signs. */
 const OTHER = /[^\d.,+\-\u2212e]/gi;
 
-/** A typed number, with its unit behind it. */
+/** A typed number, followed by its unit. */
 export function UnitInput({ value, unit, long = false, onText, ...input }: UnitInputProps) {
   const invalid = value.trim() !== "" && Number.isNaN(typedNumber(value));
   return (

@@ -1,4 +1,4 @@
-/** Numbers as the chosen language writes them. */
+/** Number format of the chosen language. */
 
 const MINUS = "\u2212";
 let point = ".";

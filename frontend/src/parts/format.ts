@@ -13,7 +13,7 @@ export function age(seconds: number): string {
   return measured(seconds / 3600, "h");
 }
 
-/** How old something is that comes of age in days. */
+/** The age of something that becomes due after days. */
 export function days(value: number): string {
   if (value < 1 / 24) return measured(Math.floor(value * 24 * 60), "min");
   if (value < 1) return t("ui-hours", { n: Math.round(value * 24) });
@@ -26,7 +26,7 @@ export function daysAgo(value: number): string {
   return t("ui-days-ago", { n: Math.round(value) });
 }
 
-/** Date and time of day, in the operator's own zone. */
+/** Date and time of day, in the user's time zone. */
 export function moment(iso: string): string {
   const date = new Date(iso);
   if (Number.isNaN(date.getTime())) return iso;

@@ -1,6 +1,6 @@
 /**
- * Lengths as this browser displays them. The station uses mm and µm; whoever chose inch reads and
- * types inch, and the station receives mm. Files, reports and CSV stay in mm and µm.
+ * Lengths as this browser shows them. The station uses mm and µm; if inch is selected, users read and
+ * type inches, and the station receives mm. Files, reports and CSV use mm and µm.
  */
 
 import type { Quantity } from "../messages/text";
@@ -22,11 +22,11 @@ const INCH: Record<string, Inch> = {
   "mm²": { unit: "in²", times: 254n ** 2n, power: -2 },
   "mm³": { unit: "in³", times: 254n ** 3n, power: -3 },
 };
-/** Of what the station stores to no round inch, a field displays so much. */
+/** Decimals that a field shows of stored values that are not round in inches. */
 const FIELD_DECIMALS: Record<string, number> = { mm: 5, µm: 1 };
-/** Nobody types more. */
+/** Maximum length of a typed number. */
 const TYPED_DECIMALS = 12;
-/** Units that stand close behind their number. */
+/** Units without a space before them. */
 const TIGHT = new Set(["", "°", "′", "″"]);
 
 function inch(unit: string): Inch | undefined {
@@ -37,12 +37,12 @@ function perStation({ times, power }: Inch): number {
   return 10 ** -power / Number(times);
 }
 
-/** The unit displayed for one of the station's; units of other kinds stay. */
+/** The displayed unit for a unit of the station; units of other kinds stay. */
 export function unitOf(unit: string): string {
   return inch(unit)?.unit ?? unit;
 }
 
-/** A length of the station's in the displayed unit. */
+/** A length from the station in the displayed unit. */
 export function inUnit(value: number, unit: string): number {
   const to = inch(unit);
   return to ? value * perStation(to) : value;
@@ -69,7 +69,7 @@ export function signedLength(value: number, unit: string, decimals = 0): string 
   return `${lengthFigures(value, unit, decimals, true)}${behind(unit)}`;
 }
 
-/** A number of the station's with its unit: "12 µm" or "472 µin"; other kinds stay. */
+/** A number from the station with its unit: "12 µm" or "472 µin"; other kinds stay. */
 export function measured(value: number, unit: string, decimals = 0): string {
   return `${lengthFigures(value, unit, decimals)}${behind(unit)}`;
 }
@@ -78,12 +78,12 @@ export function displayed({ value, unit, decimals, signed: plus }: Quantity): st
   return (plus ? signedLength : measured)(value, unit, decimals);
 }
 
-/** Never parted from its number at a line's end. */
+/** Never separated from its number by a line break. */
 function behind(unit: string): string {
   return TIGHT.has(unit) ? unit : `\u00a0${unitOf(unit)}`;
 }
 
-/** The least round number that holds `value`, of the displayed unit; in the station's. */
+/** The smallest round number in the displayed unit that is at least `value`; in the station's unit. */
 export function roundEnd(value: number, unit: string, least: number, most: number): number {
   const scale = inUnit(1, unit);
   for (let ten = 10 ** Math.floor(Math.log10(least * scale)); ; ten *= 10) {
@@ -93,13 +93,13 @@ export function roundEnd(value: number, unit: string, least: number, most: numbe
   }
 }
 
-/** A typed number; comma and point are both decimal signs. NaN where it is none. */
+/** A typed number; comma and point are both decimal signs. NaN if it is not a number. */
 export function typedNumber(text: string): number {
   const plain = text.trim().replace(",", ".");
   return /^[+\-\u2212]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain.replace("\u2212", "-")) : Number.NaN;
 }
 
-/** What was typed in the displayed unit, exactly, in the station's. */
+/** The exact value, in the station's unit, of what was typed in the displayed unit. */
 export function fromTyped(text: string, unit: string): number {
   const to = inch(unit);
   const value = typedNumber(text);
@@ -110,12 +110,12 @@ export function fromTyped(text: string, unit: string): number {
   return Number(`${minus}${BigInt(whole + fraction) * to.times}e${to.power - fraction.length + Number(exponent)}`);
 }
 
-/** A number as a field displays it. */
+/** A number as a field shows it. */
 export function fieldFigures(value: number, decimals: number): string {
   return plainFigures(value, decimals).replace(".", decimalSign());
 }
 
-/** A length of the station's as a field displays it: exactly what would be typed for it, where that is known. */
+/** A length from the station as a field shows it: exactly what would be typed for it, if that is known. */
 export function typed(value: number, unit: string): string {
   return plainTyped(value, unit).replace(".", decimalSign());
 }

@@ -3,16 +3,16 @@ import { render, renderEnglish } from "../state/language";
 import { plainFigures } from "./figures";
 import { lengthFigures, unitOf } from "./lengths";
 
-/** A number's unit is that of its column, or in a cell of its own. */
+/** The unit of a number is that of its column, or in a separate cell. */
 export type Cell = Text | { unit: string };
-/** A column's head, with its unit where all of it has one. */
+/** The header of a column, with its unit if it has one. */
 export type Head = PlainId | { title: PlainId; unit: string } | { symbol: string; unit?: string };
 
 export interface TableData {
   title: PlainId;
   head: Head[];
   rows: Cell[][];
-  /** Takes the whole width where others stand side by side. */
+  /** Takes the full width where others are side by side. */
   wide?: boolean;
 }
 

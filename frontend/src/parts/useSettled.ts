@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 
 const TYPED_MS = 300;
 
-/** What is typed, once typing has paused: nothing is asked of the station at each key. */
+/** The typed text after a pause: the station is not queried at each key. */
 export function useSettled(typed: string): string {
   const [settled, setSettled] = useState(typed);
   useEffect(() => {

@@ -1,6 +1,6 @@
 import { type RefObject, useEffect, useRef } from "react";
 
-/** For a card's heading: a new step takes the focus, so that Enter presses nothing and Tab leads to its first act. */
+/** For the heading of a card: a new step takes the focus, so that Enter presses nothing and Tab goes to the first action. */
 export function useStepHeading(step: string): RefObject<HTMLHeadingElement | null> {
   const heading = useRef<HTMLHeadingElement>(null);
   const current = useRef(step);

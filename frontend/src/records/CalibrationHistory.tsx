@@ -13,7 +13,7 @@ interface Measure {
   label: PlainId;
   unit: string;
   explanation: PlainId;
-  /** It is a change since the calibration before. */
+  /** A change since the previous calibration. */
   since?: boolean;
   value: (point: CalibrationPoint) => number | null;
   limit: (point: CalibrationPoint) => number | null;
@@ -69,7 +69,7 @@ const MEASURES: Record<string, Measure> = {
   },
 };
 
-/** What became of the newest calibration's sensor on its arm, one figure at a time. */
+/** The history of the sensor of the newest calibration on its arm, one quantity at a time. */
 export function CalibrationHistory() {
   const { list } = useList<CalibrationPoint>("/api/calibration-history");
   const [selected, setSelected] = useState("total");

@@ -18,7 +18,7 @@ import { useLive } from "../state/store";
 import { useRead } from "../state/useRead";
 import styles from "./CalibrationRecord.module.css";
 
-/** One accepted calibration: the result again as a picture, and its reports. */
+/** One accepted calibration: its result and its reports. */
 export function CalibrationRecord({ id }: { id: string }) {
   const inUse = useLive((s) => s.home?.calibration?.id ?? "");
   const { value, failed } = useRead<RecordedCalibration>(`/api/calibrations/${id}`, inUse);

@@ -7,7 +7,7 @@ import { Question } from "../parts/Question";
 import { t } from "../state/language";
 import styles from "./ScanActs.module.css";
 
-/** Another name for a scan, or its end; the end is asked for twice. */
+/** Renames or deletes a scan; deleting asks for confirmation. */
 export function ScanActs({ scan }: { scan: ScanSummary }) {
   const [renaming, setRenaming] = useState(false);
   const [asking, setAsking] = useState(false);

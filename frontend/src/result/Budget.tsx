@@ -44,7 +44,7 @@ function Row({ row, largest, total = false }: { row: BudgetLine; largest: number
   );
 }
 
-/** Whole ones; a share too small for one is not called none. */
+/** Whole percentages; a share below one is not shown as zero. */
 function micrometres(value: number): string {
   return value > 0 && value < 0.5 ? `< ${lengthFigures(1, "µm")}` : lengthFigures(value, "µm");
 }

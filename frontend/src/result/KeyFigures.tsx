@@ -5,7 +5,7 @@ import { lengthFigures, unitOf } from "../parts/lengths";
 import { Readouts } from "../parts/Readouts";
 import { t } from "../state/language";
 
-/** The figures that a metrologist looks for first. */
+/** The key figures for a metrologist. */
 export function KeyFigures({ result, object }: { result: CalibrationResult; object: ObjectGeometry }) {
   const [near, far] = result.depth_range_mm;
   return (

@@ -9,7 +9,7 @@ import { lookAtPose } from "../state/store";
 import { partOf } from "./names";
 import styles from "./PosesTable.module.css";
 
-/** Every pose that was taken: how it fits, or why it or its laser line is left out; to view, or to exclude. */
+/** Every pose: how it fits, or why it or its laser line is excluded; with buttons to view and exclude it. */
 export function PosesTable({ poses, object }: { poses: PosePicture[]; object: ObjectGeometry }) {
   const acts = poses.some(({ action }) => action);
   return (

@@ -16,7 +16,7 @@ interface ResidualObjectProps {
   worst: WorstPointLine[];
 }
 
-/** How far each touch lies off its face; the object turns to the face that is tapped. */
+/** The distance of each contact point from its face; the object turns to the face that is tapped. */
 export function ResidualObject({ object, points, worst }: ResidualObjectProps) {
   const [face, setFace] = useState<string | null>(null);
   const [chosen, setChosen] = useState<number | null>(null);

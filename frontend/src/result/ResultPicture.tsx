@@ -21,7 +21,7 @@ const TABS = [
   { value: "numbers", label: "ui-numbers" },
 ] as const;
 
-/** The result as pictures first; the table is one tap away. */
+/** The result: pictures first, the table one tap away. */
 export function ResultPicture({ picture }: { picture: ResultView }) {
   const { result, poses } = picture;
   const place = useRef<HTMLDivElement>(null);

@@ -19,11 +19,11 @@ interface Cell {
   inside: boolean;
 }
 
-/** Steps of one scale of blue, light where points are known well. */
+/** Steps of a blue scale; light means a small uncertainty. */
 const SCALE = ["#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688"];
 
-/** How well a scanned point is known, and how far it moved since the last calibration, over the
- *  picture: the laser's light falls on one plane only. */
+/** The uncertainty of a scanned point, and its displacement since the last calibration, over the
+ *  picture; the laser light lies in one plane only. */
 export function UncertaintyMap({ result, width_px, height_px }: MapProps) {
   const [selected, setSelected] = useState("known");
   const { map, comparison } = result;

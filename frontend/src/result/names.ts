@@ -2,12 +2,12 @@ import type { ObjectGeometry } from "../api/types";
 import type { PlainId, Text } from "../messages/text";
 import { render } from "../state/language";
 
-/** "crest:2:L:front" is "crest 3, front left"; "corner 3,2" of a board is its corner in that column and row. */
+/** "crest:2:L:front" is "crest 3, front left"; "corner 3,2" of a board is the corner in that column and row. */
 export function cornerName(corner: string): string {
   return render(cornerText(corner));
 }
 
-/** As `corner_text` of the station has it. */
+/** Like `corner_text` of the station. */
 function cornerText(corner: string): Text {
   const [, column, row] = /^corner (\d+),(\d+)$/.exec(corner) ?? [];
   if (column && row) return { message_id: "corner", values: { column, row } };
@@ -16,7 +16,7 @@ function cornerText(corner: string): Text {
   return { message_id: "block-corner", values: { level, number: Number(number) + 1, place: place.replace(":", "-") } };
 }
 
-/** What of the object is measured in a picture, apart from the stripe. */
+/** The measured features of the object in a picture, other than the stripe. */
 export function partOf(object: ObjectGeometry): PlainId {
   return object.kind === "board" ? "ui-corners" : "ui-edges";
 }

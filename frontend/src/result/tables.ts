@@ -69,7 +69,7 @@ function poseCells(pose: PoseRow): Cell[] {
   return [number, quantity(pose.edges_rms_px, "px", 3), stripe, quantity(pose.off_um, "µm")];
 }
 
-/** None where the object was not touched. */
+/** None if the object was not touched. */
 function facesTables({ faces }: CalibrationResult): TableData[] {
   if (faces.length === 0) return [];
   return [

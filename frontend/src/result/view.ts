@@ -1,4 +1,4 @@
 import type { Picture } from "../api/types";
 
-/** A result as it is looked at. */
+/** The view of a result. */
 export type ResultView = Extract<Picture, { kind: "result" }>;

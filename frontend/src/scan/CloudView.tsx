@@ -4,7 +4,7 @@ import { t } from "../state/language";
 import styles from "./CloudView.module.css";
 import { useDrawing } from "./drawing";
 
-/** Of the 3D view's page only the picture is displayed, on this page's own ground. */
+/** Only the picture of the 3D view's page is shown, on the background of this page. */
 const PICTURE_ONLY = `
   html { color-scheme: light !important; }
   body, #root, #root * { background-color: transparent !important; }
@@ -12,10 +12,10 @@ const PICTURE_ONLY = `
 `;
 
 interface CloudViewProps {
-  /** By it the station knows where this page looks from. */
+  /** It tells the station the viewpoint of this page. */
   viewKey: string;
   frame: RefObject<HTMLIFrameElement | null>;
-  /** What lies over the picture. */
+  /** Overlay on the picture. */
   children?: ReactNode;
 }
 

@@ -13,7 +13,7 @@ import { decimalsOf, inDisplayedUnit, MEASURES } from "./LegendBar";
 
 const ORDER: Measure[] = ["height", "intensity", "uncertainty", "age", "deviation"];
 
-/** What the clouds are coloured by, and within which limits: for all who watch. */
+/** The quantity and limits of the colours, for all viewers. */
 export function ColourPanel() {
   const measure = useLive((s) => s.view?.measure ?? "height");
   const legend = useLive((s) => s.view?.legend ?? null);

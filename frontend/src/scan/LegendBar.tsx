@@ -13,7 +13,7 @@ export const MEASURES: Record<Legend["measure"], { name: PlainId; legend: PlainI
   deviation: { name: "ui-deviation", legend: "ui-deviation-from-the-shape" },
 };
 
-/** So many decimals that the ends differ. */
+/** As many decimals as necessary for the ends to differ. */
 export function decimalsOf({ low, high }: { low: number; high: number }): number {
   const span = Math.abs(high - low);
   if (span >= 100 || span === 0) return 0;
@@ -25,7 +25,7 @@ export function inDisplayedUnit({ low, high, unit }: Legend): { low: number; hig
   return { low: inUnit(low, unit), high: inUnit(high, unit), unit: unitOf(unit) };
 }
 
-/** What the colours mean: a bar with its ends and its middle. */
+/** Legend of the colours: a bar with its ends and its middle. */
 export function LegendBar({ legend }: { legend: Legend }) {
   const { unit, low, high } = inDisplayedUnit(legend);
   const decimals = decimalsOf({ low, high });

@@ -18,7 +18,7 @@ const SHAPES: { name: ShapeName; icon: ReactNode }[] = [
   { name: "cylinder", icon: <CylinderIcon /> },
 ];
 
-/** Shapes fitted to what is drawn around, the newest first. */
+/** Fitted shapes, the newest first. */
 export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void }) {
   const fits = useLive((s) => s.view?.fits);
   const barred = useBarred() !== "";
@@ -58,7 +58,7 @@ function FitCard({ fitted, last }: { fitted: FittedShape; last: boolean }) {
   const barred = useBarred() !== "";
   const byDeviation = useLive((s) => s.view?.measure === "deviation");
   const label = t(NAMES[fitted.shape]);
-  // of a plane its form is asked for first, of round shapes their diameter
+  // for a plane, the form comes first; for round shapes, the diameter
   const flat = fitted.shape === "plane";
   const [first, ...rest] = fitted.figures;
   const main: ShapeParameter | undefined = flat ? formOf(fitted) : first;

@@ -19,10 +19,10 @@ const DRAW: Record<ShapeName, PlainId> = {
 
 type Spot = { x: number; y: number };
 
-/** A drag shorter than this share of the picture was a slip. */
+/** A drag shorter than this share of the picture is ignored. */
 const SMALLEST = 0.01;
 
-/** Over the 3D view: a rectangle is drawn around what a shape is fitted to. */
+/** Overlay on the 3D view: the user draws a rectangle around the points for a fit. */
 export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
   const area = useRef<HTMLDivElement>(null);
   const [from, setFrom] = useState<Spot | null>(null);

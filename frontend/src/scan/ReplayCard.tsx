@@ -13,7 +13,7 @@ const TITLES: Record<ReplayState["state"], PlainId> = {
   failed: "ui-the-replay-stopped",
 };
 
-/** In place of the scan's card while the station shows a recording again. */
+/** Replaces the scan card while the station replays a recording. */
 export function ReplayCard({ replay }: { replay: ReplayState }) {
   const { state, recording, text } = replay;
   return (

@@ -6,7 +6,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";
 
-/** How fast, how long, and what was lost. */
+/** Rate, duration and losses. */
 export function ScanFigures({ scan }: { scan: ScanStatus }) {
   const live = useLive((s) => s.connection === "live");
   return (

@@ -10,7 +10,7 @@ import { useLive } from "../state/store";
 import { useList } from "../state/useList";
 import styles from "./ScansPanel.module.css";
 
-/** Which scans are in the picture; several may be. */
+/** The scans in the view; there may be several. */
 export function ScansPanel() {
   const records = useLive((s) => s.view?.records ?? 0);
   const displayed = useLive((s) => s.view?.scans);

@@ -2,16 +2,16 @@ import { useEffect, useState } from "react";
 
 import { TRIAL_POINTS, trial_ms } from "./trial";
 
-/** Thousands of the clouds' points that a browser is sent, fewer with each step; at first all. */
+/** Thousands of cloud points that a browser receives, fewer with each step; all at first. */
 const STEPS = [null, 300, 75] as const;
-/** Of the clouds' points that the station shows. */
+/** Share of the cloud points that the station shows. */
 const MOST_POINTS = 2_000_000;
 const KEY = "crenel-drawing";
 const LOOKED_MS = 1500;
-/** Slower than this, the page's buttons wait for the picture. */
+/** If rendering is slower than this, the buttons of the page wait for it. */
 const SLOW_MS = 250;
 
-/** A browser without a graphics processor cannot draw many; one that does not say so is tried. */
+/** A browser without a graphics processor cannot draw many points; if it does not say so, it is tested. */
 function firstStep(): number {
   const stored = Number(sessionStorage.getItem(KEY));
   if (stored > 0 && stored < STEPS.length) return stored;
@@ -27,7 +27,7 @@ function firstStep(): number {
   return step;
 }
 
-/** By how long the points of the trial took: so many must be drawn within one slow frame. */
+/** The number that can be drawn within one slow frame, by the duration of the test. */
 function stepOf(took_ms: number): number {
   const all = MOST_POINTS * (took_ms / TRIAL_POINTS);
   const some = 1000 * STEPS[1] * (took_ms / TRIAL_POINTS);
@@ -36,7 +36,7 @@ function stepOf(took_ms: number): number {
 
 let step: number | null = null;
 
-/** How many thousand points are to be drawn here, null for all; and what watches the picture. */
+/** How many thousand points to draw here, null for all; and a function that monitors rendering. */
 export function useDrawing(): { thousands: number | null; watch: (picture: { window: Window }) => void } {
   const [now, setNow] = useState(() => (step ??= firstStep()));
   const [picture, watch] = useState<{ window: Window } | null>(null);

@@ -3,7 +3,7 @@ import { figures } from "../parts/format";
 import { t } from "../state/language";
 import { decimalsOf, MEASURES } from "./LegendBar";
 
-/** The 3D view as it stands, with its legend, saved as PNG; false where there is none yet. */
+/** Saves the current 3D view with its legend as PNG; false if there is none yet. */
 export async function savePicture(frame: HTMLIFrameElement, legend: Legend | null, station: string): Promise<boolean> {
   const canvases = Array.from(frame.contentDocument?.querySelectorAll("canvas") ?? []);
   const scene = canvases.sort((a, b) => b.width * b.height - a.width * a.height)[0];

@@ -1,9 +1,9 @@
-/** How fast a browser draws points, tried on as many as it draws in a moment with a graphics processor. */
+/** Measures how fast a browser draws points, with a number that a graphics processor draws in a moment. */
 
 export const TRIAL_POINTS = 100_000;
 const TRIES = 3;
 const GOOD_MS = 5;
-/** Points of a few pixels all over the picture, each placed by its number. */
+/** Points of a few pixels over the whole picture, positioned by their number. */
 const VERTEX = `#version 300 es
 void main() {
   float n = float(gl_VertexID);
@@ -15,7 +15,7 @@ precision mediump float;
 out vec4 colour;
 void main() { colour = vec4(gl_PointCoord, 0.5, 1.0); }`;
 
-/** The best of a few tries: a busy machine is slow by chance, one without a processor always. */
+/** The best of a few attempts: a busy machine is slow sometimes, one without a graphics processor always. */
 export function trial_ms(gl: WebGL2RenderingContext): number {
   const program = gl.createProgram();
   for (const [kind, source] of [
@@ -33,13 +33,13 @@ export function trial_ms(gl: WebGL2RenderingContext): number {
   // biome-ignore lint/correctness/useHookAtTopLevel: it is of WebGL
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
-  draw_ms(gl, 1); // what is prepared once is no part of it
+  draw_ms(gl, 1); // without one-time preparation
   let best_ms = Infinity;
   for (let i = 0; i < TRIES && best_ms > GOOD_MS; i++) best_ms = Math.min(best_ms, draw_ms(gl, TRIAL_POINTS));
   return best_ms;
 }
 
-/** Until the picture is there: what is read of it waits for all of it. */
+/** Waits for the complete picture, because reading a pixel does. */
 function draw_ms(gl: WebGL2RenderingContext, points: number): number {
   const began = performance.now();
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);

@@ -9,7 +9,7 @@ import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";
 
-/** The constant delay between arm and camera: found from a pass over a plane, then used. */
+/** The constant delay between arm and camera: determined from a pass over a plane, then applied. */
 export function DelaySettings({ settings }: { settings: StationSettings }) {
   const hasOperator = useLive((s) => s.station?.has_simulation ?? false);
   const scanning = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");

@@ -3,7 +3,7 @@ import fields from "../parts/Field.module.css";
 import { t } from "../state/language";
 import styles from "./Settings.module.css";
 
-/** What this browser speaks and measures in; the same as in the bar above. */
+/** Language and units of this browser; the same as in the bar above. */
 export function LanguageSettings() {
   return (
     <section className={styles.section} aria-labelledby="language">

@@ -15,14 +15,14 @@ interface NumberSettingProps {
   name: Name;
   label: string;
   unit: string;
-  /** What the number does, and what is done without one. */
+  /** The effect of the number, and the automatic value. */
   help: string;
   settings: StationSettings;
   placeholder?: string;
   children?: ReactNode;
 }
 
-/** One number of the settings; an empty field leaves it to the station. */
+/** One number of the settings; an empty field means automatic. */
 export function NumberSetting(props: NumberSettingProps) {
   const { name, label, unit, help, settings, placeholder = t("ui-automatic-lowercase"), children } = props;
   const id = useId();

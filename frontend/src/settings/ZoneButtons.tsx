@@ -5,7 +5,7 @@ import { t } from "../state/language";
 import styles from "./Settings.module.css";
 import type { Zones } from "./useZones";
 
-/** Zones are drawn on the picture; what else is done with them is done here. */
+/** Zones are drawn on the picture; these buttons do everything else with them. */
 export function ZoneButtons({ zones, settings }: { zones: Zones; settings: StationSettings }) {
   const count = settings.zones.length;
   return (

@@ -14,11 +14,11 @@ interface Pull {
   zones: Zone[];
   zone: number;
   corner: number;
-  /** A rectangle that is being drawn begins here. */
+  /** Start of a rectangle that is being drawn. */
   from: [number, number] | null;
 }
 
-/** The zones on the live picture, their corners pulled by a gloved finger. */
+/** The zones on the live picture, with corners that can be dragged with gloves. */
 export function ZoneEditor({ frame, current, zones }: { frame: Frame; current: Zone[]; zones: Zones }) {
   const svg = useRef<SVGSVGElement>(null);
   const [pull, setPull] = useState<Pull | null>(null);
@@ -163,7 +163,7 @@ const WAYS: Record<string, [number, number]> = {
   ArrowDown: [0, STEP],
 };
 
-/** What a key makes of the zones; null where it means nothing here. */
+/** The zones after a key press; null if the key has no meaning here. */
 function moved(all: Zone[], zone: number, corner: number, key: string): Zone[] | null {
   const corners = all[zone];
   const from = corners?.[corner];

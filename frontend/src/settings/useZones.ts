@@ -13,7 +13,7 @@ export interface Zones {
   canUndo: boolean;
 }
 
-/** Changes of the zones, each in use at once; the ones before can be had again. */
+/** Changes of the zones, each applied at once, with undo. */
 export function useZones(settings: StationSettings | null): Zones {
   const [drawing, setDrawing] = useState(false);
   const [before, setBefore] = useState<Zone[][]>([]);

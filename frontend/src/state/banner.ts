@@ -4,7 +4,7 @@ import { getState, setState } from "./store";
 
 let next = 1;
 
-/** Shows one sentence; with `lasts_ms` it leaves by itself. */
+/** Shows one sentence; with `lasts_ms`, it disappears automatically. */
 export function notify(
   banner: { quality: Quality; title: string; detail?: string; remedy?: string; untilHeard?: boolean },
   lasts_ms?: number,
@@ -23,12 +23,12 @@ export function notify(
   if (lasts_ms) setTimeout(() => dismiss(id), lasts_ms);
 }
 
-/** A banner of an earlier act is over once a later one has succeeded. */
+/** The banner of an earlier action is removed when a later one succeeds. */
 export function clearBanner(): void {
   setState({ banner: null });
 }
 
-/** The station is heard again: an act that it did not confirm is to be looked at, no more. */
+/** The station responds again: an unconfirmed action only needs to be checked. */
 export function noteReturn(): void {
   if (!getState().banner?.untilHeard) return;
   notify({ quality: "neutral", title: t("ui-station-responds-again-check-whether-last") }, 8000);

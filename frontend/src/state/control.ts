@@ -1,7 +1,7 @@
 import { t } from "./language";
 import { useLive } from "./store";
 
-/** Why this browser may not act now; nothing where it may. */
+/** Why this browser may not act now; nothing if it may. */
 export function useBarred(): string {
   const you = useLive((s) => s.session?.you ?? null);
   const holder = useLive((s) => s.control?.holder ?? null);

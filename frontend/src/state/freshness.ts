@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 
 import { getState, useLive } from "./store";
 
-/** Seconds since the station was last heard, renewed four times a second while it is lost. */
+/** Seconds since the last message of the station, updated four times a second while it is lost. */
 export function useSilence(): { live: boolean; silent_s: number } {
   const connection = useLive((s) => s.connection);
   const [silent_s, setSilent] = useState(0);

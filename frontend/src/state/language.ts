@@ -9,7 +9,7 @@ import { displayed } from "../parts/lengths";
 
 const KEY = "crenel-language";
 const ENGLISH = "en";
-/** The files of a language, the client's and the station's, are loaded once it is chosen. */
+/** The language files of the client and the station are loaded when a language is chosen. */
 const OWN = import.meta.glob<string>(["../messages/*.ftl", "!../messages/en.ftl"], {
   query: "?raw",
   import: "default",
@@ -19,13 +19,13 @@ const STATION = import.meta.glob<string>(["../../../app/messages/*.ftl", "!../..
   import: "default",
 });
 
-/** All languages there are, by their codes. */
+/** All available languages, by their codes. */
 export const LANGUAGES: readonly string[] = [
   ENGLISH,
   ...Object.keys(OWN).map((path) => path.replace(/^.*\/|\.ftl$/g, "")),
 ];
 
-/** A link may ask for a language; read before anything tidies the address. */
+/** A link may choose a language; read before the address is cleaned up. */
 const REQUESTED = new URLSearchParams(window.location.search).get("lang");
 
 const DISPLAY: NumberFormat = { quantity: displayed, count: figures };
@@ -41,7 +41,7 @@ let language = ENGLISH;
 let catalogue = ENGLISH_CATALOGUE;
 const listeners = new Set<() => void>();
 
-/** A language's name in itself. */
+/** The name of a language in that language. */
 export function nameOf(code: string): string {
   return new Intl.DisplayNames([code], { type: "language" }).of(code) ?? code;
 }
@@ -56,7 +56,7 @@ export function render(text: Text): string {
   return catalogue.render(text);
 }
 
-/** The same in English, mm and µm, for files. */
+/** The same in English, with mm and µm, for files. */
 export function renderEnglish(text: Text): string {
   return FILE_CATALOGUE.render(text);
 }
@@ -66,7 +66,7 @@ export function isKnown(text: Value): boolean {
   return ENGLISH_CATALOGUE.knows(text);
 }
 
-/** The name of a kind of thing that the station sends by its English word: `front`, `left`. */
+/** The name of a word that the station sends in English: `front`, `left`. */
 export function wordText(term: string): Text {
   const text = { message_id: `word-${term.replaceAll(" ", "-")}`, values: {} };
   return isKnown(text) ? text : term;
@@ -77,7 +77,7 @@ export function word(term: string): string {
   return render(wordText(term));
 }
 
-/** The current language; a component that uses it renders again when it changes. */
+/** The current language; a component that uses it re-renders when it changes. */
 export function useLanguage(): string {
   return useSyncExternalStore(
     (listener) => {
@@ -88,7 +88,7 @@ export function useLanguage(): string {
   );
 }
 
-/** As above, outside of components. */
+/** As above, outside components. */
 export function currentLanguage(): string {
   return language;
 }
@@ -99,7 +99,7 @@ export async function chooseLanguage(code: string): Promise<void> {
   localStorage.setItem(KEY, code);
 }
 
-/** Before the first paint: what the address asks for, what was chosen here, or the browser's own. */
+/** Before the first paint: the language in the address, the chosen one, or the browser's own. */
 export async function startLanguage(): Promise<void> {
   if (REQUESTED) window.history.replaceState(null, "", window.location.pathname + window.location.hash);
   if (REQUESTED && LANGUAGES.includes(REQUESTED)) return chooseLanguage(REQUESTED);

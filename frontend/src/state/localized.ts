@@ -4,7 +4,7 @@ import { units } from "./units";
 
 /** Sent back as it came. */
 const UNCHANGED = "args";
-/** A field of this ending is the text of another, which has its English. */
+/** A field with this suffix has the message of another field, which has the English text. */
 const DATA = "_message";
 
 let done = new WeakMap<object, unknown>();
@@ -13,8 +13,8 @@ const originals = new WeakMap<object, object>();
 let wording = currentWording();
 
 /**
- * What the station sent, with its messages in this browser's language and units. The same for the
- * same; what has no message in it is given back itself.
+ * What the station sent, with its messages in this browser's language and units. Equal input gives
+ * the same object; input without messages is returned unchanged.
  */
 export function localized<T>(value: T): T {
   if (wording !== currentWording()) {
@@ -29,7 +29,7 @@ export function asSent<T extends object>(value: T): T {
   return (originals.get(value) ?? value) as T;
 }
 
-/** A text, or its English where this version of the client has no such message. */
+/** A text, or its English version if this version of the client has no such message. */
 export function restored(english: string, data: unknown): string {
   return isText(data) && isKnown(data) ? render(data) : english;
 }
@@ -54,7 +54,7 @@ function walk(value: unknown): unknown {
 }
 
 function list(values: unknown[]): unknown[] {
-  // rows of numbers, as of an outline, are long
+  // rows of numbers, such as an outline, are long
   if (typeof values[0] === "number") return values;
   const result = values.map(walk);
   return result.some((one, i) => one !== values[i]) ? result : values;

@@ -28,7 +28,7 @@ function notificationState(): NotificationState {
   return Notification.permission === "granted" && localStorage.getItem(KEY) === "1" ? "on" : "off";
 }
 
-/** Asked for by a press, and by nothing else. */
+/** Only on a press of the user. */
 export async function askForNotifications(): Promise<void> {
   if ((await Notification.requestPermission()) === "granted") localStorage.setItem(KEY, "1");
   changed();
@@ -46,7 +46,7 @@ export function useNotificationState(): NotificationState {
   }, notificationState);
 }
 
-/** Shows each notice once; the one that a new connection begins with is an old one. */
+/** Shows each notice once; the first one of a new connection is old. */
 export function startNotifications(): void {
   subscribe(() => {
     const { notice, connection, report } = getState();

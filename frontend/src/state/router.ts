@@ -14,7 +14,7 @@ export const PAGES = [
   "settings",
   "people",
 ] as const;
-/** A page that no menu shows: the Health page links to it. */
+/** A page that is not in the menu: the Health page links to it. */
 const REFERENCE = "docs";
 export type Page = (typeof PAGES)[number] | typeof REFERENCE;
 
@@ -43,7 +43,7 @@ function current(): Page {
   return [...PAGES, REFERENCE].find((page): page is Page => page === name) ?? "home";
 }
 
-/** What of a page is looked at, such as one of the records; empty for the page as a whole. */
+/** The item shown on a page, such as one of the records; empty for the page itself. */
 function currentDetail(): string {
   return parts().slice(1).map(decodeURIComponent).join("/");
 }

@@ -18,7 +18,7 @@ const listeners = new Set<() => void>();
 let muted = window.localStorage.getItem(KEY) === "1";
 let context: AudioContext | null = null;
 
-/** Browsers allow sound only after the first touch. */
+/** Browsers allow sound only after the first user action. */
 export function unlockSound(): void {
   const unlock = () => {
     context ??= new AudioContext();

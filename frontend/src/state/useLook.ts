@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 
 import { useLive } from "./store";
 
-/** Calls back when a pose is asked for from elsewhere on the page; not for what was asked before. */
+/** Calls back when a pose is requested from elsewhere on the page; not for earlier requests. */
 export function useLook(onLook: (pose: number) => void): void {
   const look = useLive((s) => s.look);
   const last = useRef(look);

@@ -3,12 +3,12 @@ import { useEffect, useState } from "react";
 import { get } from "../api/http";
 import { useLive } from "./store";
 
-/** What the station sends under an address, read again once it is back, and on every `change`. */
+/** The data at an address of the station, reloaded when it is back, and on every `change`. */
 export function useRead<T>(path: string, change = ""): { value: T | null; failed: boolean } {
   const [value, setValue] = useState<T | null>(null);
   const [failed, setFailed] = useState(false);
   const live = useLive((s) => s.connection === "live");
-  // biome-ignore lint/correctness/useExhaustiveDependencies: loaded again with each of them
+  // biome-ignore lint/correctness/useExhaustiveDependencies: reloaded with each of them
   useEffect(() => {
     let wanted = true;
     get<T>(path).then(

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 
-/** A field's text: the station's, until it is typed over. */
+/** The text of a field: that of the station, until the user types. */
 export function useSetting(current: string) {
   const [text, setText] = useState(current);
   useEffect(() => setText(current), [current]);

@@ -8,7 +8,7 @@ import { t } from "../state/language";
 import styles from "./Board.module.css";
 import { doing, type Fact, facts, KINDS } from "./stationFacts";
 
-/** One station for a kiosk display: what runs, what is wrong, and the live cloud. */
+/** One station for a kiosk screen: current activity, problems, and the live cloud. */
 export function Board({ report, silent_s }: { report: StationReport; silent_s: number }) {
   return (
     <div className={styles.board} data-stale={silent_s > 0 || undefined}>

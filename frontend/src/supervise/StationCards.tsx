@@ -8,17 +8,17 @@ import { t } from "../state/language";
 import styles from "./StationCards.module.css";
 import { doing, type Fact, facts, KINDS, stationState } from "./stationFacts";
 
-/** So many cards at first, and with each press: whoever may publish can invent stations. */
+/** Number of cards at first, and added per press: anyone who may publish can invent stations. */
 const CARDS = 48;
 
 interface Cards {
   stations: RemoteStation[];
-  /** performance.now() of when they were as they say. */
+  /** performance.now() at the time of the reports. */
   at: number;
   kiosk: boolean;
 }
 
-/** Several stations side by side, the ones that need somebody first. */
+/** Several stations side by side; those that need attention come first. */
 export function StationCards(newest: Cards) {
   const { stations, at, kiosk } = useDeferredValue(newest, { ...newest, stations: [] });
   const [most, setMost] = useState(CARDS);
@@ -47,7 +47,7 @@ function Ordered({ stations, at, kiosk }: Cards) {
     .map((station) => <Card key={station.id} station={station} at={at} kiosk={kiosk} />);
 }
 
-/** Seconds since a moment, counted on while wanted. */
+/** Seconds since a moment, updated while wanted. */
 function useSince(at: number, on: boolean): number {
   const [now, setNow] = useState(at);
   useEffect(() => {
@@ -85,7 +85,7 @@ function Card({ station, at, kiosk }: { station: RemoteStation; at: number; kios
   );
 }
 
-/** The disk is displayed only where it is nearly full. */
+/** The disk is shown only if it is nearly full. */
 function isRelevant(fact: Fact): boolean {
   return fact.id !== "disk" || fact.quality !== "neutral";
 }

@@ -13,7 +13,7 @@ export interface Fact {
   quality: Quality;
 }
 
-/** What a station is doing, and the number that goes with it. */
+/** The activity of a station, and its number. */
 export function doing({ activity }: StationReport): { title: string; number: string; unit: string; note: string } {
   const { title, step, steps, progress } = activity;
   if (activity.kind === "scanning") {
@@ -43,7 +43,7 @@ export const KINDS: Record<StationReport["activity"]["kind"], PlainId> = {
   working: "ui-job",
 };
 
-/** The facts of a station in the order in which they are asked for; devices as old as they are. */
+/** The facts of a station in order of importance, with the age of the device data. */
 export function facts(report: StationReport, more_s: number): Fact[] {
   return [
     ...report.devices.map((device) => deviceFact(device, more_s)),
@@ -111,7 +111,7 @@ function verificationFact({ verification }: StationReport): Fact {
   return fact("verified", t("ui-verified"), result, daysAgo(Math.max(since, 0)), verification.quality);
 }
 
-/** How a station is, in one word and one colour. */
+/** The state of a station in one word and one colour. */
 export function stationState(station: RemoteStation, more_s = 0): { words: string; quality: Quality } {
   switch (station.state) {
     case "lost":

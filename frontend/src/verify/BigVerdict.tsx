@@ -24,7 +24,7 @@ export function Verdict({ result, text, children }: VerdictLine & { children?: R
   );
 }
 
-/** A record's verdict, with what it is of. */
+/** The verdict of a record, with its subject. */
 export function BigVerdict({ summary }: { summary: VerificationSummary }) {
   return (
     <Verdict {...summary}>

@@ -9,7 +9,7 @@ import { DEVIATION_CSS, deviationColour, deviationScale } from "./colours";
 import styles from "./DeviationMap.module.css";
 import { useFile } from "./useFile";
 
-/** Where a cloud lies above and below the shape fitted to it, from outside. */
+/** Deviations of a cloud from the fitted shape, seen from outside. */
 export function DeviationMap({ clouds, shape }: { clouds: CloudLine[]; shape: "plane" | "sphere" }) {
   const [chosen, setChosen] = useState<number | null>(null);
   const last = clouds[clouds.length - 1];

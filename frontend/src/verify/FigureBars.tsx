@@ -6,7 +6,7 @@ import { t } from "../state/language";
 import styles from "./FigureBars.module.css";
 import { DECISIONS, QUALITY, worded } from "./verification";
 
-/** Each figure with its uncertainty against its limit. */
+/** Each figure with its uncertainty and its limit. */
 export function FigureBars({ found }: { found: FigureLine[] }) {
   return (
     <ul className={styles.list}>

@@ -1,6 +1,6 @@
 import styles from "./GaugeDrawing.module.css";
 
-/** A plate or a sphere on its foot, as it stands clamped; with where to touch it, or the stripe. */
+/** A clamped plate or sphere on its foot, with the places to touch, or the stripe. */
 export function GaugeDrawing({
   shape,
   touching = false,

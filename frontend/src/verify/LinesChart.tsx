@@ -24,7 +24,7 @@ const WIDTH = 600;
 const HEIGHT = 200;
 const EDGE = 26;
 
-/** A figure over clouds, one line a calibration (paper, Figs. 7, 8 and 11). */
+/** A quantity over clouds, one line per calibration (article, Figs. 7, 8 and 11). */
 export function LinesChart({ title, unit, lines, labels, limit = null, both = false }: LinesChartProps) {
   const all = lines.flatMap(({ values }) => values);
   const largest = Math.max(...all.map(Math.abs), 1);
@@ -109,7 +109,7 @@ interface RangeBarsProps {
   bars: { name: string; value: number; colour: string }[];
 }
 
-/** A range for each calibration, or for each cloud (paper, Figs. 9 and 10). */
+/** A range for each calibration, or for each cloud (article, Figs. 9 and 10). */
 export function RangeBars({ title, unit, bars }: RangeBarsProps) {
   const top = Math.max(...bars.map(({ value }) => value), 1e-6);
   const mean = bars.reduce((sum, { value }) => sum + value, 0) / Math.max(bars.length, 1);

@@ -14,7 +14,7 @@ interface LiveScanProps {
   state: "before" | "scanning" | "measuring" | "done";
 }
 
-/** The cloud as it grows on the gauge, with how to pass over it; before that, only the latter. */
+/** The growing cloud on the gauge, with instructions; before the scan, only the instructions. */
 export function LiveScan({ shape, state }: LiveScanProps) {
   const frame = useRef<HTMLIFrameElement>(null);
   const [viewKey] = useState(newKey);

@@ -2,7 +2,7 @@ import styles from "./Charts.module.css";
 import { LinesChart } from "./LinesChart";
 import type { DisplayedVerification } from "./verification";
 
-/** How the figures go from cloud to cloud, against their limits. */
+/** The figures from cloud to cloud, with their limits. */
 export function OverClouds({ verification }: { verification: DisplayedVerification }) {
   const labels = verification.clouds.map(({ number }) => `${number}`);
   return (

@@ -5,7 +5,7 @@ import { asSent } from "../state/localized";
 import { ResultTabs } from "./ResultTabs";
 import { displayedRecord } from "./verification";
 
-/** A verification of before, looked at again. */
+/** An earlier verification. */
 export function RecordView({ record, failed }: { record: VerificationFile | null; failed: boolean }) {
   if (failed)
     return <EmptyState title={t("ui-this-record-cannot-be-loaded")} text={t("ui-file-missing-data-folder-changed")} />;

@@ -19,7 +19,7 @@ interface ResultTabsProps {
   id?: string;
 }
 
-/** Pictures first: what the clouds show, and over clouds and calibrations; the table one tap away. */
+/** Pictures first: results of the clouds, over clouds and calibrations; the table one tap away. */
 export function ResultTabs({ displayed, sent, id }: ResultTabsProps) {
   const [tab, setTab] = useState("figures");
   const tabs = [

@@ -13,7 +13,7 @@ interface TouchViewProps {
   picture: { shape: "plane" | "sphere" | null; radius_mm: number | null; touches: TouchLine[] };
 }
 
-/** The contact points on the gauge from above, and how far each is off it. */
+/** The contact points on the gauge from above, and the distance of each from it. */
 export function TouchView({ picture }: TouchViewProps) {
   const placed = picture.touches.filter((touch) => touch.x_mm !== null);
   if (placed.length === 0) {
@@ -43,7 +43,7 @@ interface PlotProps {
   placed: (TouchLine & { number: number; at: [number, number] })[];
 }
 
-/** The gauge in millimetres; dots and labels in pixels of the screen, however small it is drawn. */
+/** The gauge in millimetres; dots and labels in screen pixels, whatever its size. */
 function Plot({ radius_mm, placed }: PlotProps) {
   const { ref: plot, width, height } = useElementSize();
   const worst = Math.max(...placed.map(({ residual_um }) => Math.abs(residual_um ?? 0)));

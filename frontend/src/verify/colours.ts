@@ -1,6 +1,6 @@
 import { roundEnd } from "../parts/lengths";
 
-/** Blue below, a quiet grey where it fits, orange above: distinguishable for every eye, in light and dark. */
+/** Blue below, grey where it fits, orange above: suitable for colour-blind users, in both themes. */
 const BELOW: [number, number, number] = [30, 100, 210];
 const FITS: [number, number, number] = [202, 206, 212];
 const ABOVE: [number, number, number] = [232, 120, 20];
@@ -13,7 +13,7 @@ export function deviationColour(share: number): string {
 
 export const DEVIATION_CSS = `linear-gradient(90deg, ${[-1, -0.5, 0, 0.5, 1].map(deviationColour).join(", ")})`;
 
-/** The end of the scale in µm: a round number that holds all cells but a few. */
+/** The end of the scale in µm: a round number that includes all cells except a few. */
 export function deviationScale(values: number[]): number {
   const sizes = values.map(Math.abs).sort((a, b) => a - b);
   const most = sizes[Math.floor(0.98 * (sizes.length - 1))] ?? 0;

@@ -2,14 +2,14 @@ import { useEffect, useState } from "react";
 
 import { get } from "../api/http";
 
-/** A file of the server's, read once for each address; null until it is there. */
+/** A file of the server, read once per address; null until it has been read. */
 export function useFile<T>(path: string, change = ""): { file: T | null; failed: boolean } {
   const [read, setRead] = useState<{ path: string; file: T | null; failed: boolean }>({
     path: "",
     file: null,
     failed: false,
   });
-  // biome-ignore lint/correctness/useExhaustiveDependencies: loaded again with each change
+  // biome-ignore lint/correctness/useExhaustiveDependencies: reloaded with each change
   useEffect(() => {
     if (!path) return;
     let wanted = true;

@@ -66,7 +66,7 @@ export function displayedRecord(record: VerificationFile): DisplayedVerification
   return { shape: record.gauge.shape, clouds, figures: found, verdict: record.verdict, notes: record.notes };
 }
 
-/** A figure with its unit; its sign only where both are possible. */
+/** A figure with its unit; with a sign only if both signs are possible. */
 export function worded({ name, value, unit }: Pick<FigureLine, "name" | "value" | "unit">): string {
   const both = name === "offset" || name === "z_error" || name === "radius_error";
   return both ? signedLength(value, unit) : measured(value, unit);
@@ -84,7 +84,7 @@ const COLUMNS: { name: keyof CloudLine; title: PlainId; unit: string }[] = [
   { name: "centre_error_um", title: "ui-centre-error", unit: "µm" },
 ];
 
-/** The figures against their limits, and cloud by cloud. */
+/** The figures with their limits, and cloud by cloud. */
 export function tablesOf({ clouds, figures: found }: DisplayedVerification): TableData[] {
   const known = COLUMNS.filter(({ name }) => clouds.some((cloud) => cloud[name] !== null));
   const number = (value: unknown, unit: string): Text =>
