@@ -1,1 +1,1 @@
-"""How the station itself is doing: health, logs, load."""
+"""The state of the station itself: health, logs, load."""

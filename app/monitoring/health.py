@@ -1,6 +1,6 @@
-"""The station's health: each check a finding with its number, why it matters, what to do.
+"""Health checks of the station: each is a finding with a value, its importance and a remedy.
 
-Checks take plain values and are free of clocks and devices.
+Checks take plain values and access neither clocks nor devices.
 """
 
 from collections.abc import Sequence
@@ -34,7 +34,7 @@ class HealthItem:
     what: Text
     why: Text
     remedy: Text
-    """Empty where there is nothing to do."""
+    """Empty if no action is needed."""
 
 
 @dataclass(frozen=True)
@@ -47,14 +47,14 @@ class Health:
 
 
 def summarise_health(items: Sequence[HealthItem], at: str) -> Health:
-    """The worst check decides how the station is."""
+    """The worst check determines the state of the station."""
     ordered = sorted(items, key=lambda item: ORDER[item.quality])
     worst: Quality = ordered[0].quality if ordered else "good"
     return Health(at, "good" if worst == "neutral" else worst, ordered)
 
 
 def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
-    """Whether a device sends."""
+    """Whether a device sends data."""
     quality: Quality = {"connected": "good", "connecting": "attention"}.get(state.state, "bad")  # type: ignore[assignment]
     what = sentence(state.text)
     if state.state == "connected" and state.age_s is not None and state.rate_hz is not None:
@@ -75,7 +75,7 @@ def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
 
 
 def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
-    """Whether all that a device sends arrives."""
+    """Whether all data of a device arrives."""
     quality: Quality = "good"
     if lately.share > LOSS_BAD:
         quality = "bad"
@@ -101,10 +101,10 @@ def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
 
 
 def readings(rejected: int, newest: OperationError | None, ago_s: float | None) -> HealthItem:
-    """Whether what the arm's encoders say can be true.
+    """Whether the arm's encoder readings are plausible.
 
     Args:
-        ago_s: since the newest reading that could not.
+        ago_s: time since the newest implausible reading.
     """
     why = message("nothing-taken-reading-cannot-true-no")
     if newest is None or ago_s is None:
@@ -121,10 +121,10 @@ def readings(rejected: int, newest: OperationError | None, ago_s: float | None) 
 
 
 def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
-    """Whether the wall clock can be believed.
+    """Whether the wall clock is correct.
 
     Args:
-        ahead_days: by how much the newest record is later than now.
+        ahead_days: how far the newest record is in the future.
     """
     why = message("ages-calibrations-order-records-go-measuring")
     if ahead_days > 0:
@@ -153,7 +153,7 @@ def clock(jumps: int, last_jump_s: float, ahead_days: float) -> HealthItem:
 
 
 def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
-    """Whether browsers are answered without a hitch."""
+    """Whether browsers are answered without delay."""
     why = message("held-up-live-numbers-stand-press")
     if not stalls.count and not stalls.pauses:
         what = message("never-held-up-more-than", limit=quantity(limit_s, "s", 2))
@@ -186,7 +186,7 @@ def event_loop(stalls: Stalls, limit_s: float) -> HealthItem:
 
 
 def memory_use(used: Memory) -> HealthItem:
-    """Whether memory suffices."""
+    """Whether there is enough memory."""
     short = used.free is not None and used.free < MEMORY_FREE_BYTES
     much = used.process > PROCESS_MEMORY_BYTES
     process = quantity(used.process / 1e6, "MB")
@@ -205,7 +205,7 @@ def memory_use(used: Memory) -> HealthItem:
 
 
 def log_errors(count: int) -> HealthItem:
-    """Whether something failed lately that nobody foresaw."""
+    """Whether an unexpected error occurred recently."""
     return HealthItem(
         "log",
         message("log"),
@@ -217,7 +217,7 @@ def log_errors(count: int) -> HealthItem:
 
 
 def temperature(now: Temperature, change_c: float | None) -> HealthItem:
-    """Whether it is as warm as it was when the station was calibrated."""
+    """Whether the temperature is the same as during calibration."""
     why = message("everything-grows-metre-aluminium", growth=quantity(23, "µm"))
     if now.celsius is None and not now.trouble:
         return HealthItem("room", message("temperature"), "neutral", message("read-yet"), why, "")
@@ -240,7 +240,7 @@ def temperature(now: Temperature, change_c: float | None) -> HealthItem:
 
 
 def broker(host: str, connected: bool, text: Text, for_s: float, doubled: bool) -> HealthItem:
-    """Whether other stations see this one."""
+    """Whether other stations see this station."""
     why = message("other-stations-see-one-one-them")
     if doubled:
         return HealthItem(
@@ -283,7 +283,7 @@ def webhook(host: str, failed: int, trouble: Text) -> HealthItem:
 
 
 def network(how: str) -> HealthItem:
-    """Whether what browsers send and are sent can be read on the way."""
+    """Whether the traffic with browsers can be read on the network."""
     what = {
         "here": message("only-machines-browsers-reach-station"),
         "encrypted": message("other-machines-reach-encrypted"),
@@ -301,7 +301,7 @@ def network(how: str) -> HealthItem:
 
 
 def software(versions: dict[str, str]) -> HealthItem:
-    """What runs here."""
+    """The software and versions in use."""
     parts = [message("software-part", part=name, version=of) for name, of in versions.items()]
     why = message("whoever-helps-you-asks-first")
     return HealthItem("software", message("software"), "good", sentence(join(parts)), why, "")

@@ -1,4 +1,4 @@
-"""The check of what stations publish, and the item of a check that could not be made."""
+"""The check of messages on the broker, and the result of a check that failed."""
 
 from collections.abc import Callable, Mapping
 
@@ -6,18 +6,18 @@ from app.messages.message import Text, join, message
 from app.monitoring.health import HealthItem
 
 REPORTED_S = 3600.0
-"""For so long after the newest."""
+"""Reported for this long after the newest one."""
 PARTS: dict[str, Callable[[int], Text]] = {
     "long": lambda count: message("messages-too-long", count=count),
     "strange": lambda count: message("messages-of-no-station", count=count),
     "often": lambda count: message("messages-too-often", count=count),
     "crowded": lambda count: message("messages-of-too-many-stations", count=count),
 }
-"""How many there were, by the reason."""
+"""Number of unread messages, by reason."""
 
 
 def messages(counts: Mapping[str, int], ago_s: float | None) -> list[HealthItem]:
-    """What on the broker was not read, by the reason; nothing where all was for an hour."""
+    """Messages on the broker that were not read, by reason; None if there were none for an hour."""
     if ago_s is None or ago_s > REPORTED_S:
         return []
     parts = [part(counts[why]) for why, part in PARTS.items() if counts.get(why)]
@@ -34,7 +34,7 @@ def messages(counts: Mapping[str, int], ago_s: float | None) -> list[HealthItem]
 
 
 def not_made(name: str, why: Text) -> HealthItem:
-    """A check that failed itself, whatever its result would have been."""
+    """A check that failed to run, whatever its result would have been."""
     return HealthItem(
         f"not-made-{name}",
         message("check-failed"),

@@ -1,7 +1,7 @@
-"""The station's log: JSON lines in the data folder, and read again by level and words.
+"""The log of the station: JSON lines in the data folder, searchable by level and words.
 
-Each line is an object with ``at``, ``level``, ``logger``, ``thread``, ``text`` and, of a
-failure, ``trace``. The text is English; of a message, ``text_message`` has its data.
+Each line is an object with ``at``, ``level``, ``logger``, ``thread``, ``text`` and, for an
+exception, ``trace``. The text is English; for a message, ``text_message`` has its data.
 """
 
 import json
@@ -29,7 +29,7 @@ FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
 LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
 STATION_LOGGERS = ("app", "hardware")
-"""Loggers of which lines from ``info`` on are written; of all others from ``warning`` on."""
+"""Loggers that write from ``info`` on; all others write from ``warning`` on."""
 
 Level = Literal["info", "warning", "error"]
 LEVELS: dict[Level, int] = {
@@ -41,7 +41,7 @@ LEVELS: dict[Level, int] = {
 
 @dataclass(frozen=True, slots=True)
 class LogLine:
-    """One line, as the browser shows it."""
+    """One log line, as the browser shows it."""
 
     at: str
     level: Level
@@ -52,20 +52,20 @@ class LogLine:
 
 
 class LogStore:
-    """Writes on a thread of its own, so that no disk holds up the event loop.
+    """Writes in its own thread, so that a slow disk does not delay the event loop.
 
     Args:
         folder: the data folder.
 
     Raises:
-        OperationError: the folder of the logs cannot be written.
+        OperationError: the log folder is not writable.
     """
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder / FOLDER
         try:
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            self.folder.chmod(0o700)  # names and addresses are in them
+            self.folder.chmod(0o700)  # they contain names and addresses
             check_ordinary(self.folder / FILE)
             file = _File(
                 self.folder / FILE, maxBytes=FILE_BYTES, backupCount=FILES - 1, encoding="utf-8"
@@ -92,7 +92,7 @@ class LogStore:
         logging.getLogger().addHandler(self._handler)
 
     def close(self) -> None:
-        """Writes what waits, and gives the loggers back as they were; idempotent."""
+        """Writes waiting lines, and restores the loggers; idempotent."""
         if not self._levels:
             return
         logging.getLogger().removeHandler(self._handler)
@@ -103,24 +103,24 @@ class LogStore:
         self._file.close()
 
     def errors_since(self, after: float) -> int:
-        """How many errors were logged after a moment (``time.time``)."""
+        """Number of errors that were logged after a time (``time.time``)."""
         return sum(at > after for at in tuple(self._errors))
 
     def files(self) -> list[Path]:
-        """All files of the log, the newest first."""
+        """All log files, newest first."""
         numbered = [self.folder / f"{FILE}.{number}" for number in range(1, FILES)]
         return [path for path in (self.folder / FILE, *numbered) if path.is_file()]
 
     def read(
         self, level: Level, words: str, count: int, render: Render | None = None
     ) -> list[LogLine]:
-        """The newest lines of a level or above that contain the words, newest first.
+        """The newest lines of at least this level that contain the words, newest first.
 
         Args:
-            render: puts texts into another language; the words may be of that, too.
+            render: renders texts in another language, in which the words are also searched.
         """
         wanted = words.lower().split()
-        # most lines are passed over without being parsed; these signs are spelled otherwise in JSON
+        # most lines are skipped without parsing; these characters are escaped in JSON
         plain = [word for word in wanted if render is None and not set(word) & {'"', "\\"}]
         sought = _SearchWords(wanted, render)
         high = (one for one in self._newest_first(plain) if LEVELS[one.level] >= LEVELS[level])
@@ -130,7 +130,7 @@ class LogStore:
         for path in self.files():
             try:
                 raw = read_bounded(path).decode("utf-8", "replace").split("\n")
-            except OSError:  # rotated away meanwhile
+            except OSError:  # rotated away in the meantime
                 continue
             for text in reversed(raw):
                 low = text.lower()
@@ -140,13 +140,13 @@ class LogStore:
 
 
 class _SearchWords:
-    """Words, in small letters, that lines are sought by."""
+    """The search words in lower case."""
 
     def __init__(self, words: Sequence[str], render: Render | None) -> None:
         self._words, self._render = words, render
 
     def is_in(self, line: LogLine) -> bool:
-        """Whether all of them stand in a line, in English or in the other language."""
+        """Whether a line contains all of them, in English or in the other language."""
         english = f"{line.text!s} {line.logger} {line.thread} {line.trace}".lower()
         missing = [word for word in self._words if word not in english]
         if not missing or self._render is None or isinstance(line.text, str):
@@ -169,7 +169,7 @@ class _ErrorCounter(logging.Filter):
 
 
 class _Handler(logging.handlers.QueueHandler):
-    """Makes the trace into text at once."""
+    """Converts the traceback to text at once."""
 
     def prepare(self, record: logging.LogRecord) -> logging.LogRecord:
         trace = str(getattr(record, "trace", ""))
@@ -187,7 +187,7 @@ class _Handler(logging.handlers.QueueHandler):
 
 
 class _File(logging.handlers.RotatingFileHandler):
-    """Says once that the disk takes no lines, until it does again."""
+    """Reports once that the disk accepts no lines, until it does again."""
 
     failing = False
 
@@ -219,7 +219,7 @@ class _JsonLine(logging.Formatter):
 
 
 def _escape_texts(data: object) -> object:
-    """The data of a message with no character that acts on readers in its texts."""
+    """The data of a message without characters that affect the display of its texts."""
     if isinstance(data, str):
         return escape_unprintable(data, "\n\t")
     if isinstance(data, dict):
@@ -236,7 +236,7 @@ def _level(number: int) -> Level:
 
 
 def _parse_line(text: str) -> LogLine | None:
-    """A line; None for one that a killed server left half."""
+    """A log line; None for one that a killed server wrote only partly."""
     try:
         line = json.loads(text)
         english = str(line["text"])

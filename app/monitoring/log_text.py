@@ -1,7 +1,8 @@
-"""What of a record may stand in a log, and how often: strangers cause lines, too.
+"""Limits on the content and number of log records, because clients without an account can cause
+them.
 
-Whatever they send is written so that it is seen and does nothing: to a terminal control
-characters are commands, and to readers some of Unicode's are ends of lines.
+Whatever they send is written so that it is visible and has no effect: control characters are
+commands to a terminal, and some Unicode characters are line ends for readers.
 """
 
 import logging
@@ -15,7 +16,7 @@ from dataclasses import dataclass
 from app.messages.message import message
 
 FIRST = 3
-"""Lines of one kind that are written before they are counted only."""
+"""Number of equal lines that are written before they are only counted."""
 FORGOTTEN_S = 600.0
 MOST_KINDS, MOST_ALIKE = 500, 20
 NUMBER = re.compile(r"\d+")
@@ -23,7 +24,7 @@ LONGEST_KIND = 80
 
 
 _Key = tuple[str, int, str]
-"""The file and line that says it, and what."""
+"""The file and line that logs it, and the text."""
 
 
 @dataclass
@@ -36,11 +37,10 @@ class _RepeatCount:
 
 class RepeatFilter(logging.Filter):
     """Lets warnings and errors of one kind pass three times; then the tenth, the hundredth, the
-    thousandth and so on, and one every ten minutes, which say how many there were.
+    thousandth and so on, and one every ten minutes, which state the number.
 
-    Of one kind are errors raised at one place, and equal texts; of the differing texts of one
-    line of the program, the first twenty. How many is the record's ``repeated``, for what
-    writes it.
+    Errors raised at one place, and equal texts, are of one kind; of differing texts from one line
+    of the program, the first twenty are separate kinds. The number is the record's ``repeated``.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -68,7 +68,7 @@ class RepeatFilter(logging.Filter):
         return True
 
     def _alike(self, key: _Key) -> int:
-        """Kinds of the same line in the program that are remembered."""
+        """Number of kinds of one program line that are remembered."""
         soon_s = self._clock() - FORGOTTEN_S
         return sum(
             known[:2] == key[:2] and kind.last_s > soon_s for known, kind in self._kinds.items()

@@ -1,4 +1,4 @@
-"""Watches the event loop: how often, how long and by what it was held up."""
+"""Watches the event loop: how often, how long and by what it was blocked."""
 
 import asyncio
 import logging
@@ -13,17 +13,18 @@ from app.timestamps import utc_now
 
 log = logging.getLogger(__name__)
 LIMIT_S = 0.25
-"""Held up for longer than this, live numbers are seen to stand."""
+"""If the loop is blocked for longer than this, live values visibly freeze."""
 PERIOD_S = 0.1
 FRAMES = 16
-"""Of the stack, the innermost."""
+"""Number of innermost stack frames that are logged."""
 PAUSE_S = 0.75
-"""The watching thread itself woke up so late: the whole program stood, not only the loop."""
+"""If the watchdog thread itself wakes up this late, the whole program was blocked, not only the
+loop."""
 
 
 @dataclass(frozen=True)
 class Stalls:
-    """What was seen since the start."""
+    """The stalls since the start."""
 
     count: int = 0
     longest_s: float = 0.0
@@ -31,15 +32,15 @@ class Stalls:
     last_at: str = ""
     last_stack: str = ""
     pauses: int = 0
-    """Times that the whole program stood: the machine was busy, suspended or short of memory."""
+    """Number of times that the whole program was blocked: the machine was busy, suspended or short
+    of memory."""
     longest_pause_s: float = 0.0
 
 
 class LoopWatchdog:
-    """A thread that asks the loop for an answer ten times a second.
+    """A thread that expects an answer of the loop ten times a second.
 
-    Where none comes within ``limit_s`` it counts a stall, and logs what the loop's thread was
-    doing then, with its stack.
+    If there is none within ``limit_s``, it counts a stall and logs the stack of the loop's thread.
     """
 
     def __init__(self, limit_s: float = LIMIT_S) -> None:

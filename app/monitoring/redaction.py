@@ -1,4 +1,4 @@
-"""Takes out of a text what opens doors, and who did what."""
+"""Removes secrets and names of people from texts."""
 
 import json
 import re
@@ -36,12 +36,12 @@ SECRET_KEY = re.compile(r"(?i)password|passwd|secret|token|api_?key|credential|a
 
 
 class Redactor:
-    """Knows what must not leave.
+    """Knows what must be removed.
 
     Args:
-        secrets: as they are; also in places where no pattern finds them.
-        people: names, which become "person 1" and so on.
-        folders: paths by what they are called, e.g. the data folder.
+        secrets: literal secrets, also found where no pattern matches.
+        people: names, which are replaced by "person 1" and so on.
+        folders: paths by their designation, e.g. the data folder.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class Redactor:
         self._places = sorted(places.items(), key=lambda item: len(item[1]), reverse=True)
 
     def text(self, text: str) -> str:
-        """The text without them."""
+        """The redacted text."""
         for secret in self._secrets:
             text = text.replace(secret, GONE)
         for title, path in self._places:
@@ -76,7 +76,7 @@ class Redactor:
         return text
 
     def value(self, value: object, key: str = "") -> object:
-        """The same of a whole JSON value; what stands under a secret's name goes entirely."""
+        """The redacted JSON value; a value under the name of a secret is removed completely."""
         if SECRET_KEY.search(key) and value not in (None, "", True, False) and "file" not in key:
             return GONE
         if isinstance(value, str):
@@ -89,7 +89,7 @@ class Redactor:
 
 
 def secrets_in(value: object, key: str = "") -> Iterator[str]:
-    """What stands under a secret's name in settings, or with a user's name in an address."""
+    """Values under the name of a secret in settings, or after a user name in an address."""
     if isinstance(value, dict):
         for name, of in value.items():
             yield from secrets_in(of, str(name))
@@ -106,7 +106,7 @@ def secrets_in(value: object, key: str = "") -> Iterator[str]:
 
 
 def address_secrets(address: str) -> Iterator[str]:
-    """What of an address may be a key to it: the parts of its path and of its query."""
+    """Parts of an address that may be keys: parts of its path and of its query."""
     yield address
     parts = urlsplit(address)
     pieces = [*parts.path.split("/"), *re.split("[&=]", parts.query), parts.password or ""]

@@ -1,4 +1,4 @@
-"""The health of what is stored: disk, folders, database, records, recordings and backups."""
+"""Health of the storage: disk, folders, database, records, recordings and backups."""
 
 from collections.abc import Sequence
 
@@ -48,7 +48,7 @@ def folder(trouble: Text) -> HealthItem:
 
 
 def database(size_mb: float, trouble: str) -> HealthItem:
-    """Whether the database is whole."""
+    """Whether the database is intact."""
     return HealthItem(
         "database",
         message("database"),
@@ -62,7 +62,7 @@ def database(size_mb: float, trouble: str) -> HealthItem:
 
 
 def records(unreadable: Sequence[Text]) -> HealthItem:
-    """Whether all that is stored can be read; ``unreadable``: a sentence for each that cannot."""
+    """Whether all stored records can be read; ``unreadable``: one sentence for each that cannot."""
     listed, more = list(unreadable[:LISTED_RECORDS]), len(unreadable) - LISTED_RECORDS
     if more > 0:
         listed.append(message("and-more-records", count=more))
@@ -77,7 +77,7 @@ def records(unreadable: Sequence[Text]) -> HealthItem:
 
 
 def recordings(damaged: Sequence[Text]) -> HealthItem:
-    """Whether what was recorded is there as it was recorded."""
+    """Whether the recordings are present and unchanged."""
     what = message("all-there-they-were-recorded")
     if damaged:
         what = message("recordings-damaged", first=damaged[0], more=len(damaged) - 1)
@@ -92,7 +92,7 @@ def recordings(damaged: Sequence[Text]) -> HealthItem:
 
 
 def backup(days: float | None, place: str, same_disk: bool, trouble: Text) -> HealthItem:
-    """Whether the station could be set up again from a copy."""
+    """Whether the station could be restored from a backup."""
     why = message("disk-fails-takes-every-calibration-scan")
     remedy = message("make-one-below-crenel-backup")
     if trouble:

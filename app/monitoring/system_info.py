@@ -1,4 +1,4 @@
-"""What the machine and the process are doing, as the operating system reports it."""
+"""State of the machine and the process, as reported by the operating system."""
 
 import os
 import platform
@@ -13,7 +13,7 @@ from app.formats.io_errors import error_from_os
 from app.messages.message import Text
 
 Network = Literal["here", "encrypted", "proxied", "open"]
-"""From where the station is reached: from this machine alone, or from others in some way."""
+"""From where the station can be reached: from this machine only, or from others."""
 
 MEMINFO = Path("/proc/meminfo")
 JUMP_S = 1.0
@@ -21,19 +21,19 @@ JUMP_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Memory:
-    """In bytes; null where the system does not report it."""
+    """In bytes; null if the system does not report it."""
 
     process: int
     free: int | None
 
 
 def memory() -> Memory:
-    """Of this process, and what is free for all."""
+    """Of this process, and the memory that is free."""
     return Memory(resident() or _peak(), _bytes(MEMINFO, "MemAvailable"))
 
 
 def resident(process: int | None = None) -> int | None:
-    """Bytes of memory that a process holds, by its id, or this one; null where not known."""
+    """Memory of a process in bytes, by its id, or of this one; null if unknown."""
     return _bytes(Path(f"/proc/{process or 'self'}/status"), "VmRSS")
 
 
@@ -53,7 +53,7 @@ def _peak() -> int:
 
 
 class WallClock:
-    """Notices when the wall clock is set while the station runs."""
+    """Detects that the wall clock is set while the station runs."""
 
     def __init__(self) -> None:
         self._offset_s = time.time() - time.monotonic()
@@ -61,7 +61,7 @@ class WallClock:
         self.last_jump_s = 0.0
 
     def look(self) -> None:
-        """Called every few seconds; a slow drift is followed and is no jump."""
+        """Called every few seconds; a slow drift is followed and does not count as a jump."""
         offset_s = time.time() - time.monotonic()
         if abs(offset_s - self._offset_s) > JUMP_S:
             self.jumps += 1
@@ -70,7 +70,7 @@ class WallClock:
 
 
 def versions() -> dict[str, str]:
-    """What the program runs on."""
+    """The platform of the program."""
     return {
         "Python": platform.python_version(),
         "system": f"{platform.system()} {platform.release()}",
@@ -80,7 +80,7 @@ def versions() -> dict[str, str]:
 
 
 def writable(folder: Path) -> Text:
-    """Empty where a file can be written into the folder, else why not."""
+    """Empty if a file can be written in the folder, otherwise the reason."""
     trial = folder / f".trial-{os.getpid()}"
     try:
         trial.write_bytes(b"x")

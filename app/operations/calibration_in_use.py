@@ -1,4 +1,4 @@
-"""The calibration in use: read from its files, and looked after while it is in use."""
+"""The calibration in use: read from its files, and checked while it is in use."""
 
 from functools import lru_cache
 from pathlib import Path
@@ -14,12 +14,12 @@ from app.store.calibrations import CalibrationRecord
 from app.workflows.compatibility import check_serials
 
 Stamp = tuple[int, int, int] | None
-"""Of a file as it is: device, size and when it was written; None where there is none."""
+"""State of a file: device, size and time of writing; None if it is missing."""
 REMEMBERED = 16
 
 
 def unreadable_calibration_error(why: Text) -> OperationError:
-    """Why Home and a scan cannot use a calibration whose files cannot be read."""
+    """Why Home and scans cannot use a calibration whose files are unreadable."""
     return OperationError(
         "calibration-unreadable",
         message("calibration-use-cannot-read"),
@@ -29,10 +29,10 @@ def unreadable_calibration_error(why: Text) -> OperationError:
 
 
 def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
-    """An accepted calibration with the arm that it was made on.
+    """An accepted calibration with the arm on which it was made.
 
     Raises:
-        OperationError: a file of it cannot be read, or they do not belong together.
+        OperationError: one of its files cannot be read, or they do not belong together.
     """
     document = CalibrationFile.read(record.file)
     found = calibration_from_document(document)
@@ -58,9 +58,9 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
 
 
 def calibration_error(record: CalibrationRecord) -> OperationError | None:
-    """Why the files of a calibration cannot be read any more; None where they can.
+    """Why the files of a calibration cannot be read any more; None if they can.
 
-    They are read again only where they changed: this is asked every time that Home is shown.
+    They are read again only after a change, because this is called whenever Home is shown.
     """
     return _trouble(record, _stamp(record.file), _stamp(record.file.parent / ARM))
 

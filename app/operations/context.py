@@ -1,4 +1,4 @@
-"""What the routes work with: the parts of the one station."""
+"""The parts of the station that the routes use."""
 
 import asyncio
 from dataclasses import dataclass, field, fields
@@ -31,7 +31,7 @@ from app.wire.schema import ScanStatus, StationInfo
 
 @dataclass(frozen=True)
 class Context:
-    """The station's parts, wired."""
+    """The connected parts of the station."""
 
     station: StationInfo
     bus: Bus
@@ -53,7 +53,7 @@ class Context:
     recovery: Recovery
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
-    """Reports are made in turn: many at once would keep Stop waiting."""
+    """Reports are made one at a time: many at once would delay Stop."""
 
     def scan_state(self, state: ScannerState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""
@@ -63,7 +63,7 @@ class Context:
 
 
 def context_of(connection: HTTPConnection) -> Context:
-    """The context that the application was built with."""
+    """The context with which the application was built."""
     return cast(Context, connection.app.state.context)
 
 

@@ -1,4 +1,4 @@
-"""Brings the health checks and the station together."""
+"""Connects the health checks with the station."""
 
 import logging
 import shutil
@@ -27,21 +27,21 @@ log = logging.getLogger(__name__)
 T = TypeVar("T")
 DATABASE_EVERY_S = 600.0
 RECORDS_EVERY_S = 30.0
-"""What asks the disk is looked at less often than the rest."""
+"""Checks that access the disk run less often than the others."""
 AN_HOUR_S = 3600.0
 AHEAD_S = 60.0
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "fastapi", "uvicorn", "viser")
 
 
 class HealthChecker:
-    """Looks at everything; called every few seconds away from the event loop."""
+    """Runs all checks; called every few seconds outside the event loop."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
         self._cached: dict[str, tuple[float, object]] = {}
 
     def look(self) -> Health:
-        """All checks as of now; one that fails is a finding, and the others go on."""
+        """All current checks; a check that fails becomes a finding, and the others continue."""
         items: list[HealthItem] = []
         for name, check in self._checks().items():
             try:
@@ -92,7 +92,7 @@ class HealthChecker:
         return [health.temperature(temperature.now, self._warmer_c())] if temperature.there else []
 
     def _warmer_c(self) -> float | None:
-        """Than when the station was calibrated."""
+        """Relative to the time of calibration."""
         store = self._context.store
         record = store.calibrations.active()
         return None if record is None else store.temperatures.change_since(record.accepted_at)
@@ -137,7 +137,7 @@ class HealthChecker:
         return [health.clock(clock.jumps, clock.last_jump_s, ahead_days)]
 
     def _every(self, period_s: float, name: str, look: Callable[[], T]) -> T:
-        """What was seen the last time, looked at again after the period."""
+        """The last value, renewed after the period."""
         known = self._cached.get(name)
         if known is None or time.monotonic() - known[0] > period_s:
             known = (time.monotonic(), look())
@@ -145,7 +145,7 @@ class HealthChecker:
         return cast(T, known[1])
 
     def _ahead_days(self) -> float:
-        """By how much the newest record is later than now."""
+        """How far the newest record is in the future."""
         store = self._context.store
         calibration, scan = store.calibrations.newest(), store.scans.newest()
         newest = [calibration.accepted_at] if calibration else []
@@ -184,14 +184,14 @@ class HealthChecker:
 
 
 def software(context: Context) -> dict[str, str]:
-    """Versions of what runs, and the drivers in use."""
+    """Versions of the software, and the drivers in use."""
     drivers = context.monitoring.settings.effective_settings.get("drivers", {})
     driver_names = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
     return {"Crenel": SOFTWARE.version, **versions(), **driver_names}
 
 
 def packages() -> dict[str, str]:
-    """Versions of the packages that matter most."""
+    """Versions of the most important packages."""
     found = {"python": sys.version.split()[0]}
     for name in PACKAGES:
         try:

@@ -22,14 +22,14 @@ from app.store.calibrations import CalibrationRecord
 from app.wire.schema import CalibrationSummary, Home
 
 PASSING = ("busy", "arm-lost", "sensor-lost")
-"""Why a scan cannot start now that a calibration does not mend."""
+"""Reasons why a scan cannot start now that a calibration does not fix."""
 
 
 RESULTS: dict[str, State] = {"pass": "valid", "fail": "failed", "uncertain": "unsure"}
 
 
 def build_home(context: Context) -> Home:
-    """The home page as of now."""
+    """The current home page."""
     record = context.store.calibrations.active()
     summary = calibration_summary(record) if record else None
     findings: list[Finding] = []
@@ -53,7 +53,7 @@ def build_home(context: Context) -> Home:
 
 
 def validity_inputs(context: Context, record: CalibrationRecord | None) -> ValidityInputs:
-    """What the station remembers of all that must be in order."""
+    """The stored facts about everything that must be valid."""
     store, arm_guide = context.store, context.arm_guide
     verified = store.verifications.newest_for(record.id) if record else None
     tip, arm = arm_guide.history.last_tip_check(), arm_guide.history.last_check()
@@ -85,7 +85,7 @@ def _calibration(
 
 
 def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
-    """What the last check of the tip says to who is about to touch with it."""
+    """The result of the last tip check, for a user who is about to probe."""
     tip = arm_guide.history.last_tip_check()
     found = None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text)
     known = ValidityInputs(None, None, False, found, None, None)
@@ -106,7 +106,7 @@ def _arm_text(check: ArmCheckSummary) -> Text:
 
 
 def calibration_summary(record: CalibrationRecord) -> CalibrationSummary:
-    """A calibration as it is listed."""
+    """A calibration as it appears in the list."""
     return CalibrationSummary(
         id=record.id,
         name=record.name,

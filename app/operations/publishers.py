@@ -1,4 +1,4 @@
-"""Keeps the station's reports fresh, and passes on its events."""
+"""Publishes the station's reports and events."""
 
 import asyncio
 import logging
@@ -27,7 +27,7 @@ DueKey = tuple[str, str | None]
 
 
 async def observe(context: Context) -> None:
-    """Runs until cancelled; then other stations learn that this one has ended."""
+    """Runs until cancelled; other stations then learn that this one has ended."""
     watch = context.monitoring
     watch.watchdog.start(asyncio.get_running_loop())
     coroutines: list[Coroutine[object, object, None]] = [
@@ -43,14 +43,14 @@ async def observe(context: Context) -> None:
     tasks = [asyncio.create_task(_run_and_log(work)) for work in coroutines]
     try:
         await asyncio.wait(tasks)
-    finally:  # each is cancelled once: the broker's last words are spoken after that
+    finally:  # each is cancelled once: the last messages to the broker follow
         for task in tasks:
             task.cancel()
         await asyncio.wait(tasks, timeout=END_S)
 
 
 async def _run_and_log(work: Coroutine[object, object, None]) -> None:
-    """One of these works failing ends none of the others."""
+    """If one of these tasks fails, the others continue."""
     try:
         await work
     except Exception:
@@ -66,15 +66,15 @@ async def _reports(context: Context) -> None:
             if context.monitoring.broker is not None:
                 context.monitoring.broker.report(report)
             due = _notify_due(context, due)
-        except OperationError as refusal:  # of a damaged database or its disk; Health shows it
+        except OperationError as refusal:  # from a damaged database or its disk; Health shows it
             log.warning("the station's report could not be made: %s", refusal.line)
-        except Exception:  # the station lives on, and the next may succeed
+        except Exception:  # the station continues, and the next attempt may succeed
             log.exception("the station's report could not be made")
         await asyncio.sleep(REPORT_S)
 
 
 def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
-    """Notifies once of each check that has come due; returns what is due now."""
+    """Notifies once of each check that has become due; returns the checks that are due now."""
     home = context.bus.latest("home")
     if not isinstance(home, Home):
         return known
@@ -87,7 +87,7 @@ def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
 
 
 async def _stations(context: Context) -> None:
-    """The other stations, when something of them has changed; how long one is silent is no news."""
+    """The other stations, after a change; the duration of silence is not a change."""
     published: object = None
     while True:
         shown = context.monitoring.fleet.stations()
@@ -115,7 +115,7 @@ def _topics(context: Context) -> set[str]:
 def _pass_on(context: Context, event: Event) -> None:
     watch = context.monitoring
     watch.events += 1
-    # an error is a fault of the program; a lost device and a refusal are none
+    # an error is a fault of the program; a lost device or a refusal is not
     warns = event.quality in ("bad", "attention") and watch.warned.is_new(event.kind, event.text)
     level = logging.WARNING if warns else logging.INFO
     log.log(level, "%s: %s", event.kind, event.text)

@@ -1,4 +1,5 @@
-"""What a killed process or a full disk left: scans listed, their clouds made, leftovers removed."""
+"""Recovery after a killed process or a full disk: lists scans, computes their clouds, removes
+leftovers."""
 
 import json
 import logging
@@ -35,24 +36,24 @@ from app.workflows.reconstruct import reconstruct_cloud
 
 log = logging.getLogger(__name__)
 DELETED = ".deleted-"
-"""Folders of scans that are being deleted are called so."""
+"""Prefix of folders of scans that are being deleted."""
 KILLED = message("station-ended-during-scan")
 RETRY_S = 10.0
 END_S = 5.0
 RECORD = "verification.json"
 LONGEST_NAME = 120
-"""Of what a recording states of itself."""
+"""Properties that a recording states about itself."""
 
 
 class _CloudPostponedError(Exception):
-    """The cloud is made later: a scan begins, or the program ends."""
+    """The cloud is computed later: a scan starts, or the program ends."""
 
 
 class Recovery:
-    """Lists recordings that nobody lists, and makes the clouds that are missing.
+    """Lists recordings that are not in the list, and computes missing clouds.
 
-    Clouds are made one after the other on a thread of their own, while no scan and no other
-    job runs.
+    Clouds are computed one after the other in a separate thread, while no scan and no other job is
+    running.
     """
 
     def __init__(
@@ -76,7 +77,7 @@ class Recovery:
     # -- at the start --------------------------------------------------------
 
     def list_unlisted(self) -> None:
-        """Lists every recording among the scans that has no row, as interrupted."""
+        """Lists every recording of a scan without a row as interrupted."""
         scans = self._store.scans.all()
         listed = {scan.folder for scan in scans} | {self._scans / scan.id for scan in scans}
         try:
@@ -117,7 +118,7 @@ class Recovery:
     # -- while the station runs ----------------------------------------------
 
     def step(self) -> None:
-        """Lists what waited for the disk, and begins to make a cloud that is missing."""
+        """Lists scans that waited for the disk, and starts to compute a missing cloud."""
         now_s = time.monotonic()
         busy = self._thread is not None and self._thread.is_alive()
         if busy or now_s < self._not_before_s or self._is_busy():
@@ -137,7 +138,7 @@ class Recovery:
         self._thread.start()
 
     def close(self) -> None:
-        """Leaves a cloud that is being made; the next start begins it again."""
+        """Abandons a cloud in progress; it starts again after the next start."""
         self._ending.set()
         if self._thread is not None:
             self._thread.join(END_S)
@@ -164,13 +165,13 @@ class Recovery:
                 return
             self._errors[scan.id] = refusal
             log.warning("no cloud for scan %s: %s", scan.id, refusal.line)
-        except Exception as error:  # the station lives on
+        except Exception as error:  # the station continues
             log.exception("the cloud of scan %s cannot be made", scan.id)
             self._errors[scan.id] = OperationError("failed", message("program-failed"), f"{error}")
         self._note_records()
 
     def _rebuild(self, scan: ScanRecord) -> int:
-        """Makes a scan's cloud as it would have been made live; how many points it has."""
+        """Computes the cloud of a scan as during the scan; returns the number of its points."""
         record = self._store.calibrations.get(scan.calibration_id)
         if record is None:
             raise OperationError("no-calibration", message("calibration-known-here"))
@@ -191,7 +192,7 @@ class Recovery:
     # -- what is shown -------------------------------------------------------
 
     def scan_note(self, scan: ScanRecord) -> Text:
-        """What is wrong with a scan's recording, or why it ended early; mostly empty."""
+        """Problems of a scan's recording, or why it ended early; usually empty."""
         damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
             return sentence(damage)
@@ -206,7 +207,7 @@ class Recovery:
         return message("no-points-can-made", interrupted=scan.interrupted, why=why)
 
     def find_damage(self) -> list[Text]:
-        """The recordings of scans and verifications that are not what they were."""
+        """The recordings of scans and verifications that have changed."""
         damaged: list[Text] = []
         for scan in self._store.scans.all():
             if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
@@ -219,7 +220,8 @@ class Recovery:
         return damaged
 
     def _matches_hash(self, path: Path, sha256: str) -> bool:
-        """Whether a recording that has no end was accepted so, as after a killed process."""
+        """Whether an incomplete recording was accepted as such, for example after a killed
+        process."""
         try:
             key = path, path.stat().st_size
             if key not in self._hashed:
@@ -249,14 +251,14 @@ def _scan_record(folder: Path, metadata: dict[str, str]) -> ScanRecord:
 
 
 def _remove_empty(folder: Path) -> None:
-    """Of a scan that recorded nothing; whatever else somebody put there stays."""
+    """Removes the folder of a scan without recorded data, unless it contains other files."""
     (folder / RECORDING).unlink()
     if not any(folder.iterdir()):
         folder.rmdir()
 
 
 def _recording_hashes(folder: Path) -> list[tuple[str, str]]:
-    """Names and hashes of the recordings that a verification's record has."""
+    """Names and hashes of the recordings in the record of a verification."""
     try:
         with convert_io_errors(folder):
             inputs = json.loads(read_text(folder / RECORD))["inputs"]

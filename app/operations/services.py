@@ -1,4 +1,4 @@
-"""The parts that watch over the station and report on it."""
+"""The services that monitor the station and report on it."""
 
 import threading
 import time
@@ -38,21 +38,21 @@ BUCKETS_S = (0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0)
 
 @dataclass(frozen=True)
 class MonitoringSettings:
-    """What ``station.toml`` has of it."""
+    """From ``station.toml``."""
 
     address: str = ""
-    """Of the station's pages, for other stations' links."""
+    """Address of the station's pages, for links from other stations."""
     backups: Path | None = None
     mqtt: BrokerSettings | None = None
     thermometer: Thermometer | None = None
     network: Network = "here"
     effective_settings: Mapping[str, object] = field(default_factory=dict)
-    """The settings as they are in use, for the support bundle."""
+    """The settings in use, for the support bundle."""
 
 
 @dataclass
 class JobTimes:
-    """How long jobs of one title took."""
+    """Durations of jobs with one title."""
 
     buckets: list[int] = field(default_factory=lambda: [0] * (len(BUCKETS_S) + 1))
     total_s: float = 0.0
@@ -63,25 +63,25 @@ class JobTimes:
 
 
 class Backups:
-    """Makes one backup at a time, on a thread of its own."""
+    """Makes one backup at a time, in a separate thread."""
 
     def __init__(self, bus: Bus, data: Path, folder: Path | None) -> None:
         self._bus, self._data = bus, data
         self.folder = folder or data / "backups"
         self.same_disk = _disk(self.folder) == _disk(data)
         self.share: float | None = None
-        """Done of the running one; null while none runs."""
+        """Completed share of the running backup; null if none is running."""
         self.trouble: Text = ""
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
         self.last: BackupRecord | None = last_backup(data)
 
     def look(self) -> None:
-        """Whether one was made, or taken away, by somebody else."""
+        """Whether another process made or removed a backup."""
         self.last = last_backup(self._data)
 
     def start(self) -> None:
-        """Raises ``OperationError`` while one is being made."""
+        """Raises ``OperationError`` while a backup is being made."""
         with self._lock:
             if self.share is not None:
                 raise OperationError(
@@ -117,7 +117,7 @@ def _disk(folder: Path) -> int | None:
 
 
 class MonitoringServices:
-    """The parts that watch over one station."""
+    """The services of one station."""
 
     def __init__(
         self, settings: MonitoringSettings, name: str, bus: Bus, store: Store, jobs: Jobs
@@ -144,31 +144,32 @@ class MonitoringServices:
         self.job_times: dict[str, JobTimes] = defaultdict(JobTimes)
         jobs.on_ended = lambda title, seconds: self.job_times[title].add(seconds)
         self.scans = self.points = self.frames = self.frames_lost = 0
-        """Of all scans that ended since the start."""
+        """Over all scans that ended since the start."""
         self.events = 0
         self.tabs = 0
-        """Live connections that are open."""
+        """Number of open live connections."""
         self._bus = bus
         self._numbers = 0
         self._repeats = NoticeDeduplicator()
         self.warned = NoticeDeduplicator()
-        """Events that the log warns of: what is repeated, like Stop, is only reported there."""
+        """Events that are logged as warnings: those that may repeat, like Stop, are only
+        reported."""
 
     def _make_broker(self, settings: BrokerSettings) -> "Broker":
-        # most stations have none, and need not load its protocol
+        # most stations have no broker, and need not import the protocol
         from app.supervision.broker import Broker
 
         return Broker(settings, self.station, self.name, self.instance, self.fleet)
 
     def note_scan(self, result: ScanResult) -> None:
-        """A scan has ended."""
+        """Called at the end of a scan."""
         self.scans += 1
         self.points += result.points
         self.frames += result.frames
         self.frames_lost += result.lost_frames
 
     def notify(self, kind: NoticeKind, text: Text) -> None:
-        """Notifies whoever is away, and the browsers that asked for it."""
+        """Notifies absent users, and the browsers that asked for it."""
         if kind != "test" and not self._repeats.is_new(kind, text):
             return
         self._numbers += 1
@@ -188,6 +189,6 @@ class MonitoringServices:
             self._bus.publish("notice", readable(notice))
 
     def close(self) -> None:
-        """The log last of all."""
+        """Closes all services, the log last."""
         self.watchdog.stop()
         self.logs.close()

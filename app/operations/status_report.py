@@ -1,4 +1,4 @@
-"""The report of the station: for its own kiosk, and over MQTT for other stations."""
+"""The report of the station: for its own kiosk screens, and over MQTT for other stations."""
 
 import time
 
@@ -26,7 +26,7 @@ from app.wire.schema import CalibrationSummary, Home
 
 
 def build_report(context: Context) -> StationReport:
-    """Everything of this station as of now."""
+    """The current state of this station."""
     watch, home = context.monitoring, context.bus.latest("home")
     devices = context.rig.devices()
     holder = context.lease.control.holder
@@ -68,7 +68,7 @@ def _device(name: str, state: DeviceState) -> DeviceReport:
 
 
 def _activity(context: Context) -> ActivityReport:
-    """What runs: a scan before a guided flow before a job."""
+    """The current activity: a scan before a guided session before a job."""
     scan = context.scanner.state()
     numbers = {
         "points": scan.points,
@@ -107,19 +107,19 @@ def _activity(context: Context) -> ActivityReport:
 
 
 def _celsius(context: Context, home: Home | None) -> float | None:
-    """What the thermometer reads, or what somebody entered lately."""
+    """The reading of the thermometer, or a recently entered temperature."""
     if context.monitoring.temperature.there:
         return context.monitoring.temperature.now.celsius
     return home.temperature_c if home else None
 
 
 def _line(home: Home | None, name: str) -> Validity | None:
-    """One of Home's lines."""
+    """One of the lines of Home."""
     return next((line for line in home.checks if line.id == name), None) if home else None
 
 
 def _verification(home: Home | None, context: Context) -> VerificationReport | None:
-    """The newest of the calibration in use."""
+    """The newest verification of the calibration in use."""
     calibration, line = home.calibration if home else None, _line(home, "verification")
     record = context.store.verifications.newest_for(calibration.id) if calibration else None
     if record is None or line is None:
@@ -151,7 +151,7 @@ def _calibration(home: Home | None, due_days: float) -> CalibrationReport | None
 
 
 def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
-    """What is wrong now, the worst first; each sentence once."""
+    """The present problems, the worst first; each sentence once."""
     alarms: dict[Text, tuple[Quality, Text]] = {}
     for finding in home.findings if home else ():
         if finding.quality in ("bad", "attention"):
@@ -167,7 +167,7 @@ def _alarms(context: Context, home: Home | None) -> tuple[Alarm, ...]:
                 alarms.setdefault(finding.text, (finding.quality, finding.remedy))
     health = context.monitoring.health
     for item in health.items if health else ():
-        # Home reports a device that is lost, and a missing backup is no alarm
+        # Home reports a lost device, and a missing backup is not an alarm
         if item.quality == "bad" and not item.id.startswith("device-"):
             text = join([item.title, item.what], ": ")
             alarms.setdefault(text, (item.quality, item.remedy))

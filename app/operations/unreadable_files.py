@@ -1,4 +1,4 @@
-"""What of the data folder cannot be read. It is set aside, and the rest is served."""
+"""Unreadable files of the data folder. They are excluded, and everything else is available."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -13,7 +13,7 @@ from app.operations.context import Context
 
 
 def list_unreadable(context: Context) -> list[Text]:
-    """Each a sentence. It reads every record, which may take seconds."""
+    """One sentence for each. It reads every record, which may take seconds."""
     store, sessions = context.store, (context.guide, context.arm_guide, context.verify_guide)
     reasons = [session.unreadable_reason for session in sessions if session.unreadable_reason]
     rows = store.unreadable_rows()

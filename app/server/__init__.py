@@ -1,8 +1,8 @@
-"""The station as a program: from its start to its end.
+"""The station as a process, from its start to its end.
 
-1. ``startup``: the page answers at once, everything heavy is loaded behind it.
-2. ``listener``, ``connections``, ``middleware``: the socket, and the bounds of what may be sent.
-3. ``starting_page``: what answers until the station is ready.
-4. ``composition``: makes all parts of the station; ``demo`` those of the simulated one.
+1. ``startup``: the page is available at once while everything heavy is loaded.
+2. ``listener``, ``connections``, ``middleware``: the socket, and the limits of requests.
+3. ``starting_page``: answers requests until the station is ready.
+4. ``composition``: creates all parts of the station; ``demo`` those of the simulated one.
 5. ``application``: the FastAPI application around them.
 """

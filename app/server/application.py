@@ -1,4 +1,4 @@
-"""The station as an application: everything wired together, opened and closed in order."""
+"""The station as an application: all parts connected, opened and closed in order."""
 
 import asyncio
 import gc
@@ -20,7 +20,7 @@ from app.server.middleware import FormerPaths, Guard
 
 
 def build_app(parts: StationParts) -> FastAPI:
-    """The application; devices are opened when it starts and closed when it ends.
+    """The application; devices are opened on its start and closed on its end.
 
     Raises:
         OperationError: the data folder cannot be used, or is in use by another server.
@@ -33,7 +33,7 @@ def build_app(parts: StationParts) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         openapi_url=None,
-        # what was done stands in the audit log before it is answered
+        # actions are in the audit log before they are answered
         dependencies=[Depends(authorise, scope="function")],
     )
     app.state.context = context
@@ -52,7 +52,7 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
         context.bus.attach(asyncio.get_running_loop())
         context.rig.start()
         context.preview.start()
-        # what stands now stays: looking through all of it would hold up the sensor for 0.1 s
+        # objects that exist now are excluded: scanning all of them would delay the sensor by 0.1 s
         gc.collect()
         gc.freeze()
         ticking = asyncio.create_task(tick(context))
@@ -64,7 +64,7 @@ def _lifespan(context: Context) -> Callable[[FastAPI], AbstractAsyncContextManag
             observing.cancel()
             await asyncio.wait([observing])
             await asyncio.to_thread(close_context, context)
-            # callbacks of what has just ended are waiting on this loop
+            # callbacks of ended tasks are waiting on this loop
             await asyncio.sleep(0)
             context.bus.detach()
             context.store.close()

@@ -1,4 +1,4 @@
-"""Puts the station's parts together, and takes them apart in order."""
+"""Connects the parts of the station, and closes them in order."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -55,7 +55,7 @@ JOB_END_S = 3.0
 
 @dataclass(frozen=True)
 class StationParts:
-    """What distinguishes one station from another."""
+    """The properties in which stations differ."""
 
     name: str
     data: Path
@@ -65,21 +65,21 @@ class StationParts:
     simulated_operator: SimulatedOperator | None = None
     """Of the simulated station."""
     limits: Limits = LIMITS
-    """What the verdict on a calibration goes by."""
+    """Limits for the verdict on a calibration."""
     verification: VerificationLimits = DEFAULT_LIMITS
-    """What a verification is judged by, where its gauge's certificate has no limits."""
+    """Limits for a verification if its gauge has none."""
     due: DueLimits = DUE
-    """When what is to be done again."""
+    """When checks are due again."""
     guest: str | None = None
-    """The account that a link on the console enters, of a demonstration or a replay."""
+    """The account that a link on the console signs in, for a demonstration or a replay."""
     code: str = field(default_factory=new_code)
-    """What the console shows."""
+    """The output on the console."""
     monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
-    """Who is notified of the station, and what else is looked at."""
+    """Recipients of notifications, and further services."""
 
 
 def open_context(parts: StationParts) -> Context:
-    """Opens the data folder and wires the parts; devices are not touched yet.
+    """Opens the data folder and connects the parts; devices are not accessed yet.
 
     Raises:
         OperationError: the data folder cannot be used, or is in use by another server.
@@ -120,7 +120,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     def use_active() -> None:
         _use_calibration(store.calibrations.active(), store, rig, preview, scanner, bus)
 
-    use_active()  # an open session then puts its own choice over it
+    use_active()  # an open session then applies its own choice
     guide = CalibrationGuide(
         GuidedStation(bus, rig, preview, scene, jobs, parts.simulated_operator),
         store.journal,
@@ -181,7 +181,8 @@ def _build_context(parts: StationParts, store: Store) -> Context:
 
 
 def close_context(context: Context) -> None:
-    """Laser off, moves and scan stopped and saved, devices closed. The store stays open."""
+    """Switches the laser off, stops motion and scan, saves the scan and closes devices. The store
+    stays open."""
     stop_everything(context)
     context.jobs.wait(JOB_END_S)
     context.recovery.close()
@@ -195,7 +196,7 @@ def close_context(context: Context) -> None:
 def _button_handler(
     guide: CalibrationGuide, arm_guide: ArmGuide, verify_guide: VerifyGuide
 ) -> Callable[[Press], None]:
-    """A press belongs to whichever of the open sessions waits for it and was last gone on with."""
+    """A press belongs to the open session that waits for it and was used last."""
 
     def pressed(event: Press) -> None:
         sessions: list[tuple[int, Callable[[], bool]]] = [
@@ -211,7 +212,7 @@ def _button_handler(
 
 
 def _record_scan(result: ScanResult, store: Store, watch: MonitoringServices) -> None:
-    """A scan of its own is listed; a cloud of a verification belongs to that."""
+    """A separate scan is listed; a cloud of a verification belongs to that verification."""
     if result.folder.parent == store.folder / "scans":
         store.scans.add(_record(result))
         watch.note_scan(result)
@@ -240,7 +241,7 @@ def _use_calibration(
     scanner: Scanner,
     bus: Bus,
 ) -> None:
-    """Makes the active calibration the one to scan with."""
+    """Makes the active calibration the one for scans."""
     preview.set_calibration(None)
     if record is None:
         scanner.set_calibration(None, _unreadable(store))

@@ -1,7 +1,7 @@
-"""The connections that the server keeps, and what one may send before anybody reads it.
+"""The connections of the server, and limits of what one may send before it is read.
 
-uvicorn bounds neither the header of a request nor the connections themselves, and takes as many
-requests ahead of their answers as come.
+uvicorn limits neither the header of a request nor the number of connections, and accepts any number
+of pipelined requests.
 """
 
 import asyncio
@@ -18,22 +18,22 @@ from app.security.anonymous_queue import IS_CONNECTED
 from app.security.login_throttle import address_key
 
 LARGEST_HEAD = 1 << 15
-"""Of a request: its first line with all its headers, or what follows its body."""
+"""Of a request: its first line with all its headers, or the data after its body."""
 LONGEST_URL = 1 << 13
 MOST_HEADERS = 200
-"""Each costs a call; browsers send twenty."""
+"""Each one needs a call; browsers send twenty."""
 MOST = 192
 MOST_OF_ONE = 128
-"""Of one address: some twenty tabs, with what they load."""
+"""Of one address: some twenty tabs, with the files that they load."""
 MOST_AT_ONCE = 320
-"""Until the next look at them."""
+"""Time until the next check."""
 GRACE_S = 0.2
-"""So long a connection may take to its request before others need its place more."""
+"""Time that a connection may take to send its request before others get priority."""
 MOST_AHEAD = 2
 """Requests sent before the answer to the first of them; browsers send none."""
 SLICE_BYTES = 4096
 DONE = 6
-"""The claim of a request that changes something."""
+"""Priority of a request that changes something."""
 TOO_LARGE = (
     b"HTTP/1.1 431 Request Header Fields Too Large\r\n"
     b"content-type: text/plain; charset=utf-8\r\ncontent-length: 33\r\nconnection: close\r\n\r\n"
@@ -45,20 +45,21 @@ Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 
 class BoundedHttp(HttpToolsProtocol):
-    """A connection that is closed where its headers, or the requests on it, are too many."""
+    """A connection that is closed if it has too many headers or requests."""
 
     proxies: Collection[Network] = ()
-    """Whose addresses stand for many browsers, and have no bound of their own."""
+    """Proxies, whose addresses represent many browsers and have no limit of their own."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self._unread_bytes = 0
-        """Of a head, or of what follows a body; since the last that the application may read."""
+        """Of a head, or of the data after a body; since the last data that the application may
+        read."""
         self._headers = 0
-        """Of the present request, or of what follows its body."""
+        """Of the current request, or of the data after its body."""
         self.url = b""
         self.since_s = time.monotonic()
-        """Since when nothing whole was asked."""
+        """Time since the last complete request."""
         self.app_state = {**self.app_state, IS_CONNECTED: self._is_connected}
 
     def _is_connected(self) -> bool:
@@ -104,7 +105,7 @@ class BoundedHttp(HttpToolsProtocol):
         super().on_headers_complete()
 
     def handle_websocket_upgrade(self) -> None:
-        """As uvicorn, which fails at its own headers where they are no ASCII."""
+        """As in uvicorn, which fails at its own headers if they are not ASCII."""
         others = (value for name, value in self.scope["headers"] if name.lower() != b"cookie")
         if all(value.isascii() for value in others):
             super().handle_websocket_upgrade()
@@ -122,9 +123,9 @@ class BoundedHttp(HttpToolsProtocol):
 
     @property
     def claim(self) -> int:
-        """How much there is to keep it for: nothing asked yet, all answered, a request that is
-        not whole, an answer that nobody takes, pages and files, the answered ones of whoever is
-        signed in, and at last what is done."""
+        """Priority of the connection, in ascending order: nothing requested yet, everything
+        answered, an incomplete request, an answer that is not read, pages and files, answered
+        requests of signed-in users, and running requests."""
         if self.cycle is None:
             return 0
         if self.cycle.response_complete:
@@ -137,8 +138,8 @@ class BoundedHttp(HttpToolsProtocol):
 
 
 class BoundedWebSocket(WebSocketsSansIOProtocol):
-    """A live connection that hears nothing before it is let in, and answers no pings of whoever
-    does not take the answers."""
+    """A live connection that receives nothing before it is accepted, and does not answer pings of
+    clients that do not read the answers."""
 
     def data_received(self, data: bytes) -> None:
         if self.handshake_initiated and not self.handshake_complete:
@@ -159,9 +160,10 @@ def http_protocol(proxies: Collection[str]) -> type[BoundedHttp]:
 
 
 def make_space(connections: set[Any], grace_s: float = GRACE_S) -> None:
-    """Closes what is too much, those with the least claim first.
+    """Closes surplus connections, those with the lowest priority first.
 
-    So whoever opens many and asks nothing keeps nobody out, on the same machine either.
+    A client that opens many connections without requests therefore excludes nobody, even on the
+    same machine.
     """
     places: dict[str, list[Any]] = {}
     for connection in connections:
@@ -177,15 +179,16 @@ def make_space(connections: set[Any], grace_s: float = GRACE_S) -> None:
 
 
 def _drop_surplus(crowd: list[Any], surplus: int, grace_s: float) -> None:
-    """Takes its surplus out of a crowd, as far as that is not served just now."""
+    """Removes the surplus of a group, as far as it is not being served."""
     if surplus <= 0:
         return
     before_s = time.monotonic() - grace_s
     idle = [one for one in crowd if isinstance(one, BoundedHttp) and one.claim < DONE]
     for one in sorted(idle, key=_rank)[:surplus]:
-        # the youngest are spared for now, and nobody with more claim leaves in their place
+        # the newest ones are spared for now, and no connection with higher priority is closed
+        # instead
         if one.since_s <= before_s:
-            one.connections.discard(one)  # it is lost only in the loop's next turn
+            one.connections.discard(one)  # it is lost only in the next iteration of the loop
             one.transport.abort()
 
 

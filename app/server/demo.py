@@ -22,12 +22,12 @@ PLACES = {
     "chessboard.json": "objects/chessboard.json",
     "sensor.json": "sensors/simulated.json",
 }
-"""Where a datasheet belongs in the data folder; those of gauges into their own."""
+"""Location of a datasheet in the data folder; those of gauges have their own folder."""
 
 
 @contextmanager
 def open_simulation(data: Path) -> Iterator[StationParts]:
-    """A running simulation, its sensor ready to take pictures, as the parts of a station.
+    """A running simulation, with a sensor that is ready, as the parts of a station.
 
     Raises:
         OperationError: the data folder cannot be written.
@@ -37,7 +37,7 @@ def open_simulation(data: Path) -> Iterator[StationParts]:
 
 
 def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
-    """A station on a started simulation; the real serial driver reads its arm."""
+    """A station with a started simulation; the real serial driver reads its arm."""
     write_datasheets(simulation, data)
     options = {"url": simulation.arm_url}
     return StationParts(
@@ -55,7 +55,7 @@ def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
 
 
 def _is_identified(path: Path) -> bool:
-    """Whether a file holds an arm that was identified."""
+    """Whether a file contains an identified arm."""
     try:
         return ArmFile.read(path).identification is not None
     except OperationError:
@@ -63,7 +63,7 @@ def _is_identified(path: Path) -> bool:
 
 
 def write_datasheets(simulation: SimulatedStation, data: Path) -> None:
-    """Writes what an operator would be given with the devices into the data folder."""
+    """Writes the files that come with the devices into the data folder."""
     for name, datasheet in simulation.datasheets().items():
         content = (json.dumps(datasheet, indent=1) + "\n").encode()
         target = data / PLACES.get(name, f"gauges/{name}")
@@ -76,7 +76,7 @@ def write_datasheets(simulation: SimulatedStation, data: Path) -> None:
 
 @contextmanager
 def _explain_data_folder(data: Path) -> Iterator[None]:
-    """Names the option by which another folder is given, where that is the remedy."""
+    """Names the option for another folder, if that is the remedy."""
     try:
         yield
     except OperationError as error:

@@ -1,4 +1,4 @@
-"""The socket and the server on it: how the station is reached, and how it fends for itself."""
+"""The listening socket, TLS and connection limits."""
 
 import asyncio
 import errno
@@ -26,10 +26,11 @@ SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
 """Of a browser's messages; all are small."""
 SILENT_S = 15.0
-"""A connection on which nothing is asked for so long is closed."""
+"""A connection without requests for this long is closed."""
 ACCEPTED_AT_ONCE, WAITING = 2, 4096
-"""Connections that are taken in one turn of the loop, and those that the system keeps meanwhile.
-So few, because all that wait, Stop among them, wait for each turn."""
+"""Connections accepted in one iteration of the loop, and those that the system queues in the
+meantime. The number is small because everything that waits, including Stop, waits for each
+iteration."""
 MOST_FILES = 65536
 LONGEST_LINE = 400
 """On the console."""
@@ -76,7 +77,7 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
 
 
 def network_exposure(host: str, serving: Serving) -> Network:
-    """Who can reach the station, and whether on the way anybody can read along."""
+    """From where the station can be reached, and whether the traffic can be read."""
     if host in LOOPBACK:
         return "here"
     if serving.tls_certificate is not None:
@@ -85,7 +86,7 @@ def network_exposure(host: str, serving: Serving) -> Network:
 
 
 def local_address(host: str, listening: socket.socket, serving: Serving) -> str:
-    """Of the station's pages, as a browser on this machine takes it."""
+    """Address of the station's pages for a browser on this machine."""
     shown = "127.0.0.1" if host in ("0.0.0.0", "::") else host
     bracketed = f"[{shown}]" if ":" in shown else shown
     scheme = "https" if serving.tls_certificate else "http"
@@ -93,9 +94,9 @@ def local_address(host: str, listening: socket.socket, serving: Serving) -> str:
 
 
 class OneLineFormatter(logging.Formatter):
-    """For the console: what happened, on one line that does nothing to a terminal.
+    """For the console: what happened, on one line without control characters.
 
-    The log has stacks and traces.
+    The log has stacks and tracebacks.
     """
 
     def format(self, record: logging.LogRecord) -> str:
@@ -123,7 +124,7 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
         ssl_certfile=serving.tls_certificate,
         ssl_keyfile=serving.tls_key,
         forwarded_allow_ips=list(serving.proxies),
-        log_config=None,  # its words go where all others go
+        log_config=None,  # its messages go to the common log
         log_level="warning",
         access_log=False,
         backlog=ACCEPTED_AT_ONCE,
@@ -163,7 +164,8 @@ def _check_key(serving: Serving) -> None:
 
 
 def raise_file_limit() -> None:
-    """As many open files as this user may have, so that no crowd keeps a recording from its own."""
+    """Raises the limit of open files, so that many connections do not prevent a recording from
+    opening its file."""
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     wanted = MOST_FILES if hard == resource.RLIM_INFINITY else min(hard, MOST_FILES)
     if soft != resource.RLIM_INFINITY and soft < wanted:
@@ -171,7 +173,7 @@ def raise_file_limit() -> None:
 
 
 class StationServer(uvicorn.Server):
-    """Says where the station is once it can be reached, and lets no connection wait for ever."""
+    """Announces the address when the station can be reached, and closes idle connections."""
 
     def __init__(self, config: uvicorn.Config) -> None:
         super().__init__(config)
@@ -179,7 +181,7 @@ class StationServer(uvicorn.Server):
         self.first_words: list[str] = []
         self.open_browser = False
         self._wordless: dict[object, tuple[object, float]] = {}
-        """Of each connection, what it asked last and since when it has asked nothing more."""
+        """For each connection, its last request and the time since then."""
 
     async def on_tick(self, counter: int) -> bool:
         make_space(self.server_state.connections)
@@ -188,7 +190,7 @@ class StationServer(uvicorn.Server):
         return await super().on_tick(counter)
 
     def _close_silent(self) -> None:
-        """Closes what was opened, or answered, and has asked nothing whole since."""
+        """Closes connections that were opened, or answered, without a complete request since."""
         now_s, before = time.monotonic(), self._wordless
         self._wordless = {}
         for connection in list(self.server_state.connections):

@@ -1,4 +1,4 @@
-"""A recording shown again: the live display fed from a file, at any speed."""
+"""Replay of a recording: feeds the live view from a file, at any speed."""
 
 import math
 import threading
@@ -30,7 +30,7 @@ from hardware.interfaces import ArmInfo, SensorInfo
 from hardware.replay import Readings, RecordedImages, ReplayArm, ReplayClock, ReplaySensor
 
 PIECE_S = 0.05
-"""Points are shown in pieces of so much time."""
+"""Points are shown in portions of this duration."""
 DEPTH_MM = (-50.0, 50.0)
 """The drawn measuring range, about the middle of the picture."""
 
@@ -40,10 +40,11 @@ PUBLISH_PERIOD_S = 0.2
 
 
 class Replay:
-    """Plays one recording: its arm moves, its pictures come, and its points appear."""
+    """Plays one recording: its arm moves, its pictures and points appear."""
 
     def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
-        """Looks at the recording's start; raises ``OperationError`` where it cannot be replayed."""
+        """Reads the beginning of the recording; raises ``OperationError`` if it cannot be
+        replayed."""
         self._path, self._calibration, self._arm = path, calibration, arm
         self._rate_hz, first_ns = self._inspect()
         self._clock = ReplayClock(first_ns, speed)
@@ -54,13 +55,13 @@ class Replay:
         self._thread: threading.Thread | None = None
 
     def arm(self) -> ReplayArm:
-        """A driver of the recorded arm."""
+        """A driver for the recorded arm."""
         known = self._arm
         info = ArmInfo(known.name, known.serial_number, known.joint_count, self._rate_hz)
         return ReplayArm(info, self._clock, self._readings)
 
     def sensor(self) -> ReplaySensor:
-        """A driver of the recorded sensor."""
+        """A driver for the recorded sensor."""
         camera, serial = self._calibration.camera, self._calibration.serial_numbers.sensor or ""
         info = SensorInfo(
             "recording", serial, camera.width_px, camera.height_px, (1000.0, 1000.0), False
@@ -68,7 +69,7 @@ class Replay:
         return ReplaySensor(info, self._clock, self._pictures)
 
     def start(self, scene: Scene, bus: Bus) -> None:
-        """Begins to show points, on a thread of its own."""
+        """Starts to show points, in a separate thread."""
         use = self._calibration
         scene.begin()
         scene.set_arm_model(self._arm)
@@ -82,13 +83,13 @@ class Replay:
         self._thread.start()
 
     def stop(self) -> None:
-        """Shows no more."""
+        """Stops showing points."""
         self._ended.set()
         if self._thread is not None:
             self._thread.join(5.0)
 
     def _inspect(self) -> tuple[float, int]:
-        """The arm's rate in readings a second, and the first stamp."""
+        """The arm's rate in readings per second, and the first time stamp."""
         stamps = [stamp_ns for stamp_ns, _ in _first(self._readings(), 200)]
         if len(stamps) < 2:
             raise OperationError(
@@ -137,7 +138,7 @@ class Replay:
         bus.event("replay", shown, "good")
 
     def _in_time(self, points: Points, first_ns: int, last_ns: int) -> Iterator[tuple[Points, int]]:
-        """Points spread over the time in which they were taken, each part when it is due."""
+        """Points, distributed over the time of their capture, each part when it is due."""
         over_s = (last_ns - first_ns) / 1e9 / self._clock.speed if self._clock.speed else 0.0
         pieces = max(1, min(math.ceil(over_s / PIECE_S), len(points)))
         for k, piece in enumerate(np.array_split(points, pieces)):
@@ -150,7 +151,7 @@ class Replay:
     def _publish_state(
         self, scene: Scene, bus: Bus, at_ns: int, state: ReplayPhase = "playing", text: Text = ""
     ) -> None:
-        """Publishes how far it is, some times a second."""
+        """Publishes the progress, several times per second."""
         now = time.monotonic()
         if state == "playing" and now - self._last_publish_s < PUBLISH_PERIOD_S:
             return
@@ -173,11 +174,11 @@ class Replay:
 
 
 class _ReplayEndedError(Exception):
-    """Asked to stop."""
+    """Whether to stop."""
 
 
 def _pair(stamps_ns: Stamps, q_rad: Floats) -> Readings:
-    """Each stamp with its angles."""
+    """Each time stamp with its angles."""
     return zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
 
 
@@ -187,7 +188,7 @@ def _first(readings: Readings, count: int) -> Iterator[tuple[int, tuple[float, .
 
 
 def _depths(use: Calibration) -> list[float]:
-    """How far in front of the camera the laser's plane is met, along the picture's middle."""
+    """Distance from the camera to the laser plane along the middle of the picture."""
     camera = use.camera
     v = np.linspace(0.2, 0.8, 7) * camera.height_px
     found = sensor_points(camera, use.plane, np.column_stack([np.full(7, camera.width_px / 2), v]))

@@ -1,10 +1,10 @@
-"""Which pages may talk to the server, and what its own may load.
+"""Which pages may access the server, and what its own pages may load.
 
-It answers only to the names it is known by, and to plain addresses (which defeats DNS
-rebinding: no foreign page has an address for its name), and takes changes and live
-connections only from its own pages (which defeats foreign pages open in the same browser).
-What is sent to it must be small and come soon, since it is read before its sender is known.
-Who may do what is looked at behind this, in ``access``.
+The server answers only to its own names and to plain addresses (which prevents DNS rebinding: no
+foreign page has an address as its name), and accepts changes and live connections only from its own
+pages (which stops foreign pages in the same browser). Requests must be small and arrive quickly,
+because they are read before their sender is known. Permissions are checked after this, in
+``access``.
 """
 
 import asyncio
@@ -25,19 +25,19 @@ LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 LARGEST_BODY = 1 << 18
 BODY_S = 15.0
 PRIVATE_PATHS = ("/api/", "/metrics")
-"""What is nobody else's to see, a later user of the same browser included."""
+"""Private content, also for a later user of the same browser."""
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
 SCHEMES = ("http", "https", "ws", "wss")
 OWNED_SITES = ("same-origin", "none")
-"""What a browser says of a request by the station's own pages, or of what somebody typed."""
+"""Browsers' marks of a request by the station's own pages, or of a typed address."""
 LONGEST_PATH, LONGEST_PART = 1024, 200
 NOTHING = message("no-page-file-has-such-address")
 PAGES = (
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-# The viewer's page is one file that unpacks its own script and WebAssembly. It may reach the
-# scene and nothing else of the station.
+# The viewer's page is one file that unpacks its own script and WebAssembly. It may reach only the
+# scene.
 VIEWER = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
@@ -45,7 +45,7 @@ VIEWER = (
     "frame-ancestors 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
 
-# A report is read and printed; whatever stands in it, nothing of it is run or fetched.
+# A report is read and printed; its content is never executed or fetched.
 REPORT = f"{POLICY}; sandbox; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 
 
@@ -53,7 +53,7 @@ class Guard:
     """ASGI middleware around the whole application.
 
     Args:
-        hosts: names beside the local ones by which browsers may reach the server.
+        hosts: additional names by which browsers may reach the server.
     """
 
     def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
@@ -90,7 +90,7 @@ class Guard:
 
 
 def _may_be(path: str) -> bool:
-    """Whether anything can be there; nothing has such long names, or control characters."""
+    """Whether a path can exist; nothing has such long names, or control characters."""
     longest = max(map(len, path.split("/")))
     return path.isprintable() and len(path) <= LONGEST_PATH and longest <= LONGEST_PART
 
@@ -104,7 +104,7 @@ def _policy(scope: Scope) -> str:
 
 
 def _place(origin: str) -> str:
-    """The host with its port; nothing of what is no address."""
+    """The host with its port; an empty string if it is not an address."""
     try:
         return urlsplit(origin).netloc.lower()
     except ValueError:
@@ -112,7 +112,7 @@ def _place(origin: str) -> str:
 
 
 def _name(host: str) -> str:
-    """The host without its port and brackets; nothing of what is no host."""
+    """The host without its port and brackets; an empty string if it is not a host."""
     try:
         parts = urlsplit(f"//{host}")
         plain = parts.netloc == host and "@" not in host and parts.port != 0
@@ -130,10 +130,10 @@ def _is_address(name: str) -> bool:
 
 
 class _Body:
-    """Receives a request: its body as far as ``LARGEST_BODY``, within ``BODY_S``.
+    """Receives a request: its body up to ``LARGEST_BODY``, within ``BODY_S``.
 
     Raises:
-        RequestError: it is larger, or late.
+        RequestError: it is too large or too late.
     """
 
     def __init__(self, receive: Receive) -> None:
@@ -196,11 +196,11 @@ FORMER_PATHS = {
     "/api/walls": "/api/kiosk-links",
     "/api/scrapers": "/api/tokens",
 }
-"""Paths of earlier versions, for scripts that still ask for them."""
+"""Paths of earlier versions, for scripts that still use them."""
 
 
 class FormerPaths:
-    """ASGI middleware that puts the present path in the place of a former one."""
+    """ASGI middleware that replaces a former path by the present one."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -214,7 +214,7 @@ class FormerPaths:
 
 
 def present_path(path: str) -> str:
-    """The path, with a former beginning replaced."""
+    """The path, with a former prefix replaced."""
     for former, present in FORMER_PATHS.items():
         if path == former or path.startswith(f"{former}/"):
             return present + path.removeprefix(former)

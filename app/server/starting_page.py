@@ -1,8 +1,8 @@
-"""The station while it is prepared: from its first second on it reports how far it is.
+"""The station during its start: it reports the progress from the first second on.
 
-``StartingApp`` answers in the application's place, behind the same guard, and gives way to it
-once the steps are done: the socket, the server and its connections stay as they are. Only
-what is light may be imported here.
+``StartingApp`` answers instead of the application, behind the same guard, and is replaced by it
+when the steps are done: the socket, the server and its connections stay. Only light modules may be
+imported here.
 """
 
 import asyncio
@@ -30,8 +30,8 @@ STATION_PATHS = ("api", "metrics", "viewer")
 """First parts of the addresses that only the station itself can answer."""
 TRY_AGAIN_LATER = 1013
 ABANDONED_AFTER_S = 3.0
-"""Who ends the program while a step runs waits so long for it, and no longer."""
-# What is prepared, as the page has it.
+"""If the program is ended while a step runs, it waits for this long at most."""
+# The steps of the start, as the page shows them.
 NUMERICS = message("numerics")
 PICTURES = message("image-processing")
 VIEW = message("n-3d-view")
@@ -46,7 +46,8 @@ T_co = TypeVar("T_co", covariant=True)
 
 @dataclass(frozen=True)
 class StartStep(Generic[T_co]):
-    """One thing that is prepared: what it is, the seconds it takes cold, and the work itself."""
+    """One step of the start: its name, its duration on a cold start in seconds, and the work
+    itself."""
 
     words: Text
     cost_s: float
@@ -54,7 +55,7 @@ class StartStep(Generic[T_co]):
 
 
 class _StartCancelledError(Exception):
-    """The program is ended while it is prepared."""
+    """The program was ended during its start."""
 
 
 class StartingApp:
@@ -79,14 +80,14 @@ class StartingApp:
         self._app: ASGIApp = Guard(self._answer, hosts)
         self._ending = asyncio.Event()
         self.on_ready: Callable[[Starlette, float], None] = lambda app, seconds: None
-        """Called on the event loop once the application answers, with the seconds it took."""
+        """Called on the event loop when the application answers, with the elapsed seconds."""
         self.on_failed: Callable[[], None] = lambda: None
-        """Called on the event loop where a step failed; ``failure`` says how."""
+        """Called on the event loop if a step failed; ``failure`` has the reason."""
         self.failure: BaseException | None = None
 
     @property
     def readiness(self) -> Readiness:
-        """How far it is."""
+        """Progress of the start."""
         steps = (*self._steps, self._building)
         costs = [step.cost_s for step in steps]
         return Readiness(
@@ -131,8 +132,8 @@ class StartingApp:
         """The application, built in a thread.
 
         Raises:
-            _EndedError: the program is ended meanwhile.
-            BaseException: whatever a step raised.
+            _EndedError: the program was ended in the meantime.
+            BaseException: the exception of a step.
         """
         result: Future[Starlette] = Future()
 
@@ -142,7 +143,7 @@ class StartingApp:
             except BaseException as error:
                 result.set_exception(error)
 
-        # a thread that nobody waits for: what hangs in a step does not outlive the program
+        # a thread that nobody waits for: a step that hangs does not outlive the program
         threading.Thread(target=prepare, name="prepare", daemon=True).start()
         built, ending = asyncio.wrap_future(result), asyncio.create_task(self._ending.wait())
         first: tuple[asyncio.Future[Any], ...] = (built, ending)
@@ -162,7 +163,7 @@ class StartingApp:
         return self._building.prepare()
 
     async def _answer(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """While the station is prepared: its page, and how far it is; nothing else."""
+        """During the start: the page and its progress; nothing else."""
         if scope["type"] == "websocket":
             await receive()
             await send({"type": "websocket.close", "code": TRY_AGAIN_LATER})
@@ -189,6 +190,6 @@ def _starting_problem() -> Response:
 
 
 def _forbid_caching(page: Response) -> Response:
-    """The address is the client's: no browser may keep this page in its stead."""
+    """The address is that of the client: no browser may cache this page for it."""
     page.headers["Cache-Control"] = "no-store"
     return page

@@ -1,6 +1,6 @@
-"""Starts a station: its page answers at once, and everything heavy is loaded behind it.
+"""Starts a station: its page is available at once, while everything heavy is loaded.
 
-Nothing heavy is imported here but by the steps, which run while the page is there already.
+Heavy modules are imported only in the steps, which run while the page is already available.
 """
 
 import logging
@@ -54,7 +54,7 @@ PORTS_TRIED = 20
 
 @dataclass(frozen=True)
 class Plan:
-    """What is known of a station before anything of it is loaded."""
+    """Properties of a station that are known before anything is loaded."""
 
     name: str
     parts: Callable[[], "StationParts"]
@@ -62,17 +62,17 @@ class Plan:
     host: str
     """Address that it listens on."""
     hosts: tuple[str, ...] = ()
-    """Further names by which browsers may reach it."""
+    """Additional names by which browsers may reach it."""
     by_link: bool = False
-    """A guest enters by the link on the console."""
+    """A guest signs in with the link on the console."""
     serving: Serving = LOCAL
 
 
 def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
-    """Runs the station on the devices that ``station.toml`` names, until it is asked to end.
+    """Runs the station with the devices in ``station.toml`` until it is ended.
 
     Raises:
-        OperationError: settings, driver, data folder or port are not in order.
+        OperationError: settings, driver, data folder or port are unusable.
     """
     settings = read_settings(config)
     _check_drivers(settings, config)
@@ -89,7 +89,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
 
 
 def _check_drivers(settings: Settings, config: Path | None) -> None:
-    """Loads the drivers, so that what is wrong is said before anything is served.
+    """Loads the drivers, so that errors are reported before anything is served.
 
     Raises:
         OperationError: a driver is unknown, or its options are wrong.
@@ -125,7 +125,7 @@ def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
 
 
 def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
-    """What the settings have of it, and the settings themselves as they may be looked at."""
+    """The station's properties from the settings, and the settings for display."""
     from app.operations.services import MonitoringSettings
     from hardware.thermometer import FileThermometer
 
@@ -153,10 +153,10 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
 
 
 def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
-    """Runs the whole station on simulated devices; where the port is taken, on the next free.
+    """Runs the complete station with simulated devices; if the port is taken, on the next free one.
 
     Raises:
-        OperationError: the data folder is not in order, or no port is free.
+        OperationError: the data folder is unusable, or no port is free.
     """
     listening = listen(host, port, PORTS_TRIED)
     folder = data or user_data_folder() / "demo"
@@ -172,7 +172,7 @@ def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
 
 
 def replay(show: "Replay", title: str, host: str, port: int, open_browser: bool) -> None:
-    """Runs the display on a recording, in a data folder of its own that is then removed.
+    """Runs the live view with a recording, in a temporary data folder.
 
     Raises:
         OperationError: no port is free.
@@ -198,7 +198,7 @@ def run(
     """Serves until SIGINT or SIGTERM.
 
     Args:
-        on_ready: called on the event loop once everything is loaded.
+        on_ready: called on the event loop when everything is loaded.
 
     Raises:
         OperationError: the certificate, a driver or the data folder cannot be used, or the data
@@ -237,7 +237,7 @@ def run(
     try:
         server.run(sockets=[listening])
     except KeyboardInterrupt:
-        pass  # uvicorn raises the signal again once it has ended in order
+        pass  # uvicorn raises the signal again after a regular end
     finally:
         listening.close()
     if starting.failure is not None:
@@ -245,7 +245,8 @@ def run(
 
 
 class _StationLoader:
-    """Loads one station, step by step; the seconds of each are of a cold start on two cores."""
+    """Loads one station, step by step; the seconds of each are those of a cold start on two
+    cores."""
 
     def __init__(self, plan: Plan, network: Network, code: str) -> None:
         self._plan, self._network, self._code = plan, network, code
@@ -253,7 +254,7 @@ class _StationLoader:
         self._parts: StationParts | None = None
 
     def steps(self) -> list[StartStep[object]]:
-        """What is done before the application can be built."""
+        """The steps before the application can be built."""
         return [
             StartStep(NUMERICS, 1.0, _import_step("scipy.optimize", "scipy.spatial.transform")),
             StartStep(PICTURES, 0.3, _import_step("cv2")),
@@ -285,7 +286,7 @@ def _import_step(*modules: str) -> Callable[[], object]:
 
 
 def _load_libraries() -> None:
-    """Says now that a library is missing or stale, not in the middle of a calibration."""
+    """Reports a missing or outdated library now, not in the middle of a calibration."""
     from app.native.library import CRENEL
 
     CRENEL.load()

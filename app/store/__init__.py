@@ -1,1 +1,1 @@
-"""The station's database: journals and calibrations."""
+"""The station's database: journals, calibrations, scans, accounts and audit log."""

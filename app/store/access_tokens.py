@@ -1,6 +1,7 @@
-"""Secrets that open one thing each: a kiosk link the station's display, a token the metrics.
+"""Secrets that give access to one thing each: a kiosk link to the station's display, an API token
+to the metrics.
 
-Of each only the SHA-256 is kept, so that a copied database opens no door.
+Only the SHA-256 of each is stored, so that a copied database gives no access.
 """
 
 import hashlib
@@ -17,7 +18,7 @@ Table = Literal["kiosk_link", "api_token"]
 
 @dataclass(frozen=True, slots=True)
 class AccessToken:
-    """A kiosk link or a token for the metrics, without the secret."""
+    """A kiosk link or an API token, without the secret."""
 
     id: str
     name: str
@@ -26,13 +27,13 @@ class AccessToken:
 
 
 class AccessTokenStore:
-    """Those of one kind, which is a table of the database."""
+    """The secrets of one kind, which is a table of the database."""
 
     def __init__(self, database: Database, table: Table) -> None:
         self._database, self._table = database, table
 
     def add(self, name: str, made_by: str) -> tuple[AccessToken, str]:
-        """A new one and its secret, which is shown this once."""
+        """A new entry and its secret, which is shown only once."""
         secret = secrets.token_urlsafe(TOKEN_BYTES)
         made = AccessToken(secrets.token_hex(6), name, made_by, utc_now())
         with self._database.transaction() as connection:
@@ -44,14 +45,14 @@ class AccessTokenStore:
         return made, secret
 
     def all(self) -> list[AccessToken]:
-        """Every one, oldest first."""
+        """All entries, oldest first."""
         rows = self._database.read(
             f"SELECT id, name, made_by, made_at FROM {self._table} ORDER BY made_at"
         )
         return [AccessToken(**dict(row)) for row in rows]
 
     def find(self, secret: str) -> AccessToken | None:
-        """The one of a secret; None where there is none (any more)."""
+        """The entry of a secret; None if there is none (any more)."""
         rows = self._database.read(
             f"SELECT id, name, made_by, made_at FROM {self._table} WHERE token = ?",
             token_digest(secret),
@@ -59,12 +60,12 @@ class AccessTokenStore:
         return AccessToken(**dict(rows[0])) if secret and rows else None
 
     def remove(self, token_id: str) -> bool:
-        """Its secret opens nothing from now on; False where there is no such one."""
+        """Revokes a secret; False if there is no such entry."""
         with self._database.transaction() as connection:
             removed = connection.execute(f"DELETE FROM {self._table} WHERE id = ?", (token_id,))
         return removed.rowcount > 0
 
 
 def token_digest(secret: str) -> str:
-    """What is kept of a secret that was made at random."""
+    """The stored form of a random secret."""
     return hashlib.sha256(secret.encode()).hexdigest()

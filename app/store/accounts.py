@@ -1,4 +1,4 @@
-"""The people who may sign in, and what each may do."""
+"""The people who may sign in, and the role of each."""
 
 import sqlite3
 import unicodedata
@@ -18,18 +18,18 @@ LONGEST_NAME = 40
 SHORTEST_PASSWORD, LONGEST_PASSWORD = 10, 200
 HASHER = PasswordHasher()
 NO_PASSWORD = "!"
-"""In a hash's place: whoever has it enters by a link alone."""
+"""In place of a hash: the account can sign in with a link only."""
 
 
 class Role(IntEnum):
-    """What an account may do; each may do what those below it may."""
+    """The role of an account; each role includes those below it."""
 
     viewer = 1
-    """Look on."""
+    """See everything."""
     operator = 2
     """Probe, capture, calibrate, scan."""
     admin = 3
-    """Accounts, links and the audit log."""
+    """Manage accounts, links and the audit log."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +42,13 @@ class Account:
 
 
 class AccountStore:
-    """Accounts by name, upper and lower case alike; passwords as argon2id hashes."""
+    """Accounts by name, ignoring case; passwords as argon2id hashes."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
 
     def all(self) -> list[Account]:
-        """Every account, by name."""
+        """All accounts, by name."""
         return self._read("ORDER BY name")
 
     def get(self, name: str) -> Account | None:
@@ -56,14 +56,14 @@ class AccountStore:
         return found[0] if found else None
 
     def has_admin(self) -> bool:
-        """Whether anybody can sign in as an administrator."""
+        """Whether anyone can sign in as an administrator."""
         return bool(self._admins())
 
     def add(self, name: str, role: Role, password: str | None) -> Account:
-        """A new account; without a password it can be entered by a link alone.
+        """Creates an account; without a password, it can sign in with a link only.
 
         Raises:
-            OperationError: the name is taken or no name, or the password will not do.
+            OperationError: the name is taken or invalid, or the password is unsuitable.
         """
         name = _check_account_name(name)
         hashed = NO_PASSWORD if password is None else self._hash_password(name, password)
@@ -83,7 +83,7 @@ class AccountStore:
         return account
 
     def authenticate(self, name: str, password: str) -> Account | None:
-        """The account that name and password belong to; as slow for a name that is not known."""
+        """The account to which name and password belong; takes equally long for unknown names."""
         rows = self._database.read("SELECT * FROM account WHERE name = ?", plain_name(name))
         hashed = rows[0]["password"] if rows else _dummy_hash()
         try:
@@ -93,19 +93,20 @@ class AccountStore:
         return _account(rows[0]) if rows else None
 
     def set_password(self, name: str, password: str) -> None:
-        """Raises ``OperationError`` where the password will not do."""
+        """Raises ``OperationError`` if the password is unsuitable."""
         hashed = self._hash_password(name, password)
         with self._database.transaction() as connection:
             connection.execute("UPDATE account SET password = ? WHERE name = ?", (hashed, name))
 
     def set_role(self, name: str, role: Role) -> None:
-        """Raises ``OperationError`` where nobody would be left who can administer the station."""
+        """Raises ``OperationError`` if no administrator would be left."""
         self._check_admin_left(name, role)
         with self._database.transaction() as connection:
             connection.execute("UPDATE account SET role = ? WHERE name = ?", (role.name, name))
 
     def remove(self, name: str) -> None:
-        """Removes an account with its sign-ins; raises ``OperationError`` as ``set_role`` does."""
+        """Removes an account with its login sessions; raises ``OperationError`` like
+        ``set_role``."""
         self._check_admin_left(name, None)
         with self._database.transaction() as connection:
             connection.execute("DELETE FROM account WHERE name = ?", (name,))
@@ -155,7 +156,7 @@ class AccountStore:
 
 @cache
 def _dummy_hash() -> str:
-    """A hash to compare with where there is none."""
+    """A hash for comparison if there is none."""
     return HASHER.hash("nobody has this password")
 
 
@@ -164,7 +165,7 @@ def _account(row: sqlite3.Row) -> Account:
 
 
 def plain_name(name: str) -> str:
-    """One spelling of names that look alike."""
+    """A common spelling of names that look alike."""
     return " ".join(unicodedata.normalize("NFKC", name).split())
 
 

@@ -1,4 +1,4 @@
-"""Who did what: an append-only log."""
+"""The audit log: an append-only record of actions."""
 
 import logging
 import threading
@@ -24,28 +24,27 @@ INSERT = (
 LONGEST = 200
 MOST_WAITING = 1000
 ALL = -1
-"""As SQLite has no limit."""
+"""SQLite's value for no limit."""
 
 
 @dataclass(frozen=True, slots=True)
 class AuditEntry:
-    """One act, done or refused."""
+    """One action, done or refused."""
 
     number: int
     at: str
     who: str
-    """An account's name, or empty where nobody had signed in."""
+    """Name of an account, or empty if nobody had signed in."""
     address: str
     """Of the browser."""
     act: Text
     outcome: Text
-    """``done``, or why not."""
+    """``done``, or the reason why not."""
 
 
 class AuditLog:
-    """Rows stay as they were written. Those that a full disk does not take wait in memory,
-    so that it keeps nobody from signing in or from Stop; a start loses them.
-    """
+    """Rows are never changed. Rows that a full disk does not accept wait in memory, so that signing
+    in and Stop keep working; a restart loses them."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
@@ -69,10 +68,10 @@ class AuditLog:
                 self._waiting.clear()
 
     def newest(self, count: int, words: str = "", render: Render = str) -> list[AuditEntry]:
-        """The last entries that have all the words, newest first.
+        """The latest entries that contain all the words, newest first.
 
         Args:
-            render: puts texts into another language; the words may be of that, too.
+            render: renders texts in another language, in which the words are also searched.
         """
         wanted = words.lower().split()
         rows = self._database.read(
@@ -83,7 +82,7 @@ class AuditLog:
 
 
 def _has(entry: AuditEntry, wanted: Sequence[str], render: Render) -> bool:
-    """Whether all the words, in small letters, stand in an entry."""
+    """Whether an entry contains all the words, in lower case."""
     texts = (entry.act, entry.outcome)
     names = (entry.at, entry.who, entry.address)
     line = " ".join((*names, *map(str, texts), *map(render, texts))).lower()

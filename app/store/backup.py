@@ -1,10 +1,9 @@
-"""A whole copy of the data folder, also of a station that runs.
+"""A complete backup of the data folder, even of a running station.
 
-The database is copied by SQLite's own means, which give one consistent moment whatever is
-written meanwhile; the files follow, so that every file which that moment knows of is there.
-Each file is compared with what was read by its hash, and is on the disk before the copy takes
-its name.
-The copy is a data folder itself: a station starts from it with ``--data``.
+SQLite's own backup copies the database in one consistent state, whatever is written in the
+meantime; the files follow, so that every file that this state refers to is included. Each file is
+compared with what was read by its hash, and is on the disk before the backup gets its name. The
+backup is a data folder itself: a station starts from it with ``--data``.
 """
 
 import errno
@@ -30,19 +29,19 @@ from app.timestamps import is_moment, utc_now
 
 DATABASE = "station.db"
 NOTE = "backup.json"
-"""In a backup: what it is of. In a data folder: where its last backup is."""
+"""In a backup: its description. In a data folder: the location of its last backup."""
 LAST = "last_backup.json"
 EXCLUDED = {"station.lock", LAST, "backups", "logs"}
 PARTS = ".*.backup.part"
 DATABASE_PARTS = {DATABASE, f"{DATABASE}-wal", f"{DATABASE}-shm"}
 PIECE_BYTES = 1 << 20
 RESERVE_BYTES = 200_000_000
-"""Left free on the disk of the copy."""
+"""Space left free on the disk of the backup."""
 
 
 @dataclass(frozen=True)
 class BackupRecord:
-    """A backup that is whole."""
+    """A complete backup."""
 
     folder: str
     at: str
@@ -59,8 +58,8 @@ def backup(
         output: must not exist yet, or be an empty folder.
 
     Raises:
-        OperationError: there is no data folder, the output is taken or within it, or its disk
-            has no space left. Nothing is then left behind.
+        OperationError: there is no data folder, the output exists or is inside it, or its disk has
+            no space left. Nothing is left behind in this case.
     """
     data, output = data.resolve(), output.absolute()
     _check(data, output)
@@ -85,7 +84,7 @@ def backup(
 
 
 def last_backup(data: Path) -> BackupRecord | None:
-    """The last backup of a data folder that is still where it was put."""
+    """The last backup of a data folder, if it still exists."""
     try:
         made = BackupRecord(**json.loads(read_bounded(data / LAST)))
         there = is_moment(made.at) and (Path(made.folder) / NOTE).is_file()
@@ -95,17 +94,18 @@ def last_backup(data: Path) -> BackupRecord | None:
 
 
 def display_backup(folder: Path | str) -> str:
-    """How messages name a backup, or the folder that has them: by what it lies in alone."""
+    """The name of a backup, or of the folder of backups, in messages: relative to its parent
+    only."""
     return escape_unprintable("/".join(Path(folder).parts[-2:]))
 
 
 def new_backup_name() -> str:
-    """A name for a backup made now."""
+    """A name for a new backup."""
     return f"crenel-{datetime.now(UTC):%Y%m%d-%H%M%S}"
 
 
 def check_data_folder(data: Path) -> None:
-    """Raises ``OperationError`` for a folder that no station was started with."""
+    """Raises ``OperationError`` for a folder that was never used by a station."""
     if not (data / DATABASE).is_file():
         raise OperationError(
             "no-data-folder",
@@ -173,10 +173,10 @@ def _copy(
 
 
 def _copy_file(source: Path, target: Path) -> None:
-    """Copies a file as it is now, synced.
+    """Copies a file in its present state, synced.
 
     Raises:
-        OperationError: the copy holds something else than was read.
+        OperationError: the copy differs from what was read.
     """
     read = hashlib.sha256()
     with open_file(source) as reading, open(target, "xb") as writing:
@@ -185,7 +185,7 @@ def _copy_file(source: Path, target: Path) -> None:
             writing.write(piece)
         writing.flush()
         os.fsync(writing.fileno())
-        # else the comparison would read the memory that was just written
+        # otherwise the comparison would read from the cache
         os.posix_fadvise(writing.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
     shutil.copystat(source, target)
     if file_sha256(target) != read.hexdigest():
@@ -223,7 +223,7 @@ def _copy_database(source: Path, target: Path) -> None:
 
 
 def _files(data: Path) -> Iterator[tuple[Path, int]]:
-    """Every file with its size, but for what belongs to the running server alone."""
+    """Every file with its size, except those that belong to the running server only."""
     for folder, folders, names in os.walk(data, onerror=_raise):
         top = Path(folder) == data
         folders[:] = sorted(name for name in folders if not (top and name in EXCLUDED))

@@ -15,13 +15,13 @@ from app.store.journal import Check, JournalRow, accept_any, append_row
 from app.timestamps import parse_moment, utc_now
 
 MOST_UM = 1e9
-"""A kilometre: no calibration comes near."""
+"""One kilometre: larger than for any calibration."""
 COLUMNS = "id, session_id, name, file, accepted_at, figures, active"
 
 
 @dataclass(frozen=True, slots=True)
 class CalibrationFigures:
-    """What is listed of a calibration without opening its file."""
+    """Data of a calibration in lists, available without opening its file."""
 
     total_um: Annotated[float, Field(ge=0, le=MOST_UM, allow_inf_nan=False)]
     """Standard uncertainty of a scanned point, k = 1."""
@@ -33,7 +33,7 @@ class CalibrationFigures:
 
 @dataclass(frozen=True, slots=True)
 class CalibrationRecord:
-    """One accepted calibration and where its file is."""
+    """One accepted calibration and the location of its file."""
 
     id: str
     session_id: str
@@ -49,7 +49,7 @@ FIGURES = TypeAdapter(CalibrationFigures)
 
 @dataclass(frozen=True, slots=True)
 class UnreadableCalibration:
-    """One whose figures cannot be read."""
+    """A calibration whose figures cannot be read."""
 
     id: str
     name: str
@@ -57,7 +57,8 @@ class UnreadableCalibration:
 
 
 class CalibrationStore:
-    """The calibrations that an operator accepted. Files are kept relative to ``folder``."""
+    """The calibrations that operators accepted. Paths of files are stored relative to
+    ``folder``."""
 
     def __init__(self, database: Database, folder: Path) -> None:
         self._database = database
@@ -72,7 +73,7 @@ class CalibrationStore:
         key: str | None,
         check: Check = accept_any,
     ) -> JournalRow:
-        """Makes a session's calibration the active one, and closes the session.
+        """Puts a session's calibration to use, and closes the session.
 
         The journal row ``accepted``, the record and the change of the active
         calibration are one transaction. The calibration's id is its session's.
@@ -99,7 +100,7 @@ class CalibrationStore:
         return row
 
     def active(self) -> CalibrationRecord | None:
-        """The calibration in use; None before the first was accepted, or where its row cannot be
+        """The calibration in use; None before the first was accepted, or if its row cannot be
         read."""
         return self._first_record("WHERE active = 1")
 
@@ -107,11 +108,11 @@ class CalibrationStore:
         return self._first_record("WHERE id = ?", calibration_id)
 
     def newest(self) -> CalibrationRecord | None:
-        """The last that was accepted, in use or not."""
+        """The last accepted calibration, in use or not."""
         return self._first_record("ORDER BY accepted_at DESC, rowid DESC")
 
     def all(self) -> list[CalibrationRecord]:
-        """Every accepted calibration that can be read, newest first."""
+        """All accepted calibrations that can be read, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")
 
     def _first_record(self, clause: str, *values: str) -> CalibrationRecord | None:
@@ -126,7 +127,7 @@ class CalibrationStore:
         return found
 
     def _record(self, row: Row) -> CalibrationRecord:
-        """Raises ``ValueError`` for figures or a moment that cannot be read."""
+        """Raises ``ValueError`` for figures or times that cannot be read."""
         parse_moment(row["accepted_at"])
         return CalibrationRecord(
             row["id"],
@@ -139,7 +140,7 @@ class CalibrationStore:
         )
 
     def unreadable(self) -> list[UnreadableCalibration]:
-        """Those whose row cannot be read."""
+        """Calibrations whose row cannot be read."""
         kept = {record.id for record in self.all()}
         return [
             UnreadableCalibration(row["id"], row["name"], bool(row["active"]))

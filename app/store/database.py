@@ -1,7 +1,7 @@
 """The station's database: one SQLite file in the data folder.
 
-Every commit is on the disk before the call returns (WAL with full synchronisation),
-so that a killed server, or a mains failure, loses nothing that was acknowledged.
+Every commit is on the disk before the call returns (WAL with full synchronisation), so that a
+killed server or a power failure loses nothing that was acknowledged.
 """
 
 import errno
@@ -29,13 +29,13 @@ ORDER BY number
 NO_FILE = (errno.EISDIR, errno.ENXIO, errno.ELOOP)
 FULL = (errno.ENOSPC, errno.EDQUOT)
 BESIDE = ("-wal", "-shm", "-journal")
-"""Ends of the names of SQLite's own files beside the database."""
+"""Suffixes of SQLite's own files next to the database."""
 LEAST_FREE_BYTES = 1 << 17
-"""What SQLite needs beside its file while it is open, and some more."""
+"""Space that SQLite needs next to its file while it is open, plus a reserve."""
 
 
 class Database:
-    """A connection that threads share, one at a time.
+    """A connection that threads share; one uses it at a time.
 
     Raises:
         OperationError: ``database-newer`` for a file that a later version of the program
@@ -49,7 +49,7 @@ class Database:
             _check_file(file, file == self._path)
         try:
             self._path.touch(mode=0o600)
-            self._path.chmod(0o600)  # passwords' hashes are nobody else's; its journals follow it
+            self._path.chmod(0o600)  # only this user may read password hashes; the journals follow
             self._connection = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         except (OSError, sqlite3.OperationalError) as error:
             raise _open_error(path, error) from error
@@ -105,10 +105,10 @@ class Database:
 
     @contextmanager
     def transaction(self) -> Iterator[sqlite3.Connection]:
-        """One transaction: all of it is kept, or on an exception nothing.
+        """One transaction: everything is stored, or on an exception nothing.
 
         Raises:
-            OperationError: ``not-kept``, where the disk does not take it.
+            OperationError: ``not-kept``, if it cannot be written to the disk.
         """
         with self._lock:
             try:
@@ -129,15 +129,15 @@ class Database:
                 raise
 
     def _undo(self) -> None:
-        if self._connection.in_transaction:  # SQLite may have undone it by itself
+        if self._connection.in_transaction:  # SQLite may have rolled back already
             self._connection.execute("ROLLBACK")
 
     def read(self, query: str, *values: str | int | float | None) -> list[sqlite3.Row]:
         """All rows of a query.
 
         Raises:
-            OperationError: ``database-unreadable``, where a page of the file is damaged or a
-                table is gone; or why its disk does not give it.
+            OperationError: ``database-unreadable``, if a page of the file is damaged or a table is
+                missing; or the error of its disk.
         """
         with self._lock:
             try:
@@ -146,7 +146,7 @@ class Database:
                 raise _open_error(self._path, error) from error
 
     def check(self) -> str:
-        """What is wrong with the file; empty where nothing is. On a connection of its own."""
+        """Problems of the file; empty if there are none. Uses its own connection."""
         try:
             found = str(self._query("PRAGMA quick_check(1)")[0][0])
         except sqlite3.DatabaseError as error:
@@ -154,7 +154,7 @@ class Database:
         return "" if found == "ok" else found
 
     def unreadable_rows(self) -> list[int]:
-        """Numbers of the journal's rows that are no JSON objects. On a connection of its own."""
+        """Numbers of the journal rows that are not JSON objects. Uses its own connection."""
         try:
             return [int(row[0]) for row in self._query(NO_OBJECT)]
         except sqlite3.DatabaseError:  # ``check`` reports that the file is damaged
@@ -173,15 +173,15 @@ class Database:
 
 
 def _text(raw: bytes) -> str:
-    """A text as it is shown, also where a damaged page has made it no UTF-8."""
+    """A text for display, even if a damaged page has made it invalid UTF-8."""
     return raw.decode("utf-8", "replace")
 
 
 def _check_file(path: Path, is_database: bool) -> None:
-    """Raises ``OperationError`` where a database file is no ordinary file."""
+    """Raises ``OperationError`` if a database file is not a regular file."""
     try:
         if path.is_symlink() and not is_database:
-            path.stat()  # SQLite makes no file where a link leads
+            path.stat()  # SQLite creates no file if a link points to nothing
         check_ordinary(path)
     except OSError as error:
         if error.errno not in NO_FILE and not path.is_symlink():
@@ -197,7 +197,7 @@ def _check_file(path: Path, is_database: bool) -> None:
 
 
 def _open_error(path: Path, error: Exception) -> OperationError:
-    """Why a database cannot be opened: its disk is distinguished from its content."""
+    """Why a database cannot be opened: distinguishes its disk from its content."""
     code = (getattr(error, "sqlite_errorcode", None) or 0) & 0xFF
     if _is_full(path.parent, error, code):
         return OperationError(
@@ -230,7 +230,7 @@ def _open_error(path: Path, error: Exception) -> OperationError:
 
 
 def _is_full(folder: Path, error: Exception, code: int) -> bool:
-    """SQLite says of a full disk now that it is full, now that reading or writing failed."""
+    """For a full disk, SQLite reports sometimes a full disk, sometimes a read or write error."""
     if code == sqlite3.SQLITE_FULL or getattr(error, "errno", None) in FULL:
         return True
     if code not in (sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN):

@@ -27,10 +27,10 @@ class SessionRecord:
 
 @dataclass(frozen=True, slots=True)
 class JournalRow:
-    """One thing that happened in a session; never changed, never deleted."""
+    """One event of a session; never changed, never deleted."""
 
     number: int
-    """Grows over all sessions of the station."""
+    """Increases over all sessions of the station."""
     session_id: str
     at: str
     kind: str
@@ -38,21 +38,21 @@ class JournalRow:
 
 
 Check = Callable[[JournalRow], None]
-"""Is given a row before it is committed; what it raises undoes the row."""
+"""Receives a row before it is committed; an exception undoes the row."""
 
 
 def accept_any(row: JournalRow) -> None:
-    """Takes any row."""
+    """Accepts any row."""
 
 
 class JournalStore:
-    """What happened in each guided session, in order."""
+    """The events of each guided session, in order."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
 
     def begin_session(self, session_id: str, kind: str) -> SessionRecord:
-        """Opens a session; its rows follow by ``append``."""
+        """Opens a session; its rows are added with ``append``."""
         record = SessionRecord(session_id, kind, utc_now(), None)
         with self._database.transaction() as connection:
             connection.execute(
@@ -96,7 +96,7 @@ class JournalStore:
             return append_row(connection, session_id, kind, payload, key, check)
 
     def knows_key(self, key: str) -> bool:
-        """Whether a command with this idempotency key has acted already."""
+        """Whether a command with this idempotency key has already been executed."""
         return bool(self._database.read("SELECT 1 FROM journal WHERE command_key = ?", key))
 
     def rows(self, session_id: str) -> Sequence[JournalRow]:
@@ -118,7 +118,7 @@ class JournalStore:
 
     def latest(self, session_kind: str, kind: str) -> JournalRow | None:
         """The newest readable row of one kind in all sessions of a kind."""
-        # all of them are looked at only where the newest is damaged
+        # all rows are read only if the newest one is damaged
         for clause in ("ORDER BY number DESC LIMIT 1", "ORDER BY number DESC"):
             found = self._rows_of_kind(clause, session_kind, kind)
             if found:
@@ -146,7 +146,7 @@ class JournalStore:
 
 
 def _row(row: sqlite3.Row) -> JournalRow:
-    """Raises ``ValueError`` for one that is no JSON object."""
+    """Raises ``ValueError`` for a row that is not a JSON object."""
     try:
         payload = json.loads(row["payload"])
     except (ValueError, RecursionError):
@@ -172,7 +172,7 @@ def append_row(
     key: str | None,
     check: Check,
 ) -> JournalRow:
-    """Appends within a transaction that the caller has open, which ends where ``check`` raises."""
+    """Appends within an open transaction of the caller, which ends if ``check`` raises."""
     at = utc_now()
     try:
         text = json.dumps(payload, allow_nan=False)

@@ -1,4 +1,4 @@
-"""One server a data folder: the lock that a second one meets."""
+"""One server per data folder: the lock that stops a second one."""
 
 import contextlib
 import fcntl
@@ -14,8 +14,8 @@ from app.messages.message import message
 class FolderLock:
     """Holds ``station.lock`` in the data folder from construction until ``release``.
 
-    The kernel drops the lock with the process, however it ends, so that a killed
-    server leaves nothing to clean up; the file itself stays and names the last holder.
+    The kernel releases the lock with the process, however it ends, so that a killed server leaves
+    nothing to clean up; the file itself stays and names the last holder.
 
     Raises:
         OperationError: ``data-folder-in-use``, naming the process that holds it.
@@ -39,7 +39,7 @@ class FolderLock:
             os.pwrite(self._file, f"{os.getpid()}\n".encode(), 0)
 
     def release(self) -> None:
-        """Lets another server have the folder; idempotent."""
+        """Releases the folder for another server; idempotent."""
         if self._file >= 0:
             os.close(self._file)
             self._file = -1

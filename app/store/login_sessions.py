@@ -1,9 +1,9 @@
-"""Who is signed in where: browsers by their cookie, kiosks by their link.
+"""Login sessions: browsers by their cookie, kiosks by their link.
 
-A browser in which somebody has signed in before is known by a second cookie, which opens
-nothing: there a password is looked at though others guess at the same name.
+A browser in which somebody signed in before is identified by a second cookie, which gives no
+access: passwords from this browser are checked even while others guess for the same name.
 
-Of cookies and links only the SHA-256 is kept, so that a copied database opens no door.
+Only the SHA-256 of cookies and links is stored, so that a copied database gives no access.
 """
 
 import logging
@@ -20,36 +20,37 @@ from app.timestamps import is_moment, parse_moment, utc_now
 
 log = logging.getLogger(__name__)
 IDLE = timedelta(hours=14)
-"""A person's browser that was not used for so long must sign in again: longer than a shift."""
+"""A browser that was not used for this long must sign in again: longer than a shift."""
 LONGEST = timedelta(days=7)
-"""So long after signing in a person signs in again, used or not: a page may be left open."""
+"""This long after signing in, a person must sign in again, even if active: a page may be left
+open."""
 ACTIVITY_STEP = timedelta(minutes=1)
 ID_DIGITS = 12
 
 
 @dataclass(frozen=True, slots=True)
 class Principal:
-    """Who is behind a request."""
+    """The user of a request."""
 
     id: str
-    """Of this browser's sign-in; it opens nothing."""
+    """Of this browser's login session; it gives no access."""
     name: str
     role: Role
     kiosk: bool
-    """A screen on the shop floor, which nobody stands at."""
+    """A screen on the shop floor without an operator."""
 
 
 class LoginSessionStore:
-    """Cookies that are good, and who is behind a cookie or a kiosk link."""
+    """Valid cookies, and the user of a cookie or a kiosk link."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
         self._kiosk_links = AccessTokenStore(database, "kiosk_link")
         self._in_memory: dict[str, tuple[str, str]] = {}
-        """Of browsers that were signed in while the disk was full: account and since when."""
+        """Browsers that signed in while the disk was full: account and time."""
 
     def begin(self, account: str, device: str) -> str:
-        """Signs a browser in; its cookie, which is shown this once."""
+        """Signs a browser in; returns its cookie, which is shown only once."""
         token = secrets.token_urlsafe(TOKEN_BYTES)
         now = utc_now()
         try:
@@ -67,7 +68,7 @@ class LoginSessionStore:
         return token
 
     def principal(self, token: str) -> Principal | None:
-        """Whose cookie or kiosk link it is; None for one that is not good (any more)."""
+        """The user of a cookie or kiosk link; None if it is not valid (any more)."""
         digest = token_digest(token)
         rows = self._database.read(
             "SELECT sign_in.begun_at, sign_in.seen_at, account.name, account.role FROM sign_in"
@@ -93,7 +94,7 @@ class LoginSessionStore:
     def _principal(self, digest: str, row: sqlite3.Row) -> Principal | None:
         now = datetime.now(UTC)
         if not (is_moment(row["seen_at"]) and is_moment(row["begun_at"])):
-            self._end("token = ?", digest)  # of a damaged page
+            self._end("token = ?", digest)  # from a damaged page
             return None
         idle = now - parse_moment(row["seen_at"])
         if idle > IDLE or now - parse_moment(row["begun_at"]) > LONGEST:
@@ -105,7 +106,7 @@ class LoginSessionStore:
                     connection.execute(
                         "UPDATE sign_in SET seen_at = ? WHERE token = ?", (utc_now(), digest)
                     )
-            except OperationError as error:  # a full disk keeps nobody from Stop
+            except OperationError as error:  # a full disk does not prevent Stop
                 log.warning("a sign-in is not noted as used: %s", error.why)
         return Principal(digest[:ID_DIGITS], row["name"], Role[row["role"]], kiosk=False)
 
@@ -115,14 +116,15 @@ class LoginSessionStore:
         self._end("token = ?", token_digest(token))
 
     def end_all(self, account: str) -> None:
-        """Signs a person out everywhere."""
+        """Signs a user out everywhere."""
         for digest, (name, _) in list(self._in_memory.items()):
             if name.casefold() == account.casefold():
                 self._in_memory.pop(digest, None)
         self._end("account = ?", account)
 
     def remember_browser(self, token: str, account: str) -> str:
-        """From now on a browser is known for this account; its token, a new one if it had none."""
+        """Marks a browser as known for this account; returns its token, a new one if it had
+        none."""
         query = "SELECT 1 FROM known_browser WHERE token = ?"
         if not self._database.read(query, token_digest(token)):
             token = secrets.token_urlsafe(TOKEN_BYTES)
@@ -139,7 +141,7 @@ class LoginSessionStore:
         return token
 
     def is_known_browser(self, token: str, account: str) -> bool:
-        """Whether this account was signed in at the token's browser before."""
+        """Whether this account signed in at the browser of this token before."""
         query = "SELECT 1 FROM known_browser WHERE token = ? AND account = ?"
         return bool(token) and bool(self._database.read(query, token_digest(token), account))
 

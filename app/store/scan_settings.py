@@ -1,4 +1,4 @@
-"""The operator's settings of scans, kept over restarts."""
+"""The operator's settings for scans, kept over restarts."""
 
 from pathlib import Path
 
@@ -14,10 +14,10 @@ class SettingsStore:
     def __init__(self, folder: Path) -> None:
         self._path = folder / FILE
         self.trouble: OperationError | None = None
-        """Why what was kept could not be read; everything is then automatic."""
+        """Why the stored settings could not be read; everything is then automatic."""
 
     def read(self) -> ScanSettings:
-        """What was kept last; automatic before the first time."""
+        """The stored settings; automatic before the first time."""
         if not self._path.exists():
             return AUTOMATIC
         try:
@@ -27,5 +27,5 @@ class SettingsStore:
             return AUTOMATIC
 
     def save(self, settings: ScanSettings) -> None:
-        """Raises ``OperationError`` where the disk does not take it."""
+        """Raises ``OperationError`` if they cannot be written to the disk."""
         settings.write(self._path)

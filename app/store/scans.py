@@ -26,16 +26,16 @@ class ScanRecord:
     seconds: float
     calibration_id: str
     interrupted: Text = ""
-    """Why it ended before the operator ended it; empty where it did not."""
+    """Why it ended before the operator ended it; otherwise empty."""
     recording_bytes: int | None = None
-    """Of its recording once that was completed; None for scans of earlier versions."""
+    """Size of its completed recording; None for scans from earlier versions."""
 
 
 class ScanStore:
-    """The scans that were recorded. Folders are stored relative to the data folder.
+    """The recorded scans. Paths of folders are stored relative to the data folder.
 
-    Where the disk does not take a scan's row, the scan is listed from memory until it does;
-    its recording is saved in any case, and listed by the next start.
+    If the row of a scan cannot be written to the disk, the scan is listed from memory until it can;
+    its recording is saved in any case, and listed after the next start.
     """
 
     def __init__(self, database: Database, folder: Path) -> None:
@@ -45,7 +45,7 @@ class ScanStore:
         self._waiting: dict[str, ScanRecord] = {}
 
     def add(self, scan: ScanRecord) -> None:
-        """Lists a scan; raises ``OperationError`` only where the disk is not at fault."""
+        """Lists a scan; raises ``OperationError`` only if the disk is not the cause."""
         try:
             self._insert(scan)
         except OperationError as error:
@@ -56,14 +56,14 @@ class ScanStore:
                 self._waiting[scan.id] = scan
 
     def add_waiting(self) -> None:
-        """Lists what waits for the disk; raises ``OperationError`` where it is still full."""
+        """Lists scans that wait for the disk; raises ``OperationError`` if it is still full."""
         with self._lock:
             for scan in list(self._waiting.values()):
                 self._insert(scan)
                 del self._waiting[scan.id]
 
     def complete(self, scan_id: str, points: int, frames: int, seconds: float) -> None:
-        """What a scan was found to hold when its cloud was made of its recording."""
+        """The content of a scan, found when its cloud was computed from its recording."""
         with self._database.transaction() as connection:
             connection.execute(
                 "UPDATE scan SET points = ?, frames = ?, seconds = ? WHERE id = ?",
@@ -93,14 +93,14 @@ class ScanStore:
             )
 
     def rename(self, scan_id: str, name: str) -> None:
-        """Gives a scan another name."""
+        """Renames a scan."""
         with self._database.transaction() as connection:
             connection.execute(
                 "UPDATE scan SET name = ?, name_message = NULL WHERE id = ?", (name, scan_id)
             )
 
     def delete(self, scan_id: str) -> None:
-        """Takes a scan from the list; its folder is the caller's."""
+        """Removes a scan from the list; the caller removes its folder."""
         with self._lock:
             self._waiting.pop(scan_id, None)
         with self._database.transaction() as connection:
@@ -114,7 +114,7 @@ class ScanStore:
         return found[0] if found else None
 
     def newest(self) -> ScanRecord | None:
-        """The last that was begun and is listed."""
+        """The most recently started scan in the list."""
         found = self._read("ORDER BY started_at DESC, rowid DESC LIMIT 1")
         return found[0] if found else None
 

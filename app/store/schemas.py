@@ -1,4 +1,4 @@
-"""The tables of the station's database, and what each version added to them."""
+"""The tables of the station's database, and the additions of each version."""
 
 import sqlite3
 from contextlib import closing
@@ -144,12 +144,12 @@ SCHEMAS = (
     MESSAGES,
     KIOSKS,
 )
-"""What each version of the database adds to the one before."""
+"""The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)
 
 
 def read_columns(connection: sqlite3.Connection) -> set[tuple[str, str]]:
-    """Every column as the names of its table and its own."""
+    """Every column, by table and name."""
     found = connection.execute(
         "SELECT one.name, its.name FROM sqlite_master AS one, pragma_table_info(one.name) AS its"
         " WHERE one.type = 'table'"
@@ -159,7 +159,7 @@ def read_columns(connection: sqlite3.Connection) -> set[tuple[str, str]]:
 
 @lru_cache
 def current_columns() -> set[tuple[str, str]]:
-    """Those of a database that is made now."""
+    """The columns of a new database."""
     with closing(sqlite3.connect(":memory:")) as made:
         made.executescript(" ".join(SCHEMAS))
         return read_columns(made)

@@ -1,4 +1,4 @@
-"""Everything that the station remembers, in one data folder."""
+"""All stored data of the station, in one data folder."""
 
 from pathlib import Path
 
@@ -22,15 +22,15 @@ from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
 
 RECORD_FOLDERS = ("sessions", "scans", "verifications")
-"""Folders that the database knows the content of."""
+"""Folders whose content is listed in the database."""
 FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
 
 
 class Store:
-    """The data folder, held by this process alone until ``close``.
+    """The data folder, held exclusively by this process until ``close``.
 
     Raises:
-        OperationError: the folder cannot be written, is in use by another server, or holds
+        OperationError: the folder cannot be written, is in use by another server, or contains
             a database that cannot be read.
     """
 
@@ -75,7 +75,8 @@ class Store:
         self.api_tokens = AccessTokenStore(self._database, "api_token")
 
     def _check_database_exists(self) -> None:
-        """Raises ``OperationError`` where folders are full and the database is missing or empty."""
+        """Raises ``OperationError`` if folders have content and the database is missing or
+        empty."""
         database = self.folder / DATABASE
         if database.exists() and (not database.is_file() or database.stat().st_size):
             return
@@ -97,15 +98,15 @@ class Store:
             )
 
     def check(self) -> str:
-        """What is wrong with the database; empty where nothing is. It may take seconds."""
+        """Problems of the database; empty if there are none. It may take seconds."""
         return self._database.check()
 
     def unreadable_rows(self) -> list[int]:
-        """Numbers of the journal's rows that cannot be read. It may take seconds."""
+        """Numbers of the journal rows that cannot be read. It may take seconds."""
         return self._database.unreadable_rows()
 
     def close(self) -> None:
-        """Closes the database and lets another server have the folder; idempotent."""
+        """Closes the database and releases the folder for another server; idempotent."""
         self._database.close()
         self._lock.release()
         unregister_data_folder(self.folder)

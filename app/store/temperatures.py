@@ -1,4 +1,4 @@
-"""The temperatures at the station that somebody entered or a thermometer measured."""
+"""The temperatures at the station, entered by a user or measured by a thermometer."""
 
 from dataclasses import dataclass
 from datetime import timedelta
@@ -7,7 +7,7 @@ from app.store.database import Database
 from app.timestamps import is_moment, parse_moment, utc_now
 
 NEAR = timedelta(hours=3)
-"""A reading says nothing of a time further away than this."""
+"""A reading is not valid for times further away than this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class TemperatureReading:
 
 
 class TemperatureStore:
-    """Readings, only ever added."""
+    """Temperature readings; they are only added."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
@@ -44,19 +44,19 @@ class TemperatureStore:
         return best[1] if best is not None and best[0] <= NEAR else None
 
     def change_since(self, at: str) -> float | None:
-        """By how many °C it is warmer now; None where one of the two times is not known."""
+        """Temperature change in °C until now; None if one of the two temperatures is unknown."""
         now, then = self.newest(), self.near(at)
         if now is None or then is None or now.at == then.at:
-            return None  # one reading alone shows no change
+            return None  # a single reading shows no change
         return now.celsius - then.celsius
 
     def celsius_near(self, at: str) -> float | None:
-        """The temperature at a time, where it is known."""
+        """The temperature at a time, if known."""
         reading = self.near(at)
         return None if reading is None else reading.celsius
 
     def newest(self) -> TemperatureReading | None:
-        """The last reading, unless it is too old to say what it is now."""
+        """The last reading, unless it is too old for the present temperature."""
         return self.near(utc_now())
 
     def _read(self, clause: str, at: str) -> list[TemperatureReading]:

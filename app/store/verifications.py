@@ -21,7 +21,7 @@ COLUMNS = "id, calibration_id, folder, accepted_at, figures"
 
 @dataclass(frozen=True, slots=True)
 class VerificationFigures:
-    """What is listed of a verification without opening its file."""
+    """Data of a verification in lists, available without opening its file."""
 
     result: Literal["pass", "fail", "uncertain"]
     text: Text
@@ -48,7 +48,8 @@ FIGURES = TypeAdapter(VerificationFigures)
 
 
 class VerificationStore:
-    """The verifications that an operator accepted. Folders are stored relative to ``folder``."""
+    """The verifications that operators accepted. Paths of folders are stored relative to
+    ``folder``."""
 
     def __init__(self, database: Database, folder: Path) -> None:
         self._database = database
@@ -92,7 +93,7 @@ class VerificationStore:
         return found[0] if found else None
 
     def newest_for(self, calibration_id: str) -> VerificationRecord | None:
-        """The last of a calibration's verifications."""
+        """The last verification of a calibration."""
         found = self._read(
             "WHERE calibration_id = ? ORDER BY accepted_at DESC, rowid DESC",
             calibration_id,
@@ -100,12 +101,12 @@ class VerificationStore:
         return found[0] if found else None
 
     def newest(self) -> VerificationRecord | None:
-        """The last of all."""
+        """The last of all verifications."""
         found = self._read("ORDER BY accepted_at DESC, rowid DESC")
         return found[0] if found else None
 
     def all(self) -> list[VerificationRecord]:
-        """Every accepted verification that can be read, newest first."""
+        """All accepted verifications that can be read, newest first."""
         return self._read("ORDER BY accepted_at DESC, rowid DESC")
 
     def _read(self, clause: str, *values: str) -> list[VerificationRecord]:
@@ -116,7 +117,7 @@ class VerificationStore:
         return found
 
     def _record(self, row: Row) -> VerificationRecord:
-        """Raises ``ValueError`` for figures or a moment that cannot be read."""
+        """Raises ``ValueError`` for figures or times that cannot be read."""
         parse_moment(row["accepted_at"])
         return VerificationRecord(
             row["id"],
@@ -127,7 +128,7 @@ class VerificationStore:
         )
 
     def unreadable(self) -> list[str]:
-        """Ids of those whose row cannot be read."""
+        """Ids of verifications whose row cannot be read."""
         readable = {record.id for record in self.all()}
         return [
             row["id"]
@@ -137,7 +138,7 @@ class VerificationStore:
 
 
 def _encode(figures: VerificationFigures) -> str:
-    """The figures as JSON, the text in English with its data next to it."""
+    """The figures as JSON: English text with its data next to it."""
     fields = {**asdict(figures), "text": str(figures.text)}
     if not isinstance(figures.text, str):
         fields[f"text{SUFFIX}"] = text_to_json(figures.text)

@@ -1,1 +1,1 @@
-"""Supervision of stations by others: MQTT, notifications, and the stations that are watched."""
+"""Supervision: MQTT, notifications, and other stations."""

@@ -1,7 +1,7 @@
-"""An MQTT client that takes a bounded memory, whatever the broker sends.
+"""An MQTT client with bounded memory, whatever the broker sends.
 
-The libraries below gather a packet whole, of up to 256 MB, and every message in a queue. Here of
-a long packet only the beginning is kept, and each message is handed over as it comes.
+The libraries collect a complete packet of up to 256 MB, and every message in a queue. This client
+keeps only the beginning of a long packet, and passes on each message as it arrives.
 """
 
 import logging
@@ -17,23 +17,23 @@ from paho.mqtt.enums import MQTTErrorCode
 from app.supervision.inbox import LONGEST_BYTES
 
 MessageHandler = Callable[[str, bytes, bool], None]
-"""Of a topic, a payload, and whether the broker kept it from before."""
+"""Topic, payload, and whether the broker retained it."""
 LONGEST_PAYLOAD = max(LONGEST_BYTES.values())
 _BUFFER_BYTES = 2 + 0xFFFF + 2 + LONGEST_PAYLOAD + 1
 """Bytes of a packet: the longest topic, its number, and one more than the longest payload."""
 _READ_BYTES = 64 * 1024
 _QOS, _EXACTLY_ONCE = 0x06, 0x04
 SILENT = logging.getLogger("crenel.mqtt")
-"""What the libraries log is at the broker's choice; what matters is raised besides."""
+"""The broker determines what the libraries log; anything important is also raised."""
 SILENT.setLevel(logging.CRITICAL + 1)
 NO_TOPIC = ""
 
 
 class BoundedClient(aiomqtt.Client):
-    """Passes each message to ``take`` on the event loop; ``messages`` only ends, by an error.
+    """Passes each message to ``take`` on the event loop; ``messages`` only ends with an error.
 
-    A payload that is too long is passed with its first ``LONGEST_PAYLOAD + 1`` bytes; a
-    topic that is no text as ``NO_TOPIC``.
+    Of a payload that is too long, the first ``LONGEST_PAYLOAD + 1`` bytes are passed; a topic that
+    is not valid text is passed as ``NO_TOPIC``.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class BoundedClient(aiomqtt.Client):
             logger=SILENT,
         )
         self._take = take
-        # the library makes its own, and lets none be given
+        # the library creates its own and accepts none
         self._client.__class__ = _BoundedPaho
 
     def _on_message(self, client: paho.Client, userdata: Any, message: paho.MQTTMessage) -> None:
@@ -76,7 +76,7 @@ class BoundedClient(aiomqtt.Client):
     def _on_disconnect(self, *args: Any) -> None:
         super()._on_disconnect(*args)
         if self._disconnected.done():
-            self._disconnected.exception()  # where nobody asks for it, it would be logged
+            self._disconnected.exception()  # if nobody awaits it, it would be logged
 
     async def __aexit__(
         self,
@@ -84,7 +84,7 @@ class BoundedClient(aiomqtt.Client):
         exc: BaseException | None,
         tb: TracebackType | None,
     ) -> None:
-        """Closes the connection also where the broker does not take leave."""
+        """Closes the connection even if the broker does not confirm."""
         try:
             await super().__aexit__(exc_type, exc, tb)
         finally:
@@ -93,7 +93,7 @@ class BoundedClient(aiomqtt.Client):
 
 
 class _BoundedBuffer(bytearray):
-    """Bytes that are added to; beyond the bound they are forgotten."""
+    """A growing buffer; bytes beyond the limit are discarded."""
 
     def __iadd__(self, more: Any) -> Self:  # type: ignore[misc]
         self.extend(more[: max(_BUFFER_BYTES - len(self), 0)])
@@ -110,7 +110,7 @@ class _BoundedPaho(paho.Client):
         return super()._sock_recv(min(bufsize, _READ_BYTES))
 
     def _handle_publish(self) -> MQTTErrorCode:
-        # never asked for, and the library would keep it until it is released
+        # never requested, and the library would keep it until it is released
         if self._in_packet["command"] & _QOS == _EXACTLY_ONCE:
             return MQTTErrorCode.MQTT_ERR_PROTOCOL
         return super()._handle_publish()

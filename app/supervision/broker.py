@@ -1,4 +1,4 @@
-"""The connection to the MQTT broker: this station's messages out, the others' in."""
+"""The connection to the MQTT broker: messages of this station and of others."""
 
 import asyncio
 import contextlib
@@ -27,30 +27,31 @@ from app.supervision.remote_stations import Fleet
 
 log = logging.getLogger(__name__)
 KEEPALIVE_S = 2
-"""The broker sends a closed or dead connection's last will after one and a half of it."""
+"""The broker sends the last will of a dead connection after one and a half times this interval."""
 ANSWER_S = 3.0
 FIRST_BACK_OFF_S, LONGEST_BACK_OFF_S = 0.5, 15.0
 EVENTS_WAITING = 100
 READ_PAUSE_S, READ_BYTES = 0.1, 1_000_000
-"""Of what has come so much is looked at, so often; the rest waits, or is overtaken."""
+"""Number of waiting messages processed at a time, and interval; the others wait, or are
+overtaken."""
 
 
 @dataclass(frozen=True)
 class BrokerState:
-    """How the connection is, for the health page."""
+    """State of the connection, for the Health page."""
 
     connected: bool
     text: Text
-    """What went wrong last, while it is not connected."""
+    """The last error, while it is not connected."""
     since_s: float
     tries: int
 
 
 class Broker:
-    """Keeps one connection for ever; lost, it comes back with growing pauses.
+    """Maintains one connection permanently; if it is lost, it reconnects with growing pauses.
 
-    Everything runs on the event loop. The station works on whether it is there or not: reports
-    are latest-wins, and of events the oldest waiting are dropped.
+    Everything runs on the event loop. The station works with or without the connection: only the
+    latest report counts, and the oldest waiting events are dropped.
     """
 
     def __init__(
@@ -64,9 +65,9 @@ class Broker:
         self._state = BrokerState(False, message("connected-yet"), time.monotonic(), 0)
         self.events_dropped = 0
         self.doubled_at_s: float | None = None
-        """When another process was last heard under this station's name."""
+        """When another process was last heard under the name of this station."""
         self.on_message: Callable[[], None] = lambda: None
-        """Called after something of another station came."""
+        """Called after a message of another station."""
 
     @property
     def state(self) -> BrokerState:
@@ -77,19 +78,19 @@ class Broker:
         return self._settings
 
     def report(self, report: StationReport) -> None:
-        """What is published next; an older one that was not yet sent is forgotten."""
+        """The next report; an older one that was not yet sent is discarded."""
         self._report = report
         self._changed.set()
 
     def event(self, event: StationEvent) -> None:
-        """Is published once; while there is no broker the newest wait."""
+        """Publishes an event once; without a broker, the newest ones wait."""
         if self._events.full():
             self._events.get_nowait()
             self.events_dropped += 1
         self._events.put_nowait(event)
 
     async def run(self) -> None:
-        """Until cancelled; then publishes that the station has ended in order."""
+        """Runs until cancelled; then publishes that the station has ended regularly."""
         pause_s, tries = FIRST_BACK_OFF_S, 0
         while True:
             began_s = time.monotonic()
@@ -156,7 +157,7 @@ class Broker:
                 await _end_tasks(tasks)
 
     async def _publish_reports(self, client: aiomqtt.Client) -> None:
-        """Reports, once a beat."""
+        """Publishes a report at every beat."""
         while True:
             await self._changed.wait()
             self._changed.clear()
@@ -169,7 +170,7 @@ class Broker:
             await self._send(client, "event", await self._events.get(), retain=False)
 
     async def _receive(self, client: aiomqtt.Client, inbox: Inbox) -> None:
-        """Bounded in what it reads at a time: much that comes holds up nothing else."""
+        """Limited in what it reads at a time, so that many messages delay nothing else."""
         while True:
             await inbox.wait()
             left_bytes = READ_BYTES
@@ -191,9 +192,10 @@ class Broker:
         return station == self._station or self.fleet.knows(station)
 
     def _handle_echo(self, kind: str, payload: bytes, retained: bool) -> bool:
-        """Whether the presence is to be sent again: an earlier connection's will came late.
+        """Whether the presence must be sent again, because the last will of an earlier connection
+        came late.
 
-        Two stations of one name would be taken for one: that is noted.
+        Two stations with one name would appear as one: this is recorded.
         """
         if retained:
             return False
@@ -222,11 +224,11 @@ class Broker:
 
 
 def _end_if_cancelled() -> None:
-    """Ends the running task where it was cancelled while the client waited for an answer.
+    """Ends the running task if it was cancelled while the client waited for an answer.
 
-    The client waits with ``asyncio.wait_for``, which up to Python 3.11 forgets a cancellation
-    that comes together with the answer; and its error, where the broker does not answer as it
-    leaves, takes the place of the cancellation.
+    The client waits with ``asyncio.wait_for``, which up to Python 3.11 ignores a cancellation that
+    arrives together with the answer; and its error, if the broker does not answer on disconnecting,
+    replaces the cancellation.
     """
     task = asyncio.current_task()
     if task is not None and task.cancelling():
@@ -234,7 +236,7 @@ def _end_if_cancelled() -> None:
 
 
 async def _wait_until_lost(client: aiomqtt.Client) -> None:
-    """Raises once the connection is lost."""
+    """Raises when the connection is lost."""
     async for _ in client.messages:
         pass
 

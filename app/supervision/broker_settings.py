@@ -1,4 +1,4 @@
-"""Which broker a station talks to, and as whom."""
+"""The broker of a station, and its user."""
 
 from typing import Annotated
 
@@ -24,7 +24,7 @@ class BrokerSettings(TomlTable):
     """As a part of topics; else by the station's name."""
 
     def password(self) -> str | None:
-        """What the password file holds, without the line's end.
+        """The content of the password file, without the line ending.
 
         Raises:
             OperationError: it cannot be read.

@@ -1,4 +1,4 @@
-"""What came from the broker and was not looked at yet: bounded, whatever is published there."""
+"""Messages from the broker that have not been processed yet: bounded, whatever is published."""
 
 import asyncio
 import time
@@ -10,12 +10,12 @@ from typing import Literal
 from app.supervision.messages import EVENTS_STORED, parse_topic
 
 DropReason = Literal["long", "strange", "often", "crowded"]
-"""long: over the bound; strange: no message of a station; often: more of one topic than can be
+"""long: over the limit; strange: not a message of a station; often: more of one topic than can be
 shown; crowded: of more stations than are kept."""
 
 
 class Unread:
-    """Counts since the start. It is written on the event loop and read on any thread."""
+    """Counts since the start, written on the event loop and read in any thread."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
@@ -28,26 +28,26 @@ class Unread:
 
     @property
     def counts(self) -> Mapping[str, int]:
-        """By the reason; those that never were are missing."""
+        """By reason; reasons that never occurred are missing."""
         return {str(why): number for why, number in self._counts.items()}
 
     @property
     def ago_s(self) -> float | None:
-        """Since the newest; None where all were read."""
+        """Time since the newest one; None if all were read."""
         return None if self._newest_s is None else self._clock() - self._newest_s
 
 
 LONGEST_BYTES = {"report": 64 * 1024, "presence": 4 * 1024, "event": 8 * 1024}
-"""A station's own are mostly a tenth of it."""
+"""Reports of stations are usually a tenth of this."""
 MOST_UNKNOWN, MOST_UNKNOWN_BYTES = 600, 8_000_000
-"""Of stations that are not known yet so many topics may wait; of the known all may."""
+"""Number of topics of unknown stations that may wait; those of known stations are not limited."""
 TOLERATED = 10
-"""So many of one topic may overtake one another before they are looked at: the station was busy."""
+"""Number of messages of one topic that may be overtaken before processing: the station was busy."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReceivedMessage:
-    """One message; ``retained`` where the broker kept it from before."""
+    """One message; ``retained`` if the broker retained it."""
 
     station: str
     kind: str
@@ -56,7 +56,7 @@ class ReceivedMessage:
 
 
 class _TopicQueue:
-    """The latest of one topic; of events the last few."""
+    """The latest message of one topic; for events, the last few."""
 
     def __init__(self, kind: str) -> None:
         self.messages: deque[ReceivedMessage] = deque(
@@ -71,9 +71,9 @@ class _TopicQueue:
 
 
 class Inbox:
-    """Keeps the latest message of each topic, in the order in which the topics were first heard.
+    """Keeps the latest message of each topic, in the order in which the topics first appeared.
 
-    Known stations come before all others. It is used on the event loop alone; ``put`` never waits.
+    Known stations come before all others. It is used on the event loop only; ``put`` never waits.
     """
 
     def __init__(self, prefix: str, unread: Unread, is_known: Callable[[str], bool]) -> None:
@@ -84,11 +84,11 @@ class Inbox:
         self._filled = asyncio.Event()
 
     def __len__(self) -> int:
-        """Topics of which something waits."""
+        """Topics with waiting messages."""
         return len(self._known) + len(self._unknown)
 
     def put(self, topic: str, payload: bytes, retained: bool) -> None:
-        """Takes a message in, or counts it as not read."""
+        """Adds a message, or counts it as not read."""
         parts = parse_topic(self._prefix, topic)
         if parts is None:
             self._unread.add("strange")
@@ -113,11 +113,11 @@ class Inbox:
             self._unread.add("crowded", len(self._take_next(self._unknown)))
 
     async def wait(self) -> None:
-        """Until something is there."""
+        """Waits for a message."""
         await self._filled.wait()
 
     def take(self) -> list[ReceivedMessage]:
-        """What waits of the next topic, the oldest first; nothing where none does."""
+        """The waiting messages of the next topic, oldest first; empty if there are none."""
         lane = self._known or self._unknown
         if not lane:
             self._filled.clear()

@@ -1,4 +1,4 @@
-"""The texts of payloads as data: bounded on the way out, and checked on the way in."""
+"""Texts of payloads as data: limited when sent, and checked when received."""
 
 import math
 from collections.abc import Sequence
@@ -10,15 +10,15 @@ from app.messages.message import Message, MessageList, Quantity, Text, text_to_j
 from app.messages.stored import RENDERED, SUFFIX, restore_text
 
 MOST_DEPTH, MOST_PARTS, MOST_CHARACTERS = 20, 160, 1200
-"""Of one text: what is nested in one another, how many values, and the signs of all of them."""
+"""For one text: maximum nesting, number of values, and total number of characters."""
 LONGEST_TEXT = 400
-"""Letters of the English; what is longer is cut off."""
+"""Maximum length of the English text; longer texts are truncated."""
 LARGEST = 2**53
-"""Of a number: every reader has it exactly."""
+"""Largest number that every reader represents exactly."""
 
 
 def message_data(text: Text) -> object:
-    """The data of a text for a payload; None where it has none or too much."""
+    """The data of a text for a payload; None if there is none or too much."""
     if isinstance(text, str):
         return None
     data = text_to_json(text)
@@ -34,10 +34,10 @@ def payload_text(**texts: Text) -> dict[str, object]:
 
 
 def _check(data: object) -> object:
-    """A message as it came, or None for one that this version of Crenel does not have.
+    """A received message; None for one that this version of Crenel does not have.
 
     Raises:
-        ValueError: it is larger than any message.
+        ValueError: it is larger than any valid message.
     """
     if data is None or isinstance(data, RENDERED):
         return data
@@ -88,7 +88,7 @@ def _inner(value: object) -> Sequence[object]:
 
 
 def readable(payload: BaseModel) -> dict[str, object]:
-    """A payload for the browser: each text as its message where it has one, else in English."""
+    """A payload for the browser: each text as its message if it has one, otherwise in English."""
     return _with_messages(payload.model_dump())
 
 

@@ -1,4 +1,4 @@
-"""Notices by HTTP to an address of the administrator's choice.
+"""Notifications by HTTP to an address that the administrator sets.
 
 Each is one POST of a JSON ``Notice`` with the headers
 
@@ -6,8 +6,8 @@ Each is one POST of a JSON ``Notice`` with the headers
     Crenel-Timestamp: seconds since 1970
     Crenel-Signature: sha256=HEX, where there is a secret
 
-the signature being the HMAC-SHA256 of ``TIMESTAMP.BODY`` by the secret. Any answer of 200 to
-299 is taken for received; 408, 425, 429, 5xx and no answer are tried again.
+The signature is the HMAC-SHA256 of ``TIMESTAMP.BODY`` with the secret. An answer of 200 to 299
+counts as received; after 408, 425, 429, 5xx or no answer, the delivery is repeated.
 """
 
 import asyncio
@@ -43,10 +43,10 @@ RETRY_STATUSES = {408, 425, 429}
 
 
 def check_url(url: str) -> str:
-    """The address, without spaces about it.
+    """The address without surrounding spaces.
 
     Raises:
-        OperationError: it is none of http or https.
+        OperationError: it is not an http or https address.
     """
     url = url.strip()
     try:
@@ -65,10 +65,10 @@ def check_url(url: str) -> str:
 
 
 class WebhookSettings(BaseModel):
-    """Which notices are sent, and where to; without an address none are.
+    """The notifications to send, and their address; without an address, none are sent.
 
     Raises:
-        OperationError: the address is none (``check_url``), wherever it comes from.
+        OperationError: the address is invalid (``check_url``).
     """
 
     model_config = ConfigDict(frozen=True, extra="ignore")
@@ -81,7 +81,7 @@ class WebhookSettings(BaseModel):
 
     @property
     def host(self) -> str:
-        """Of the address; the rest of it may be a secret."""
+        """Host of the address; the rest of it may be a secret."""
         return urlsplit(self.url).hostname or ""
 
 
@@ -92,7 +92,7 @@ class WebhookStore:
         self._path = folder / FILE
 
     def read(self) -> WebhookSettings:
-        """The saved settings; none where the file is missing or unreadable, which is logged."""
+        """The saved settings; none if the file is missing or unreadable, which is logged."""
         try:
             return WebhookSettings.model_validate_json(read_bounded(self._path))
         except FileNotFoundError:
@@ -107,16 +107,16 @@ class WebhookStore:
         return WebhookSettings()
 
     def save(self, settings: WebhookSettings) -> None:
-        """Raises ``OperationError`` where the disk does not take it."""
+        """Raises ``OperationError`` if they cannot be written to the disk."""
         with atomic_path(self._path) as part:
             part.touch(mode=0o600)
             part.write_text(settings.model_dump_json(indent=1) + "\n")
 
 
 class Webhook:
-    """Sends notices on the event loop, each apart from the others; whoever offers one never waits.
+    """Sends notifications on the event loop, independently of each other; adding one never waits.
 
-    One that is not taken is tried again later while the others go on.
+    A notification that is not accepted is sent again later while the others continue.
     """
 
     def __init__(self, settings: WebhookSettings, pauses_s: tuple[float, ...] = PAUSES_S) -> None:
@@ -124,12 +124,12 @@ class Webhook:
         self._pauses_s = pauses_s
         self._offered: asyncio.Queue[Notice] = asyncio.Queue(MOST_WAITING)
         self._deliveries: list[asyncio.Task[None]] = []
-        """The oldest first."""
+        """Oldest first."""
         self._tries = asyncio.Semaphore(TRIES_AT_ONCE)
         self.sent = self.failed = 0
-        """Received there; given up."""
+        """Delivered; given up."""
         self.trouble: Text = ""
-        """Of the last try; empty once one was received."""
+        """Error of the last attempt; empty after a delivery."""
         self.on_change: Callable[[], None] = lambda: None
 
     @property
@@ -137,7 +137,7 @@ class Webhook:
         return self._offered.qsize() + len(self._deliveries)
 
     def offer(self, notice: Notice) -> None:
-        """Sends it if its kind is wanted; where too many wait, the oldest is given up."""
+        """Sends a notification if its kind is wanted; if too many wait, the oldest is given up."""
         if not self.settings.url:
             return
         if not (notice.kind == "test" or getattr(self.settings, notice.kind)):
@@ -154,7 +154,7 @@ class Webhook:
         self.failed += 1
 
     async def run(self) -> None:
-        """Until cancelled."""
+        """Runs until cancelled."""
         trusted = await asyncio.to_thread(_tls_context)
         async with (
             httpx.AsyncClient(
@@ -167,7 +167,7 @@ class Webhook:
                 self._deliveries.append(group.create_task(self._send(client, notice)))
 
     async def _send(self, client: httpx.AsyncClient, notice: Notice) -> None:
-        """Delivers the notice, and counts it as sent or failed as soon as it no longer waits."""
+        """Delivers the notification, and counts it as sent or failed when it no longer waits."""
         delivery = asyncio.current_task()
         try:
             delivered = await self._deliver(client, notice)
@@ -196,7 +196,7 @@ class Webhook:
         return False
 
     async def _try_present(self, client: httpx.AsyncClient, notice: Notice) -> tuple[bool, Text]:
-        """One try; another in its place where the settings are corrected meanwhile."""
+        """One attempt; repeated if the settings are corrected in the meantime."""
         while True:
             settings = self.settings
             trying = asyncio.ensure_future(self._try(client, settings, notice))
@@ -210,7 +210,7 @@ class Webhook:
                 corrected.cancel()
 
     async def _wait_for_change(self, settings: WebhookSettings, pause_s: float = math.inf) -> None:
-        """Waits until other settings are in force, for a pause at most."""
+        """Waits for other settings, at most for a pause."""
         until_s = time.monotonic() + pause_s
         while self.settings is settings and (left_s := until_s - time.monotonic()) > 0:
             await asyncio.sleep(min(left_s, POLL_S))
@@ -218,7 +218,7 @@ class Webhook:
     async def _try(
         self, client: httpx.AsyncClient, settings: WebhookSettings, notice: Notice
     ) -> tuple[bool, Text]:
-        """Whether another try may help, and what went wrong; empty where nothing did."""
+        """Whether another attempt may help, and the error; empty if there is none."""
         body = notice.model_dump_json().encode()
         headers = {
             "Content-Type": "application/json",
@@ -227,7 +227,7 @@ class Webhook:
             **signature(settings.secret, body, int(time.time())),
         }
         try:
-            # only how it begins is read, however long an answer is and however slowly it comes
+            # only the beginning is read, however long and slow an answer is
             async with (
                 asyncio.timeout(ANSWER_S),
                 client.stream("POST", settings.url, content=body, headers=headers) as answer,
@@ -240,7 +240,7 @@ class Webhook:
 
 
 def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
-    """The headers by which the receiver knows that it was this station, and when."""
+    """The headers by which the receiver verifies the sender and the time."""
     headers = {"Crenel-Timestamp": str(at)}
     if secret:
         signed = hmac.new(secret.encode(), f"{at}.".encode() + body, hashlib.sha256)
@@ -249,14 +249,15 @@ def signature(secret: str, body: bytes, at: int) -> dict[str, str]:
 
 
 def _tls_context() -> ssl.SSLContext:
-    """The public authorities, and those that this machine trusts: an own network's among them."""
+    """The public authorities, and those that this machine trusts, such as one of the local
+    network."""
     context = httpx.create_ssl_context(trust_env=False)
     context.load_default_certs()
     return context
 
 
 def _error_text(error: Exception) -> Text:
-    """Without the address, which may hold a secret."""
+    """The error without the address, which may contain a secret."""
     if isinstance(error, (httpx.TimeoutException, TimeoutError)):
         return message("no-answer-within", limit=quantity(ANSWER_S, "s"))
     if "CERTIFICATE_VERIFY_FAILED" in str(error):
