@@ -1,19 +1,18 @@
-"""The one exception by which the program declines a job."""
+"""The exception with which the program refuses a job."""
 
 from app.messages.message import Text, join, message
 
 
 class OperationError(Exception):
-    """A job that cannot be done honestly with what was given.
+    """A job that cannot be done correctly with the given input.
 
-    Carries what a person needs to go on: what happened, why, and what to do.
-    The command line prints it as one line and exits with status 1; the web
-    answers it as RFC 9457 problem+json.
+    It says what happened, why, and what to do. The command line prints it as one line and exits
+    with status 1; the web answers it as RFC 9457 problem+json.
 
     Args:
         code: short machine-readable name, kebab-case, e.g. ``too-few-contacts``.
         what: what was refused, with the place (file, row, feature) and the value.
-        why: the reason, in the trade's words; may be empty.
+        why: the reason, in technical terms; may be empty.
         remedy: what to do about it; may be empty.
     """
 
@@ -41,15 +40,15 @@ class OperationError(Exception):
 
     @property
     def text(self) -> Text:
-        """The error as one text for people: what happened, why, and what to do."""
+        """The error as one text for users: what happened, why, and what to do."""
         return join([self.reason, sentence(self.remedy)], " ") if self.remedy else self.reason
 
 
 def sentence(text: Text) -> Text:
-    """The text with a capital letter and a full stop; empty stays empty."""
+    """The text with a capital letter and a full stop; an empty text stays empty."""
     return message("sentence", text=text) if text else ""
 
 
 def reason_sentence(what: Text, why: Text = "") -> Text:
-    """What happened and, where it is known, why."""
+    """What happened and, if known, why."""
     return message("what-and-why", what=what, why=why) if why else sentence(what)

@@ -1,4 +1,4 @@
-"""What the station tells the operator: sentences with their weight."""
+"""Messages of the station to the operator, with their severity."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -10,8 +10,8 @@ Quality = Literal["good", "attention", "bad", "neutral"]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One sentence with the number and the limit, and what to do about it; ``pose`` names the
-    one of several poses that it is about."""
+    """One sentence with the value and the limit, and a remedy; ``pose`` is the number of the pose
+    concerned, if it concerns one."""
 
     quality: Quality
     text: Text
@@ -20,5 +20,5 @@ class Finding:
 
 
 def capital(text: Text) -> Text:
-    """With a capital letter, as a sentence begins."""
+    """The text with a capital letter at the beginning."""
     return message("capital", text=text) if text else ""

@@ -1,12 +1,12 @@
-"""How long work reports how far it is."""
+"""How long jobs report their progress."""
 
 from collections.abc import Callable
 
 from app.messages.message import Text
 
 Progress = Callable[[float, Text], None]
-"""Called with the share done, 0 to 1, and what is being worked on (may be empty)."""
+"""Called with the share done, 0 to 1, and the current step (may be empty)."""
 
 
 def no_progress(share: float, text: Text) -> None:
-    """For callers without interest in it."""
+    """For callers that do not need the progress."""

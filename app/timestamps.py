@@ -1,4 +1,4 @@
-"""Wall time, for people to read."""
+"""Wall-clock time for display."""
 
 from datetime import UTC, datetime
 
@@ -9,13 +9,13 @@ def utc_now() -> str:
 
 
 def parse_moment(text: str) -> datetime:
-    """The moment that a record has, in UTC where it does not say; raises ``ValueError``."""
+    """The time in a record, in UTC unless stated otherwise; raises ``ValueError``."""
     found = datetime.fromisoformat(text)
     return found if found.tzinfo is not None else found.replace(tzinfo=UTC)
 
 
 def is_moment(text: object) -> bool:
-    """Whether something that was read says when it was."""
+    """Whether a value that was read contains a time."""
     try:
         return isinstance(text, str) and bool(parse_moment(text))
     except ValueError:

@@ -1,7 +1,7 @@
-"""The shapes of everything that crosses between server and browser, as one JSON schema.
+"""The models of everything sent between server and browser, as one JSON schema.
 
 ``python -m app.api.browser_types`` writes it to ``frontend/src/api``, where the client's build
-makes TypeScript of it.
+generates TypeScript from it.
 """
 
 import json
@@ -28,7 +28,7 @@ FILE = Path(__file__).parents[2] / "frontend/src/api/wire.schema.json"
 REFERENCE = "#/$defs/"
 TEXTS = {REFERENCE + kind.__name__ for kind in (Message, MessageList, Quantity)}
 MESSAGES = REFERENCE + ProblemMessages.__name__
-"""The client puts a problem's messages in the place of its English."""
+"""The client replaces the English texts of a problem by these messages."""
 BESIDE_ROUTES: tuple[Any, ...] = (
     Topics,
     HelloMessage,
@@ -39,32 +39,32 @@ BESIDE_ROUTES: tuple[Any, ...] = (
     Problem,
     RecordedCalibration,
 )
-"""What is sent and is not the declared answer of a route."""
+"""Models that are sent and are not the declared answer of a route."""
 FILES: tuple[Any, ...] = (VerificationFile, MapFile)
-"""The station's own files that are sent as they are."""
+"""The station's own files that are sent unchanged."""
 Schema = dict[str, Any]
 
 
 class _BrowserSchema(GenerateJsonSchema):
-    """No titles of fields: the client would make a type of each."""
+    """No titles of fields: the client would generate a type for each."""
 
     def field_title_should_be_set(self, schema: core_schema.CoreSchema | Any) -> bool:
         return False
 
 
 def make_schema() -> Schema:
-    """JSON schema (draft 7) with a definition of each shape, by the name of its class.
+    """JSON schema (draft 7) with one definition per model, by the name of its class.
 
-    Texts are strings in it, as the client has put them into words where they arrive.
+    Texts are strings in it, because the client renders them on arrival.
     """
-    # what a model takes, and not what a serialiser of its own makes of it
+    # what a model accepts, not what its own serialiser makes of it
     wanted: list[tuple[int, JsonSchemaMode, TypeAdapter[Any]]] = [
         (number, "validation", TypeAdapter(shape))
         for number, shape in enumerate((*_shapes_of_routes(), *BESIDE_ROUTES, *FILES))
     ]
     schemas, shared = TypeAdapter.json_schemas(wanted, schema_generator=_BrowserSchema)
     found: Schema = shared["$defs"]
-    # a shape that nothing else refers to stands in its own place, under its title
+    # a model that nothing else refers to is inlined, under its title
     for schema in schemas.values():
         if "title" in schema and "$ref" not in schema:
             found.setdefault(schema["title"], schema)
@@ -84,7 +84,7 @@ def make_schema() -> Schema:
 
 
 def _shapes_of_routes() -> Iterator[Any]:
-    """What the routes answer, and what their requests hold."""
+    """The answers of the routes, and the bodies of their requests."""
     for route in (one for router in ROUTERS for one in router.routes):
         if isinstance(route, APIRoute):
             if route.response_model is not None:
@@ -100,7 +100,7 @@ def _subclasses(kind: type) -> Iterator[type]:
 
 
 def _shape(schema: Schema, without_none: bool) -> Schema:
-    """One shape; of what the station sends, every field is there that is not left out as None."""
+    """One model; a field that the station sends is always present unless it is left out as None."""
     shape: Schema = _simplify(schema)
     shape.pop("title", None)
     is_request = shape.get("additionalProperties") is False
@@ -114,7 +114,7 @@ def _shape(schema: Schema, without_none: bool) -> Schema:
 
 
 def _simplify(schema: Any) -> Any:
-    """Texts as strings, arrays of fixed length as draft 7 has them, no messages beside texts."""
+    """Texts as strings, arrays of fixed length as in draft 7, no messages next to texts."""
     if isinstance(schema, list):
         return [_simplify(one) for one in schema]
     if not isinstance(schema, dict):
@@ -134,7 +134,7 @@ def _simplify(schema: Any) -> Any:
 
 
 def _without_texts(union: Schema) -> Schema:
-    """A union without the kinds of text: what arrives is a string."""
+    """A union without the kinds of text: the client has a string."""
     left = [one for one in union["anyOf"] if one.get("$ref") not in TEXTS]
     if len(left) == 1:
         return {**{key: value for key, value in union.items() if key != "anyOf"}, **left[0]}

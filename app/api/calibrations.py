@@ -1,4 +1,4 @@
-"""An accepted calibration as a page of its own, and what became of calibrations over time."""
+"""The page of an accepted calibration, and the history of calibrations."""
 
 from dataclasses import asdict
 from pathlib import Path as Folder
@@ -27,7 +27,7 @@ CalibrationId = Annotated[str, Path(max_length=128)]
 
 @router.get("/calibration-history")
 def list_history(context: TheContext) -> list[CalibrationPoint]:
-    """Every calibration whose file can be read, the oldest first, with what moved since."""
+    """Every readable calibration, oldest first, with the changes since the previous one."""
     records = {record.id: record for record in reversed(context.store.calibrations.all())}
     entries = read_history([(record.id, record.file) for record in records.values()])
     return [_point(records[entry.id], entry) for entry in entries]
@@ -35,7 +35,7 @@ def list_history(context: TheContext) -> list[CalibrationPoint]:
 
 @router.get("/calibrations/{calibration_id}", response_model=RecordedCalibration)
 def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
-    """The result again, as it was looked at before it was accepted."""
+    """The result as it was shown before it was accepted."""
     record = find_calibration(context, calibration_id)
     folder = SessionFolder(record.file.parent)
     images = f"/api/calibrations/{record.id}/image/"
@@ -57,7 +57,7 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
 
 @router.get("/calibrations/{calibration_id}/image/{name}")
 def image(calibration_id: CalibrationId, name: str, context: TheContext) -> Response:
-    """One of its pictures."""
+    """A picture of an accepted calibration."""
     record = find_calibration(context, calibration_id)
     found: Folder | None = SessionFolder(record.file.parent).image(name)
     return send_file(

@@ -1,4 +1,4 @@
-"""The station's health, its log, the support bundle and backups."""
+"""Health of the station, its log, the support bundle and backups."""
 
 import threading
 from dataclasses import dataclass, replace
@@ -26,7 +26,7 @@ BUNDLING = threading.Lock()
 
 @dataclass(frozen=True)
 class BackupState:
-    """``share``: done of the one that is being made; null while none is."""
+    """``share``: completed share of the running backup; null if none is running."""
 
     share: float | None
     folder: str
@@ -36,7 +36,7 @@ class BackupState:
 
 @dataclass(frozen=True)
 class HealthView:
-    """The Health page's findings."""
+    """The findings of the Health page."""
 
     health: Health
     backup: BackupState
@@ -44,7 +44,7 @@ class HealthView:
 
 @router.get("/health")
 def health(context: TheContext) -> HealthView:
-    """Every check with its result, why it matters, and what to do."""
+    """All checks with their results, their importance, and remedies."""
     checked = context.monitoring.health or HealthChecker(context).look()
     return HealthView(checked, _backup(context))
 
@@ -56,19 +56,19 @@ def logs(
     words: Annotated[str, Query(max_length=100)] = "",
     lang: Annotated[str, Query(pattern="^[a-z]{2}$")] = ENGLISH,
 ) -> list[LogLine]:
-    """The newest lines of a level or above that contain all the words, newest first.
+    """The newest log lines of at least this level that contain all the words, newest first.
 
-    They are searched for in English and in the reader's language.
+    Words are searched in English and in the user's language.
     """
     return context.monitoring.logs.read(level, words, LINES, translator(lang))
 
 
 @router.get("/support.zip")
 def support(context: TheContext) -> Response:
-    """What somebody who helps needs to know; no secrets, no people.
+    """The support bundle: information for support, without secrets and names.
 
     Raises:
-        OperationError: one is being made: many at once would keep Stop waiting.
+        OperationError: a bundle is already being made: several at once would delay Stop.
     """
     if not BUNDLING.acquire(blocking=False):
         raise OperationError(
@@ -85,7 +85,7 @@ def support(context: TheContext) -> Response:
 
 @router.post("/backup")
 def start_backup(context: TheContext) -> BackupState:
-    """Begins a copy of everything, while the station runs on."""
+    """Starts a backup of everything, while the station keeps running."""
     context.monitoring.backups.start()
     return _backup(context)
 

@@ -1,7 +1,7 @@
-"""The live connection of a browser tab: topics, events, beats, and the preview.
+"""The live connection of a browser tab: topics, events, heartbeats, and the preview.
 
-Each tab has its own task and its own subscription, and is sent only the newest
-value of each topic, so that a slow one delays nobody.
+Each tab has its own task and its own subscription, and receives only the newest value of each
+topic, so that a slow tab delays nobody.
 """
 
 import asyncio
@@ -44,7 +44,7 @@ REQUEST: TypeAdapter[LiveRequest] = TypeAdapter(LiveRequest)
 
 @router.websocket("/api/live")
 async def live(socket: WebSocket) -> None:
-    """Hello, the snapshot, then what changes."""
+    """The live connection: hello, the snapshot, then the changes."""
     context = context_of(socket)
     await socket.accept()
     with context.bus.subscribe(without={"preview", "stations"}) as subscription:
@@ -68,7 +68,7 @@ class _Tab:
         self._previewing = False
 
     async def run(self) -> None:
-        """Until the tab goes away; whichever direction ends first ends both."""
+        """Runs until the tab closes; if one direction ends, it ends both."""
         tasks = [
             asyncio.create_task(self._send()),
             asyncio.create_task(self._receive()),
@@ -105,7 +105,7 @@ class _Tab:
     async def _pass_on(self, updates: Updates) -> None:
         for name, value in updates.topics.items():
             if isinstance(value, PreviewImage):
-                # the next one only once this was acknowledged
+                # the next one only after the acknowledgement of this one
                 self._subscription.want("preview", False)
                 await self._socket.send_bytes(value.to_bytes())
                 continue
@@ -115,12 +115,12 @@ class _Tab:
             await self._text(EventMessage(event.id, event.kind, event.quality, event.text))
 
     async def _topic(self, name: str, value: object) -> None:
-        """Leaves a topic out that cannot be sent; the others go on."""
+        """Omits a topic that cannot be sent; the others continue."""
         message = {"type": "topic", "name": name, "value": value}
         try:
             text = encode_json(message).decode()
         except (ValueError, TypeError, RecursionError):
-            if name not in UNSENT:  # a topic may come many times a second
+            if name not in UNSENT:  # a topic may occur many times per second
                 UNSENT.add(name)
                 log.exception("the topic %s cannot be sent", name)
             return

@@ -1,4 +1,4 @@
-"""``/metrics`` for Prometheus, collected again at each scrape in a registry of its own."""
+"""``/metrics`` for Prometheus, collected at each request in its own registry."""
 
 import shutil
 import time
@@ -30,7 +30,7 @@ F = TypeVar("F", GaugeMetricFamily, CounterMetricFamily)
 
 @router.get("/metrics")
 def metrics(context: TheContext) -> Response:
-    """What Prometheus scrapes, by a token of its own."""
+    """The metrics for Prometheus, which needs its own API token."""
     registry = CollectorRegistry(auto_describe=False)
     ProcessCollector(registry=registry)
     registry.register(_StationCollector(context))
@@ -38,13 +38,13 @@ def metrics(context: TheContext) -> Response:
 
 
 class _StationCollector(Collector):
-    """One station's numbers as of now. Names and base units are as Prometheus wants them."""
+    """The present metrics of one station. Names and base units follow Prometheus' conventions."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
 
     def describe(self) -> Iterator[Metric]:
-        """Nothing is collected when it is registered."""
+        """Registration collects nothing."""
         return iter(())
 
     def collect(self) -> Iterator[Metric]:

@@ -1,4 +1,4 @@
-"""Who is notified by webhook, and of what."""
+"""Notifications by webhook: their address and their kinds."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -17,7 +17,7 @@ router = APIRouter(prefix="/api")
 
 @dataclass(frozen=True)
 class Notifications:
-    """The secret itself is never shown again; ``trouble`` is of the last try."""
+    """The secret itself is never shown again; ``trouble`` is that of the last attempt."""
 
     url: str
     has_secret: bool
@@ -31,7 +31,7 @@ class Notifications:
 
 
 class NotificationsChange(Asked):
-    """``secret``: null leaves it, empty takes it away."""
+    """``secret``: null keeps it, an empty string removes it."""
 
     url: Annotated[str, Field(max_length=500)]
     secret: Annotated[str, Field(max_length=200)] | None
@@ -42,13 +42,13 @@ class NotificationsChange(Asked):
 
 @router.get("/notifications")
 def notifications(context: TheContext) -> Notifications:
-    """Where notifications go, and how the last ones fared."""
+    """The address of notifications, and the results of the last ones."""
     return _notifications(context)
 
 
 @router.post("/notifications")
 def change(asked: NotificationsChange, context: TheContext) -> Notifications:
-    """Sets where they go; another address needs its secret again."""
+    """Sets the address and kinds of notifications; another address requires the secret again."""
     watch, before = context.monitoring, context.monitoring.webhook.settings
     settings = WebhookSettings(
         url=asked.url,
@@ -67,7 +67,7 @@ def change(asked: NotificationsChange, context: TheContext) -> Notifications:
 
 @router.post("/notifications/test")
 async def send_test(context: TheContext) -> Notifications:
-    """Sends one; how it fared shows a moment later."""
+    """Sends a test notification; its result is available a moment later."""
     if not context.monitoring.webhook.settings.url:
         raise OperationError(
             "no-webhook", message("there-no-address-yet"), remedy=message("give-one-first")

@@ -1,4 +1,4 @@
-"""Every error as RFC 9457 problem+json: what happened, why, and what to do."""
+"""All errors as RFC 9457 problem+json: what happened, why, and what to do."""
 
 import logging
 from http import HTTPStatus
@@ -23,7 +23,7 @@ log = logging.getLogger(__name__)
 
 UNPROCESSABLE = 422
 STATUSES = {STALE: 409, NOT_SAVED: 507, "disk-full": 507}
-"""Of refusals that programs know by their status."""
+"""Of refusals that programs recognise by their status."""
 
 
 def operation_problem(error: OperationError, status: int = UNPROCESSABLE) -> Response:
@@ -34,7 +34,7 @@ def operation_problem(error: OperationError, status: int = UNPROCESSABLE) -> Res
 
 
 class NotFoundError(Exception):
-    """What was asked for is not there (any more)."""
+    """The requested thing does not exist (any more)."""
 
     def __init__(self, text: Text) -> None:
         super().__init__(text)
@@ -120,7 +120,7 @@ async def _answer_http_error(request: Request, error: Exception) -> Response:
 
 
 class _Unexpected:
-    """Answers what no handler foresaw; the log has the trace, the browser does not."""
+    """Answers unexpected exceptions; the log has the traceback, the browser does not."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app

@@ -1,4 +1,4 @@
-"""What the station keeps: calibrations and scans, and the home page that shows them."""
+"""Records of the station: calibrations and scans, and the home page that shows them."""
 
 from pathlib import Path
 
@@ -17,13 +17,13 @@ router = APIRouter(prefix="/api")
 
 @router.get("/home")
 def home(context: TheContext) -> Home:
-    """What is valid, what is due, what to do next."""
+    """What is valid, what is due, and what to do next."""
     return build_home(context)
 
 
 @router.get("/calibrations")
 def calibrations(context: TheContext) -> list[CalibrationSummary]:
-    """Every accepted calibration, newest first."""
+    """Lists all accepted calibrations, newest first."""
     return [calibration_summary(record) for record in context.store.calibrations.all()]
 
 
@@ -36,7 +36,7 @@ def calibration_file(calibration_id: str, context: TheContext) -> Response:
 
 @router.get("/scans")
 def scans(context: TheContext) -> list[ScanSummary]:
-    """Every scan, newest first."""
+    """Lists all scans, newest first."""
     return [
         ScanSummary(
             id=scan.id,
@@ -54,7 +54,7 @@ def scans(context: TheContext) -> list[ScanSummary]:
 
 @router.get("/scans/{scan_id}/cloud.ply")
 def cloud(scan_id: str, context: TheContext) -> Response:
-    """A scan's points in the arm frame."""
+    """The points of a scan in the arm frame."""
     scan = find_scan(context, scan_id)
     return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
 

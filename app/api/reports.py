@@ -1,7 +1,7 @@
-"""Reports on calibrations, verifications, and checks and identifications of the arm.
+"""Reports of calibrations, verifications, checks and identifications of the arm.
 
-A report is made of its folder each time it is asked for: nothing of it is kept, and it is
-what ``crenel report`` makes of the folder.
+A report is rendered from its folder at each request; nothing of it is stored, and it is identical
+to that of ``crenel report`` for the folder.
 """
 
 import asyncio
@@ -32,7 +32,7 @@ MEDIA: dict[Form, str] = {"html": "text/html; charset=utf-8", "pdf": "applicatio
 async def calibration_report(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
-    """The report on an accepted calibration."""
+    """The report of an accepted calibration."""
     return await _report(context, lambda: _calibration(context, record_id), form, lang)
 
 
@@ -40,7 +40,7 @@ async def calibration_report(
 async def arm_report(
     kind: ArmRecordKind, record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
-    """The report on a finished check of the arm or its tip, or on its identification."""
+    """The report of a finished arm check, tip check or identification."""
     return await _report(context, lambda: _session(context, kind, record_id), form, lang)
 
 
@@ -48,7 +48,7 @@ async def arm_report(
 async def verification_report(
     record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
 ) -> Response:
-    """The report on a verification."""
+    """The report of a verification."""
     return await _report(context, lambda: _verification(context, record_id), form, lang)
 
 
@@ -57,10 +57,10 @@ def _calibration(context: Context, record_id: str) -> Folder:
 
 
 def _session(context: Context, kind: ArmRecordKind, record_id: str) -> Folder:
-    """Of a finished session.
+    """The folder of a finished session.
 
     Raises:
-        NotFound: none of this kind has this number.
+        NotFound: there is none of this kind with this number.
     """
     past = context.arm_guide.history
     finished: dict[ArmRecordKind, tuple[Callable[[], Sequence[Finished]], Text]] = {

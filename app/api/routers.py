@@ -1,4 +1,4 @@
-"""All routers of the application, in the order in which a path is looked for."""
+"""All routers of the application, in the order in which paths are matched."""
 
 from app.api import (
     calibrations,
@@ -37,4 +37,4 @@ ROUTERS = (
     proxy.router,
     client.router,
 )
-"""The client's router is the last one, as it answers every other path."""
+"""The client's router is the last one, because it answers every other path."""

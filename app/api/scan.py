@@ -33,7 +33,7 @@ def start_scan(context: TheContext, asked: ScanStart | None = None) -> ScanStatu
 
 @router.post("/scan/stop")
 def stop_scan(context: TheContext) -> ScanStatus:
-    """Stops the scan and saves it; nothing happens when none runs."""
+    """Stops the scan and saves it; does nothing if no scan is running."""
     context.simulated_scan.stop()
     context.scanner.stop()
     return context.scan_state()
@@ -41,7 +41,7 @@ def stop_scan(context: TheContext) -> ScanStatus:
 
 @router.post("/scan/simulation")
 def simulate_scan(asked: OnOff, context: TheContext) -> ScanStatus:
-    """Lets the simulated operator move the sensor over the parts, or stops it."""
+    """Starts or stops the simulated operator, which moves the sensor over the parts."""
     if asked.on:
         context.simulated_scan.start()
     else:
@@ -58,7 +58,7 @@ def laser_on(context: TheContext) -> Devices:
 
 @router.post("/laser/off")
 def laser_off(context: TheContext) -> Devices:
-    """Switches the laser off, whoever has control."""
+    """Switches the laser off; everyone may do this, whoever has control."""
     context.rig.sensor.laser_off()
     return context.rig.devices()
 
@@ -72,13 +72,13 @@ def exposure(asked: Exposure, context: TheContext) -> Devices:
 
 @router.post("/stop", status_code=HTTP_204_NO_CONTENT)
 def stop(context: TheContext) -> None:
-    """Laser off, simulated operator stopped, scan stopped; the laser first."""
+    """Switches the laser off, then stops the simulated operator and the scan."""
     stop_everything(context)
     context.bus.event("stopped", message("stopped-laser-off"), "attention")
 
 
 def stop_everything(context: Context) -> None:
-    """In the order of danger; what was scanned is saved."""
+    """In the order of danger; scanned data is saved."""
     context.rig.sensor.laser_off()
     context.simulated_scan.stop()
     for guide in (context.guide, context.arm_guide, context.verify_guide):

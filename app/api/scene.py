@@ -1,4 +1,4 @@
-"""The 3D view: which scans it shows, their colours, and shapes fitted in it."""
+"""The 3D view: the scans that it shows, their colours, and the shapes fitted in it."""
 
 import contextlib
 import shutil
@@ -24,13 +24,13 @@ ScanId = Annotated[str, Path(max_length=128)]
 
 @router.get("/view")
 def view(context: TheContext) -> ViewState:
-    """What the 3D view shows."""
+    """The state of the 3D view."""
     return context.view_controller.state()
 
 
 @router.post("/view/colours")
 def colours(asked: Colouring, context: TheContext) -> ViewState:
-    """Colours the clouds by something else, or within other limits."""
+    """Colours the clouds by another quantity, or with other limits."""
     limits = None if asked.low is None or asked.high is None else (asked.low, asked.high)
     context.view_controller.colour_by(asked.measure, limits)
     return context.view_controller.state()
@@ -38,7 +38,7 @@ def colours(asked: Colouring, context: TheContext) -> ViewState:
 
 @router.post("/view/fits")
 def fit(asked: Region, context: TheContext) -> ViewState:
-    """Begins to fit a shape to what a page shows in a rectangle."""
+    """Starts fitting a shape to what a page shows in a rectangle."""
     rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
     context.view_controller.fit(asked.view, rectangle, asked.shape)
     return context.view_controller.state()
@@ -46,14 +46,14 @@ def fit(asked: Region, context: TheContext) -> ViewState:
 
 @router.delete("/view/fits/{fit_id}")
 def remove_fit(fit_id: int, context: TheContext) -> ViewState:
-    """Takes a fitted shape away; nothing happens when it is gone already."""
+    """Removes a fitted shape; does nothing if it has already been removed."""
     context.view_controller.remove_fit(fit_id)
     return context.view_controller.state()
 
 
 @router.post("/scans/{scan_id}/shown")
 def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
-    """Puts a scan into the picture, or takes it out; its files stay."""
+    """Shows a scan in the view, or hides it; its files stay."""
     if asked.on:
         context.view_controller.show(_as_stored_scan(find_scan(context, scan_id)))
     else:
@@ -64,7 +64,7 @@ def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
 
 @router.post("/scans/{scan_id}/name", status_code=HTTP_204_NO_CONTENT)
 def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
-    """Gives a finished scan another name."""
+    """Renames a finished scan."""
     scan = find_scan(context, scan_id)
     name = " ".join(asked.name.split())
     if not name:
@@ -75,21 +75,22 @@ def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
 
 @router.delete("/scans/{scan_id}", status_code=HTTP_204_NO_CONTENT)
 def delete(scan_id: ScanId, context: TheContext) -> None:
-    """Deletes a finished scan: recording, cloud, and its place in the list."""
+    """Deletes a finished scan: recording, cloud, and its entry in the list."""
     _refuse_running(scan_id, context, message("cannot-deleted-now"))
     scan = find_scan(context, scan_id)
     context.view_controller.hide(scan.id)
     context.scanner.forget(scan.id)
-    # under another name first: killed in between, no half of it is taken for a scan
+    # renamed first: if the process is killed in between, a partial folder is not mistaken for a
+    # scan
     doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
     with convert_io_errors(scan.folder):
         if scan.folder.exists():
             scan.folder.rename(doomed)
         context.store.scans.delete(scan.id)
         context.view_controller.note_records()
-        # with what a mains failure has left of earlier ones
+        # with the remains of earlier ones after a power failure
         for left in scan.folder.parent.glob(f"{DELETED}*"):
-            with contextlib.suppress(FileNotFoundError):  # another request is at it
+            with contextlib.suppress(FileNotFoundError):  # another request is deleting it
                 shutil.rmtree(left)
     context.bus.event("scan-deleted", message("deleted", name=scan.name))
 

@@ -1,4 +1,4 @@
-"""What an operator sets of scans: the laser line, zones, limits, and the delay of the arm."""
+"""Settings for scans: the laser line, zones, limits, and the delay of the arm."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ router = APIRouter(prefix="/api/settings")
 
 @router.get("")
 def settings(context: TheContext) -> StationSettings:
-    """As they are in use."""
+    """The settings in use."""
     return context.settings.view()
 
 
@@ -29,14 +29,14 @@ def change(asked: SettingsChange, context: TheContext) -> StationSettings:
 
 @router.post("/exposure")
 def expose(context: TheContext) -> StationSettings:
-    """Sets the exposure by the laser's line as it is seen now."""
+    """Sets the exposure from the laser line as it is detected now."""
     context.settings.expose_by_the_line()
     return context.settings.view()
 
 
 @router.post("/delay/find")
 def find_delay(context: TheContext) -> StationSettings:
-    """Looks for the delay between arm and camera in the last scan."""
+    """Determines the delay between arm and camera from the last scan."""
     scan = context.store.scans.newest()
     if scan is None:
         raise OperationError(
@@ -51,7 +51,7 @@ def find_delay(context: TheContext) -> StationSettings:
 
 @router.post("/delay/pass")
 def pass_for_delay(context: TheContext) -> StationSettings:
-    """Has the simulated operator pass over the plate, and looks for the delay in that."""
+    """Lets the simulated operator pass over the plate, and determines the delay from that scan."""
     refusal = context.scanner.why_not()
     if refusal is not None:
         raise refusal
@@ -61,13 +61,13 @@ def pass_for_delay(context: TheContext) -> StationSettings:
 
 @router.post("/delay")
 def use_delay(asked: OnOff, context: TheContext) -> StationSettings:
-    """Applies the delay that was found, or none."""
+    """Applies the delay that was determined, or none."""
     context.settings.use_delay(asked.on)
     return context.settings.view()
 
 
 def _take_pass(context: Context) -> PassRecord:
-    """A scan that the simulated operator has just taken."""
+    """A scan that the simulated operator has just made."""
     context.scanner.start(message("pass-over-plate"))
     try:
         whole = context.simulated_scan.pass_over_plate()
@@ -79,7 +79,7 @@ def _take_pass(context: Context) -> PassRecord:
 
 
 def _source(context: Context, name: Text, folder: Path, calibration_id: str) -> PassRecord:
-    """A scan with the calibration that it was taken with."""
+    """A scan with the calibration with which it was made."""
     calibration = context.store.calibrations.get(calibration_id)
     if calibration is None:
         raise OperationError("no-calibration", message("calibration-here-any-more", name=name))

@@ -1,4 +1,4 @@
-"""The support bundle: what somebody who helps needs to know, and nothing that opens a door."""
+"""The support bundle: information for support, and nothing that gives access."""
 
 import io
 import json
@@ -29,7 +29,7 @@ from app.timestamps import utc_now
 log = logging.getLogger(__name__)
 JOURNAL_ROWS = 5000
 LOG_BYTES = 4_000_000
-"""Of each file of the log; as it is written, none has more than half of that."""
+"""For each file of the log; the log rotates at half of that."""
 LONGEST_ERROR = 4000
 README = """A Crenel station's support bundle, made {at}.
 
@@ -50,7 +50,7 @@ send it; nothing was sent anywhere.
 def bundle(context: Context) -> bytes:
     """The bundle as a zip file. It takes a second.
 
-    A part that cannot be made holds its error, and the others are made.
+    A part that cannot be made contains its error; the others are made.
     """
     redactor = _redactor(context)
     parts: dict[str, Callable[[], str]] = {
@@ -70,7 +70,7 @@ def bundle(context: Context) -> bytes:
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, make in parts.items():
-            # what is no character stands as JSON spells it
+            # invalid characters are escaped as in JSON
             archive.writestr(name, _build_part(redactor, make).encode("utf-8", "backslashreplace"))
     return packed.getvalue()
 
@@ -118,7 +118,7 @@ def _redactor(context: Context) -> Redactor:
     secrets = [webhook.secret, *address_secrets(webhook.url), context.authenticator.code or ""]
     secrets += secrets_in(dict(watch.settings.effective_settings))
     if watch.settings.mqtt is not None:
-        with suppress(OperationError):  # what cannot be read cannot have leaked
+        with suppress(OperationError):  # what cannot be read cannot leak
             secrets.append(watch.settings.mqtt.password() or "")
     people = {account.name for account in store.accounts.all()}
     people |= {entry.who for entry in store.audit.newest(100_000)}
@@ -132,7 +132,7 @@ def _document(redactor: Redactor, value: object) -> str:
 
 
 def _in_english(value: object) -> object:
-    """A value whose texts are in English, for whoever reads the bundle."""
+    """A value with English texts, for the reader of the bundle."""
     if isinstance(value, RENDERED):
         return str(value)
     if is_dataclass(value) and not isinstance(value, type):
@@ -159,11 +159,11 @@ def _line(redactor: Redactor, row: object) -> str:
 
 
 def _log(redactor: Redactor, path: Path) -> str:
-    """The end of it, line by line, so that what is redacted stays JSON."""
+    """The end of a file, line by line, so that redacted lines stay JSON."""
     raw, whole = read_tail(path, LOG_BYTES)
     texts = raw.decode("utf-8", "replace").replace("\0", "").splitlines()
     lines = [] if whole else [json.dumps({"text": f"Only the last {LOG_BYTES} bytes are here."})]
-    for text in texts if whole else texts[1:]:  # the first may be cut
+    for text in texts if whole else texts[1:]:  # the first line may be cut off
         try:
             value = json.loads(text)
         except (ValueError, RecursionError):

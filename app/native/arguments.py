@@ -1,7 +1,7 @@
-"""Declaring C functions, and checking all that they are called with.
+"""Declaration of C functions, and checks of their arguments.
 
-The C code trusts its callers: pointers, types, shapes and contiguity are checked here and
-nowhere else. A function's parameters are declared in the order of its C prototype, which begins
+The C code trusts its callers: pointers, types, shapes and contiguity are checked only here. A
+function's parameters are declared in the order of its C prototype, which begins
 with the symbolic sizes of its arrays, as ``int64_t``, in the order in which they first appear::
 
     # EXPORT(void, spread)(int64_t n, const double *points, const double *sigma, double along, ...
@@ -25,7 +25,8 @@ U8, U16, BOOL = np.dtype(np.uint8), np.dtype(np.uint16), np.dtype(np.bool_)
 
 
 class ArgumentError(TypeError):
-    """A C function is called with an array of another type, shape or layout than it declares."""
+    """A C function is called with an array whose type, shape or layout differs from its
+    declaration."""
 
 
 @dataclass(frozen=True, init=False)
@@ -59,7 +60,7 @@ class Array:
 
 @dataclass(frozen=True)
 class Integer:
-    """A whole number, ``int64_t`` in C."""
+    """An integer, ``int64_t`` in C."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ RESULTS: dict[Any, Any] = {int: ctypes.c_int64, float: ctypes.c_double}
 
 
 class Function:
-    """A function of a library; calls the variant that the library has chosen.
+    """A function of a library; calls the variant that the library has selected.
 
     Python's lock is released while it runs.
     """
@@ -91,10 +92,10 @@ class Function:
         *parameters: Parameter,
         returns: type[int] | type[float] | None = None,
     ) -> None:
-        """Declares it; the library is loaded at the first call.
+        """Declares the function; the library is loaded at the first call.
 
         Args:
-            returns: ``int`` where it returns ``int64_t``, ``float`` where ``double``; else nothing.
+            returns: ``int`` for ``int64_t``, ``float`` for ``double``; otherwise nothing.
         """
         self._library, self.name = library, name
         self._parameters = parameters
@@ -106,7 +107,7 @@ class Function:
         """Checks the arguments and calls the function; returns a number of the declared type.
 
         Raises:
-            ArgumentError: an array is not as declared.
+            ArgumentError: an array differs from its declaration.
         """
         if len(arguments) != len(self._parameters):
             raise ArgumentError(f"{self.name} takes {len(self._parameters)} arguments")
@@ -146,10 +147,10 @@ def _ctype(parameter: Parameter) -> Any:
 
 
 def pointer(array: NDArray[Any], parameter: Array) -> int:
-    """The address of an array, for a structure's field; the structure's owner keeps the array.
+    """The address of an array for the field of a structure, whose owner must keep the array alive.
 
     Raises:
-        ArgumentError: it is not as declared; symbolic sizes may be any.
+        ArgumentError: it differs from its declaration; symbolic sizes are not checked.
     """
     trouble = _mismatch(parameter, array, dict.fromkeys(parameter.symbols, -1))
     if trouble:
@@ -158,7 +159,7 @@ def pointer(array: NDArray[Any], parameter: Array) -> int:
 
 
 def _address(array: NDArray[Any]) -> int:
-    """Of a contiguous array; what ctypes takes from the buffer is found in a third of the time."""
+    """Of a contiguous array; faster than ctypes by a factor of three."""
     if array.flags.writeable and array.size:
         return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
     return int(array.ctypes.data)
@@ -171,7 +172,7 @@ def _symbols(parameters: tuple[Parameter, ...]) -> tuple[str, ...]:
 
 
 def _mismatch(parameter: Array, value: object, sizes: dict[str, int]) -> str:
-    """What is wrong with an array, or nothing; notes what symbolic sizes stand for."""
+    """The problem of an array, or nothing; records the values of symbolic sizes."""
     if not isinstance(value, np.ndarray):
         return f"an array is needed, not {type(value).__name__}"
     if value.dtype != parameter.dtype:

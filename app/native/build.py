@@ -1,7 +1,7 @@
-"""Compiles the C libraries of a checkout, with nothing but Python's standard library.
+"""Compiles the C libraries of a checkout, with only Python's standard library.
 
-The compiler is ``$CC`` where that is set, else the one of the ``ziglang`` package. Each library
-is one shared object that holds its code once for each processor variant; ``library`` chooses.
+The compiler is ``$CC`` if that is set, otherwise that of the ``ziglang`` package. Each library is
+one shared object that contains its code once per processor variant; ``library`` selects one.
 """
 
 import argparse
@@ -45,17 +45,16 @@ def build(
     """Compiles a library.
 
     Args:
-        target: what it is for; this machine by default.
-        output: where to write it; beside its sources by default.
+        target: the target system; this machine by default.
+        output: output file; next to its sources by default.
         extra_flags: further flags of the compiler, such as those of a sanitizer.
-        cache: keeps what zig compiles of its own for a target, three seconds' work; nothing is
-            kept by default.
+        cache: cache for what zig compiles for a target, three seconds' work; none by default.
 
     Returns:
         The shared library.
 
     Raises:
-        BuildError: no compiler is here, or it failed; the message holds its output.
+        BuildError: there is no compiler, or it failed; the message contains its output.
     """
     target = target or BuildTarget.here()
     output = output or source.library_path(target.system)
@@ -88,7 +87,7 @@ def build_plain(code: Path, output: Path) -> Path:
     """Compiles one C file for this machine to a shared object that exports what it says.
 
     Raises:
-        BuildError: no compiler is here, or it failed; the message holds its output.
+        BuildError: there is no compiler, or it failed; the message contains its output.
     """
     compiler, zig = _compiler(BuildTarget.here())
     with tempfile.TemporaryDirectory(prefix="crenel-build-") as folder:
@@ -99,7 +98,7 @@ def build_plain(code: Path, output: Path) -> Path:
 
 
 def wheel_tag(target: BuildTarget | None = None) -> str:
-    """Of a wheel that holds the libraries: any Python 3, one platform."""
+    """Tag of a wheel with the libraries: any Python 3, one platform."""
     target = target or BuildTarget.here()
     plain = f"{target.system}_{target.machine}"
     named = plain if os.environ.get("CC") else WHEEL_PLATFORMS.get(target.system, plain)
@@ -121,18 +120,18 @@ def _compiler(target: BuildTarget) -> tuple[tuple[str, ...], bool]:
             "There is no compiler: install ziglang with pip, or name a C compiler in CC"
         ) from None
     zig = Path(ziglang.__file__).parent / ("zig.exe" if os.name == "nt" else "zig")
-    # without a target zig compiles for exactly this processor
+    # without a target, zig compiles for exactly this processor
     name = ZIG_TARGETS[target.system].format(machine=target.machine)
     return (str(zig), "cc", "-target", name), True
 
 
 def _zig_caches(folder: Path) -> dict[str, str]:
-    """Where zig keeps what it compiles, unless the environment says so."""
+    """Cache folder of zig, unless the environment sets one."""
     return {"ZIG_LOCAL_CACHE_DIR": str(folder / "zig"), "ZIG_GLOBAL_CACHE_DIR": str(folder / "zig")}
 
 
 def _link_flags(target: BuildTarget, debugged: bool) -> tuple[str, ...]:
-    """Flags that export the library's own functions and nothing of the compiler's."""
+    """Flags that export the library's own functions and nothing of the compiler."""
     if target.system != "linux":
         return ("-shared",)
     exported = f"-Wl,--version-script={SHARED / 'exported.map'}"
@@ -140,7 +139,7 @@ def _link_flags(target: BuildTarget, debugged: bool) -> tuple[str, ...]:
 
 
 def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> None:
-    """Runs commands side by side.
+    """Runs commands in parallel.
 
     Raises:
         BuildError: one of them failed.
@@ -163,7 +162,7 @@ def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> No
 
 
 def _parse_target(text: str) -> BuildTarget:
-    """Exits where there is no such system."""
+    """Exits if there is no such system."""
     system, _, machine = text.partition("-")
     if system not in ZIG_TARGETS or not machine:
         sys.exit(f"{text} is no target: name one of {', '.join(ZIG_TARGETS)}, and the machine")

@@ -1,6 +1,6 @@
-"""Finding, checking and loading a compiled library, and choosing its processor variant.
+"""Finds, checks and loads a compiled library, and selects its processor variant.
 
-``CRENEL`` is the product's own.
+``CRENEL`` is the library of the product.
 """
 
 import ctypes
@@ -20,19 +20,19 @@ from app.native.sources import (
 )
 
 VARIANT_SETTING = "CRENEL_VARIANT"
-"""Environment variable that names a variant, such as v1; else the best one is used."""
+"""Environment variable that names a variant, such as v1; by default, the best one is used."""
 REBUILD = "python -m app.native.build"
 
 
 class NativeLibrary:
-    """A compiled library, loaded when one of its functions is first asked for."""
+    """A compiled library, loaded when one of its functions is first requested."""
 
     def __init__(self, source: LibrarySource) -> None:
         self._source = source
         self._variant = ""
 
     def load(self) -> None:
-        """Loads it, if it is not loaded yet.
+        """Loads the library, if it is not loaded yet.
 
         Raises:
             LibraryError: it is missing, older than its sources, or not for this processor.
@@ -48,14 +48,14 @@ class NativeLibrary:
 
     @property
     def variants(self) -> tuple[str, ...]:
-        """Those that this processor runs, the least demanding first."""
+        """The variants that this processor supports, the least demanding first."""
         best = f"v{self._loaded.crenel_best_variant()}"
         known = tuple(variant_flags(BuildTarget.here()))
         return known[: known.index(best) + 1]
 
     @contextmanager
     def using(self, variant: str) -> Iterator[None]:
-        """Calls the functions of another variant meanwhile, in all threads: for tests, benches."""
+        """Uses another variant temporarily, in all threads: for tests and benchmarks."""
         before = self.variant
         self._variant = self._check_variant(variant)
         try:
@@ -64,13 +64,13 @@ class NativeLibrary:
             self._variant = before
 
     def symbol(self, name: str, variant: str) -> "ctypes._NamedFuncPointer":
-        """A variant's function, its arguments not declared.
+        """A function of a variant, with undeclared arguments.
 
         Raises:
             LibraryError: the library cannot be loaded.
             AttributeError: it has no such function.
         """
-        # a function of its own for every declaration, since argument types are its attributes
+        # a separate function object per declaration, because argument types are its attributes
         return self._loaded[f"crenel_{variant}_{name}"]
 
     @cached_property
@@ -84,7 +84,7 @@ class NativeLibrary:
             raise LibraryError(f"{path} cannot be loaded: {error}. Build it: {REBUILD}") from error
         library.crenel_sources.restype = ctypes.c_char_p
         library.crenel_best_variant.restype = ctypes.c_int
-        # in an installed package the sources are not there, and cannot have changed
+        # an installed package has no sources, which therefore cannot have changed
         if self._source.files and library.crenel_sources().decode() != source_hash(self._source):
             raise LibraryError(f"{path} is older than its C sources. Build it: {REBUILD}")
         return library

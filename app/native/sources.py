@@ -1,4 +1,4 @@
-"""Which C libraries there are, where their sources and results lie, and for which processors."""
+"""The C libraries: their sources and results, and the supported processors."""
 
 import hashlib
 import platform
@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = ROOT / "app" / "native" / "c"
-"""Holds what is compiled into every library: ``export.h`` and ``about.c``."""
+"""Contains what is compiled into every library: ``export.h`` and ``about.c``."""
 FLAGS = (
     "-std=c11",
     "-O3",
@@ -17,7 +17,7 @@ FLAGS = (
     "-ffp-contract=off",  # every variant rounds alike, and gives the same points
     "-fno-math-errno",
     "-fno-trapping-math",
-    "-fno-sanitize=undefined",  # which zig switches on by itself
+    "-fno-sanitize=undefined",  # which zig enables by default
     "-Wall",
     "-Wextra",
     "-Wno-unknown-pragmas",
@@ -41,7 +41,7 @@ class LibraryError(ImportError):
 
 @dataclass(frozen=True)
 class LibrarySource:
-    """A library's name and its folder, which holds the sources in ``c``."""
+    """Name of a library and its folder, which has the sources in ``c``."""
 
     name: str
     folder: Path
@@ -54,7 +54,7 @@ class LibrarySource:
         )
 
     def library_path(self, system: str = sys.platform) -> Path:
-        """Where the compiled library is."""
+        """Path of the compiled library."""
         return self.folder / f"{self.name}{SUFFIXES.get(system, '.so')}"
 
 
@@ -66,7 +66,7 @@ LIBRARIES = (
 
 @dataclass(frozen=True)
 class BuildTarget:
-    """The system and the machine that a library is for."""
+    """The target system and machine of a library."""
 
     system: str
     machine: str
@@ -84,7 +84,7 @@ def variant_flags(target: BuildTarget) -> dict[str, tuple[str, ...]]:
 
 
 def source_hash(source: LibrarySource) -> str:
-    """Identifies what a library is built from: the sources, the flags and the variants."""
+    """Identifies the input of a build: the sources, the flags and the variants."""
     digest = hashlib.sha256(repr((FLAGS, VARIANTS)).encode())
     for path in (SHARED / "export.h", SHARED / "about.c", SHARED / "exported.map", *source.files):
         digest.update(path.name.encode() + b"\0")

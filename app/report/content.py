@@ -1,6 +1,6 @@
-"""What a report has in it, whatever it is printed on.
+"""The content of a report, independent of its form.
 
-Its texts are data (``Text``); ``translation`` renders them into the strings of one language.
+Its texts are data (``Text``); ``translation`` renders them as strings of one language.
 """
 
 from collections.abc import Sequence
@@ -12,12 +12,12 @@ from app.report.figure import Figure
 
 Quality = Literal["good", "attention", "bad", "neutral"]
 T_co = TypeVar("T_co", bound=Text, covariant=True)
-"""``Text``, or ``str`` once it is rendered."""
+"""``Text``, or ``str`` after rendering."""
 
 
 @dataclass(frozen=True)
 class Verdict(Generic[T_co]):
-    """The outcome in a word, and the sentence that gives the reason."""
+    """The outcome in one word, and a sentence with the reason."""
 
     quality: Quality
     word: T_co
@@ -26,14 +26,14 @@ class Verdict(Generic[T_co]):
 
 @dataclass(frozen=True)
 class Facts(Generic[T_co]):
-    """Names and values, in two columns where there is space."""
+    """Names and values, in two columns if there is space."""
 
     rows: Sequence[tuple[T_co, T_co]]
 
 
 @dataclass(frozen=True)
 class ReportTable(Generic[T_co]):
-    """``widths`` are shares of the page; columns from ``numbers`` on are set to the right."""
+    """``widths`` are shares of the page; columns from ``numbers`` on are right-aligned."""
 
     columns: Sequence[T_co]
     rows: Sequence[Sequence[T_co]]
@@ -72,7 +72,7 @@ class Pictures(Generic[T_co]):
 
 @dataclass(frozen=True)
 class Signatures(Generic[T_co]):
-    """Lines to be signed."""
+    """Lines for signatures."""
 
     lines: Sequence[T_co]
 
@@ -97,7 +97,7 @@ class Section(Generic[T_co]):
 
 
 def signatures(operator: str) -> Section[Text]:
-    """The lines that every report is signed on, the first with the operator's name if known."""
+    """The signature lines of every report, the first with the operator's name if known."""
     role = message("operator-2")
     operated = message("role-and-name", role=role, name=operator) if operator else role
     lines = (operated, message("approved"), message("date"))
@@ -106,7 +106,7 @@ def signatures(operator: str) -> Section[Text]:
 
 @dataclass(frozen=True)
 class Report(Generic[T_co]):
-    """One report; ``number`` is the session's."""
+    """One report; ``number`` is that of the session."""
 
     title: T_co
     number: str
@@ -115,5 +115,5 @@ class Report(Generic[T_co]):
     verdict: Verdict[T_co]
     sections: Sequence[Section[T_co]]
     notes: Sequence[T_co] = field(default_factory=tuple)
-    """What must be known before anything else, such as that the hardware was simulated."""
+    """Notes of first importance, for example that the hardware was simulated."""
     language: str = "en"

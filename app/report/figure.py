@@ -9,7 +9,7 @@ from typing import Generic, Literal, TypeVar
 from app.messages.message import Text
 
 T = TypeVar("T", bound=Text)
-"""``Text``, or ``str`` once it is rendered."""
+"""``Text``, or ``str`` after rendering."""
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
 
@@ -20,7 +20,7 @@ WHITE, GROUND = "#ffffff", "#f2f4f7"
 
 @dataclass(frozen=True)
 class Polyline:
-    """A line through points, or where it is ``closed`` a face."""
+    """A line through points, or a face if it is ``closed``."""
 
     points: tuple[Point, ...]
     stroke: str = ""
@@ -43,7 +43,7 @@ class Dot:
 
 @dataclass(frozen=True)
 class Label(Generic[T]):
-    """One line of text; ``at`` is on its base line."""
+    """One line of text; ``at`` is on its baseline."""
 
     at: Point
     text: T
@@ -68,12 +68,12 @@ Item = Polyline | Dot | Label[T] | Photo
 
 @dataclass
 class Figure(Generic[T]):
-    """What is drawn later lies above."""
+    """Later elements are drawn above earlier ones."""
 
     width: float
     height: float
     title: T
-    """For readers who cannot see it."""
+    """Alternative text for screen readers."""
     items: list[Item[T]] = field(default_factory=list)
 
     def line(self, *points: Point, stroke: str = LINE, width: float = 0.75) -> None:
@@ -88,7 +88,7 @@ class Figure(Generic[T]):
         self.face(*corners, fill=fill, stroke=stroke)
 
     def arrow(self, start: Point, end: Point, stroke: str, width: float = 0.75) -> None:
-        """A line with a head of 2.5 points, or less where it is short."""
+        """A line with an arrowhead of 2.5 points, or less if it is short."""
         self.line(start, end, stroke=stroke, width=width)
         dx, dy = end[0] - start[0], end[1] - start[1]
         length = (dx * dx + dy * dy) ** 0.5

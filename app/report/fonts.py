@@ -1,5 +1,5 @@
-"""The type that reports are set in: Inter, cut to Latin, Greek and Cyrillic, its figures of one
-width. Its licence lies beside it."""
+"""The font of reports: Inter, reduced to Latin, Greek and Cyrillic, with tabular figures. Its
+licence is next to it."""
 
 from pathlib import Path
 

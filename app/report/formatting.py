@@ -1,4 +1,4 @@
-"""How reports print numbers, names and times."""
+"""Format of numbers, names and times in reports."""
 
 import re
 from datetime import UTC
@@ -25,7 +25,7 @@ def software_name(version: str) -> Message:
 
 
 def format_moment(text: str | None) -> Text:
-    """An ISO time as people read it, in UTC."""
+    """An ISO time in readable form, in UTC."""
     if not text:
         return UNKNOWN
     try:
@@ -45,12 +45,12 @@ def millimetres(value_um: float) -> Quantity:
 
 
 def in_both_units(value_um: float) -> tuple[Quantity, Quantity]:
-    """A length in micrometres and in millimetres, as the tables have it in two columns."""
+    """A length in micrometres and in millimetres, as in the two columns of the tables."""
     return micrometres(value_um), millimetres(value_um)
 
 
 def at_most(limit_um: float | None) -> Text:
-    """A limit as the tables have it."""
+    """A limit as in the tables."""
     return NONE if limit_um is None else message("at-most-limit", limit=rounded(limit_um, "µm"))
 
 
@@ -60,7 +60,7 @@ def plus_minus(uncertainty: Quantity) -> Message:
 
 
 def ball_diameter(value_mm: float, digits: int = 4) -> Message:
-    """Of a ball, to so many digits at most."""
+    """Of a ball, with a limited number of digits."""
     return message("ball-diameter", diameter=rounded(value_mm, "mm", digits))
 
 
@@ -69,12 +69,12 @@ def temperature(value_c: float | None) -> Text:
 
 
 def join_units(text: str) -> str:
-    """The text with numbers not parted from their units, and minus signs as printed."""
+    """The text with numbers not separated from their units, and typographic minus signs."""
     tight = _UNITS.sub("\u00a0", text).replace("k = ", "k\u00a0=\u00a0")
     tight = _LIMIT.sub("\\1\u00a0", _SIGNS.sub("\u00a0\\1\u00a0", tight))
     return _MINUS.sub("−", tight)
 
 
 def simulation_notes(simulated: bool) -> list[Text]:
-    """What to know first of a record that was made without a real arm and sensor."""
+    """The note for a record that was made without a real arm and sensor."""
     return [message("made-simulated-hardware-demonstration")] if simulated else []

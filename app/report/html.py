@@ -1,4 +1,4 @@
-"""A report as one page of HTML that needs nothing else and runs no script."""
+"""A report as one self-contained page of HTML without scripts."""
 
 import base64
 import html
@@ -95,7 +95,7 @@ footer { margin-top: 10mm; padding-top: 2mm; border-top: 1px solid #dde1e7; font
 
 @cache
 def _font_faces() -> str:
-    """The same face as on paper, within the page."""
+    """The same font as on paper, within the page."""
     rules = (
         f"@font-face {{ font-family: Report; font-weight: {weight}; "
         f"src: url(data:font/ttf;base64,{base64.b64encode(path.read_bytes()).decode()}); }}\n"
@@ -134,12 +134,12 @@ def html_page(report: Report[str]) -> bytes:
 
 
 def escape(text: str) -> str:
-    """A text as it may stand in the page."""
+    """A text, escaped for the page."""
     return html.escape(isolate_names(join_units(text)))
 
 
 def producer_text() -> Message:
-    """What made the report."""
+    """The program and version of the report."""
     return message("report-made-crenel-files-session-alone", version=SOFTWARE.version)
 
 

@@ -1,4 +1,4 @@
-"""What a report's page may load."""
+"""The content policy of a report's page."""
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
-"""Nothing but what is in it."""
+"""Only its own content."""

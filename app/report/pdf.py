@@ -1,4 +1,4 @@
-"""A report as PDF on A4, the same bytes for the same report."""
+"""A report as PDF on A4, with identical bytes for the same report."""
 
 import io
 from collections.abc import Sequence
@@ -46,7 +46,7 @@ from app.report.pdf_figure import BOLD, PLAIN, Drawing
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
 FRAME = 6.0
-"""What the layout leaves on each side by itself."""
+"""Margin that the layout adds on each side."""
 RULE = HexColor("#dde1e7")
 COLOURS = {
     "good": ("#17794a", "#e4f4ec"),
@@ -55,19 +55,19 @@ COLOURS = {
     "neutral": ("#5f6b79", "#f2f4f7"),
 }
 LEAST_SPACE = 45 * mm
-"""Where less than this is left of a page, the next section begins on another."""
+"""If less than this is left of a page, the next section begins on another."""
 
 
 def pdf_document(report: Report[str]) -> bytes:
     """The whole file."""
     _fonts()
-    # each page has the number of pages, which is known once they are laid out
+    # each page has the total number of pages, which is known after the layout
     _, pages = _lay_out(report, 0)
     return _lay_out(report, pages)[0]
 
 
 def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
-    """The file with ``pages`` as the number of pages on each, and their true number."""
+    """The file with ``pages`` as the number of pages on each, and the true number."""
     file, render = io.BytesIO(), renderer(report.language)
     document = SimpleDocTemplate(
         file,
@@ -103,7 +103,7 @@ def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
 
 @cache
 def _fonts() -> frozenset[int]:
-    """Registers the faces once; the characters that they have."""
+    """Registers the fonts once; returns their characters."""
     regular = TTFont(PLAIN, REGULAR)
     pdfmetrics.registerFont(regular)
     pdfmetrics.registerFont(TTFont(BOLD, SEMIBOLD))
@@ -112,7 +112,8 @@ def _fonts() -> frozenset[int]:
 
 
 def _replace_missing(text: str) -> str:
-    """The text with a box for each character that the face does not have, or that turns it."""
+    """The text with a box for each character that the font lacks, or that changes the text
+    direction."""
     known = _fonts()
     boxed = TURNING.sub("□", text)
     return "".join(c if ord(c) in known else " " if c.isspace() else "□" for c in boxed)
@@ -196,7 +197,7 @@ def _section(section: Section[str], render: Render) -> list[Flowable]:
     if section.together:
         return [KeepTogether([*headed, *parts])]
     if section.blocks and isinstance(section.blocks[0], Pictures):
-        # a row of pictures is higher than the least space, and a title stays with its row
+        # a row of pictures is higher than the minimum space, and a title stays with its row
         return [KeepTogether([*headed, *parts[:1]]), *parts[1:]]
     return [CondPageBreak(LEAST_SPACE), *headed, *parts]
 

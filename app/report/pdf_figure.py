@@ -43,7 +43,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library has no types
         canvas.restoreState()
 
     def _up(self, at: tuple[float, float]) -> tuple[float, float]:
-        """On paper y grows upward."""
+        """On paper, y points upward."""
         return at[0], self.figure.height - at[1]
 
     def _shape(self, canvas: Canvas, shape: Polyline) -> None:
@@ -70,7 +70,7 @@ class Drawing(Flowable):  # type: ignore[misc]  # the library has no types
 
 
 def _paint(canvas: Canvas, item: Polyline | Dot) -> int:
-    """Sets line and filling; whether there is a filling."""
+    """Sets line and fill; returns whether there is a fill."""
     if item.stroke:
         canvas.setStrokeColor(HexColor(item.stroke))
         canvas.setLineWidth(item.width)

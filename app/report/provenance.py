@@ -1,4 +1,4 @@
-"""What a result was made from, and whether the files are still the same."""
+"""The input files of a result, and whether they are unchanged."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,7 +21,7 @@ STATES: dict[FileState, Message] = {
 def inputs_section(
     folder: Path, inputs: Sequence[Input], result: str, accepted_sha256: str | None = None
 ) -> Section[Text]:
-    """The files with their hashes, and the ``result`` against what was accepted."""
+    """The files with their hashes, and the ``result`` compared with what was accepted."""
     files = [(one.file, one.sha256, _state(folder, one)) for one in inputs]
     own = file_sha256(folder / result)
     files.append((result, own, "result" if accepted_sha256 in (None, own) else "changed"))

@@ -1,4 +1,4 @@
-"""Which report a folder has, and its two forms."""
+"""The report of a folder, in its two forms."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ KINDS = (
 
 
 def _pdf(report: Report[str]) -> bytes:
-    from app.report.pdf import pdf_document  # loads the PDF library only where it is needed
+    from app.report.pdf import pdf_document  # loads the PDF library only if it is needed
 
     return pdf_document(report)
 
@@ -36,10 +36,10 @@ FORMS = {".html": html_page, ".pdf": _pdf}
 
 
 def folder_report(folder: Path) -> Report[Text]:
-    """The report on the record of a folder.
+    """The report of the record in a folder.
 
     Raises:
-        OperationError: it has no record with a report, or a file of it is missing or damaged.
+        OperationError: it has no record with a report, or one of its files is missing or damaged.
     """
     for name, report in KINDS:
         if (folder / name).is_file():
@@ -57,7 +57,7 @@ def folder_report(folder: Path) -> Report[Text]:
 
 
 def render_report(folder: Path, suffix: str, language: str = "en") -> bytes:
-    """The report on a folder as ``.html`` or ``.pdf``, the same bytes for the same files.
+    """The report of a folder as ``.html`` or ``.pdf``, with identical bytes for the same files.
 
     Raises:
         OperationError: as ``folder_report``, or for another ``suffix`` or an unknown ``language``.

@@ -21,7 +21,7 @@ from app.report.figure import Figure, Item, Label
 
 
 def translate_report(report: Report[Text], language: str) -> Report[str]:
-    """The report in a language, numbers with its decimal point.
+    """The report in a language, with the decimal sign of that language.
 
     Raises:
         OperationError: there is no such language.

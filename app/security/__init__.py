@@ -1,4 +1,4 @@
-"""Who may do what: sign-in, permissions, and what slows strangers down.
+"""Access control: sign-in, permissions, and limits for clients without an account.
 
 ``permissions`` has a line for every route and message; ``app.api.access.authorization`` applies it.
 """

@@ -1,7 +1,7 @@
-"""Requests of whoever is not signed in wait for one another, so that Stop waits for none of them.
+"""Queues requests without a sign-in, so that Stop waits for none of them.
 
-Every request that is worked on at once makes each step of all others later. So strangers have a
-few places, and those who are signed in as many as they need.
+Every request that is processed concurrently delays all others. Anonymous requests therefore have
+few slots, and signed-in users as many as they need.
 """
 
 import asyncio
@@ -14,12 +14,12 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 PLACES = 2
-"""Requests of strangers that are worked on at once."""
+"""Number of anonymous requests processed concurrently."""
 TRUSTED_S = 300.0
-"""So long a browser has no line to wait in after it was found signed in."""
+"""A browser does not queue for this long after it was found signed in."""
 MOST_TRUSTED = 512
 IS_CONNECTED = "is_connected"
-"""In a request's state: whether its connection is still there."""
+"""In the state of a request: whether its connection still exists."""
 
 
 class AnonymousQueue:
@@ -29,7 +29,7 @@ class AnonymousQueue:
         self._app = app
         self._places = asyncio.Semaphore(PLACES)
         self._trusted: OrderedDict[bytes, float] = OrderedDict()
-        """Until when, by the digest of a browser's cookies."""
+        """Expiry time by the digest of a browser's cookies."""
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -59,7 +59,8 @@ class AnonymousQueue:
 
 
 class _Turn:
-    """A stranger's place, from the first step to the answer; not while the network is awaited."""
+    """A slot for an anonymous request, from the first step to the answer; not while waiting for the
+    network."""
 
     def __init__(self, places: asyncio.Semaphore, receive: Receive, send: Send) -> None:
         self._places, self._receive, self._send = places, receive, send
@@ -88,13 +89,13 @@ class _Turn:
 
 
 def _is_connected(scope: Scope) -> bool:
-    """Whether anybody is left to answer: a crowd comes and goes sooner than it is served."""
+    """Whether anyone is left to answer: a flood comes and goes faster than it is served."""
     is_connected: Callable[[], bool] | None = scope.get("state", {}).get(IS_CONNECTED)
     return is_connected is None or is_connected()
 
 
 async def _end(scope: Scope, send: Send) -> None:
-    """Nobody reads it; without it the server takes the silence for a fault."""
+    """Nobody reads it; without it, the server would report the silence as a fault."""
     if scope["type"] == "http":
         await Response(status_code=503)(scope, _nothing, send)
     else:

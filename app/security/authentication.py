@@ -1,6 +1,6 @@
-"""The ways to sign in: by name and password, by the console's code, and by a kiosk link.
+"""Sign-in by name and password, by the console's code, and by a kiosk link.
 
-Beside them the refusals of a request.
+It also has the errors for refused requests.
 """
 
 import threading
@@ -16,7 +16,7 @@ from app.store.login_sessions import LoginSessionStore, Principal
 
 
 class AccessDeniedError(Exception):
-    """A request that its sender has no right to."""
+    """A request for which its sender has no permission."""
 
     def __init__(self, status: HTTPStatus, code: str, detail: Text, remedy: Text) -> None:
         super().__init__(detail)
@@ -32,11 +32,11 @@ class TooManyAttemptsError(Exception):
 
 
 class Authenticator:
-    """Who may come in; any thread may call, one at a time is looked at.
+    """Decides who may sign in; any thread may call, one attempt is checked at a time.
 
-    On the first start, while nobody can administer the station, a code on the console
-    makes the first administrator, once. A demonstration has a guest instead, whom its
-    code lets in as long as it runs.
+    On the first start, while there is no administrator, a code on the console creates the first
+    one, once. A demonstration has a guest instead, who can sign in with its code as long as it
+    runs.
     """
 
     def __init__(
@@ -57,28 +57,28 @@ class Authenticator:
 
     @property
     def first_start(self) -> bool:
-        """Whether the code makes the first administrator."""
+        """Whether the code creates the first administrator."""
         return self._guest is None and not self._accounts.has_admin()
 
     @property
     def by_code(self) -> bool:
-        """Whether the code lets a guest in."""
+        """Whether the code signs a guest in."""
         return self._guest is not None
 
     @property
     def code(self) -> str | None:
-        """What the console is to show; None where no code is good for anything."""
+        """The text for the console; None if no code is valid."""
         return self._code if self.by_code or self.first_start else None
 
     def sign_in(self, name: str, password: str, address: str, browser: str = "") -> Account | None:
-        """The account; None where name and password do not belong together.
+        """The account; None if name and password do not match.
 
         Args:
-            browser: the token by which it is known, if it is. Tries there count by
-                themselves, so that whoever guesses elsewhere keeps nobody out.
+            browser: the token of a known browser. Its attempts count separately, so that guesses
+                elsewhere lock nobody out.
 
         Raises:
-            TooManyTries: of this name, from this address, or at this browser.
+            TooManyTries: for this name, from this address, or in this browser.
         """
         plain = plain_name(name).lower()
         with self._lock:
@@ -92,7 +92,7 @@ class Authenticator:
         return account
 
     def guest_by_code(self, code: str, address: str) -> str | None:
-        """The guest's account by the console's code; None for a wrong one."""
+        """The account of the guest, by the console's code; None for a wrong one."""
         with self._lock:
             return self._guest if self.by_code and self._matches(code, address) else None
 
@@ -100,7 +100,7 @@ class Authenticator:
         """The first administrator, by the console's code; None for a wrong one.
 
         Raises:
-            OperationError: there is one already, or name or password will not do.
+            OperationError: there already is one, or name or password is unsuitable.
         """
         with self._lock:
             if not self.first_start:
@@ -114,7 +114,7 @@ class Authenticator:
             return self._accounts.add(name, Role.admin, password)
 
     def kiosk_by_link(self, token: str, address: str) -> Principal | None:
-        """The kiosk whose link this is."""
+        """The kiosk of a link."""
         key = address_key(address)
         with self._lock:
             self._check_throttle(key)
@@ -124,7 +124,7 @@ class Authenticator:
         return found
 
     def check_metrics_token(self, token: str, address: str) -> bool:
-        """Whether a program may read the metrics by this token."""
+        """Whether a program may read the metrics with this token."""
         key = f"metrics {address_key(address)}"
         with self._lock:
             self._check_throttle(key)

@@ -1,13 +1,13 @@
-"""The code that the console shows: whoever has it enters, or makes the first administrator.
+"""The code on the console: it signs a guest in, or creates the first administrator.
 
-Apart from ``authentication``, which loads the database and the password hash: the code is
-printed with the first page, before those.
+Separate from ``authentication``, which imports the database and the password hash: the code is
+printed with the first page, before those are loaded.
 """
 
 import secrets
 
 LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
-"""Without those that are taken for others."""
+"""Without characters that look alike."""
 CODE_LENGTH = 12
 
 

@@ -1,4 +1,4 @@
-"""Slowing down whoever guesses passwords."""
+"""Slows down password guessing."""
 
 import ipaddress
 import threading
@@ -12,7 +12,7 @@ MAX_KEYS = 10_000
 
 
 class Throttle:
-    """Failures by key: an address, or a name. After some, each doubles the wait."""
+    """Failures by key: an address, or a name. After some failures, each one doubles the wait."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
@@ -20,12 +20,12 @@ class Throttle:
         self._failures: dict[str, tuple[int, float]] = {}
 
     def wait_s(self, *keys: str) -> float:
-        """Seconds until another try is allowed."""
+        """Seconds until the next attempt is allowed."""
         with self._lock:
             return max(self._key_wait_s(key) for key in keys)
 
     def note_failure(self, *keys: str) -> None:
-        """Notes a failure."""
+        """Records a failure."""
         now = self._clock()
         with self._lock:
             if len(self._failures) > MAX_KEYS:
@@ -36,7 +36,7 @@ class Throttle:
                 self._failures[key] = (1 if now - at > FORGOTTEN_S else count + 1, now)
 
     def note_success(self, *keys: str) -> None:
-        """Forgets the failures."""
+        """Clears the failures."""
         with self._lock:
             for key in keys:
                 self._failures.pop(key, None)
@@ -50,7 +50,7 @@ class Throttle:
 
 
 def address_key(address: str) -> str:
-    """What tries and connections are counted by: a machine may have a whole IPv6 network."""
+    """The key for attempts and connections: a machine may have a whole IPv6 network."""
     try:
         plain = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:

@@ -1,4 +1,4 @@
-"""What each route and each message asks of whoever uses it. What is not listed here is denied."""
+"""Permissions of each route and each message. Anything not listed here is denied."""
 
 from dataclasses import dataclass
 from enum import Enum, auto
@@ -8,20 +8,20 @@ from app.store.accounts import Role
 
 
 class Right(Enum):
-    """What is asked, from nothing to most."""
+    """Required right, from the lowest to the highest."""
 
     enter = auto()
-    """Nothing: the pages themselves, and the ways to sign in."""
+    """No right: the pages themselves, and the ways to sign in."""
     look = auto()
     """Signed in, or a kiosk."""
     scrape = auto()
-    """A program by its own token, or whoever may look."""
+    """A program with its own token, or anyone who may view."""
     be = auto()
-    """Signed in as a person, whatever the role."""
+    """Signed in as a person, with any role."""
     operate = auto()
     """An operator."""
     act = auto()
-    """An operator who has control, or takes it because nobody has."""
+    """An operator who has control, or takes it because nobody has it."""
     administer = auto()
     """An administrator."""
 
@@ -34,12 +34,13 @@ ROLE = {
     Right.act: Role.operator,
     Right.administer: Role.admin,
 }
-"""The least role of each right that asks for one."""
+"""The lowest role of each right that requires one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """What a route asks, and how the audit log calls what it does; empty for what it leaves out."""
+    """The right for a route, and the name of its action in the audit log; empty if it is not
+    audited."""
 
     right: Right
     act: Text = ""
@@ -112,7 +113,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("POST", "/api/scan/stop"): Rule(Right.act, message("stopped-scan")),
     ("POST", "/api/scan/simulation"): Rule(Right.act, message("moved-simulation-stopped")),
     ("POST", "/api/laser/on"): Rule(Right.act, message("switched-laser")),
-    # whoever sees a danger ends it, whoever has control
+    # everyone who sees a danger can stop it, whoever has control
     ("POST", "/api/laser/off"): Rule(Right.be, message("switched-laser-off")),
     ("POST", "/api/stop"): Rule(Right.be, message("pressed-stop")),
     ("POST", "/api/exposure"): Rule(Right.act),
@@ -155,11 +156,11 @@ MESSAGES: dict[str, Right] = {
     "stations": Right.look,
     "beat": Right.look,
 }
-"""What each kind of message of a live connection asks."""
+"""The right for each kind of message of a live connection."""
 
 
 def has_right(right: Right, role: Role | None, kiosk: bool) -> bool:
-    """Whether a visitor has a right, leaving control aside; ``role`` is None for nobody."""
+    """Whether a visitor has a right, apart from control; ``role`` is None for nobody."""
     if right is Right.enter:
         return True
     if role is None or (kiosk and right not in (Right.look, Right.scrape)):

@@ -1,7 +1,7 @@
 """Live state: the newest value of each topic, numbered events, many readers.
 
-Device and worker threads publish; readers live on the event loop. This module
-is the only place where the one crosses to the other.
+Device and worker threads publish; readers run on the event loop. This module is the only place
+where data crosses from threads to the loop.
 """
 
 import asyncio
@@ -22,7 +22,7 @@ EVENT_BUFFER = 256
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened once; ``id`` counts up by one."""
+    """An event; ``id`` increases by one."""
 
     id: int
     kind: str
@@ -32,19 +32,19 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Updates:
-    """What changed since a reader last looked."""
+    """Changes since the last look of a reader."""
 
     topics: dict[str, object]
     events: tuple[Event, ...]
     events_missed: int
-    """Events that were dropped because this reader was slow."""
+    """Number of events that were dropped because this reader was slow."""
 
 
 class Bus:
     """Latest-wins topics and numbered events.
 
-    ``publish``, ``event``, ``latest`` and ``call`` may be used from any thread.
-    A slow reader delays nobody: it finds the newest values when it comes back.
+    ``publish``, ``event``, ``latest`` and ``call`` may be used from any thread. A slow reader
+    delays nobody: it finds the newest values on its next read.
     """
 
     def __init__(self) -> None:
@@ -59,7 +59,7 @@ class Bus:
         self._subscriptions: set[Subscription] = set()
 
     def attach(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Names the event loop that readers and callbacks run on."""
+        """Sets the event loop of readers and callbacks."""
         with self._lock:
             self._loop = loop
             self._waking = False
@@ -78,7 +78,7 @@ class Bus:
         self._wake()
 
     def event(self, kind: str, text: Text, quality: Quality = "neutral") -> Event:
-        """Notifies every reader that something happened."""
+        """Notifies every reader of an event."""
         with self._lock:
             self._event_id += 1
             event = Event(self._event_id, kind, quality, text)
@@ -87,12 +87,12 @@ class Bus:
         return event
 
     def latest(self, topic: str) -> object | None:
-        """The newest value of a topic, None before the first."""
+        """The newest value of a topic; None before the first."""
         with self._lock:
             return self._values.get(topic)
 
     def call(self, callback: Callable[P, object], *args: P.args, **kwargs: P.kwargs) -> None:
-        """Runs a callback on the event loop; dropped when there is none any more."""
+        """Runs a callback on the event loop; dropped if there is none any more."""
         with self._lock:
             loop = self._loop
             if loop is not None and not loop.is_closed():
@@ -101,8 +101,8 @@ class Bus:
     def subscribe(self, without: Collection[str] = ()) -> "Subscription":
         """A new reader, to be used on the event loop.
 
-        Its first ``next`` gives every topic's value; past events are left out.
-        ``without`` names topics that it does not want for now.
+        Its first ``next`` returns the value of every topic; past events are omitted. ``without``
+        names topics that it does not want for now.
         """
         with self._lock:
             subscription = Subscription(self, self._event_id, without)
@@ -110,7 +110,7 @@ class Bus:
             return subscription
 
     def _wake(self) -> None:
-        """Schedules one wake-up of all readers, however many changes come before it."""
+        """Schedules one wake-up of all readers, however many changes precede it."""
         with self._lock:
             if self._waking or self._loop is None or self._loop.is_closed():
                 return
@@ -125,7 +125,7 @@ class Bus:
             subscription.changed.set()
 
     def _take(self, seen: dict[str, int], hidden: set[str], after: int) -> Updates:
-        """Values newer than ``seen`` (which is brought up to date) and events after an id."""
+        """Values newer than ``seen`` (which is updated) and events after an id."""
         with self._lock:
             topics: dict[str, object] = {}
             for topic, version in self._versions.items():
@@ -142,7 +142,7 @@ class Bus:
 
 
 class Subscription:
-    """One reader of a bus; lives on the event loop."""
+    """One reader of a bus; used on the event loop."""
 
     def __init__(self, bus: Bus, after_event: int, without: Collection[str]) -> None:
         self.changed = asyncio.Event()
@@ -153,7 +153,7 @@ class Subscription:
         self._after_event = after_event
 
     async def next(self) -> Updates:
-        """Waits until something changed; each topic once, with its newest value."""
+        """Waits for a change; returns each topic once, with its newest value."""
         while True:
             await self.changed.wait()
             self.changed.clear()
@@ -163,7 +163,7 @@ class Subscription:
                 return updates
 
     def want(self, topic: str, on: bool) -> None:
-        """Turns a topic off or on; once on again, a value not seen yet comes at once."""
+        """Disables or enables a topic; once enabled, an unseen value is returned at once."""
         if on:
             self._hidden.discard(topic)
             self.changed.set()

@@ -1,7 +1,7 @@
-"""Who controls the station: one person at a time, for all to see.
+"""Control of the station: one person at a time, visible to everyone.
 
-Control is taken by acting where nobody has it, and lapses where its holder is not heard of.
-It never ends a scan or a step: only who may act changes.
+A person takes control by acting while nobody has it, and loses it after a silence. This never ends
+a scan or a step; it only changes who may act.
 """
 
 import threading
@@ -14,29 +14,29 @@ from app.messages.message import message
 from app.station.bus import Bus
 
 LAPSES_S = 20.0
-"""Without a beat of its holder's browser."""
+"""Without a heartbeat from the holder's browser."""
 LONGEST_REASON = 120
 
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """Somebody at a browser."""
+    """A person at a browser."""
 
     id: str
-    """Of the browser's sign-in."""
+    """Of the browser's login session."""
     name: str
 
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """What all see of it, as the topic ``control``."""
+    """Control as everyone sees it, in the topic ``control``."""
 
     holder: Person | None = None
     asked_by: Person | None = None
 
 
 class Lease:
-    """Control of one station; any thread may call."""
+    """Control of one station; any thread may call it."""
 
     def __init__(self, bus: Bus, clock: Callable[[], float] = time.monotonic) -> None:
         self._bus, self._clock = bus, clock
@@ -44,21 +44,22 @@ class Lease:
         self._control = Control()
         self._beat_s = 0.0
         self.last_name = ""
-        """Of whoever has control, or had it last: what the arm's button does is theirs."""
+        """The person who has control, or had it last: presses of the arm's buttons are attributed
+        to them."""
         bus.publish("control", self._control)
 
     @property
     def control(self) -> Control:
-        """As of now."""
+        """The current state."""
         with self._lock:
             self._lapse()
             return self._control
 
     def act(self, person: Person) -> None:
-        """Before every act: takes control where it is free.
+        """Called before every action: takes control if it is free.
 
         Raises:
-            OperationError: somebody else has it.
+            OperationError: another person has control.
         """
         with self._lock:
             holder = self.control.holder
@@ -69,14 +70,14 @@ class Lease:
             self._beat_s = self._clock()
 
     def beat(self, person_id: str) -> None:
-        """The browser is still there."""
+        """The browser is still connected."""
         with self._lock:
             if self._control.holder is not None and self._control.holder.id == person_id:
                 self._beat_s = self._clock()
             self._lapse()
 
     def ask(self, person: Person) -> None:
-        """Asks the holder for control; takes it where it is free."""
+        """Requests control from the holder; takes it if it is free."""
         with self._lock:
             holder = self.control.holder
             if holder is None or holder.id == person.id:
@@ -88,7 +89,7 @@ class Lease:
             )
 
     def answer(self, person: Person, give: bool) -> None:
-        """The holder passes control to the one who asked, or keeps it."""
+        """The holder gives control to the person who requested it, or keeps it."""
         with self._lock:
             asked_by = self._require_holder(person).asked_by
             if asked_by is None:
@@ -102,17 +103,17 @@ class Lease:
                 self._bus.event("control", message("keeps-control", name=person.name))
 
     def release(self, person: Person) -> None:
-        """Lets go of it."""
+        """Releases control."""
         with self._lock:
             asked_by = self._require_holder(person).asked_by
             self._set(Control(asked_by))
             self._beat_s = self._clock()
 
     def take_over(self, person: Person, reason: str) -> None:
-        """Takes control from whoever has it, for a reason that everybody reads.
+        """Takes control from its holder, with a reason that everyone can read.
 
         Raises:
-            OperationError: no reason is given, where it is another person's.
+            OperationError: no reason is given, although another person has control.
         """
         reason = " ".join(reason.split())[:LONGEST_REASON]
         with self._lock:
@@ -134,7 +135,7 @@ class Lease:
                 self._bus.event("control", text, "attention")
 
     def leave(self, person_id: str) -> None:
-        """A browser that signed out has no control any more."""
+        """A browser that signed out loses control."""
         with self._lock:
             holder, asked_by = self._control.holder, self._control.asked_by
             if holder is not None and holder.id == person_id:
@@ -144,7 +145,7 @@ class Lease:
                 self._set(Control(holder))
 
     def leave_all(self, name: str) -> None:
-        """A person who was signed out everywhere has no control any more."""
+        """A person who was signed out everywhere loses control."""
         with self._lock:
             for person in (self._control.asked_by, self._control.holder):
                 if person is not None and person.name.lower() == name.lower():

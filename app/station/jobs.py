@@ -1,4 +1,4 @@
-"""Long work, one job at a time, off the event loop, with its progress."""
+"""Long work, one job at a time, outside the event loop, with progress."""
 
 import logging
 import threading
@@ -14,11 +14,11 @@ log = logging.getLogger(__name__)
 
 T = TypeVar("T")
 Progress = Callable[[Text, float], None]
-"""Called by the work with what it is doing, and its share done (0 to 1)."""
+"""Called by the work with its current step and the share done (0 to 1)."""
 
 
 class Job(Generic[T]):
-    """One piece of work: how far it is, and how it ended."""
+    """One job: its progress and its result."""
 
     def __init__(self, title: Text) -> None:
         self.title = title
@@ -34,7 +34,7 @@ class Job(Generic[T]):
 
 
 class Jobs:
-    """Runs one job at a time on a thread of its own."""
+    """Runs one job at a time in a separate thread."""
 
     def __init__(self, bus: Bus) -> None:
         self._bus = bus
@@ -42,7 +42,7 @@ class Jobs:
         self._current: Job[object] | None = None
         self._thread: threading.Thread | None = None
         self.on_ended: Callable[[str, float], None] = lambda title, seconds: None
-        """Called with each job's title in English and how long it took."""
+        """Called with the English title and the duration of each job."""
 
     @property
     def current(self) -> Job[object] | None:
@@ -53,7 +53,7 @@ class Jobs:
     def start(
         self, title: Text, work: Callable[[Progress], T], done: Callable[[Job[T]], None]
     ) -> Job[T]:
-        """Starts work on a thread; ``done`` runs on the event loop once it has ended.
+        """Starts work in a thread; ``done`` runs on the event loop after its end.
 
         Raises:
             OperationError: ``busy`` while another job runs.
@@ -88,7 +88,7 @@ class Jobs:
             job.result = work(job.progress)
         except OperationError as refusal:
             job.refusal = refusal
-        except Exception as error:  # the operator gets an error, and the station lives on
+        except Exception as error:  # the operator sees an error, and the station continues
             log.exception("%s failed", job.title)
             job.refusal = OperationError(
                 "failed",

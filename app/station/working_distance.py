@@ -1,4 +1,4 @@
-"""How far the stripe is from the camera, against the distances that were calibrated."""
+"""Distance of the stripe from the camera, relative to the calibrated range."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -14,7 +14,7 @@ from app.metrology.transforms import Floats
 
 @dataclass(frozen=True)
 class Distance:
-    """Of the newest stripe's middle."""
+    """Working distance at the middle of the newest stripe."""
 
     mm: float
     near_mm: float
@@ -23,7 +23,7 @@ class Distance:
 
 
 def classify_distance(mm: float, range_mm: tuple[float, float]) -> Distance:
-    """A distance within the calibrated range, or to which side of it."""
+    """Whether a distance is within the calibrated range, or on which side of it."""
     near_mm, far_mm = range_mm
     state: Literal["in", "near", "far"] = "in"
     if mm < near_mm:
@@ -34,13 +34,13 @@ def classify_distance(mm: float, range_mm: tuple[float, float]) -> Distance:
 
 
 ALONG, ACROSS = 17, 65
-"""Points of each drawn line, and of the search for each."""
+"""Number of points of each drawn line, and of the search for each."""
 Line = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True)
 class Band:
-    """``near`` and ``far`` are lines in the picture, empty where they lie outside it."""
+    """``near`` and ``far`` are lines in the picture, empty if they are outside it."""
 
     near_mm: float
     far_mm: float
@@ -49,7 +49,7 @@ class Band:
 
 
 class WorkingRange:
-    """By one calibration; for a picture of another size it knows nothing."""
+    """From one calibration; unknown for a picture of another size."""
 
     def __init__(
         self,
@@ -66,7 +66,7 @@ class WorkingRange:
         return (width_px, height_px) == (self._camera.width_px, self._camera.height_px)
 
     def stripe_distance(self, stripe: Stripe) -> Distance | None:
-        """Of the middle of a line; None where it meets the plane nowhere."""
+        """At the middle of a line; None if it does not meet the plane."""
         if not len(stripe.u):
             return None
         away = _distances(self._camera, self._plane, stripe.uv_px[:: max(1, len(stripe.u) // 100)])
@@ -82,7 +82,7 @@ def _distances(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:
 def _lines(
     camera: Camera, plane: LaserPlane, range_mm: tuple[float, float], axis: Literal["u", "v"]
 ) -> tuple[Line, Line]:
-    """Where each distance of the range is met, from one side of the picture to the other."""
+    """The lines of each distance of the range, from one side of the picture to the other."""
     width, height = camera.width_px - 1.0, camera.height_px - 1.0
     along = np.linspace(0, width if axis == "u" else height, ALONG)
     across = np.linspace(0, height if axis == "u" else width, ACROSS)
@@ -103,7 +103,7 @@ def _lines(
 
 
 def _crossing(places: Floats, off: Floats) -> float | None:
-    """Where values over places first change their sign; None where they do not."""
+    """The position of the first change of sign; None if there is none."""
     known = np.isfinite(off)
     places, off = places[known], off[known]
     changes = np.flatnonzero(off[:-1] * off[1:] <= 0)

@@ -1,8 +1,8 @@
-"""What stations publish over MQTT: the payloads, and the topics they go to.
+"""The payloads that stations publish over MQTT, and their topics.
 
-Every payload is one JSON object. Texts are English; a field with ``_message`` after its name
-has the same text as data, for a reader of another language. ``crenel mqtt-schema`` prints the
-JSON schema of them, and docker/SUPERVISION.md describes the rest.
+Every payload is one JSON object. Texts are English; a field whose name is that of a text plus
+``_message`` has the same text as data, for readers of other languages. ``crenel mqtt-schema``
+prints the JSON schema, and docker/SUPERVISION.md describes the rest.
 """
 
 import re
@@ -16,19 +16,19 @@ from app.findings import Quality
 from app.supervision.message_data import MessageData
 
 BEAT_S = 1.0
-"""A station publishes its report at least so often, changed or not."""
+"""A station publishes its report at least this often, changed or not."""
 LONGEST_ID = 40
 EVENTS_STORED = 6
-"""Of one station, by whoever watches."""
+"""Maximum number kept of one station."""
 ID = re.compile(r"[a-z0-9-]{1,40}")
 MOST_DEVICES, MOST_ALARMS = 4, 12
-"""Of one report; more are left out."""
+"""Maximum number in one report; others are omitted."""
 MOST = 2**53
-"""Of what is counted or measured: the largest number that every reader has exactly."""
+"""The largest count or measured value: every reader represents it exactly."""
 
 
 def _keep_first(number: int) -> BeforeValidator:
-    """Takes the first of a list, and leaves all else as it is."""
+    """Keeps the first items of a list, and leaves everything else unchanged."""
     return BeforeValidator(
         lambda value: value[:number] if isinstance(value, (list, tuple)) else value
     )
@@ -44,13 +44,13 @@ Activity = Literal["idle", "calibrating", "verifying", "checking_arm", "scanning
 
 
 class Payload(BaseModel):
-    """A later version may add fields; those that are not known are left out."""
+    """A later version may add fields; unknown fields are ignored."""
 
     model_config = ConfigDict(frozen=True, extra="ignore")
 
 
 class DeviceReport(Payload):
-    """One device, as fresh as it is."""
+    """One device, with the age of its data."""
 
     name: Literal["arm", "camera"]
     state: Literal["connected", "connecting", "lost", "off"]
@@ -69,11 +69,11 @@ class ActivityReport(Payload):
     kind: Activity
     title: ShortText
     title_message: MessageData = None
-    step: Count = Field(description="Counted from 1; 0 where there are no steps")
+    step: Count = Field(description="Counted from 1; 0 if there are no steps")
     steps: Count
     progress: ShortText
     progress_message: MessageData = None
-    points: Count = Field(description="Of the running scan, or of the last")
+    points: Count = Field(description="Points of the running scan, or of the last one")
     rate_points_s: Amount
     lost_frames: Count
 
@@ -87,7 +87,7 @@ class CalibrationReport(Payload):
     total_um: Amount = Field(description="Standard uncertainty of a scanned point, k = 1")
     quality: Quality
     due: bool
-    due_in_days: SignedAmount = Field(description="Negative once it is overdue")
+    due_in_days: SignedAmount = Field(description="Negative if overdue")
 
 
 class VerificationReport(Payload):
@@ -101,7 +101,7 @@ class VerificationReport(Payload):
 
 
 class Alarm(Payload):
-    """Something that somebody should know of, for as long as it is so."""
+    """A problem that needs attention, for as long as it lasts."""
 
     quality: Quality
     text: ShortText
@@ -111,7 +111,7 @@ class Alarm(Payload):
 
 
 class StationReport(Payload):
-    """Everything of one station at one moment."""
+    """The complete state of one station at one moment."""
 
     format: Literal["crenel/station-report"] = "crenel/station-report"
     station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
@@ -120,7 +120,7 @@ class StationReport(Payload):
     version: Name
     simulated: bool
     address: Annotated[str, Field(max_length=200, pattern="^(https?://.*)?$")] = Field(
-        description="Of its pages, or empty"
+        description="Address of its pages, or empty"
     )
     at: Moment
     up_s: Amount
@@ -138,7 +138,7 @@ class StationReport(Payload):
 
 
 class Presence(Payload):
-    """Retained: the station's birth, its end in order, or its last will."""
+    """Retained: the station's birth, its regular end, or its last will."""
 
     format: Literal["crenel/station-presence"] = "crenel/station-presence"
     station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
@@ -150,12 +150,12 @@ class Presence(Payload):
 
 
 class StationEvent(Payload):
-    """Something that happened once; not retained."""
+    """An event; not retained."""
 
     format: Literal["crenel/station-event"] = "crenel/station-event"
     station: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,40}$")]
     instance: Annotated[str, Field(max_length=32)]
-    number: Count = Field(description="Counts up by one, of one instance")
+    number: Count = Field(description="Increases by one within an instance")
     at: Moment
     kind: Name
     quality: Quality
@@ -172,12 +172,12 @@ KINDS: dict[str, type[Payload]] = {
 
 
 def topic(prefix: str, station: str, kind: str) -> str:
-    """Where a payload goes."""
+    """The topic of a payload."""
     return f"{prefix}/{station}/{kind}"
 
 
 def parse_topic(prefix: str, name: str) -> tuple[str, str] | None:
-    """Station and kind of a topic; None for one that is not of these."""
+    """Station and kind of a topic; None for other topics."""
     if not name.startswith(f"{prefix}/"):
         return None
     station, _, kind = name[len(prefix) + 1 :].partition("/")
@@ -185,18 +185,18 @@ def parse_topic(prefix: str, name: str) -> tuple[str, str] | None:
 
 
 def station_id(name: str) -> str:
-    """A station's name as a part of a topic."""
+    """The name of a station as part of a topic."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST_ID].strip("-") or "station"
 
 
 def new_instance() -> str:
-    """A name of this start of a station."""
+    """A name for this start of the station."""
     return secrets.token_hex(6)
 
 
 def schema() -> dict[str, object]:
-    """The JSON schema of all payloads, each under ``$defs``, by the topic it goes to."""
+    """The JSON schema of all payloads, each under ``$defs``, by topic."""
     any_of: TypeAdapter[StationReport | Presence | StationEvent] = TypeAdapter(
         StationReport | Presence | StationEvent
     )

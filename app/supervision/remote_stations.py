@@ -1,4 +1,4 @@
-"""The stations that are heard of, and which of them is lost."""
+"""Other stations on the broker, and which of them are lost."""
 
 import math
 import time
@@ -14,13 +14,13 @@ from app.supervision.message_data import readable
 from app.supervision.messages import EVENTS_STORED, KINDS, Presence, StationEvent, StationReport
 
 LOST_AFTER_S = 3.5
-"""Without a report: three beats missed, so that one late message is no alarm."""
+"""Without a report for three beats, so that one late message causes no alarm."""
 MOST_STATIONS = 200
-"""Whatever may be on the broker."""
+"""Maximum number of stations, whatever is on the broker."""
 ESTABLISHED_S = 60.0
-"""A station that was heard for so long is kept before those that just came."""
+"""A station that has been heard for this long has priority over new ones."""
 RETURN_AFTER_S = 0.5
-"""A station that was turned away and sends again no sooner is taken for one that goes on."""
+"""A rejected station that sends again after this time counts as persistent."""
 TURNED_AWAY_STORED = 8192
 
 State = Literal["live", "lost", "off", "waiting", "unknown"]
@@ -35,30 +35,30 @@ def _all_readable(payloads: Sequence[BaseModel]) -> object:
 
 
 class RemoteStation(BaseModel):
-    """One station as the browser shows it: sent with each text as its message, if it has one."""
+    """One station as the browser shows it; each text is sent as its message, if it has one."""
 
     model_config = ConfigDict(frozen=True)
 
     id: str
     name: str
     state: State
-    """waiting: kept by the broker, and not heard yet; unknown: the broker itself is lost."""
+    """waiting: retained by the broker, and not heard yet; unknown: the broker itself is lost."""
     silent_s: float | None
-    """Since its last report; null before the first."""
+    """Time since its last report; null before the first."""
     report: Annotated[StationReport | None, PlainSerializer(_readable)]
-    """With the worst of its alarms alone."""
+    """Only the worst of its alarms."""
     alarms: int
     events: Annotated[tuple[StationEvent, ...], PlainSerializer(_all_readable)]
-    """The newest, if any."""
+    """The newest event, if any."""
 
 
 @dataclass
 class _TrackedStation:
     name: str
     known_s: float
-    """Since when it is waited for."""
+    """Time since which it has been expected."""
     first_s: float | None = None
-    """When its first report came."""
+    """Time of its first report."""
     heard_s: float | None = None
     presence: Literal["online", "off", "lost"] = "online"
     instance: str = ""
@@ -67,27 +67,27 @@ class _TrackedStation:
 
 
 class Fleet:
-    """Folds messages into stations. It is used on one thread.
+    """Combines messages into stations. It is used in one thread.
 
-    A station is lost when the broker says so by its will, and also when no report came for
-    ``LOST_AFTER_S`` though its connection stands: a process that hangs keeps its socket open.
+    A station is lost if the broker publishes its last will, and also if there was no report for
+    ``LOST_AFTER_S`` although its connection exists: a process that hangs keeps its socket open.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
         self._stations: dict[str, _TrackedStation] = {}
         self._turned_away: OrderedDict[str, float] = OrderedDict()
-        """When stations first found no place; the latest of them."""
+        """Times at which stations were first rejected; the latest of them."""
         self._broker_since: float | None = None
         self.unread = Unread(clock)
 
     def note_broker(self, connected: bool) -> None:
-        """The connection to the broker was made, or lost."""
+        """The connection to the broker was established or lost."""
         self._broker_since = self._clock() if connected else None
 
     def take(self, station: str, kind: str, payload: bytes, retained: bool) -> None:
-        """A message; ``retained`` where the broker kept it from before."""
-        if not payload:  # the way to remove what the broker keeps
+        """Processes a message; ``retained`` if the broker retained it."""
+        if not payload:  # the way to remove retained messages from the broker
             if kind == "presence":
                 self._stations.pop(station, None)
             return
@@ -109,12 +109,12 @@ class Fleet:
         return station in self._stations
 
     def _make_space(self, station: str, retained: bool) -> bool:
-        """Whether one more may come; for it the one that is silent longest goes.
+        """Whether there is room for one more station; if necessary, the one that has been silent
+        longest is removed.
 
-        None goes that still sends, so that however many are invented hide none that was there
-        before; what the broker kept of somebody is no reason to forget another. One that sent
-        once only makes place for one that comes again, so that a flood of new names keeps
-        nobody out who goes on.
+        A station that still sends is never removed, so that invented stations cannot hide existing
+        ones; retained messages do not displace a station. A station that sent only once gives way
+        to one that sends again, so that a flood of new names does not exclude a persistent station.
         """
         if len(self._stations) < MOST_STATIONS:
             return True
@@ -130,7 +130,7 @@ class Fleet:
         return True
 
     def _returns(self, station: str) -> bool:
-        """Whether a station without a place has asked for one before."""
+        """Whether a rejected station has sent before."""
         now_s = self._clock()
         first_s = self._turned_away.setdefault(station, now_s)
         if now_s - first_s > LOST_AFTER_S:
@@ -143,7 +143,7 @@ class Fleet:
         if isinstance(message, Presence):
             older = known.heard_s is not None and message.instance != known.instance
             if older and message.state != "online":
-                return  # the last will of an earlier start, come late
+                return  # the last will of an earlier start that arrives late
             known.name, known.presence = message.name, message.state
             known.instance = message.instance
             if message.state == "online" and not retained:
@@ -158,7 +158,7 @@ class Fleet:
             known.events = [*known.events, message][-EVENTS_STORED:]
 
     def stations(self) -> tuple[RemoteStation, ...]:
-        """All as of now by name, those that were heard for a while before those that just came."""
+        """All stations by name; those that have been heard for a while come before new ones."""
         stations = sorted(self._stations.items(), key=lambda item: (*_list_rank(item[1]), item[0]))
         return tuple(self._remote_station(id_, known) for id_, known in stations)
 
@@ -180,7 +180,7 @@ class Fleet:
         if known.presence != "online":
             return known.presence
         now = self._clock()
-        # what was missed while the broker was away is nobody's fault
+        # messages missed while the broker was away do not count
         waited_s = now - max(known.known_s, self._broker_since)
         if silent_s is None or silent_s > LOST_AFTER_S:
             return "waiting" if waited_s <= LOST_AFTER_S else "lost"
@@ -188,14 +188,14 @@ class Fleet:
 
 
 def _eviction_rank(known: _TrackedStation) -> tuple[bool, float]:
-    """Small for those that are to be forgotten first: briefly heard, then long silent."""
+    """Small for stations that are removed first: briefly heard, then silent for long."""
     if known.first_s is None or known.heard_s is None:
         return False, -math.inf
     return known.heard_s - known.first_s >= ESTABLISHED_S, known.heard_s
 
 
 def _list_rank(known: _TrackedStation) -> tuple[int, str]:
-    """In the list: those that were heard for a while, then those heard at all, then the rest."""
+    """Order in the list: stations heard for a while, then those heard at all, then the others."""
     standing, heard_s = _eviction_rank(known)
     return -(standing + (heard_s > -math.inf)), known.name.lower()
 

@@ -1,1 +1,2 @@
-"""What crosses the wire: models of requests and answers, errors as problem+json, JSON."""
+"""Models of what is sent between server and browser: requests, answers, errors as problem+json,
+JSON."""

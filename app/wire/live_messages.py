@@ -1,5 +1,5 @@
-"""What goes over the live connection to a browser tab, beside the pictures of the preview: what
-the server sends, and what a tab may ask for."""
+"""Messages of the live connection to a browser tab, except the pictures of the preview: messages of
+the server, and requests of a tab."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ from app.wire.schema import (
 
 @dataclass(frozen=True)
 class Topics:
-    """By its name the value of each topic; a tab is sent the newest one of each."""
+    """The value of each topic by its name; a tab receives only the newest one of each."""
 
     control: Control
     devices: Devices
@@ -59,7 +59,7 @@ class HelloMessage:
 
 @dataclass(frozen=True)
 class EventMessage:
-    """Something that happened, for a note on the screen or a sound."""
+    """An event, shown as a notification on the screen or played as a sound."""
 
     id: int
     kind: str
@@ -70,7 +70,7 @@ class EventMessage:
 
 @dataclass(frozen=True)
 class BeatMessage:
-    """Nothing new; the connection lives."""
+    """Nothing new; the connection is alive."""
 
     type: Literal["beat"] = "beat"
 
@@ -81,7 +81,7 @@ class PreviewRequest(RequestBody):
 
 
 class StationsRequest(RequestBody):
-    """Whether this tab shows what other stations do."""
+    """Whether this tab shows other stations."""
 
     type: Literal["stations"]
     on: bool
@@ -93,7 +93,7 @@ class PreviewAck(RequestBody):
 
 
 class Heartbeat(RequestBody):
-    """Every few seconds, so that whoever has control keeps it."""
+    """Sent every few seconds to keep control."""
 
     type: Literal["beat"]
 

@@ -1,4 +1,4 @@
-"""How far the station's start is."""
+"""Progress of the station's start."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from app.messages.message import Text
 
 @dataclass(frozen=True)
 class Readiness:
-    """How far the station is: ``done`` of the steps, which are ``share`` of the time."""
+    """Progress of the start: ``done`` of the steps, which take ``share`` of the time."""
 
     ready: bool
     station: str = ""

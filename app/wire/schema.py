@@ -1,4 +1,4 @@
-"""What the server sends and takes; the browser's types are generated from it."""
+"""Models of what the server sends and receives; the browser's types are generated from them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,13 +19,13 @@ from app.workflows.verification_study import StudyFile
 
 
 class RequestBody(BaseModel):
-    """What a client sends: nothing missing, nothing beyond."""
+    """What a client sends: no field missing, no unknown field."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
 FORMER_COMMANDS = {"let_hand": "run_simulation", "stop_hand": "stop_simulation"}
-"""Commands by the names that they had; scripts may still send these."""
+"""Commands by their former names; scripts may still send these."""
 
 
 def _present_name(name: object) -> object:
@@ -74,7 +74,7 @@ class Colouring(RequestBody):
 
 
 class Region(RequestBody):
-    """A rectangle of a page's 3D view, in shares of it from its left and its top."""
+    """A rectangle in a page's 3D view, as shares of its size from the left and the top."""
 
     view: Annotated[str, Field(max_length=64)]
     shape: ShapeName
@@ -86,7 +86,7 @@ class Region(RequestBody):
 
 @dataclass(frozen=True)
 class ProblemMessages:
-    """The texts of a problem as data, for whoever puts them into another language."""
+    """The texts of a problem as data, for translation."""
 
     detail: Text
     remedy: Text
@@ -94,7 +94,7 @@ class ProblemMessages:
 
 @dataclass(frozen=True)
 class Problem:
-    """RFC 9457, ``detail`` and ``remedy`` in English; ``view`` comes with the 409 of a stale
+    """RFC 9457, with ``detail`` and ``remedy`` in English; ``view`` accompanies the 409 of a stale
     flow command."""
 
     type: str
@@ -109,7 +109,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class ScanStatus(scan_state.ScanState):
-    """The station's scan state, and whether the simulated operator moves."""
+    """The scan state of the station, and whether the simulated operator is moving."""
 
     simulation_running: bool
 
@@ -119,20 +119,20 @@ ReplayPhase = Literal["playing", "ended", "failed"]
 
 @dataclass(frozen=True)
 class ReplayState:
-    """How far a replay is, as the browser shows it."""
+    """Progress of a replay, as the browser shows it."""
 
     recording: str
     speed: float
-    """1 as it was taken; 0 as fast as it can be read."""
+    """1: original speed; 0: as fast as the recording can be read."""
     played_s: float
-    """Of the recording's own time."""
+    """In the recording's own time."""
     length_s: float | None
     """None for a recording that was cut off."""
     points: int
     points_shown: int
     state: ReplayPhase
     text: Text
-    """What became of it, once it has ended."""
+    """The result, after it has ended."""
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ class ScanSummary:
     seconds: float
     calibration_id: str
     note: Text
-    """What is wrong with its recording, or why it ended early; mostly empty."""
+    """What is wrong with its recording, or why it ended early; usually empty."""
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,7 @@ class Home:
     calibration: CalibrationSummary | None
     checks: tuple[due.Validity, ...]
     temperature_c: float | None
-    """Of the room, where it was entered or measured lately."""
+    """Room temperature, if it was entered or measured recently."""
     findings: tuple[Finding, ...]
     next: due.NextAction
 
@@ -213,7 +213,7 @@ class NewAccount(RequestBody):
 
 
 class AccountChange(RequestBody):
-    """What is not given stays."""
+    """Fields that are not given stay unchanged."""
 
     role: RoleName | None = None
     password: Secret | None = None
@@ -233,7 +233,8 @@ class TakeoverReason(RequestBody):
 
 @dataclass(frozen=True)
 class CurrentUser:
-    """Who is signed in at this browser; ``id`` is the sign-in's, as in ``Control``."""
+    """The user signed in at this browser; ``id`` is that of the login session, as in
+    ``Control``."""
 
     id: str
     name: str
@@ -243,7 +244,8 @@ class CurrentUser:
 
 @dataclass(frozen=True)
 class SignInState:
-    """``first_start``: the console's code makes the administrator; ``by_code``: it lets in."""
+    """``first_start``: the console's code creates the administrator; ``by_code``: the code signs
+    in."""
 
     station: str
     you: CurrentUser | None
@@ -260,7 +262,7 @@ class AccountSummary:
 
 @dataclass(frozen=True)
 class AccessTokenSummary:
-    """A kiosk link, or a token for the metrics; ``token`` only where it was made just now."""
+    """A kiosk link, or an API token for the metrics; ``token`` only directly after its creation."""
 
     id: str
     name: str
@@ -271,7 +273,7 @@ class AccessTokenSummary:
 
 @dataclass(frozen=True)
 class RecordedCalibration:
-    """An accepted calibration; ``operator`` and ``station`` are empty where not written down."""
+    """An accepted calibration; ``operator`` and ``station`` are empty if they were not recorded."""
 
     summary: CalibrationSummary
     operator: str
@@ -283,9 +285,9 @@ class RecordedCalibration:
 
 @dataclass(frozen=True)
 class CalibrationPoint:
-    """One calibration of the history, and what moved since the one before of the same arm and
-    sensor (null for the first); ``expected_…`` is what their uncertainties let expect of a
-    sensor that did not move, k = 2."""
+    """One calibration of the history, and the changes since the previous one of the same arm and
+    sensor (null for the first); ``expected_…`` is what their uncertainties explain if the sensor
+    did not move, k = 2."""
 
     id: str
     name: str
@@ -311,7 +313,7 @@ class VerificationSummary:
     accepted_at: str
     calibration_id: str
     calibration: str
-    """Its name."""
+    """Name of the calibration."""
     result: Result
     text: Text
     shape: Shape
@@ -323,11 +325,11 @@ class VerificationSummary:
 
 @dataclass(frozen=True)
 class StudyState:
-    """Of the clouds rebuilt with every calibration: under way, or done, or neither."""
+    """State of rebuilding the clouds with every calibration: running, done, or neither."""
 
     running: bool
     text: Text
     fraction: float | None
     accepted: int
-    """How many calibrations there are by now."""
+    """Present number of calibrations."""
     study: StudyFile | None

@@ -1,4 +1,4 @@
-"""The daily check from a table of angles: what each seat shows, and the verdict."""
+"""The arm check from a table of angles: the result of each seat, and the verdict."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,11 +32,11 @@ def check_table(
 
     Args:
         place: the table, or a folder that holds it.
-        arm_path: the arm's file; the ``arm.json`` beside the table where not given.
+        arm_path: the file of the arm; by default the ``arm.json`` next to the table.
 
     Raises:
-        OperationError: a file is missing or wrong, a set has too few points or the arm
-            hardly moved in it.
+        OperationError: a file is missing or wrong, a set has too few points, or the
+            arm hardly moved in it.
     """
     table = place / ARTICULATION if place.is_dir() else place
     arm = read_arm(arm_path or table.parent / ARM)
@@ -58,7 +58,8 @@ def worst_verdict(reports: tuple[SeatReport, ...]) -> ArticulationVerdict:
 
 
 def report_rows(reports: tuple[SeatReport, ...]) -> list[list[str]]:
-    """One row a seat: (max - min)/2 and 2 sigma by axis in µm, the encoders' part, the swing."""
+    """One row per seat: (max - min)/2 and 2 sigma by axis in µm, the encoders' part, the range of
+    motion."""
     rows: list[list[str]] = []
     for report in reports:
         check = report.check
@@ -77,7 +78,7 @@ def report_rows(reports: tuple[SeatReport, ...]) -> list[list[str]]:
 
 
 def report_fields(reports: tuple[SeatReport, ...]) -> dict[str, object]:
-    """The check for programs."""
+    """The check as JSON for programs."""
     return {
         "verdict": worst_verdict(reports),
         "sets": [

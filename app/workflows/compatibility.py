@@ -1,4 +1,4 @@
-"""Whether a recording holds a scan, and belongs to the calibration and the arm given with it."""
+"""Checks that a recording contains a scan, and belongs to its calibration and arm."""
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
@@ -10,7 +10,7 @@ from app.metrology.arm.kinematics import Arm
 
 
 def check_content(recording: Recording, frames: int, joint_samples: int) -> Text:
-    """What a recording that was read is called; refuses one that holds no scan."""
+    """The name of a recording in messages; refuses one that contains no scan."""
     topics = recording.topics
     if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
         raise OperationError(
@@ -57,7 +57,7 @@ def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> N
 
 
 def check_serials(calibration: Calibration, arm: Arm) -> None:
-    """Refuses an arm's model that is of another arm than the calibration's."""
+    """Refuses an arm model of another arm than the calibration's."""
     known = calibration.serial_numbers.arm
     if known and arm.serial_number and known != arm.serial_number:
         raise OperationError(

@@ -1,4 +1,4 @@
-"""A recording of a gauge, rebuilt with a calibration and measured: one cloud of a verification."""
+"""Reconstructs and measures one recording of a gauge: one cloud of a verification."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,7 +23,7 @@ MAP = "map.json"
 
 
 class GaugeFit(DocumentPart):
-    """The shape fitted to a cloud, as the journal keeps it."""
+    """The shape fitted to a cloud, as stored in the journal."""
 
     points: int
     used: int
@@ -35,13 +35,13 @@ class GaugeFit(DocumentPart):
     offset_mm: Number | None = None
     radius_mm: Positive | None = None
     covariance: tuple[tuple[Number, ...], ...] = ()
-    """k = 1, mm and rad; of a plane the shift and two tilts, of a sphere centre and radius.
-    Empty where too few frames took part."""
+    """k = 1, mm and rad; for a plane, the shift and two tilts; for a sphere, centre and radius.
+    Empty with too few frames."""
     warnings: tuple[Text, ...] = ()
 
     @property
     def plane(self) -> PlaneFit:
-        """The plane of a cloud of one, without its points."""
+        """The plane of a cloud, without its points."""
         assert self.normal is not None
         assert self.offset_mm is not None
         return PlaneFit(
@@ -54,8 +54,8 @@ class GaugeFit(DocumentPart):
         )
 
     def sd(self, index: slice) -> float:
-        """Of the worst direction of some of the parameters, k = 1; by the scatter of single
-        points where the covariance is not known."""
+        """Standard uncertainty in the worst direction of some parameters, k = 1; from the scatter
+        of single points if the covariance is unknown."""
         if not self.covariance:
             return self.rms_um / 1e3
         part = np.array(self.covariance)[index, index]
@@ -63,7 +63,7 @@ class GaugeFit(DocumentPart):
 
 
 class MapFile(Document):
-    """``map.json``: a cloud's deviations from its fitted shape, as ``DeviationMap``."""
+    """``map.json``: deviations of a cloud from its fitted shape, as in ``DeviationMap``."""
 
     FORMAT: ClassVar[str] = "crenel/deviations"
 
@@ -75,7 +75,7 @@ class MapFile(Document):
 
 @dataclass(frozen=True)
 class GaugeMeasurement:
-    """One cloud: what was fitted, and its map."""
+    """One cloud: its fit, and its map."""
 
     fit: GaugeFit
     map: MapFile
@@ -84,7 +84,7 @@ class GaugeMeasurement:
 def measure_recording(
     recording: Path, calibration: Calibration, arm: Arm, gauge: GaugeFile
 ) -> GaugeMeasurement:
-    """Rebuilds a recording's points and fits the gauge's shape to them.
+    """Reconstructs the points of a recording and fits the shape of the gauge to them.
 
     Raises:
         OperationError: as ``rebuild``; or the cloud does not show the gauge, or too little of it.

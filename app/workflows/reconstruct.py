@@ -1,4 +1,4 @@
-"""From a recording to a cloud: frames, stripes, joints at their stamps, Eq. 9."""
+"""From a recording to a cloud: frames, stripes, joints at their time stamps, Eq. 9."""
 
 import os
 from collections import deque
@@ -32,18 +32,18 @@ from app.workflows.reconstruct_messages import (
 )
 
 PointConsumer = Callable[[Points, int], None]
-"""Given points as they are made, and the stamp of the last frame they come from."""
+"""Called with new points, and the time stamp of their last frame."""
 RECENT_FRAMES = 4096
-"""A frame's picture stands at most so many frames from its stripe."""
+"""The picture of a frame is at most this many frames away from its stripe."""
 
 
 @dataclass(frozen=True)
 class Reconstruction:
-    """What became of a recording."""
+    """The result of a reconstruction."""
 
     points: int
     frames: int
-    """That gave points."""
+    """Number of frames that gave points."""
     frames_without_stripe: int
     frames_without_joints: int
     first_without_joints_s: float | None
@@ -51,17 +51,17 @@ class Reconstruction:
     joint_samples: int
     joint_samples_unusable: int
     frame_holes: int
-    """Places where frames are missing, by the usual period."""
+    """Approximate number of missing frames, by the usual period."""
     joint_holes: int
-    """The same of joint samples."""
+    """The same for joint samples."""
     clock_jumps: int
-    """Places where a clock was set back or forth."""
+    """Number of times that a clock was set back or forward."""
     seconds: float
     """From the recording's first message to its last."""
     cut: Text
-    """Where and why the recording ended early; empty for a whole one."""
+    """Where and why the recording ended early; empty if it is complete."""
     warnings: tuple[Text, ...]
-    """What the user of the cloud should know, one sentence each."""
+    """Notes for the user of the cloud, one sentence each."""
 
     @property
     def all_frames(self) -> int:
@@ -80,7 +80,7 @@ class _PendingFrames:
 
 @dataclass(frozen=True)
 class _BlockPoints:
-    """What became of a block's frames."""
+    """The result of the frames of a block."""
 
     points: Points
     frames: int
@@ -97,14 +97,15 @@ def reconstruct_cloud(
     progress: Progress = no_progress,
     delay_ns: int | None = None,
 ) -> Reconstruction:
-    """Reconstructs a recording's cloud in the arm frame and writes it, as its name says.
+    """Reconstructs the cloud of a recording in the arm frame and writes it in the format of its
+    name.
 
     The recording is opened, and points are made, on all cores; only a few blocks of it
     are in memory at a time.
 
     Args:
-        delay_ns: by how much the arm's stamps are later than the camera's; None as the
-            station applied it, where the recording says so.
+        delay_ns: delay of the arm's time stamps relative to the camera's; None: as applied by the
+            station, if the recording states it.
 
     Raises:
         OperationError: calibration, arm and recording do not belong together, the recording
@@ -125,7 +126,7 @@ def reconstruct_cloud(
 def reconstruct_points(
     recording_path: Path, calibration: Calibration, arm: Arm, delay_ns: int | None = None
 ) -> tuple[Floats, Reconstruction]:
-    """As ``reconstruct_cloud``, the points (N, 3) in memory."""
+    """Like ``reconstruct_cloud``, with the points (N, 3) in memory."""
     kept: list[Floats] = []
     result = reconstruct_into(
         recording_path,
@@ -145,7 +146,8 @@ def reconstruct_into(
     progress: Progress = no_progress,
     delay_ns: int | None = None,
 ) -> Reconstruction:
-    """As ``reconstruct_cloud``; passes the points to ``take`` in order, on the caller's thread."""
+    """Like ``reconstruct_cloud``; passes the points to ``take`` in order, in the caller's
+    thread."""
     check_serials(calibration, arm)
     job = _Job(open_recording(recording_path), calibration, arm, take, delay_ns)
     workers = os.cpu_count() or 1
@@ -202,7 +204,7 @@ class _Job:
         progress(1.0, "")
 
     def result(self) -> Reconstruction:
-        """The counts; raises ``OperationError`` where there are no points."""
+        """The counts; raises ``OperationError`` if there are no points."""
         self._check_result()
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
         joints, frames = self._joint_clock.report(), self._frame_clock.report()
@@ -228,7 +230,7 @@ class _Job:
         return self._recording.delay_ns if given is None else given
 
     def _take_block(self, block: Block) -> None:
-        """The block's joints to the track, its frames to those that wait."""
+        """Adds the joints of a block to the track, and its frames to those that wait."""
         for samples in block.joints:
             self._joint_clock.add(samples.stamps_ns, samples.log_ns)
             self._track.extend(*self._joints.readings(samples))
@@ -243,7 +245,7 @@ class _Job:
         self._numbered += len(frames)
 
     def _is_new(self, stamp_ns: int) -> bool:
-        """False where a frame's stripe was recorded beside its picture."""
+        """False if the stripe of a frame was recorded next to its picture."""
         if stamp_ns in self._known:
             return False
         if len(self._recent) == RECENT_FRAMES:
@@ -253,7 +255,7 @@ class _Job:
         return True
 
     def _submit_ready(self, pool: ThreadPoolExecutor, up_to_ns: int | None) -> None:
-        """Has points made of frames that joints reach past; None: no more will come."""
+        """Starts computing the points of frames with later joints; None: no more will follow."""
         delay_ns = self._delay_ns
         while self._waiting and (
             up_to_ns is None or self._waiting[0].last_ns + delay_ns <= up_to_ns
@@ -266,7 +268,7 @@ class _Job:
                 self._write()
 
     def _make_points(self, waiting: _PendingFrames, q_rad: Floats) -> _BlockPoints:
-        """On a worker's thread: the points of a block's frames (Eq. 9)."""
+        """In a worker thread: the points of a block's frames (Eq. 9)."""
         known = np.asarray(np.isfinite(q_rad).all(axis=1))
         poses = np.full((len(known), 4, 4), np.nan)
         if known.any():

@@ -25,13 +25,13 @@ Counts = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class FrameReconstruction:
-    """Of which recording frames are, and by which calibration they become points."""
+    """The origin of recorded frames, and the calibration for their points."""
 
     path: Path
     calibration: Calibration
 
     def check_size(self, number: int, width_px: int, height_px: int) -> None:
-        """Raises ``OperationError`` where a frame is not of the calibrated sensor's size."""
+        """Raises ``OperationError`` if a frame does not have the size of the calibrated sensor."""
         camera = self.calibration.camera
         if (width_px, height_px) != (camera.width_px, camera.height_px):
             raise OperationError(
@@ -57,14 +57,14 @@ def reconstruct_frames(
     poses: Floats,
     first_number: int,
 ) -> tuple[Points, Counts]:
-    """Points of a block's frames, and how many pixels of stripe each frame has (F,).
+    """Points of a block's frames, and the number of stripe pixels of each frame (F,).
 
     Args:
-        poses: (F, 4, 4) ``T_arm_sensor`` at each frame's stamp; NaN where it is not known.
-        first_number: of the first frame; the others count on.
+        poses: (F, 4, 4) ``T_arm_sensor`` at each frame's stamp; NaN if unknown.
+        first_number: number of the first frame; the others follow.
 
     Raises:
-        OperationError: a frame is of another size than the calibration's, or not to be read.
+        OperationError: a frame differs in size from the calibration, or cannot be read.
     """
     pieces: list[Points] = []
     counts = np.zeros(len(frames), dtype=np.int64)
@@ -79,7 +79,7 @@ def reconstruct_frames(
 def _stripe_runs(
     placing: FrameReconstruction, block: Block, frames: Sequence[RecordedFrame], first_number: int
 ) -> list[tuple[int, int, Profiles]]:
-    """Stretches of frames whose stripes are taken together, by their first and last + 1."""
+    """Intervals of frames whose stripes are processed together, by their first and last + 1."""
     rows = [frame.source for frame in frames if isinstance(frame.source, int)]
     if len(rows) == len(frames):
         table = block.stripes[rows]
@@ -96,7 +96,7 @@ def _stripe_runs(
 def _single_stripe(
     placing: FrameReconstruction, block: Block, frame: RecordedFrame, number: int
 ) -> Profiles:
-    """One frame's stripe, extracted where its picture was recorded."""
+    """The stripe of one frame, extracted if its picture was recorded."""
     source = frame.source
     if isinstance(source, int):
         placing.check_size(number, *block.stripes[source, [WIDTH, HEIGHT]].tolist())

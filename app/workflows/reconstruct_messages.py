@@ -1,4 +1,4 @@
-"""What is said of frames, joints and clocks that a rebuilt cloud could not be made of."""
+"""Messages about frames, joints and clocks from which no points could be reconstructed."""
 
 from collections.abc import Sequence
 from typing import Literal
@@ -15,7 +15,7 @@ Stream = Literal["joints", "frames"]
 def missing_joints_warning(
     unplaced_ns: Sequence[int], frames: int, track: JointTrack, delay_ns: int, start_ns: int
 ) -> Text:
-    """Of so many frames, those without joints around their stamps."""
+    """Frames without joints around their time stamps, among a number of frames."""
     first_ns, last_ns = track.first_ns or 0, track.last_ns or 0
     at_ns = [stamp_ns + delay_ns for stamp_ns in unplaced_ns]
     beyond = sum(not first_ns <= one <= last_ns for one in at_ns)
@@ -30,7 +30,7 @@ def missing_joints_warning(
 
 
 def implausible_joints_warning(count: int, first: ImplausibleReading, start_ns: int) -> Text:
-    """Of joint samples that cannot be true."""
+    """Impossible joint samples."""
     return message(
         "joint-samples-left-out-cannot-true",
         count=count,
@@ -40,7 +40,7 @@ def implausible_joints_warning(count: int, first: ImplausibleReading, start_ns: 
 
 
 def clock_warnings(stream: Stream, clock: ClockReport, start_ns: int) -> list[Text]:
-    """Of holes in a stream, and of jumps of its clock."""
+    """Gaps in a stream, and jumps of its clock."""
     warnings: list[Text] = []
     if clock.holes:
         warnings.append(
@@ -68,7 +68,7 @@ def clock_warnings(stream: Stream, clock: ClockReport, start_ns: int) -> list[Te
 def no_joints_error(
     named: Text, unplaced_ns: Sequence[int], track: JointTrack, start_ns: int
 ) -> OperationError:
-    """Where no frame at all has joints around its stamp."""
+    """No frame has joints around its time stamp."""
     return OperationError(
         "no-joints-around-frames",
         message("no-joints-around-any-frames-stamp", named=named),

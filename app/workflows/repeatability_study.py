@@ -1,7 +1,7 @@
-"""The article's study: clouds of one plane, each rebuilt with each of several calibrations.
+"""The article's study: clouds of one plane, each reconstructed with each of several calibrations.
 
-Whatever a calibration has wrong shows as a plane that turns and shifts from one
-calibration to the next; what the arm and the scanning add, from one cloud to the next.
+Errors of a calibration appear as a plane that turns and shifts from one calibration to the next;
+errors of the arm and the scanning, from one cloud to the next.
 """
 
 import csv
@@ -41,21 +41,21 @@ COLUMNS = ("recording", "calibration", "points", "rms_um", "angle_arcsec", "offs
 
 @dataclass(frozen=True)
 class StudyPlane:
-    """One recording rebuilt with one calibration."""
+    """One recording reconstructed with one calibration."""
 
     recording: str
     calibration: str
     points: int
     rms_um: float
     angle_arcsec: float
-    """Between its plane and the nominal, or where there is none the mean of all planes."""
+    """Between its plane and the nominal, or, if there is none, the mean of all planes."""
     offset_um: float
-    """Of its plane from that one, along its normal, in the middle of all clouds."""
+    """Distance of its plane from that one, along its normal, in the middle of all clouds."""
 
 
 @dataclass(frozen=True)
 class PlaneSpread:
-    """How far the planes of one recording, or of one calibration, lie apart."""
+    """The range of the planes of one recording, or of one calibration."""
 
     of: str
     angle_arcsec: float
@@ -64,7 +64,7 @@ class PlaneSpread:
 
 @dataclass(frozen=True)
 class Study:
-    """All planes, and how they scatter."""
+    """All planes, and their scatter."""
 
     rows: tuple[StudyPlane, ...]
     between_calibrations: tuple[PlaneSpread, ...]
@@ -74,7 +74,7 @@ class Study:
     warnings: tuple[Text, ...]
 
     def write_csv(self, path: Path) -> None:
-        """The table, one row a recording and calibration; raises ``OperationError``."""
+        """The table, with one row per recording and calibration; raises ``OperationError``."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         table.writerow(COLUMNS)
@@ -91,11 +91,12 @@ def run_study(
     nominal_path: Path | None = None,
     progress: Progress = no_progress,
 ) -> Study:
-    """Rebuilds every recording with every calibration and fits a plane to each cloud.
+    """Reconstructs every recording with every calibration and fits a plane to each cloud.
 
     Raises:
-        OperationError: as ``rebuild``; a cloud fixes no plane; the nominal is none of a
-            plane; there is but one cloud in all.
+        OperationError: as ``rebuild``; a cloud determines no plane; the nominal is not a plane;
+            there
+            is only one cloud.
     """
     if len(recordings) * len(calibrations) < 2:
         raise OperationError(
@@ -146,7 +147,7 @@ def _compare_planes(
     centres = np.array([[fit.centre_mm for fit in row] for row in fits])
     middle, mean = centres.mean(axis=(0, 1)), normals.mean(axis=(0, 1))
     normal: Floats = mean / np.linalg.norm(mean) if nominal is None else nominal.normal
-    # how high each plane passes over the middle, along the normal
+    # height of each plane at the middle, along the normal
     heights = np.einsum("crk,crk->cr", normals, centres - middle) / (normals @ normal)
     zero = float(heights.mean()) if nominal is None else nominal.offset_mm - normal @ middle
     turned = max(angle_between_rad(n, normals[0, 0]) for n in normals[0])
@@ -176,7 +177,7 @@ def _compare_planes(
 
 
 def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[PlaneSpread, ...]:
-    """Over the first axis, of each of the second."""
+    """Over the first axis, for each element of the second."""
     angles, offsets = angle_ranges_arcsec(normals), offset_ranges_um(heights)
     return tuple(
         PlaneSpread(str(name), float(angle), float(offset))
@@ -185,7 +186,7 @@ def _ranges(names: Sequence[Path], normals: Floats, heights: Floats) -> tuple[Pl
 
 
 def range_rows(done: Study) -> list[tuple[str, ...]]:
-    """The mean ranges to print, in English, next to those of the article."""
+    """The mean ranges for printing, in English, next to those of the article."""
     rows: list[tuple[str, ...]] = []
     for title, ranges, arcsec, um in (
         ("between calibrations", done.between_calibrations, ARTICLE_ARCSEC, ARTICLE_UM),

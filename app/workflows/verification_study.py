@@ -1,7 +1,7 @@
 """The article's test on the clouds of a verification: each rebuilt with every calibration.
 
-What a calibration has wrong shows from one calibration to the next, what arm and scanning
-add from one cloud to the next (Figs. 7-11).
+Errors of a calibration appear from one calibration to the next, those of arm and scanning from one
+cloud to the next (Figs. 7-11).
 """
 
 from collections.abc import Sequence
@@ -38,7 +38,7 @@ STUDY_CALIBRATION = "calibration.json"
 
 @dataclass(frozen=True)
 class AcceptedCalibration:
-    """An accepted calibration; its folder holds the arm that it was made on, too."""
+    """An accepted calibration; its folder also contains the arm on which it was made."""
 
     id: str
     name: str
@@ -46,7 +46,7 @@ class AcceptedCalibration:
 
 
 class StudyRow(DocumentPart):
-    """One cloud with one calibration; plane: angle and Z, sphere: radius and centre."""
+    """One cloud with one calibration; for a plane, angle and Z; for a sphere, radius and centre."""
 
     cloud: int
     """Index among the study's clouds; ``calibration``: among its calibrations."""
@@ -54,13 +54,13 @@ class StudyRow(DocumentPart):
     rms_um: NotNegative
     angle_arcsec: NotNegative | None = None
     z_error_um: Number | None = None
-    """Along Z (Eq. 11-12); of a steep plane along its normal."""
+    """Along Z (Eq. 11-12); for a steep plane, along its normal."""
     radius_error_um: Number | None = None
     centre_error_um: NotNegative | None = None
 
 
 class StudyRange(DocumentPart):
-    """Largest minus smallest of a figure over the clouds of a calibration, or the other way."""
+    """Range of a figure over the clouds of a calibration, or over the calibrations of a cloud."""
 
     of: int
     first: NotNegative
@@ -76,7 +76,7 @@ class StudyFile(Document):
 
     shape: Shape
     against_probe: bool
-    """Else against the mean of all, where the gauge was not touched."""
+    """Otherwise relative to the mean of all, if the gauge was not touched."""
     clouds: tuple[str, ...]
     calibrations: tuple[str, ...]
     """Names, in the order of the ids."""
@@ -146,7 +146,7 @@ def study_verification(
 
 
 def _within_folder(text: Text, prefix: str) -> Text:
-    """A text whose file names are those within a folder."""
+    """A text in which file names are those within a folder."""
     match text:
         case str():
             return text.replace(prefix, "")
@@ -164,7 +164,7 @@ def _within_folder(text: Text, prefix: str) -> Text:
 
 
 def _fit_contacts(folder: Path, arm: Arm, gauge: GaugeFile) -> ProbedGauge | None:
-    """By this arm, which may be known better than when it touched."""
+    """With this arm, which may be known better than at the time of probing."""
     if not (folder / CONTACTS).is_file():
         return None
     q_rad = read_contacts(folder / CONTACTS, arm, ("gauge",)).q_rad
@@ -174,7 +174,7 @@ def _fit_contacts(folder: Path, arm: Arm, gauge: GaugeFile) -> ProbedGauge | Non
 
 
 def _mean_gauge(fits: Sequence[Sequence[GaugeFit]], gauge: GaugeFile) -> ProbedGauge:
-    """What the clouds agree on, in the place of the touches."""
+    """The mean of the clouds, in place of the contact points."""
     every = [fit for row in fits for fit in row]
     centre = np.mean([fit.centre_mm for fit in every], axis=0)
     nothing = np.zeros(0)

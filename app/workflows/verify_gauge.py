@@ -1,4 +1,4 @@
-"""Clouds of gauges checked against their nominals (Eq. 10-12), as a report."""
+"""Compares clouds of gauges with their nominals (Eq. 10-12), as a report."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -59,8 +59,8 @@ def verify(
         The report, and what the user should know in addition.
 
     Raises:
-        OperationError: a cloud or the nominal cannot be read, the nominal is of another
-            shape, or a cloud fixes no plane or sphere.
+        OperationError: a cloud or the nominal cannot be read, the nominal has another shape, or
+            a cloud determines no plane or sphere.
     """
     nominal = None if nominal_path is None else read_nominal(nominal_path)
     found: list[CloudReport] = []
@@ -180,7 +180,7 @@ def _spreads(clouds: Sequence[CloudReport]) -> dict[str, SpreadReport]:
 
 
 def report_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
-    """Headings and rows to print: one row a cloud, then the spread over several."""
+    """Headings and rows for printing: one row per cloud, then the scatter over several."""
     shown = [name for name in FIGURES if getattr(report.clouds[0], name) is not None]
     headings = ["cloud", "points", "used", *(FIGURES[name][0] for name in shown)]
     rows = [

@@ -1,1 +1,1 @@
-"""Who may do what: signing in, accounts, and the check of every request."""
+"""Access control: sign-in, accounts, and the check of every request."""

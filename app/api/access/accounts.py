@@ -1,4 +1,4 @@
-"""What administrators do: accounts, and the audit log."""
+"""Routes for administrators: accounts, and the audit log."""
 
 from typing import Annotated
 
@@ -18,18 +18,18 @@ from app.wire.schema import AccountChange, AccountSummary, NewAccount
 router = APIRouter(prefix="/api")
 AUDIT_LIMIT = 500
 Name = Annotated[str, Query(max_length=200)]
-"""Of an account; in no path, since browsers take some names there for folders."""
+"""Name of an account; not part of a path, because browsers treat some names there as folders."""
 
 
 @router.get("/accounts")
 def accounts(context: TheContext) -> list[AccountSummary]:
-    """Every account, by name."""
+    """Lists all accounts by name."""
     return [_summary(account) for account in context.store.accounts.all()]
 
 
 @router.post("/accounts")
 def add(asked: NewAccount, request: Request, context: TheContext) -> AccountSummary:
-    """A new account."""
+    """Creates an account."""
     request.state.detail = f"{asked.name}, {asked.role}"
     return _summary(context.store.accounts.add(asked.name, Role[asked.role], asked.password))
 
@@ -38,7 +38,7 @@ def add(asked: NewAccount, request: Request, context: TheContext) -> AccountSumm
 def change(
     name: Name, asked: AccountChange, request: Request, context: TheContext
 ) -> AccountSummary:
-    """Another role, or a new password; the person is signed out everywhere."""
+    """Sets another role, or a new password; the user is signed out everywhere."""
     account = _account(context, name)
     changed: list[Text] = [account.name]
     if asked.role is not None:
@@ -56,7 +56,7 @@ def change(
 
 @router.delete("/account", status_code=HTTP_204_NO_CONTENT)
 def remove(name: Name, request: Request, context: TheContext) -> None:
-    """Removes an account; the person is signed out everywhere."""
+    """Removes an account; the user is signed out everywhere."""
     request.state.detail = name
     account = _account(context, name)
     context.store.accounts.remove(account.name)
@@ -69,9 +69,9 @@ def audit(
     words: Annotated[str, Query(max_length=100)] = "",
     lang: Annotated[str, Query(pattern="^[a-z]{2}$")] = ENGLISH,
 ) -> list[AuditEntry]:
-    """The last entries of the audit log that have all the words, newest first.
+    """The latest entries of the audit log that contain all the words, newest first.
 
-    They are searched for in English and in the reader's language.
+    Words are searched in English and in the user's language.
     """
     return context.store.audit.newest(AUDIT_LIMIT, words, translator(lang) or str)
 
@@ -84,7 +84,7 @@ def _account(context: Context, name: str) -> Account:
 
 
 def _sign_out(context: Context, account: Account) -> None:
-    """Everywhere, and out of control."""
+    """Signs the user out everywhere; control is released."""
     context.store.login_sessions.end_all(account.name)
     context.lease.leave_all(account.name)
 

@@ -1,4 +1,4 @@
-"""Signing in and out, and whose turn it is."""
+"""Signing in and out, and control of the station."""
 
 from http import HTTPStatus
 
@@ -43,13 +43,13 @@ ROLE_NAMES: dict[Role, RoleName] = {
 
 @router.get("/session")
 def session(request: Request, context: TheContext) -> SignInState:
-    """Who is signed in here, or how one signs in."""
+    """Who is signed in here, or how to sign in."""
     return _session(context, visitor_of(request))
 
 
 @router.get("/starting")
 def starting() -> Readiness:
-    """Whether the station is ready: it is, once this answers; before, its start does."""
+    """Whether the station is ready; during the start, the start-up server answers this."""
     return READY
 
 
@@ -79,7 +79,7 @@ def sign_in(
 def sign_in_guest(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
-    """Lets the guest of a demonstration in."""
+    """Signs in the guest of a demonstration."""
     guest = context.authenticator.guest_by_code(asked.code, address_of(request))
     if guest is None:
         raise _wrong_code(context, request, message("entered-consoles-code"))
@@ -90,7 +90,7 @@ def sign_in_guest(
 def first_admin(
     asked: FirstAdmin, request: Request, response: Response, context: TheContext
 ) -> SignInState:
-    """Makes the first administrator, and signs this browser in."""
+    """Creates the first administrator, and signs this browser in."""
     account = context.authenticator.make_admin(
         asked.code, asked.name, asked.password, address_of(request)
     )
@@ -104,7 +104,7 @@ def first_admin(
 def sign_in_kiosk(
     asked: SignInCode, request: Request, response: Response, context: TheContext
 ) -> SignInState:
-    """Makes this browser a kiosk."""
+    """Makes this browser a kiosk screen."""
     visitor = context.authenticator.kiosk_by_link(asked.code, address_of(request))
     if visitor is None:
         raise AccessDeniedError(
@@ -120,7 +120,7 @@ def sign_in_kiosk(
 
 @router.delete("/session")
 def sign_out(request: Request, response: Response, context: TheContext) -> SignInState:
-    """Signs this browser out; its control goes on to whoever asked, or is free."""
+    """Signs this browser out; its control goes to whoever requested it, or becomes free."""
     visitor, token = visitor_of(request), token_of(request)
     if visitor is not None:
         context.lease.leave(visitor.id)
@@ -138,7 +138,7 @@ def change_password(
     context: TheContext,
     visitor: TheVisitor,
 ) -> SignInState:
-    """Changes the own password; every other browser of this person is signed out."""
+    """Changes the user's own password; all other browsers of this user are signed out."""
     address, browser = address_of(request), browser_token(request)
     if context.authenticator.sign_in(visitor.name, asked.old, address, browser) is None:
         raise AccessDeniedError(
@@ -155,21 +155,21 @@ def change_password(
 
 @router.post("/control/ask")
 def ask(context: TheContext, person: ThePerson) -> Control:
-    """Asks for control; takes it where it is free."""
+    """Requests control; takes it if it is free."""
     context.lease.ask(person)
     return context.lease.control
 
 
 @router.post("/control/answer")
 def answer(asked: ControlReply, context: TheContext, person: ThePerson) -> Control:
-    """Passes control to the one who asked, or keeps it."""
+    """Gives control to the user who requested it, or keeps it."""
     context.lease.answer(person, asked.give)
     return context.lease.control
 
 
 @router.post("/control/release")
 def release(context: TheContext, person: ThePerson) -> Control:
-    """Lets go of control."""
+    """Releases control."""
     context.lease.release(person)
     return context.lease.control
 
@@ -178,14 +178,14 @@ def release(context: TheContext, person: ThePerson) -> Control:
 def take(
     asked: TakeoverReason, request: Request, context: TheContext, person: ThePerson
 ) -> Control:
-    """Takes control over, for a reason that all can read."""
+    """Takes control over, with a reason that everyone can read."""
     request.state.detail = asked.reason
     context.lease.take_over(person, asked.reason)
     return context.lease.control
 
 
 def current_user(visitor: Principal | None) -> CurrentUser | None:
-    """A visitor as their own browser knows them."""
+    """A user as their own browser sees them."""
     if visitor is None:
         return None
     return CurrentUser(visitor.id, visitor.name, ROLE_NAMES[visitor.role], visitor.kiosk)
@@ -199,7 +199,7 @@ def _begin(name: str, request: Request, response: Response, context: Context) ->
 
 
 def _trust_browser(name: str, request: Request, response: Response, context: Context) -> None:
-    """Whoever knows a password is kept out by nobody's guesses at this browser any more."""
+    """After a correct password, wrong attempts of others no longer slow this browser down."""
     before = browser_token(request)
     if not context.store.login_sessions.is_known_browser(before, name):
         set_browser_token(

@@ -1,4 +1,4 @@
-"""Who is behind a request, and whether it may do what it asks: the one door of all routes."""
+"""Authorisation of every request: who sent it, and whether they may do what it asks."""
 
 import asyncio
 import logging
@@ -29,19 +29,19 @@ PORTS = {"http": 80, "ws": 80, "https": 443, "wss": 443}
 
 
 def authorise(connection: HTTPConnection) -> Iterator[None]:
-    """Lets a request pass to its route, and notes in the audit log what it did.
+    """Lets a request pass to its route, and records its action in the audit log.
 
     Raises:
-        Denied: nobody is signed in, the role does not do, or the route is in no table.
-        WebSocketException: the same of a live connection.
-        OperationError: somebody else has control.
+        Denied: nobody is signed in, the role has no permission, or the route is not listed.
+        WebSocketException: the same for a live connection.
+        OperationError: another user has control.
     """
     context, rule = context_of(connection), _rule(connection)
     if rule.right is Right.enter or (rule.right is Right.scrape and _has_metrics_token(connection)):
         yield
         return
     visitor = visitor_of(connection)
-    # who is nobody fills no log
+    # anonymous requests are not audited
     with _audit(connection, rule, visitor) if rule.act and visitor else nullcontext():
         connection.state.visitor = _check_right(connection, rule, visitor)
         if rule.right is Right.act:
@@ -51,7 +51,7 @@ def authorise(connection: HTTPConnection) -> Iterator[None]:
 
 @contextmanager
 def _audit(connection: HTTPConnection, rule: Rule, visitor: Principal) -> Iterator[None]:
-    """Writes into the audit log what is done inside, or why it was not."""
+    """Records in the audit log what is done inside, or why it was refused."""
     outcome: Text = message("act-failed")
     try:
         yield
@@ -83,7 +83,7 @@ def _rule(connection: HTTPConnection) -> Rule:
 
 
 def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | None) -> Principal:
-    """The visitor, who has the right; control is looked at after this."""
+    """The user, if permitted; control is checked after this."""
     if visitor is None:
         denied = AccessDeniedError(
             HTTPStatus.UNAUTHORIZED, "signed-out", message("nobody-signed-here"), message("sign-go")
@@ -111,10 +111,10 @@ def _check_right(connection: HTTPConnection, rule: Rule, visitor: Principal | No
 
 
 def _has_metrics_token(connection: HTTPConnection) -> bool:
-    """Whether a program comes with a good token; a wrong one is slowed down as passwords are.
+    """Whether a program has a valid token; wrong tokens are slowed down like passwords.
 
     Raises:
-        TooManyTries: from this address.
+        TooManyTries: too many from this address.
     """
     kind, _, token = connection.headers.get("authorization", "").partition(" ")
     if kind.lower() != "bearer":
@@ -125,31 +125,32 @@ def _has_metrics_token(connection: HTTPConnection) -> bool:
 
 
 def token_of(connection: HTTPConnection) -> str:
-    """The sign-in's cookie, or nothing."""
+    """The cookie of the login session, or an empty string."""
     return connection.cookies.get(cookie_name(connection), "")
 
 
 def visitor_of(connection: HTTPConnection) -> Principal | None:
-    """Who is signed in at this browser."""
+    """The user signed in at this browser."""
     token = token_of(connection)
     return context_of(connection).store.login_sessions.principal(token) if token else None
 
 
 def current_visitor(connection: HTTPConnection) -> Principal:
-    """Whom ``authorise`` let pass."""
+    """The user whom ``authorise`` let pass."""
     return cast(Principal, connection.state.visitor)
 
 
 def person_of(connection: HTTPConnection) -> Person:
-    """The same, as control knows them."""
+    """The same, as control identifies them."""
     visitor = current_visitor(connection)
     return Person(visitor.id, visitor.name)
 
 
 async def wait_for_sign_out(socket: WebSocket) -> None:
-    """Returns once this browser's sign-in is no longer good, or allows something else.
+    """Returns when this browser's login session is no longer valid, or its permissions have
+    changed.
 
-    Control goes with it, also where another program ended the sign-in.
+    Control ends with it, even if another program ended the session.
     """
     visitor = current_visitor(socket)
     while await asyncio.to_thread(visitor_of, socket) == visitor:
@@ -163,34 +164,34 @@ ThePerson = Annotated[Person, Depends(person_of)]
 
 
 def address_of(connection: HTTPConnection) -> str:
-    """Where the request came from."""
+    """The address from which the request came."""
     return connection.client.host if connection.client else ""
 
 
 def cookie_name(connection: HTTPConnection) -> str:
-    """One for each port, since a browser keeps cookies by the host's name alone."""
+    """One name per port, because browsers store cookies by host name only."""
     url = connection.url
     return cookie_for(url.port or PORTS[url.scheme])
 
 
 def cookie_for(port: int) -> str:
-    """The same, by the port."""
+    """The same, by port."""
     return f"crenel-{port}"
 
 
 def browser_token(connection: HTTPConnection) -> str:
-    """The token by which this browser is known, or nothing; it lets nobody in."""
+    """The token that identifies this browser, or an empty string; it gives no access."""
     return connection.cookies.get(f"{cookie_name(connection)}-known", "")
 
 
 def set_cookie(response: Response, connection: HTTPConnection, token: str, kiosk: bool) -> None:
-    """Signs this browser in with a token; no script can read it, no other page send it."""
+    """Signs this browser in with a token; scripts cannot read it, other pages cannot send it."""
     lasts_s = A_YEAR_S if kiosk else int(LONGEST.total_seconds())
     _write_cookie(response, connection, cookie_name(connection), token, lasts_s)
 
 
 def set_browser_token(response: Response, connection: HTTPConnection, token: str) -> None:
-    """The browser is known from now on."""
+    """The browser is trusted from now on."""
     _write_cookie(response, connection, f"{cookie_name(connection)}-known", token, A_YEAR_S)
 
 

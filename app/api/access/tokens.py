@@ -1,4 +1,4 @@
-"""What opens one thing without an account: kiosk links, and tokens for the metrics."""
+"""Access to one thing without an account: kiosk links, and API tokens for the metrics."""
 
 from fastapi import APIRouter, Request
 from starlette.status import HTTP_204_NO_CONTENT
@@ -15,7 +15,7 @@ router = APIRouter(prefix="/api")
 
 @router.get("/kiosk-links")
 def kiosk_links(context: TheContext) -> list[AccessTokenSummary]:
-    """Every kiosk link."""
+    """Lists all kiosk links."""
     return _summaries(context.store.kiosk_links)
 
 
@@ -23,21 +23,21 @@ def kiosk_links(context: TheContext) -> list[AccessTokenSummary]:
 def add_kiosk_link(
     asked: NewAccessToken, request: Request, context: TheContext, visitor: TheVisitor
 ) -> AccessTokenSummary:
-    """A new kiosk link; its token is shown this once."""
+    """Creates a kiosk link; its token is shown only once."""
     request.state.detail = asked.name
     return _add(context.store.kiosk_links, asked.name, visitor.name)
 
 
 @router.delete("/kiosk-links/{link_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_kiosk_link(link_id: str, context: TheContext) -> None:
-    """A kiosk link that shows nothing from now on."""
+    """Revokes a kiosk link."""
     if not context.store.kiosk_links.remove(link_id):
         raise NotFoundError(message("there-no-kiosk-link", link_id=link_id))
 
 
 @router.get("/tokens")
 def api_tokens(context: TheContext) -> list[AccessTokenSummary]:
-    """Every token for the metrics."""
+    """Lists all API tokens for the metrics."""
     return _summaries(context.store.api_tokens)
 
 
@@ -45,14 +45,14 @@ def api_tokens(context: TheContext) -> list[AccessTokenSummary]:
 def add_api_token(
     asked: NewAccessToken, request: Request, context: TheContext, visitor: TheVisitor
 ) -> AccessTokenSummary:
-    """A new token for the metrics, which is shown this once."""
+    """Creates an API token for the metrics; it is shown only once."""
     request.state.detail = asked.name
     return _add(context.store.api_tokens, asked.name, visitor.name)
 
 
 @router.delete("/tokens/{token_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_api_token(token_id: str, context: TheContext) -> None:
-    """A token that is good for nothing from now on."""
+    """Revokes an API token."""
     if not context.store.api_tokens.remove(token_id):
         raise NotFoundError(message("there-no-token", token_id=token_id))
 

@@ -1,4 +1,4 @@
-"""The files that the client's build left in ``app/static``; light, as ``problem``."""
+"""The built files of the client in ``app/static``; light to import, like ``problem``."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ the source tree: <code>npm ci &amp;&amp; npm run build</code> in <code>frontend<
 
 
 def file_response(path: str) -> Response | None:
-    """A built file by its address; None where there is none."""
+    """A built file by its address; None if there is none."""
     try:
         file = (STATIC / path).resolve()
         if not (path and file.is_file() and file.is_relative_to(STATIC)):
@@ -32,7 +32,7 @@ def file_response(path: str) -> Response | None:
 
 
 def page_response(name: str) -> Response:
-    """One of the built pages, whatever the address: it finds its own way."""
+    """One of the built pages, whatever the address: it selects its own view."""
     page = STATIC / name
     if not page.is_file():
         return HTMLResponse(NOT_BUILT, 503)

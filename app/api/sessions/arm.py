@@ -1,4 +1,4 @@
-"""The arm's own flows: its daily check, and its identification."""
+"""The guided sessions of the arm: its daily check, and its identification."""
 
 from fastapi import APIRouter, Request
 from starlette.responses import Response
@@ -24,36 +24,36 @@ def _answer(view: ArmView) -> Response:
 
 @router.get("", response_model=ArmView)
 def arm(context: TheContext) -> Response:
-    """The present view."""
+    """The current view of the session."""
     return _answer(context.arm_guide.view())
 
 
 @router.get("/checks")
 def checks(context: TheContext) -> list[ArmCheckSummary]:
-    """Every finished check, newest first."""
+    """Lists all finished arm checks, newest first."""
     return context.arm_guide.history.checks()
 
 
 @router.get("/tips")
 def tips(context: TheContext) -> list[TipCheckSummary]:
-    """Every finished check of the tip, newest first."""
+    """Lists all finished tip checks, newest first."""
     return context.arm_guide.history.tip_checks()
 
 
 @router.get("/identifications")
 def identifications(context: TheContext) -> list[IdentificationSummary]:
-    """Every identification of the arm, newest first."""
+    """Lists all identifications of the arm, newest first."""
     return context.arm_guide.history.identifications()
 
 
 @router.post("/start", response_model=ArmView)
 def start(asked: ArmStart, context: TheContext) -> Response:
-    """Begins a check or an identification, or resumes the open session."""
+    """Starts a check or an identification, or resumes the open session."""
     return _answer(context.arm_guide.start(asked.purpose))
 
 
 @router.post("/command", response_model=ArmView)
 def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
-    """One of the view's actions; once for each key, and only on the present view."""
+    """Performs one of the view's actions; once per key, and only for the current view."""
     request.state.detail = audit_label(asked.name)
     return _answer(command(context.arm_guide, asked.name, asked.args, asked.rev, asked.key))

@@ -23,25 +23,25 @@ def _answer(view: FlowView) -> Response:
 
 @router.get("", response_model=FlowView)
 def flow(context: TheContext) -> Response:
-    """The present view."""
+    """The current view of the calibration."""
     return _answer(context.guide.view())
 
 
 @router.post("/start", response_model=FlowView)
 def start(context: TheContext) -> Response:
-    """Begins a calibration, or resumes the open one."""
+    """Starts a calibration, or resumes the open one."""
     return _answer(context.guide.start())
 
 
 @router.post("/command", response_model=FlowView)
 def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
-    """One of the view's actions; once for each key, and only on the present view."""
+    """Performs one of the view's actions; once per key, and only for the current view."""
     request.state.detail = audit_label(asked.name)
     return _answer(command(context.guide, asked.name, asked.args, asked.rev, asked.key))
 
 
 @router.get("/image/{name}")
 def image(name: str, context: TheContext) -> Response:
-    """A captured picture of the present session."""
+    """A captured picture of the current session."""
     path: Path | None = context.guide.folder.image(name)
     return send_file(path, message("session-has-no-picture", name=name), "image/png", cached=True)

@@ -1,4 +1,4 @@
-"""The guided verification, and the record of those that were accepted."""
+"""The guided verification, and the records of accepted verifications."""
 
 from typing import Annotated
 
@@ -33,13 +33,13 @@ def _answer(view: VerifyView) -> Response:
 
 @router.get("/verify", response_model=VerifyView)
 def verify(context: TheContext) -> Response:
-    """The present view."""
+    """The current view of the verification."""
     return _answer(context.verify_guide.view())
 
 
 @router.post("/verify/start", response_model=VerifyView)
 def start(context: TheContext) -> Response:
-    """Begins a verification, or resumes the open one."""
+    """Starts a verification, or resumes the open one."""
     return _answer(context.verify_guide.start())
 
 
@@ -47,7 +47,7 @@ def start(context: TheContext) -> Response:
 def run_command(
     asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor
 ) -> Response:
-    """One of the view's actions; once for each key, and only on the present view."""
+    """Performs one of the view's actions; once per key, and only for the current view."""
     request.state.detail = audit_label(asked.name)
     guide, temperatures = context.verify_guide, context.store.temperatures
     return _answer(
@@ -57,13 +57,13 @@ def run_command(
 
 @router.post("/temperature")
 def temperature(asked: NewTemperature, context: TheContext, visitor: TheVisitor) -> None:
-    """What the temperature at the station is now."""
+    """Sets the present temperature at the station."""
     context.store.temperatures.add(asked.celsius, visitor.name)
 
 
 @router.get("/verifications")
 def verifications(context: TheContext) -> list[VerificationSummary]:
-    """Every accepted verification, newest first."""
+    """Lists all accepted verifications, newest first."""
     names = {record.id: record.name for record in context.store.calibrations.all()}
     return [
         verification_summary(record, names.get(record.calibration_id, ""))
@@ -72,7 +72,7 @@ def verifications(context: TheContext) -> list[VerificationSummary]:
 
 
 def verification_summary(record: VerificationRecord, calibration: str) -> VerificationSummary:
-    """A verification as it is listed."""
+    """A verification as it appears in the list."""
     figures = record.figures
     return VerificationSummary(
         id=record.id,
@@ -91,7 +91,7 @@ def verification_summary(record: VerificationRecord, calibration: str) -> Verifi
 
 @router.get("/verifications/{verification_id}")
 def verification(verification_id: str, context: TheContext) -> Response:
-    """The record as its file has it."""
+    """The record of a verification, as stored in its file."""
     path = _record(verification_id, context).folder / VERIFICATION
     missing = message("record-data-folder-any-more")
     return send_file(path, missing, "application/json", f"verification-{verification_id}.json")
@@ -99,7 +99,7 @@ def verification(verification_id: str, context: TheContext) -> Response:
 
 @router.get("/verifications/{verification_id}/cloud/{number}/map")
 def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) -> Response:
-    """A cloud's deviations from its fitted shape, of an open session too."""
+    """The deviations of a cloud from its fitted shape, also for an open session."""
     guide = context.verify_guide
     if guide.running and guide.state.session_id == verification_id:
         folder = guide.folder
@@ -111,7 +111,7 @@ def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) ->
 
 @router.get("/verifications/{verification_id}/study")
 def study(verification_id: str, context: TheContext) -> StudyState:
-    """The clouds with every calibration: whether that was done, and with which."""
+    """Whether the clouds were rebuilt with every calibration, and with which ones."""
     return _study_state(verification_id, context)
 
 

@@ -1,1 +1,1 @@
-"""The 3D view's page and socket, passed through by the station."""
+"""The page and socket of the 3D view, relayed by the station."""

@@ -1,7 +1,7 @@
-"""The 3D view for a browser that draws slowly: fewer of the clouds' points, evenly taken.
+"""The 3D view for a slow browser: fewer points of the clouds, evenly selected.
 
-viser sends every browser the same. The clouds' large nodes carry the tier of their points in
-their names (see ``cloud_view``), so that without the lowest tiers an even picture is left.
+viser sends every browser the same data. The names of large cloud nodes contain the tier of their
+points (see ``cloud_view``), so that omitting the lowest tiers leaves an even view.
 """
 
 import re
@@ -22,22 +22,22 @@ class _ViewerNode:
     tier: int
     points: int
     size: float
-    """Of a point, as viser has it."""
+    """Size of a point in viser's messages."""
     owner: str
     passed: bool = False
 
 
 class PointLimiter:
-    """Passes one browser's frames on, with at most so many points in large nodes."""
+    """Relays the frames of one browser, with a limited number of points in large nodes."""
 
     def __init__(self, most: int) -> None:
         self._most = most
         self._nodes: dict[str, _ViewerNode] = {}
         self._finest = 0
-        """The lowest tier that is passed; it falls again once all nodes are gone."""
+        """The lowest tier that is relayed; it decreases again when all nodes are gone."""
 
     def filter_frame(self, frame: bytes) -> bytes:
-        """What of a frame of viser's socket the browser gets."""
+        """The part of a frame of viser's socket that the browser receives."""
         content, arrays = _unpack(frame)
         output: list[Message] = []
         for message in content["messages"]:
@@ -49,7 +49,7 @@ class PointLimiter:
         return _pack({**content, "messages": output}, arrays)
 
     def _replacements(self, message: Message, arrays: list[bytes]) -> list[Message]:
-        """What the browser gets in its place."""
+        """What the browser receives instead."""
         kind, name = message["type"], str(message.get("name", ""))
         if kind == "PointCloudMessage" and (tier := TIER.search(name)):
             props = message["props"]
@@ -76,7 +76,7 @@ class PointLimiter:
         return [message] if node.passed else []
 
     def _coarsen(self) -> list[Message]:
-        """Takes tiers away until what is left is no more than it may be."""
+        """Removes tiers until the remaining points are within the limit."""
         before = self._finest
         highest = max(node.tier for node in self._nodes.values())
         while self._finest < highest and self._visible_points() > self._most:
@@ -97,7 +97,7 @@ class PointLimiter:
         return sum(node.points for node in self._nodes.values() if node.tier >= self._finest)
 
     def _size(self, node: _ViewerNode) -> float:
-        """So much larger as the points lie further apart: two tiers are twice the distance."""
+        """Factor by which the points are further apart: two tiers double the distance."""
         lowest = min(each.tier for each in self._nodes.values())
         return node.size * float(2.0 ** (max(self._finest - lowest, 0) / 2))
 
@@ -107,13 +107,13 @@ def _message(kind: str, name: str, node: _ViewerNode, **more: object) -> Message
 
 
 def _indices(message: Message) -> list[int]:
-    """Of the arrays that a message refers to."""
+    """Indices of the arrays to which a message refers."""
     parts = [*message.get("props", {}).values(), *message.get("updates", {}).values()]
     return [part["__binary_index"] for part in parts if isinstance(part, dict)]
 
 
 def _unpack(frame: bytes) -> tuple[Message, list[bytes]]:
-    """What is in one frame of viser's socket: its content, and the arrays it refers to."""
+    """The content of one frame of viser's socket, and the arrays to which it refers."""
     packed_bytes = int.from_bytes(frame[8:16], "little")
     inner = zstandard.ZstdDecompressor().decompress(
         frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
@@ -128,7 +128,7 @@ def _unpack(frame: bytes) -> tuple[Message, list[bytes]]:
 
 
 def _pack(content: Message, arrays: list[bytes]) -> bytes:
-    """The inverse."""
+    """The inverse of it."""
     content["binaryBufferLengths"] = [len(array) for array in arrays]
     inner = msgspec.msgpack.encode(content)
     packed = zstandard.ZstdCompressor(level=1).compress(inner)

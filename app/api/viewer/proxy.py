@@ -1,8 +1,8 @@
-"""The 3D view, reached through this server's own origin.
+"""The 3D view, reached through the origin of this server.
 
-viser listens on loopback and answers this server alone (see ``scene_server``); any client
-of it may change the scene. So from browsers only camera
-messages are passed on, decoded and encoded again; everything else is dropped.
+viser listens on loopback and answers this server only (see ``scene_server``), because any of its
+clients may change the scene. From browsers, only camera messages are relayed, decoded and encoded
+again; everything else is dropped.
 """
 
 import asyncio
@@ -34,14 +34,14 @@ PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
 Vector = tuple[float, float, float]
 KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?")
-"""A page's own name for its view, as the last part of the viewer's address; behind it how
-many thousand points of the clouds it can draw, where those are few."""
+"""A page's own name for its view, as the last part of the viewer's address, followed by the number
+of cloud points (in thousands) that it can draw, if that is small."""
 
 
 class CameraMessage(
     msgspec.Struct, tag="ViewerCameraMessage", tag_field="type", forbid_unknown_fields=True
 ):
-    """viser's message of where a browser looks from: the one kind that is passed on."""
+    """viser's message of a browser's viewpoint: the only kind that is relayed."""
 
     wxyz: tuple[float, float, float, float]
     position: Vector
@@ -54,7 +54,7 @@ class CameraMessage(
     up_direction: Vector
 
     def view_camera(self) -> ViewCamera | None:
-        """As the station uses it; None where it looks nowhere."""
+        """The viewpoint as the station uses it; None if there is none."""
         finite = all(map(math.isfinite, (*self.wxyz, *self.position)))
         if not finite or not any(self.wxyz) or not 0 < self.fov < math.pi:
             return None
@@ -66,7 +66,7 @@ CAMERA = msgspec.msgpack.Decoder(CameraMessage)
 
 
 def decode_camera(message: bytes) -> CameraMessage | None:
-    """What of a browser's message reaches viser: a camera message, or nothing."""
+    """The part of a browser's message that is relayed to viser: a camera message, or nothing."""
     try:
         return CAMERA.decode(message)
     except msgspec.DecodeError:
@@ -91,7 +91,7 @@ async def page(path: str, context: TheContext) -> Response:
                 "GET", address, headers={"accept-encoding": "gzip", **context.scene.key}
             ) as found,
         ):
-            # as sent, so that what viser compressed stays compressed
+            # as sent, so that viser's compression stays
             body = b"".join([part async for part in found.aiter_raw()])
     except httpx.HTTPError:
         return problem(
@@ -108,9 +108,9 @@ async def page(path: str, context: TheContext) -> Response:
 @router.websocket("/viewer/{key}")
 @router.websocket("/viewer/{key}/")
 async def socket(browser: WebSocket, key: str = "") -> None:
-    """Carries the scene to the browser, and the browser's camera back.
+    """Relays the scene to the browser, and the browser's camera back.
 
-    With a key, the station knows by it where that page looks from, and how much it can draw.
+    With a key, the station knows the viewpoint of that page, and how much it can draw.
     """
     viewing, scene = context_of(browser).view_controller, context_of(browser).scene
     asked = [Subprotocol(name) for name in browser.scope["subprotocols"]]
@@ -149,7 +149,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
 
 class _Page:
-    """Reports to the station where a page looks from, under the page's key."""
+    """Reports the viewpoint of a page to the station, under the key of the page."""
 
     def __init__(self, viewing: ViewController, key: str) -> None:
         self._viewing, self._key = viewing, key
@@ -162,7 +162,7 @@ class _Page:
             self._viewing.look(self._key, camera)
 
     def leave(self) -> None:
-        """The connection is gone; what a newer one of the page has reported stays."""
+        """The connection is closed; the report of a newer one of the same page stays."""
         if self._camera is not None:
             self._viewing.leave(self._key, self._camera)
 

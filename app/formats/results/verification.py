@@ -41,7 +41,7 @@ VERIFICATION, GAUGE, CONTACTS, STUDY = (
 
 
 class GaugePart(DocumentPart):
-    """The gauge by its nominal."""
+    """The gauge, from its nominal."""
 
     shape: Shape
     name: str
@@ -63,7 +63,7 @@ class UsedCalibration(DocumentPart):
 
 
 class PlacingPart(DocumentPart):
-    """Where the gauge stands in the arm frame, by the probe (``touches.csv``)."""
+    """Pose of the gauge in the arm frame, from the contact points (``touches.csv``)."""
 
     touches: int
     rms_um: NotNegative
@@ -114,7 +114,7 @@ class CloudPart(DocumentPart):
 
 
 class FigurePart(DocumentPart):
-    """One figure against its limit."""
+    """One figure and its limit."""
 
     name: FigureName
     title: Text
@@ -136,7 +136,8 @@ class FigurePart(DocumentPart):
 
 
 class VerificationVerdict(DocumentPart):
-    """``fail`` where one figure fails, else ``uncertain`` where one is, else ``pass``."""
+    """``fail`` if any figure fails, otherwise ``uncertain`` if any is uncertain, otherwise
+    ``pass``."""
 
     result: Result
     text: Text
@@ -146,7 +147,7 @@ class VerificationVerdict(DocumentPart):
 
 
 class TemperaturePart(DocumentPart):
-    """Where it is known."""
+    """Temperatures, if known."""
 
     start_c: Number | None = None
     end_c: Number | None = None

@@ -19,9 +19,9 @@ POINTS = "points"
 
 @dataclass(frozen=True)
 class Artefact:
-    """What the tip is put to: a seat, an end of a ball bar, or a sphere touched from outside.
+    """What the tip measures: a seat, an end of a ball bar, or a sphere touched from outside.
 
-    ``size_mm`` is the bar's length or the sphere's diameter, by its certificate.
+    ``size_mm`` is the length of the bar or the diameter of the sphere, from its certificate.
     """
 
     kind: Kind = "seat"

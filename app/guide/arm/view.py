@@ -13,7 +13,7 @@ from app.messages.message import Text
 
 @dataclass(frozen=True)
 class JointSwing:
-    """How far one joint has turned in this seat, and may turn."""
+    """Range of one joint in this seat, and its limits."""
 
     name: str
     lowest_deg: float | None
@@ -37,7 +37,7 @@ class SeatLine:
 
 @dataclass(frozen=True)
 class BeforeAfter:
-    """One line of before and after."""
+    """One figure before and after."""
 
     title: Text
     before_um: float
@@ -46,7 +46,7 @@ class BeforeAfter:
 
 @dataclass(frozen=True)
 class ParameterLine:
-    """One of the arm's parameters that was moved."""
+    """One of the arm's parameters that the identification changed."""
 
     name: Text
     unit: str
@@ -74,7 +74,7 @@ class CorrelatedLine:
 
 @dataclass(frozen=True)
 class ArmResult:
-    """What an identification found."""
+    """The result of an identification."""
 
     volume_before_um: float
     volume_after_um: float
@@ -89,7 +89,7 @@ class ArmResult:
 
 @dataclass(frozen=True)
 class TipResult:
-    """What a check of the tip found."""
+    """The result of a tip check."""
 
     diameter_mm: float
     expected_mm: float
@@ -103,7 +103,7 @@ class TipResult:
 
 @dataclass(frozen=True)
 class ArmPicture:
-    """The points of the present seat about their mean, and how the arm swung."""
+    """The points of the current seat relative to their mean, and the motion of the arm."""
 
     tips_um: Sequence[Vec3]
     half_range_um: Vec3 | None
@@ -122,7 +122,7 @@ class ArmPicture:
 
 @dataclass(frozen=True)
 class ArmView:
-    """The whole state of the arm session."""
+    """The complete state of the arm session."""
 
     session_id: str
     rev: int
@@ -146,7 +146,7 @@ class ArmView:
 
 @dataclass(frozen=True)
 class ArmCheckSummary:
-    """One check of the history."""
+    """One arm check of the history."""
 
     id: str
     at: str
@@ -161,7 +161,7 @@ class ArmCheckSummary:
 
 @dataclass(frozen=True)
 class TipCheckSummary:
-    """One check of the tip."""
+    """One tip check of the history."""
 
     id: str
     at: str

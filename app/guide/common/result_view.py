@@ -21,8 +21,8 @@ class BudgetLine:
 
 @dataclass(frozen=True)
 class WorstPointLine:
-    """One of those that fit worst: ``point`` is the touched point's index, ``at_px`` the place
-    in the picture of ``pose``."""
+    """One of the points with the largest residuals: ``point`` is the index of the contact point,
+    ``at_px`` the position in the picture of ``pose``."""
 
     kind: Literal["contact", "corner", "stripe"]
     name: Text
@@ -35,7 +35,7 @@ class WorstPointLine:
 
 @dataclass(frozen=True)
 class MovedPoint:
-    """How far the point that a pixel shows moved between two calibrations."""
+    """Displacement, between two calibrations, of the point that a pixel shows."""
 
     u: float
     v: float
@@ -44,7 +44,7 @@ class MovedPoint:
 
 @dataclass(frozen=True)
 class Comparison:
-    """How far points of the measuring volume moved since another calibration."""
+    """Displacement of points of the measuring volume since another calibration."""
 
     with_name: str
     max_um: float
@@ -54,8 +54,8 @@ class Comparison:
 
 @dataclass(frozen=True)
 class MapPoint:
-    """Standard uncertainty of the point that a pixel shows, k = 1; ``inside`` the depths
-    that the stripe covered."""
+    """Standard uncertainty of the point that a pixel shows, k = 1; ``inside`` the depths that the
+    stripe covered."""
 
     u: float
     v: float
@@ -65,7 +65,7 @@ class MapPoint:
 
 @dataclass(frozen=True)
 class PoseRow:
-    """What became of one pose; ``reason`` where it, or its laser line, was left out."""
+    """The result of one pose; ``reason`` if it, or its laser line, was excluded."""
 
     number: int
     used: bool

@@ -58,7 +58,7 @@ class ValidityInputs:
 
 @dataclass(frozen=True)
 class Validity:
-    """One thing that must be in order to measure, in one line."""
+    """One line on a thing that must be valid for measuring."""
 
     id: CheckName
     title: Text
@@ -74,7 +74,7 @@ class Validity:
 
 @dataclass(frozen=True)
 class NextAction:
-    """What to do next."""
+    """The next action to take."""
 
     label: Text
     page: Page

@@ -28,7 +28,7 @@ class LiveNumber:
 
 @dataclass(frozen=True)
 class Action:
-    """One thing that the operator may do now, or why not."""
+    """An action that the operator may perform now, or the reason why not."""
 
     name: str
     label: Text
@@ -115,7 +115,7 @@ class DeviceLine:
 
 @dataclass(frozen=True)
 class ImageCorner:
-    """``off_px`` is found minus computed (u, v), of a result; ``residual_px`` its length."""
+    """``off_px`` is detected minus computed (u, v), for a result; ``residual_px`` is its length."""
 
     name: str
     u: float
@@ -147,8 +147,8 @@ class ObjectPicture:
 
 @dataclass(frozen=True)
 class CameraPicture:
-    """The live picture; ``target`` is the object as it would look from the advised hold, or for
-    the first picture about so."""
+    """The live picture; ``target`` is the object as it would look from the suggested hold, or
+    approximately for the first picture."""
 
     target: Sequence[Segment] = ()
     kind: Literal["camera"] = "camera"
@@ -156,10 +156,10 @@ class CameraPicture:
 
 @dataclass(frozen=True)
 class PosePicture:
-    """One pose: its picture with what was found in it, or why nothing was (``marks``).
+    """One pose: its picture with the detections in it, or with the reasons for none (``marks``).
 
-    ``note`` says why it does not count; the figures are those of the result, where there
-    is one. ``action`` sets the pose aside or takes it back.
+    ``note`` says why it does not count; the figures are those of the result, if there is one.
+    ``action`` excludes the pose or includes it again.
     """
 
     number: int
@@ -182,7 +182,7 @@ class PosePicture:
 
 @dataclass(frozen=True)
 class StillPicture:
-    """The poses taken so far; the one to look at is ``shown``."""
+    """The poses taken so far; ``shown`` is the one in view."""
 
     poses: Sequence[PosePicture]
     shown: int
@@ -191,7 +191,7 @@ class StillPicture:
 
 @dataclass(frozen=True)
 class ResultPicture:
-    """A result; ``stale`` once a pose was set aside or taken back since."""
+    """A result; ``stale`` if a pose was excluded or included since."""
 
     result: CalibrationResult
     stale: bool
@@ -215,7 +215,7 @@ class StepProgress:
 
 @dataclass(frozen=True)
 class Busy:
-    """A job or the simulated operator at work."""
+    """A running job, or the simulated operator at work."""
 
     text: Text
     fraction: float | None
@@ -223,7 +223,7 @@ class Busy:
 
 @dataclass(frozen=True)
 class FlowView:
-    """The whole state of the guided flow."""
+    """The complete state of the guided calibration."""
 
     session_id: str
     rev: int

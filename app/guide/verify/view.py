@@ -15,7 +15,7 @@ CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
 
 @dataclass(frozen=True)
 class GaugeOption:
-    """One of the data folder's gauges."""
+    """One of the gauges in the data folder."""
 
     id: str
     shape: Shape
@@ -25,7 +25,8 @@ class GaugeOption:
 
 @dataclass(frozen=True)
 class TouchLine:
-    """One contact, as seen from above the gauge; without a place until the gauge is fixed."""
+    """One contact point, as seen from above the gauge; without a position until the pose of the
+    gauge is determined."""
 
     index: int
     x_mm: float | None
@@ -35,7 +36,8 @@ class TouchLine:
 
 @dataclass(frozen=True)
 class CloudLine:
-    """One cloud; the errors are against the probe, and the radius against the nominal."""
+    """One cloud; the errors are relative to the probe, that of the radius relative to the
+    nominal."""
 
     number: int
     state: CloudState
@@ -55,7 +57,7 @@ class CloudLine:
 
 @dataclass(frozen=True)
 class FigureLine:
-    """One figure against its limit."""
+    """One figure and its limit."""
 
     name: str
     title: Text
@@ -76,7 +78,7 @@ class VerdictLine:
 
 @dataclass(frozen=True)
 class VerifyPicture:
-    """All that is drawn of a verification."""
+    """Everything that is drawn for a verification."""
 
     shape: Shape | None
     radius_mm: float | None
@@ -91,7 +93,7 @@ class VerifyPicture:
 
 @dataclass(frozen=True)
 class VerifyView:
-    """The whole state of the verification."""
+    """The complete state of the verification."""
 
     session_id: str
     rev: int

@@ -1,1 +1,1 @@
-"""What each kind of report contains; ``html`` and ``pdf`` render it."""
+"""The content of each kind of report; ``html`` and ``pdf`` render it."""

@@ -1,4 +1,4 @@
-"""The report on a daily check of the arm, from its session's folder alone."""
+"""The report of an arm check, from the folder of its session alone."""
 
 from pathlib import Path
 
@@ -45,10 +45,10 @@ AXES = "xyz"
 
 
 def arm_check_report(folder: Path) -> Report[Text]:
-    """The report on the ``arm-check.json`` of a session's folder.
+    """The report of the ``arm-check.json`` in the folder of a session.
 
     Raises:
-        OperationError: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a required file is missing or damaged.
     """
     check = ArmCheckFile.read(folder / ARM_CHECK)
     arm = read_arm(folder / ARM)
@@ -118,7 +118,7 @@ def _rule() -> list[TextBlock[Text]]:
 
 
 def _places(arm: Arm, q_rad: Floats, limit_um: float | None) -> tuple[Figure[Text], Text]:
-    """The tip about its middle, looking along z and along y, with the limit as a square."""
+    """The tip relative to its middle, seen along z and along y, with the limit as a square."""
     tips = tip_centres(arm, q_rad)
     off_um = 1e3 * (tips - (tips.max(axis=0) + tips.min(axis=0)) / 2)
     reach = 1.15 * max(float(np.abs(off_um).max()), limit_um or 0.0, 1.0)

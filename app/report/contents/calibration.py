@@ -1,4 +1,4 @@
-"""The report on a calibration, from its session's folder alone."""
+"""The report of a calibration, from the folder of its session alone."""
 
 from pathlib import Path
 
@@ -67,10 +67,10 @@ GUARD = 1.65
 
 
 def calibration_report(folder: Path) -> Report[Text]:
-    """The report on the ``calibration.json`` of a session's folder.
+    """The report of the ``calibration.json`` in the folder of a session.
 
     Raises:
-        OperationError: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a required file is missing or damaged.
     """
     document = CalibrationFile.read(folder / CALIBRATION)
     session = read_any_session(folder)
@@ -298,12 +298,12 @@ def _pictures(
 
 
 def _fit_basis(session: BlockSession | BoardSession) -> figures.FitBasis:
-    """What of the object the poses were fitted to; a board has no measured edges."""
+    """The features of the object to which the poses were fitted; a board has no measured edges."""
     return "corners" if isinstance(session, BoardSession) else "edges"
 
 
 def _worst_poses(document: CalibrationFile) -> list[PosePart]:
-    """Those whose edges fit worst, in the order in which they were captured."""
+    """The poses with the largest edge residuals, in order of capture."""
     drawn = [pose for pose in document.poses if pose.used and pose.corners_at_px]
     worst = sorted(drawn, key=lambda pose: -pose.edges_rms_px)[:DISPLAYED_POSES]
     return sorted(worst, key=lambda pose: pose.number)
@@ -323,7 +323,7 @@ def _contact_figure(document: CalibrationFile, session: BlockSession) -> tuple[F
 
 
 def _contact_points(document: CalibrationFile, arm: Arm, session: BlockSession) -> Floats:
-    """(N, 3) the tip's centres in the object's frame."""
+    """(N, 3) tip centres in the object frame."""
     assert document.T_arm_obj is not None
     T = np.array(document.T_arm_obj)
     return np.asarray((tip_centres(arm, session.contacts.q_rad) - T[:3, 3]) @ T[:3, :3])

@@ -41,8 +41,8 @@ from app.report.formatting import micrometres, millimetres
 JPEG_WIDTH, JPEG_QUALITY = 900, 72
 SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
 FitBasis = Literal["edges", "corners"]
-"""What of the object its poses were fitted to."""
-# The direction of view, to the side and from above.
+"""The features of the object to which its poses were fitted."""
+# Viewing direction, to the side and from above.
 SIDE, ABOVE = np.radians(32.0), np.radians(38.0)
 
 
@@ -64,7 +64,7 @@ def _faces(block: Crenellated, turned: bool) -> list[tuple[str, Floats]]:
         front, back = -back, -front
     top, low, base = block.crest_z_mm, block.floor_z_mm, block.base_z_mm
     faces: list[tuple[str, list[tuple[float, float, float]]]] = []
-    # in a view from the left of its front, the side faces on the left are visible
+    # seen from the left of its front, the side faces on the left are visible
     for i in reversed(range(len(x) // 2)):
         left, right = x[2 * i], x[2 * i + 1]
         foot = base if i == 0 else low
@@ -95,7 +95,8 @@ def object_figure(
     residuals_um: Sequence[float],
     left_out: Sequence[int],
 ) -> tuple[Figure[Text], Text]:
-    """How far each contact (N, 3) lies off its face, as a stick along the face's normal."""
+    """The distance of each contact point (N, 3) from its face, as a line along the normal of the
+    face."""
     figure = Figure[Text](520, 205, message("residuals-contacts-object"))
     used_um = [abs(r) for i, r in enumerate(residuals_um) if i not in left_out]
     largest_mm = float(max(used_um, default=0.0)) / 1e3
@@ -139,7 +140,7 @@ def _view(
         if feature not in visible:
             continue
         normal, offset_mm = probing_face(block, feature)
-        # on the face, so that the stick alone is the distance
+        # on the face, so that the line alone is the distance
         foot = point - (float(normal @ point) - offset_mm) * normal
         tip = foot + normal * residuals_um[i] / 1e3 * factor
         (a,), (b,) = place(foot), place(tip)
@@ -155,7 +156,7 @@ def _view(
 def image_figure(
     pose: Pose, colour: LaserColour | None, part: PosePart, camera: Camera, fitted: FitBasis
 ) -> tuple[Figure[Text], Text]:
-    """A pose's image with the residuals of corners and stripe as arrows, magnified."""
+    """The image of a pose with the residuals of corners and stripe as arrows, magnified."""
     size = (camera.width_px, camera.height_px)
     figure = Figure[Text](
         250, 250 * size[1] / size[0], message("residuals-pose-picture", number=part.number)
@@ -218,7 +219,7 @@ def _encode_jpeg(pose: Pose, colour: LaserColour | None) -> bytes:
 
 
 def _stripe_normals(uv_px: Floats) -> Floats:
-    """(N, 2) unit normals of a stripe whose points follow one another, downward or rightward."""
+    """(N, 2) unit normals of a stripe with consecutive points, downward or rightward."""
     if len(uv_px) < 2:
         return np.tile([0.0, 1.0], (len(uv_px), 1))
     spread = uv_px.max(axis=0) - uv_px.min(axis=0)
@@ -228,7 +229,7 @@ def _stripe_normals(uv_px: Floats) -> Floats:
 def volume_figure(
     uncertainty: Uncertainty, camera: Camera, plane: LaserPlane
 ) -> tuple[Figure[Text], Text] | None:
-    """The map over the laser's plane, in millimetres; None where the calibration has none."""
+    """The map over the laser plane, in millimetres; None if the calibration has none."""
     over = uncertainty.map
     if over is None or not over.u_um:
         return None
@@ -272,7 +273,7 @@ def volume_figure(
 
 
 def _plane_coordinates(points_mm: Floats, camera: Camera, plane: LaserPlane) -> Floats:
-    """(N, 2): across, and along the camera's view, of points of the laser's plane (mm)."""
+    """(N, 2): across and along the view of the camera, for points of the laser plane (mm)."""
     view = camera.rotation[2]
     depth = view - float(view @ plane.normal) * plane.normal
     depth /= np.linalg.norm(depth)
@@ -318,7 +319,7 @@ def _legend(figure: Figure[Text], at: Point, low: float, high: float) -> None:
 
 
 def _step(values: Floats) -> float:
-    """The distance between neighbours of a grid."""
+    """The spacing of a grid."""
     sorted_values = np.unique(values)
     return float(np.median(np.diff(sorted_values))) if len(sorted_values) > 1 else 1.0
 
@@ -326,7 +327,7 @@ def _step(values: Floats) -> float:
 def budget_figure(
     uncertainty: Uncertainty, good_um: float | None, usable_um: float | None
 ) -> tuple[Figure[Text], Text]:
-    """The sources as bars, the largest first, and all together against the limit."""
+    """The sources as bars, the largest first, and the total with the limit."""
     sources = sorted(((r.source, r.value_um) for r in uncertainty.budget), key=lambda r: -r[1])
     rows: list[tuple[Text, float]] = [
         *((capital(source_text(source)), value) for source, value in sources),

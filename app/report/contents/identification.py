@@ -1,4 +1,4 @@
-"""The report on an identification of the arm, from its session's folder alone."""
+"""The report of an identification of the arm, from the folder of its session alone."""
 
 from pathlib import Path
 
@@ -45,10 +45,10 @@ BARS = 205.0
 
 
 def identification_report(folder: Path) -> Report[Text]:
-    """The report on the ``identified.json`` of a session's folder.
+    """The report of the ``identified.json`` in the folder of a session.
 
     Raises:
-        OperationError: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a required file is missing or damaged.
     """
     document = ArmFile.read(folder / IDENTIFIED)
     found = document.identification
@@ -102,7 +102,7 @@ def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> list[t
 
 
 def _observation_facts(observed: ArmObservations) -> list[tuple[Text, Text]]:
-    """How many seats and artefacts the tip was in contact with."""
+    """The number of seats and artefacts that the tip measured."""
     bars = len({bar.name for bar in observed.bars})
     return [
         (message("seats"), str(len(observed.seats)) if observed.seats else NONE),
@@ -115,7 +115,7 @@ def _observation_facts(observed: ArmObservations) -> list[tuple[Text, Text]]:
 
 
 def _pairs(found: IdentificationPart) -> list[Pair]:
-    """Before and after, in µm: over the reach, and on places that the fit did not use."""
+    """Before and after, in µm: over the reach, and at places that the fit did not use."""
     before, after = found.validation.before, found.validation.after
     validated: tuple[tuple[Text, float | None, float | None], ...] = (
         (message("seats-held-out"), before.seats_um, after.seats_um),
@@ -211,7 +211,7 @@ def _row(one: ParameterPart) -> tuple[Text, ...]:
 
 
 def _before_and_after(pairs: list[Pair]) -> tuple[Figure[Text], Text]:
-    """Two bars each, on a scale of their own."""
+    """Two bars each, with separate scales."""
     pitch, left, width = 44.0, BARS, 235.0
     figure = Figure[Text](520, pitch * len(pairs), message("before-after-identification"))
     for i, (name, was, now) in enumerate(pairs):

@@ -1,4 +1,4 @@
-"""The report on a check of the tip, from its session's folder alone."""
+"""The report of a tip check, from the folder of its session alone."""
 
 from pathlib import Path
 
@@ -39,10 +39,10 @@ from app.report.provenance import inputs_section
 
 
 def tip_check_report(folder: Path) -> Report[Text]:
-    """The report on the ``tip-check.json`` of a session's folder.
+    """The report of the ``tip-check.json`` in the folder of a session.
 
     Raises:
-        OperationError: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a required file is missing or damaged.
     """
     check = TipCheckFile.read(folder / TIP_CHECK)
     arm = read_arm(folder / ARM)
@@ -110,7 +110,7 @@ def _rule() -> list[TextBlock[Text]]:
 
 
 def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure[Text], Text]:
-    """Each touch's distance from the sphere through all of them, one after another."""
+    """The distance of each contact point from the sphere through all of them, in order."""
     centre, reach_mm, _ = sphere_through(tips_mm)
     off_um = 1e3 * (np.linalg.norm(tips_mm - centre, axis=1) - reach_mm)
     end = 1.2 * max(float(np.abs(off_um).max()), limit_um or 0.0, 1.0)

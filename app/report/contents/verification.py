@@ -1,4 +1,4 @@
-"""The report on a verification, from its folder alone."""
+"""The report of a verification, from its folder alone."""
 
 from pathlib import Path
 from typing import Literal
@@ -70,7 +70,7 @@ QUALITIES: dict[Decision, Quality] = {
 LABELS = 192.0
 """Wide enough for the longest title of a figure, in every language."""
 TICK_SPACE = 7.0
-"""Between the numbers at a plot's side, so that none lies over another."""
+"""Minimum distance between the numbers beside a plot, so that they do not overlap."""
 DECISIONS: dict[Decision, Message] = {
     "pass": word("pass"),
     "fail": word("fail"),
@@ -80,10 +80,10 @@ DECISIONS: dict[Decision, Message] = {
 
 
 def verification_report(folder: Path) -> Report[Text]:
-    """The report on the ``verification.json`` of a verification's folder.
+    """The report of the ``verification.json`` in the folder of a verification.
 
     Raises:
-        OperationError: there is none, or a file that it needs is missing or damaged.
+        OperationError: there is none, or a required file is missing or damaged.
     """
     document = read_verification(folder)
     result = document.verdict.result
@@ -114,7 +114,7 @@ def verification_report(folder: Path) -> Report[Text]:
 
 
 def _reason(figure: FigurePart) -> Text:
-    """The figure's own sentence, beginning with its title; in older files it may lack the title."""
+    """The sentence of a figure, beginning with its title; in older files, it may lack the title."""
     reason = figure.reason
     if isinstance(reason, str) and not reason.startswith(str(figure.title)):
         return message("titled-text", title=figure.title, text=reason)
@@ -212,7 +212,7 @@ def _rule() -> list[TextBlock[Text]]:
 
 
 def _limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
-    """Each figure in shares of its limit, with its uncertainty and each cloud's own value."""
+    """Each figure as a share of its limit, with its uncertainty and the value of each cloud."""
     limited = [figure for figure in document.figures if figure.limit is not None]
     figure = Figure[Text](
         520, 24.0 * max(len(limited), 1) + 26, message("figures-against-their-limits")
@@ -258,7 +258,7 @@ CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
 
 
 def _clouds(document: VerificationFile) -> list[Section[Text]]:
-    """Each cloud's figures as a table, and as points over the clouds (article, Figs. 7-11)."""
+    """The figures of each cloud as a table, and as points over the clouds (article, Figs. 7-11)."""
     known = [
         (name, title, decimals)
         for name, title, decimals in CLOUD_FIGURES
@@ -290,7 +290,7 @@ def _clouds(document: VerificationFile) -> list[Section[Text]]:
 
 
 def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
-    """How each cloud lies about its own shape, where the folder has it."""
+    """The deviations of each cloud from its own shape, if the folder has them."""
     maps = [
         (cloud, MapFile.read(path))
         for cloud in document.clouds
@@ -323,7 +323,7 @@ def _plot(document: VerificationFile, name: str, title: Text) -> tuple[Figure[Te
     figure.label((left - 4, y(0.0) + 2.5), "0", 7, FAINT, "end")
     labelled = [0.0]
     for value in (max(known, key=abs), min(known, key=abs)):
-        # a number that would lie over another is in the table only
+        # a number that would overlap another is in the table only
         if all(abs(y(value) - y(other)) >= TICK_SPACE for other in labelled):
             figure.label((left - 4, y(value) + 2.5), quantity(value), 7, FAINT, "end")
             labelled.append(value)

@@ -1,5 +1,5 @@
-"""The arm and the sensor of the station, each read by a thread of its own.
+"""The arm and the sensor of the station, each read by its own thread.
 
 ``rig`` has both. ``device_thread`` opens, reads and reopens a device; ``arm_device`` and
-``sensor_device`` keep what was read in ``joint_buffer`` and ``frame_hub``.
+``sensor_device`` store their data in ``joint_buffer`` and ``frame_hub``.
 """

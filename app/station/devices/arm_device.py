@@ -1,4 +1,4 @@
-"""The arm of the rig: its joints now, at a stamp, and averaged while it is still."""
+"""The arm of the rig: its current joints, at a time stamp, and averaged while it is still."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -19,16 +19,16 @@ from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillnes
 from hardware.clock import now_ns
 from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
 
-# Packets may come late on a busy machine; their stamps are right nevertheless.
+# Packets may arrive late on a busy machine; their time stamps are correct nevertheless.
 LATE_S = 0.5
-# An arm this far from where it stood, at its flange, stands elsewhere: some pixels off.
+# An arm whose flange has moved by this has left its position: some pixels off.
 ELSEWHERE_MM, ELSEWHERE_RAD = 0.5, 0.003
-# An arm that sent what cannot be true is not believed for so long.
+# An arm that sent impossible readings is not trusted for this long.
 DOUBTED_S = 1.0
 
 
 class StationArm:
-    """Reads the arm on its own thread; everything else may be called from any thread."""
+    """Reads the arm in its own thread; everything else may be called from any thread."""
 
     def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
         self._bus = bus
@@ -44,40 +44,40 @@ class StationArm:
 
     @property
     def info(self) -> ArmInfo | None:
-        """What the arm says of itself, None while it is not connected."""
+        """Properties of the arm; None while it is not connected."""
         return self.reader.info
 
     @property
     def fresh(self) -> bool:
-        """True while joint samples come."""
+        """True while joint samples arrive."""
         return self.reader.fresh
 
     @property
     def rejected_count(self) -> int:
-        """Readings since this arm first connected that could not be true."""
+        """Number of impossible readings since this arm first connected."""
         return 0 if self._judge is None else self._judge.rejected_count
 
     @property
     def newest_rejection(self) -> OperationError | None:
-        """The error of the newest of them; None where there are none."""
+        """The error of the newest of them; None if there are none."""
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else newest.error
 
     @property
     def rejection_age_s(self) -> float | None:
-        """Since the newest of them."""
+        """Time since the newest of them."""
         newest = None if self._judge is None else self._judge.newest
         return None if newest is None else (now_ns() - newest.stamp_ns) / 1e9
 
     def doubt(self) -> OperationError | None:
-        """Why the arm's readings are doubted just now; None while they are plausible."""
+        """Why the arm's readings are not trusted at present; None while they are plausible."""
         newest = self._judge.newest if self._judge is not None else None
         if newest is None or now_ns() - newest.stamp_ns > DOUBTED_S * 1e9:
             return None
         return newest.error
 
     def link(self) -> DeviceState:
-        """Its state; an arm whose readings cannot be true counts as lost, with the reason."""
+        """State of the arm; an arm with impossible readings counts as lost, with the reason."""
         link, doubt = self.reader.link(), self.doubt()
         state = device_state(message("arm-4"), link, self.info)
         if doubt is None or state.state != "connected":
@@ -85,17 +85,17 @@ class StationArm:
         return replace(state, state="lost", text=doubt.text)
 
     def set_model(self, arm: Arm | None) -> None:
-        """The kinematics by which readings, stillness and the tip's place are judged."""
+        """The kinematics for judging readings, stillness and the position of the tip."""
         self._chosen = arm
         if self._judge is not None:
             self._judge.set_arm(arm)
 
     def latest(self) -> JointSample | None:
-        """The newest sample, None while the arm is not fresh."""
+        """The newest sample; None without recent data."""
         return self._newest if self.fresh else None
 
     def tip_mm(self) -> tuple[float, float, float] | None:
-        """Centre of the probe's tip in the arm frame; None while it is not known."""
+        """Tip centre in the arm frame; None while it is unknown."""
         arm, newest = self._model(), self.latest()
         if arm is None or newest is None:
             return None
@@ -103,18 +103,18 @@ class StationArm:
         return float(x), float(y), float(z)
 
     def at(self, stamp_ns: int, wait_s: float = LATE_S) -> Floats | None:
-        """Encoder angles (n,) at a stamp; None where the arm sent none around it."""
+        """Encoder angles (n,) at a time stamp; None if the arm sent none around it."""
         ring = self._ring
         return None if ring is None else ring.at(stamp_ns, wait_s)
 
     def at_all(self, stamps_ns: Stamps, wait_s: float = LATE_S) -> Floats | None:
-        """The same (F, n) at stamps (F,) that lie near together, NaN where the arm sent none;
-        None before it first connected."""
+        """The same (F, n) at adjacent time stamps (F,), NaN if the arm sent none; None before it
+        first connected."""
         ring = self._ring
         return None if ring is None else ring.at_all(stamps_ns, wait_s)
 
     def window(self, first_ns: int, last_ns: int) -> JointWindow | None:
-        """The kept samples between two stamps; None before the arm first connected."""
+        """The stored samples between two time stamps; None before the arm first connected."""
         ring = self._ring
         return None if ring is None else ring.between(first_ns, last_ns)
 
@@ -131,8 +131,8 @@ class StationArm:
         return stillness(arm, window) if ring.covers(window, first_ns, last_ns) else UNKNOWN
 
     def has_moved_since(self, stamp_ns: int) -> bool:
-        """Whether the arm stands elsewhere than at a stamp, so that a picture of then no
-        longer shows what its camera sees; False while the arm or its model is not there."""
+        """Whether the arm has moved since a time stamp, so that a picture from then no longer shows
+        what the camera sees; False while the arm or its model is missing."""
         arm, newest = self._model(), self.latest()
         if arm is None or newest is None:
             return False
@@ -145,11 +145,10 @@ class StationArm:
         return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)
 
     def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
-        """The joints' mean over a window in which the arm was still.
+        """Mean of the joints over a window in which the arm was still.
 
-        The window ends at ``until_ns`` (the newest sample, without one). For a
-        button press give its stamp: pressing moves the arm, so what counts came
-        before.
+        The window ends at ``until_ns`` (by default at the newest sample). For a button press, pass
+        its time stamp: pressing moves the arm, so the samples before it count.
 
         Raises:
             OperationError: ``arm-lost``, ``no-arm-model``, ``joint-implausible``, ``no-joints``,
@@ -165,10 +164,10 @@ class StationArm:
         return self.mean_over(last_ns - int(window_s * 1e9), last_ns, "arm-moving")
 
     def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> JointMean:
-        """The mean between two stamps, if the arm was still from the one to the other.
+        """The mean between two time stamps, if the arm was still between them.
 
         Raises:
-            OperationError: as ``average``, with ``moved_code`` where the arm moved.
+            OperationError: as ``average``, with ``moved_code`` if the arm moved.
         """
         ring, arm = self._ring, self._model()
         if ring is None or not ring.wait_past(last_ns, LATE_S):
@@ -206,20 +205,20 @@ class StationArm:
         return average_joints(window)
 
     def _model(self) -> Arm | None:
-        """The arm's model, unless the connected arm has another number of joints."""
+        """The arm model, unless the connected arm has another number of joints."""
         arm, ring = self._chosen, self._ring
         return arm if arm is not None and ring and arm.joint_count == ring.joint_count else None
 
     def _on_connect(self, driver: ArmDriver, info: ArmInfo) -> None:
         self._newest = None
-        # one ring over reconnections: a recording goes on where it was
+        # one ring over reconnections, so that a recording continues
         if self._ring is None or self._ring.joint_count != info.joint_count:
             self._ring = JointRing(info.joint_count, info.rate_hz)
             self._judge = None
         if self._judge is None or self._judged_serial != info.serial_number:
             self._judge = PlausibilityFilter(info.joint_count, info.rate_hz, self._chosen)
             self._judged_serial = info.serial_number
-        # off and on again is the way back for a joint that slipped
+        # switching off and on restores a joint that slipped
         self._judge.forget_place()
 
     def _read(self, driver: ArmDriver) -> int:
@@ -233,7 +232,7 @@ class StationArm:
         return len(samples)
 
     def _take(self, samples: Sequence[JointSample]) -> None:
-        """Keeps what can be true: nothing else of the arm is seen by anybody."""
+        """Stores plausible readings: nothing else of the arm is used anywhere."""
         ring, judge = self._ring, self._judge
         if ring is None or judge is None:
             return

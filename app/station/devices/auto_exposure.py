@@ -1,4 +1,4 @@
-"""Finding an exposure from the pictures themselves."""
+"""Determines an exposure from the pictures themselves."""
 
 import numpy as np
 
@@ -8,25 +8,25 @@ from hardware.interfaces import Frame
 TARGET = 0.7
 TOLERANCE = 0.1
 MOST_STEPS = 8
-# The brightest part of the picture is this quantile: a hot pixel does not count,
-# a stripe of a thousand columns and a few rows does.
+# The brightest part of the picture is this quantile: it ignores a hot pixel, but not a stripe of a
+# thousand columns and a few rows.
 BRIGHT_QUANTILE = 0.998
-# From this share of full scale on a pixel is overexposed; where so many of all are, the
-# exposure is cut to an eighth, else to a third.
+# Share of full scale from which a pixel is overexposed; if this share of pixels is, the exposure is
+# reduced to an eighth, otherwise to a third.
 LINE_QUANTILE = 0.9
 OVEREXPOSED, MANY = 0.98, 0.05
 LITTLE, MUCH = 1 / 3, 1 / 8
-# An underexposed picture is mostly black level, so that it does not say all of the way.
+# An underexposed picture is mostly black level, so it does not show the full correction.
 LONGEST_STEP = 16.0
 DEPTHS = (10, 12, 14, 16)
-"""Bits that a sensor may fill of 16."""
+"""Numbers of bits that a sensor may use of 16."""
 
 
 def full_scale(frame: Frame) -> int:
-    """The largest grey value that the frame's pixels can hold.
+    """The largest grey value of the frame's pixels.
 
-    Of 16-bit pixels a sensor may fill fewer bits, the upper ones or the lower ones: the
-    fewest that hold what the picture shows are taken.
+    In 16-bit pixels, a sensor may use fewer bits, the upper or the lower ones: the smallest number
+    that can hold the picture is assumed.
     """
     image = frame.image
     if image.dtype == np.uint8:
@@ -39,15 +39,15 @@ def full_scale(frame: Frame) -> int:
 
 
 def brightness(frame: Frame) -> float:
-    """The level of the picture's bright parts, as a share of full scale."""
+    """Level of the bright parts of the picture, as a share of full scale."""
     return float(np.quantile(frame.image[::2, ::2], BRIGHT_QUANTILE)) / full_scale(frame)
 
 
 def better_exposure_us(frame: Frame, exposure_range_us: tuple[float, float]) -> float | None:
-    """The exposure that would bring the bright parts to 70 %; None when they are there.
+    """The exposure that would bring the bright parts to 70 %; None if they are there.
 
-    A saturated picture does not say by how much, so it is cut the more the more of it
-    is saturated.
+    A saturated picture does not show the amount, so the exposure is reduced more if more of it is
+    saturated.
     """
     return _exposure_towards_us(brightness(frame), frame, exposure_range_us)
 
@@ -55,9 +55,9 @@ def better_exposure_us(frame: Frame, exposure_range_us: tuple[float, float]) -> 
 def better_line_exposure_us(
     frame: Frame, stripe: Stripe, exposure_range_us: tuple[float, float]
 ) -> float | None:
-    """The same for the laser's line, however little of the picture it takes.
+    """The same for the laser line, however small its part of the picture.
 
-    Its bright tenth counts. Where no line is seen, the picture does.
+    Its bright tenth counts. If no line is detected, the picture counts.
     """
     if not len(stripe.u):
         return better_exposure_us(frame, exposure_range_us)
@@ -68,7 +68,7 @@ def better_line_exposure_us(
 def _exposure_towards_us(
     level: float, frame: Frame, exposure_range_us: tuple[float, float]
 ) -> float | None:
-    """The exposure that brings a level of the frame to the target; None when it is there."""
+    """The exposure that brings a level of the frame to the target; None if it is there."""
     if abs(level - TARGET) <= TOLERANCE * TARGET:
         return None
     if level > OVEREXPOSED:

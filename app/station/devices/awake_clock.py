@@ -1,8 +1,8 @@
-"""A clock that stands while the whole program stands.
+"""A clock that stops while the whole program is blocked.
 
-On a busy machine every thread of the program may wait for a processor for seconds, and what a
-device sent meanwhile is read only afterwards. Silence is measured by this clock, so that such a
-pause is not taken for a device's.
+On a busy machine, every thread of the program may wait for a processor for seconds, and data sent
+by a device in the meantime is read afterwards. Silence is measured with this clock, so that such a
+pause is not attributed to a device.
 """
 
 import threading
@@ -10,11 +10,11 @@ import time
 
 TICK_S = 0.1
 MOST_S = 0.3
-"""What a tick counts for at most: a thread that wakes up later had no processor."""
+"""Maximum duration of a tick: a thread that wakes up later had no processor."""
 
 
 class AwakeClock:
-    """Counts the seconds in which a thread of its own got to run when it wanted to."""
+    """Counts the seconds in which its thread ran when it wanted to."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -23,7 +23,7 @@ class AwakeClock:
         self._thread: threading.Thread | None = None
 
     def now_s(self) -> float:
-        """Seconds of an arbitrary origin; the first call starts the thread."""
+        """Seconds from an arbitrary origin; the first call starts the thread."""
         with self._lock:
             if self._thread is None:
                 self._ticked_s = time.monotonic()
@@ -41,4 +41,4 @@ class AwakeClock:
 
 
 AWAKE = AwakeClock()
-"""The program's."""
+"""The clock of the program."""

@@ -1,4 +1,4 @@
-"""Taking the calibration picture: ambient and laser, while the arm is held still."""
+"""Takes the calibration pictures: ambient and laser, while the arm is held still."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from hardware.clock import now_ns
 from hardware.interfaces import Frame
 
 FRAME_TIMEOUT_S = 3.0
-# The joints are averaged over at least so long, whatever the exposure.
+# The joints are averaged over at least this long, whatever the exposure.
 SHORTEST_MEAN_NS = 200_000_000
 MeanOver = Callable[[int, int], JointMean]
 SwitchLaser = Callable[[bool], None]
@@ -20,11 +20,11 @@ SwitchLaser = Callable[[bool], None]
 
 @dataclass(frozen=True)
 class Capture:
-    """One pose of the sensor: its picture or pictures, and the arm's joints meanwhile."""
+    """One pose of the sensor: its picture or pictures, and the mean joints of the arm."""
 
     ambient: Frame
     laser: Frame | None
-    """None where the sensor has no laser switch: then ``ambient`` shows both."""
+    """None if the sensor has no laser switch: ``ambient`` then shows both."""
     lighting: Literal["pair", "both"]
     joints: JointMean
 
@@ -32,15 +32,15 @@ class Capture:
 def capture(
     hub: FrameHub, set_laser: SwitchLaser | None, laser_was_on: bool, mean_over: MeanOver
 ) -> Capture:
-    """Takes a pair of pictures (or one), then asks whether the arm was still all the while.
+    """Takes a pair of pictures (or one), then checks that the arm was still.
 
     Args:
-        set_laser: the laser's switch, None where the sensor has none.
-        mean_over: the joints' mean between two stamps; raises ``OperationError`` when
-            the arm moved between them.
+        set_laser: switches the laser; None if the sensor has no switch.
+        mean_over: mean of the joints between two time stamps; raises ``OperationError`` if the
+            arm moved between them.
 
     Raises:
-        OperationError: no frame came, the laser did not obey, or the arm moved.
+        OperationError: no frame arrived, the laser did not switch, or the arm moved.
     """
     if set_laser is None:
         frame = _wait_for_frame(hub, now_ns(), None)
@@ -68,7 +68,7 @@ def _exposure_end_ns(frame: Frame) -> int:
 
 
 def _wait_for_frame(hub: FrameHub, switched_ns: int, laser_on: bool | None) -> Frame:
-    """The next frame whose whole exposure came after the switch, with the laser as asked."""
+    """The next frame whose exposure was entirely after the switch, with the laser as requested."""
     frame = hub.wait(
         lambda f: _exposure_start_ns(f) >= switched_ns and laser_on in (None, f.laser_on),
         FRAME_TIMEOUT_S,

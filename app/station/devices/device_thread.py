@@ -1,4 +1,4 @@
-"""One thread a device: opens it, reads it, and opens it again when it was lost."""
+"""One thread per device: opens it, reads it, and opens it again after a loss."""
 
 import logging
 import threading
@@ -18,10 +18,10 @@ from hardware.interfaces import LinkHealth
 log = logging.getLogger(__name__)
 
 READ_TIMEOUT_S = 0.1
-# Data older than this means a lost device, whatever its connection says: more than a
-# busy machine's hiccup, and still reported within a second.
+# Data older than this means a lost device, whatever its connection says: longer than a delay on a
+# busy machine, and still reported within a second.
 FRESH_S = 0.8
-# A device that is connected and silent for so long is closed and opened again.
+# A device that is connected and silent for this long is closed and opened again.
 SILENCE_S = 3.0
 FIRST_BACK_OFF_S = 0.2
 LONGEST_BACK_OFF_S = 2.0
@@ -37,7 +37,7 @@ class LinkState(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """How a device is doing. Counts are of all connections since the start."""
+    """State of a device. Counts include all connections since the start."""
 
     state: LinkState
     text: Text
@@ -49,7 +49,7 @@ class Link:
 
 
 class Device(Protocol):
-    """What every driver can do."""
+    """Methods that every driver has."""
 
     @property
     def health(self) -> LinkHealth: ...
@@ -62,16 +62,16 @@ I_co = TypeVar("I_co")
 
 
 class DeviceReader(Generic[D, I_co]):
-    """Keeps one device open and read, on its own thread.
+    """Keeps one device open and reads it, in its own thread.
 
     Args:
-        title: the device's kind, e.g. ``arm``: a word of the messages.
-        make: a new driver, not yet open; asked for at each connection.
-        connect: opens the driver, and returns what it says of itself.
-        read: reads once, blocking at most ``READ_TIMEOUT_S``; returns how many records came.
-        connected: called on the reader's thread after each opening, before the first read.
-        longest_gap_s: by what it says of itself, how long it may be silent while it is there;
-            nobody need say less than ``FRESH_S``.
+        title: the kind of device, e.g. ``arm``: a word in the messages.
+        make: returns a new, unopened driver; called for each connection.
+        connect: opens the driver, and returns the properties of the device.
+        read: reads once, blocking at most ``READ_TIMEOUT_S``; returns the number of records.
+        connected: called in the reader's thread after each opening, before the first read.
+        longest_gap_s: from the properties of the device, how long it may be silent while it works;
+            at least ``FRESH_S``.
     """
 
     def __init__(
@@ -117,23 +117,23 @@ class DeviceReader(Generic[D, I_co]):
 
     @property
     def driver(self) -> D | None:
-        """The open driver, None while there is none."""
+        """The open driver; None if there is none."""
         with self._lock:
             return self._driver
 
     @property
     def info(self) -> I_co | None:
-        """What the open device says of itself, None while there is none."""
+        """Properties of the open device; None if there is none."""
         with self._lock:
             return self._info
 
     @property
     def fresh(self) -> bool:
-        """True while data comes."""
+        """True while data arrives."""
         return self.link().state is LinkState.CONNECTED
 
     def link(self) -> Link:
-        """The state as of now: also a thread stuck in its driver cannot make it look fresh."""
+        """The current state; a thread that hangs in its driver does not make it look recent."""
         now = AWAKE.now_s()
         with self._lock:
             age = None if self._last_data_s is None else now - self._last_data_s
@@ -165,7 +165,7 @@ class DeviceReader(Generic[D, I_co]):
         return _sum(total, driver.health)
 
     def _rate(self, now: float) -> float | None:
-        """Records a second, between the arrivals of the last second."""
+        """Records per second, from the arrivals of the last second."""
         arrivals = [(at, count) for at, count in self._arrivals if now - at <= RATE_WINDOW_S]
         if len(arrivals) < 2:
             return None
@@ -182,7 +182,7 @@ class DeviceReader(Generic[D, I_co]):
             back_off_s = min(2 * back_off_s, LONGEST_BACK_OFF_S)
 
     def _use(self, driver: D) -> bool:
-        """Opens a driver and reads it until it is lost; True when data came at all."""
+        """Opens a driver and reads it until it is lost; True if any data arrived."""
         received_before = self._records
         try:
             info = self._connect(driver)
@@ -190,7 +190,7 @@ class DeviceReader(Generic[D, I_co]):
             self._pump(driver)
         except DeviceError as error:
             self._error = device_error_text(error)
-        except Exception as error:  # a driver's own mistake must not end the station
+        except Exception as error:  # an error of a driver must not end the station
             log.exception("the driver of the %s failed", self._title)
             self._error = message("s-driver-failed", title=word(self._title), error=error)
         finally:
@@ -211,7 +211,7 @@ class DeviceReader(Generic[D, I_co]):
             self._arrivals.clear()
 
     def _pump(self, driver: D) -> None:
-        """Reads until the station stops; raises ``DeviceError`` when the device falls silent."""
+        """Reads until the station stops; raises ``DeviceError`` if the device falls silent."""
         while not self._stopping.is_set():
             count = self._read(driver)
             now = AWAKE.now_s()
@@ -229,7 +229,7 @@ class DeviceReader(Generic[D, I_co]):
                 )
 
     def _silence_limit_s(self, usual_s: float) -> float:
-        """The usual silence, or a longer one that the device announces."""
+        """The usual silence, or a longer one that the device states."""
         return usual_s if self._info is None else max(usual_s, self._longest_gap_s(self._info))
 
     def _note(self, awake_s: float, now: float, count: int) -> None:

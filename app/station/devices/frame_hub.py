@@ -1,4 +1,4 @@
-"""The sensor's frames, handed to whoever needs them."""
+"""Distributes the sensor's frames."""
 
 import threading
 from collections import deque
@@ -8,7 +8,7 @@ from hardware.interfaces import Frame
 
 
 class FrameTap:
-    """A bounded queue of frames for one consumer; the oldest gives way when it is full."""
+    """A bounded queue of frames for one consumer; the oldest is dropped if it is full."""
 
     def __init__(self, size: int) -> None:
         self._frames: deque[Frame] = deque(maxlen=size)
@@ -18,12 +18,12 @@ class FrameTap:
 
     @property
     def dropped(self) -> int:
-        """Frames that gave way because the consumer was slow."""
+        """Number of frames dropped because the consumer was slow."""
         return self._dropped
 
     @property
     def finished(self) -> bool:
-        """True once it is closed and every frame was taken."""
+        """True when it is closed and every frame was taken."""
         with self._arrived:
             return self._closed and not self._frames
 
@@ -36,21 +36,21 @@ class FrameTap:
             self._arrived.notify()
 
     def get(self, most: int, timeout_s: float) -> list[Frame]:
-        """Up to ``most`` waiting frames, oldest first; none after the timeout, or at once
-        when closed and empty."""
+        """Up to ``most`` waiting frames, oldest first; none after the timeout, or at once if closed
+        and empty."""
         with self._arrived:
             self._arrived.wait_for(lambda: self._frames or self._closed, timeout_s)
             return [self._frames.popleft() for _ in range(min(most, len(self._frames)))]
 
     def close(self) -> None:
-        """No frame comes after this; those that wait can still be taken."""
+        """No frame follows; waiting frames can still be taken."""
         with self._arrived:
             self._closed = True
             self._arrived.notify_all()
 
 
 class FrameHub:
-    """Fans frames out: the latest to whoever asks, every one to the taps."""
+    """Distributes frames: the latest on request, every one to the taps."""
 
     def __init__(self) -> None:
         self._arrived = threading.Condition()
@@ -72,7 +72,8 @@ class FrameHub:
             return self._latest
 
     def wait(self, wanted: Callable[[Frame], bool], timeout_s: float) -> Frame | None:
-        """The latest frame as soon as it is a wanted one; None after the timeout."""
+        """The latest frame that fulfils the condition, as soon as there is one; None after the
+        timeout."""
         with self._arrived:
             self._arrived.wait_for(
                 lambda: self._latest is not None and wanted(self._latest), timeout_s

@@ -1,4 +1,4 @@
-"""The last seconds of the arm's joint samples, and the pose at a stamp."""
+"""The arm's joint samples of the last seconds, and the pose at a time stamp."""
 
 import threading
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ RING_SAMPLES = 16_384
 
 @dataclass(frozen=True)
 class JointWindow:
-    """Joint samples of a stretch of time, oldest first."""
+    """Joint samples of an interval of time, oldest first."""
 
     stamps_ns: Stamps  # (N,)
     q_rad: Floats  # (N, n)
@@ -32,13 +32,13 @@ class JointWindow:
 class JointRing:
     """A ring of joint samples that one thread fills and others read.
 
-    A sample whose stamp is not later than the last one's is left out: time runs
-    forward, and interpolation relies on it.
+    A sample whose time stamp is not later than the last one is discarded: interpolation relies on
+    increasing time.
     """
 
     def __init__(self, joint_count: int, rate_hz: float) -> None:
         self.joint_count = joint_count
-        # as when a recording is rebuilt: both keep the same frames
+        # as in reconstruction: both keep the same frames
         self.gap_limit_ns = int(
             np.clip(
                 GAP_LIMIT_PERIODS * 1e9 / max(rate_hz, 1.0),
@@ -55,7 +55,7 @@ class JointRing:
     def extend(self, samples: Sequence[JointSample], judged_ns: int | None = None) -> None:
         """Appends samples, oldest first.
 
-        ``judged_ns``: up to where no more will come, though some may have been left out.
+        ``judged_ns``: no more samples will arrive up to here, though some may have been discarded.
         """
         with self._grown:
             for sample in samples:
@@ -68,7 +68,7 @@ class JointRing:
             self._grown.notify_all()
 
     def between(self, first_ns: int, last_ns: int) -> JointWindow:
-        """The samples with ``first_ns <= stamp <= last_ns`` that are still kept."""
+        """The stored samples with ``first_ns <= stamp <= last_ns``."""
         with self._grown:
             low = self._position(first_ns, "left")
             high = self._position(last_ns, "right")
@@ -76,29 +76,29 @@ class JointRing:
             return JointWindow(self._stamps[at], self._q[at])
 
     def covers(self, window: JointWindow, first_ns: int, last_ns: int) -> bool:
-        """True where a window covers the whole stretch: no hole longer than a fifth of it."""
+        """True if a window covers the whole interval: no gap longer than a fifth of it."""
         ends = np.concatenate([[first_ns], window.stamps_ns, [last_ns]])
         longest_ns = int(np.diff(ends).max())
         return longest_ns <= max(self.gap_limit_ns, (last_ns - first_ns) // 5)
 
     def wait_past(self, stamp_ns: int, timeout_s: float) -> bool:
-        """Waits for a sample at or after a stamp; True too where those there were left out."""
+        """Waits for a sample at or after a time stamp; True also if such samples were discarded."""
         with self._grown:
             return self._grown.wait_for(
                 lambda: self._count > 0 and self._reaches_ns() >= stamp_ns, timeout_s
             )
 
     def at(self, stamp_ns: int, wait_s: float = 0.0) -> Floats | None:
-        """Encoder angles (n,) at a stamp, interpolated linearly between its neighbours.
+        """Encoder angles (n,) at a time stamp, interpolated linearly between the adjacent samples.
 
-        Waits up to ``wait_s`` for the neighbour after it. None where there is no
-        sample on one side, or where they lie further apart than ``gap_limit_ns``.
+        Waits up to ``wait_s`` for the sample after it. None if there is no sample on one side, or
+        if they are further apart than ``gap_limit_ns``.
         """
         angles = self.at_all(np.array([stamp_ns]), wait_s)[0]
         return None if np.isnan(angles).any() else angles
 
     def at_all(self, stamps_ns: Stamps, wait_s: float = 0.0) -> Floats:
-        """The same (F, n) of stamps (F,) that lie near together; NaN where ``at`` has None."""
+        """The same (F, n) for adjacent time stamps (F,); NaN where ``at`` returns None."""
         first_ns, last_ns = int(stamps_ns.min()), int(stamps_ns.max())
         self.wait_past(last_ns, wait_s)
         around = self.between(first_ns - self.gap_limit_ns, last_ns + self.gap_limit_ns)
@@ -118,7 +118,7 @@ class JointRing:
         return int(self._stamps[(self._count - 1) % RING_SAMPLES])
 
     def _position(self, stamp_ns: int, side: str) -> int:
-        """The running index of the first kept sample at or after (right: after) a stamp."""
+        """The running index of the first stored sample at or after (right: after) a time stamp."""
         low, high = self._oldest(), self._count
         while low < high:
             middle = (low + high) // 2
@@ -132,7 +132,7 @@ class JointRing:
 
 @dataclass(frozen=True)
 class JointMean:
-    """The mean of the joint samples of a stretch of time."""
+    """Mean of the joint samples of an interval of time."""
 
     q_rad: Floats  # (n,)
     scatter_rad: Floats  # (n,) standard deviation of one sample
@@ -142,7 +142,7 @@ class JointMean:
 
 
 def average_joints(window: JointWindow) -> JointMean:
-    """The mean of a window of at least one sample, with the samples' scatter."""
+    """The mean of a window of at least one sample, with the scatter of the samples."""
     turns = shortest_turn(window.q_rad - window.q_rad[0])
     scatter = turns.std(axis=0, ddof=1) if len(window) > 1 else np.zeros(turns.shape[1])
     return JointMean(

@@ -13,13 +13,13 @@ from hardware.interfaces import ArmInfo, SensorInfo
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """A device's state in words and numbers; counts are of all its connections."""
+    """State of a device in words and numbers; counts include all its connections."""
 
     title: Text
     state: Literal["connected", "connecting", "lost", "off"]
     text: Text
     age_s: float | None
-    """Age of the newest data when this was made."""
+    """Age of the newest data at that time."""
     rate_hz: float | None
     received: int
     lost: int
@@ -27,7 +27,7 @@ class DeviceState:
 
 
 def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
-    """The state of a link; of a connected device with its name and serial number."""
+    """The state of a link; for a connected device, with its name and serial number."""
     text: Text = link.text
     if info is not None and link.state is LinkState.CONNECTED:
         text = info.name
@@ -61,20 +61,20 @@ class Losses:
 
     @property
     def share(self) -> float:
-        """0 to 1; of a silent device 0."""
+        """0 to 1; 0 for a silent device."""
         total = self.received + self.lost + self.corrupt
         return (self.lost + self.corrupt) / total if total else 0.0
 
 
 class LossWindow:
-    """Counts that only grow, looked at as what they grew by lately."""
+    """Increases of growing counts within a window of time."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
         self._samples: deque[tuple[float, Losses]] = deque()
 
     def note(self, received: int, lost: int, corrupt: int) -> None:
-        """The counts as of now; called at any pace."""
+        """The current counts; called at any rate."""
         now_s = self._clock()
         if self._samples and now_s - self._samples[-1][0] < SAMPLE_S:
             return
@@ -83,7 +83,7 @@ class LossWindow:
             self._samples.popleft()
 
     def over(self, received: int, lost: int, corrupt: int) -> Losses:
-        """What the counts grew by in the window."""
+        """Increase of the counts in the window."""
         if not self._samples:
             return Losses(0, 0, 0)
         first = self._samples[0][1]

@@ -1,4 +1,4 @@
-"""The station's devices: one arm, one sensor, always read, never given up."""
+"""The station's devices: one arm, one sensor, read and reconnected permanently."""
 
 import shutil
 import threading
@@ -17,13 +17,13 @@ from app.station.devices.link_state import DeviceState
 from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import ArmDriver, SensorDriver
 
-# Devices are published so often, and as soon as one is seen to be lost or back.
+# Interval at which devices are published, and at once when one is lost or back.
 PUBLISH_S, LOOK_S = 0.2, 0.05
 
 
 @dataclass(frozen=True, slots=True)
 class Devices:
-    """All that the browser shows of the devices."""
+    """Everything that the browser shows of the devices."""
 
     arm: DeviceState
     sensor: DeviceState
@@ -36,10 +36,10 @@ class Devices:
 
 
 class Rig:
-    """Both devices, and what takes the two together.
+    """Both devices, and operations that need both.
 
     Args:
-        arm, sensor: make a new driver, not yet open, each time they are called.
+        arm, sensor: return a new, unopened driver at each call.
         data_dir: the folder whose disk is watched.
     """
 
@@ -66,7 +66,7 @@ class Rig:
         self._publisher.start()
 
     def stop(self) -> None:
-        """Laser off, devices closed, threads ended."""
+        """Switches the laser off, closes devices and ends threads."""
         self.sensor.laser_off()
         self._stopping.set()
         self.arm.reader.stop()
@@ -76,7 +76,7 @@ class Rig:
             self._publisher = None
 
     def devices(self) -> Devices:
-        """Everything at once, as of now."""
+        """The current state of everything."""
         info = self.sensor.info
         return Devices(
             arm=self.arm.link(),
@@ -128,14 +128,14 @@ class Rig:
                 published_s = now_s
 
     def _report_doubt(self, before: bool) -> bool:
-        """Says once when the arm's readings cannot be true any more."""
+        """Reports once that the arm's readings have become impossible."""
         doubt = self.arm.doubt()
         if doubt is not None and not before:
             self._bus.event(doubt.code, doubt.text, "bad")
         return doubt is not None
 
     def _report_link(self, title: str, before: LinkState | None, link: Link) -> None:
-        """Says once when a device was lost, and when it came back."""
+        """Reports once that a device was lost, and once that it is back."""
         if before == link.state:
             return
         if link.state is LinkState.LOST:

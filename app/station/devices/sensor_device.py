@@ -16,13 +16,13 @@ from hardware.interfaces import Frame, SensorDriver, SensorInfo
 
 Better = Callable[[Frame, tuple[float, float]], float | None]
 
-# A laser that was on is switched on again after a loss no longer than this.
+# After a loss no longer than this, a laser that was on is switched on again.
 LASER_RESTORE_S = 5.0
 FRAME_TIMEOUT_S = 3.0
 
 
 class StationSensor:
-    """Reads the sensor on its own thread; everything else may be called from any thread."""
+    """Reads the sensor in its own thread; everything else may be called from any thread."""
 
     def __init__(self, bus: Bus, make: Callable[[], SensorDriver]) -> None:
         self._bus = bus
@@ -41,12 +41,12 @@ class StationSensor:
 
     @property
     def info(self) -> SensorInfo | None:
-        """What the sensor says of itself, None while it is not connected."""
+        """Properties of the sensor; None while it is not connected."""
         return self.reader.info
 
     @property
     def fresh(self) -> bool:
-        """True while frames come."""
+        """True while frames arrive."""
         return self.reader.fresh
 
     def link(self) -> DeviceState:
@@ -54,7 +54,7 @@ class StationSensor:
 
     @property
     def laser_on(self) -> bool:
-        """As last switched; where the laser has no switch, as the frames say."""
+        """As last switched; if the laser has no switch, as stated by the frames."""
         info, latest = self.info, self.frames.latest
         if info is None:
             return False
@@ -64,12 +64,12 @@ class StationSensor:
 
     @property
     def exposure_us(self) -> float | None:
-        """The exposure of the latest frame; None while there is no sensor."""
+        """The exposure of the latest frame; None without a sensor."""
         latest = self.frames.latest
         return latest.exposure_us if latest is not None and self.info else None
 
     def set_laser(self, on: bool) -> None:
-        """Switches the laser; raises ``OperationError`` when there is no sensor or no switch."""
+        """Switches the laser; raises ``OperationError`` without a sensor or a switch."""
         driver, info = self.open_driver()
         if not info.has_laser_switch:
             raise OperationError(
@@ -91,11 +91,11 @@ class StationSensor:
             try:
                 driver.set_laser(False)
             except DeviceError:
-                # the sensor is going away; its driver switches off as it closes
+                # the sensor is lost; its driver switches the laser off when it closes
                 self._bus.event("laser", message("sensor-did-answer-laser-off"), "bad")
 
     def set_exposure_us(self, exposure_us: float) -> None:
-        """Applies from one of the next frames on; kept over a reconnection."""
+        """Sets the exposure from one of the next frames on; kept over a reconnection."""
         driver, info = self.open_driver()
         shortest, longest = info.exposure_range_us
         wanted = min(max(exposure_us, shortest), longest)
@@ -106,11 +106,11 @@ class StationSensor:
         self._exposure_wanted_us = wanted
 
     def auto_exposure(self, better: Better = better_exposure_us) -> float:
-        """Brings the picture's bright parts to 70 % of full scale; the exposure in µs.
+        """Brings the bright parts of the picture to 70 % of full scale; returns the exposure in µs.
 
-        Another rule than ``better_exposure_us`` may say what is bright.
+        A rule other than ``better_exposure_us`` may define the bright parts.
 
-        Blocks for about a second; what the range does not allow is left at its end.
+        Blocks for about a second; outside the range, the exposure stays at the limit.
         """
         _, info = self.open_driver()
         frame = self._next_frame(now_ns(), None)
@@ -123,7 +123,7 @@ class StationSensor:
         return frame.exposure_us
 
     def open_driver(self) -> tuple[SensorDriver, SensorInfo]:
-        """The open driver; raises ``OperationError`` while there is none."""
+        """The open driver; raises ``OperationError`` if there is none."""
         driver, info = self.reader.driver, self.info
         if driver is None or info is None:
             raise OperationError(
@@ -135,7 +135,7 @@ class StationSensor:
         return driver, info
 
     def _next_frame(self, after_ns: int, exposure_us: float | None) -> Frame:
-        """A frame taken after a stamp, with the wanted exposure if that comes within a second."""
+        """A frame after a time stamp, with the wanted exposure if it arrives within a second."""
 
         def later(frame: Frame) -> bool:
             return frame.mid_exposure_ns > after_ns
@@ -153,7 +153,7 @@ class StationSensor:
         return frame
 
     def _on_connect(self, driver: SensorDriver, info: SensorInfo) -> None:
-        """Brings a sensor that came back to the state it was left in."""
+        """Restores the state of a sensor that is back."""
         if self._exposure_wanted_us is not None:
             driver.set_exposure_us(self._exposure_wanted_us)
         if info.has_laser_switch:

@@ -1,4 +1,4 @@
-"""Is the arm held still? Answered from its joints, allowing for the encoders' noise."""
+"""Whether the arm is held still, from its joints, allowing for the encoders' noise."""
 
 from dataclasses import dataclass
 
@@ -15,8 +15,8 @@ TIP_LIMIT_UM = 40.0
 TURN_LIMIT_ARCSEC = 60.0
 BLOCKS = 6
 FEWEST_SAMPLES = 6
-# How far the means of blocks of noise alone may lie apart, in standard deviations of
-# one mean: the expected range of six is 2.5, and 5 is passed less than once in 500.
+# Limit of the distance between block means of pure noise, in standard deviations of one mean: the
+# expected range of six is 2.5, and 5 is exceeded less than once in 500.
 NOISE_RANGE = 5.0
 ARCSEC_PER_RAD = 180 * 3600 / np.pi
 
@@ -35,12 +35,11 @@ UNKNOWN = Stillness(False, float("nan"), float("nan"), message("too-little-arm-d
 
 
 def stillness(arm: Arm, window: JointWindow) -> Stillness:
-    """How far the probe's tip moved and the flange (with the sensor) turned.
+    """How far the tip moved and the flange (with the sensor) turned.
 
-    The window's samples are averaged in six blocks, and the largest distance
-    between two blocks counts. So encoder noise does not look like motion, and
-    the limit is widened by what noise of the arm's stated standard deviation
-    does to such means.
+    The samples of the window are averaged in six blocks, and the largest distance between two
+    blocks counts. Encoder noise therefore does not look like motion, and the limit is increased by
+    the effect of the arm's stated noise on such means.
     """
     if len(window) < FEWEST_SAMPLES:
         return UNKNOWN
@@ -74,7 +73,7 @@ def _words(still: bool, moved_um: float, turned_arcsec: float, window: JointWind
 
 
 def _motion_um(moved_um: float) -> Quantity:
-    """With few digits: while the operator moves the arm they change too fast to be read."""
+    """With few digits: while the operator moves the arm, they change too fast to be read."""
     return quantity(moved_um, "µm") if moved_um < 1000 else quantity(moved_um / 1000, "mm", 1)
 
 
@@ -96,7 +95,7 @@ def _widest_turn(rotations: Floats) -> float:
 
 
 def _noise(arm: Arm, q_rad: Floats, samples_a_block: int) -> tuple[float, float]:
-    """What encoder noise alone may move (µm) and turn (arcsec) the means of blocks."""
+    """The amount by which encoder noise alone moves (µm) and turns (arcsec) the means of blocks."""
     jacobian = geometric_jacobian(arm, q_rad, arm.tip.centre_mm)
     sd = np.sqrt(((jacobian * arm.encoder_sd_rad) ** 2).reshape(2, 3, -1).sum(axis=(1, 2)))
     scale = NOISE_RANGE / np.sqrt(samples_a_block)

@@ -1,4 +1,4 @@
-"""The room's temperature: read every few seconds, and kept for comparison."""
+"""The room temperature: read every few seconds, and stored for comparison."""
 
 import threading
 import time
@@ -14,7 +14,7 @@ STORE_EVERY_S = 600.0
 
 
 class Thermometer(Protocol):
-    """Anything that reads a temperature."""
+    """A source of temperature readings."""
 
     def read_c(self) -> float:
         """In °C; raises ``DeviceError``."""
@@ -22,14 +22,14 @@ class Thermometer(Protocol):
 
 @dataclass(frozen=True)
 class Temperature:
-    """As of the last reading; null where there is no thermometer, or it fails."""
+    """The last reading; null without a thermometer, or if it fails."""
 
     celsius: float | None
     trouble: Text = ""
 
 
 class TemperatureWatch:
-    """Called from one thread at a time; ``now`` may be read from any.
+    """Called from one thread at a time; ``now`` may be read from any thread.
 
     Args:
         keep: called with a reading every ten minutes.

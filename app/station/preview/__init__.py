@@ -1,1 +1,1 @@
-"""The live image with what is detected in it, and what would make a better capture."""
+"""The live image with its detections, and advice for a better capture."""

@@ -1,6 +1,6 @@
-"""What helps to expose, to focus, to frame and to keep the distance: figures with their limits.
+"""Aids for exposure, focus, framing and distance: figures with their limits.
 
-Each has its value, what is wanted, and in words which way to go.
+Each has its value, its target, and a direction in words.
 """
 
 from collections.abc import Sequence
@@ -16,9 +16,10 @@ from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
 from app.station.working_distance import Distance
 
-# Shares of the picture that the object's outline takes, and how far off the middle it may lie.
+# Share of the picture that the object's outline should cover, and its maximum offset from the
+# middle.
 FILLS, MIDDLE = (0.35, 0.97), 0.2
-# Of the laser's line: shares of its points that may be clipped, and of full scale it should reach.
+# For the laser line: maximum share of clipped points, and share of full scale that it should reach.
 LINE_CLIPPED, LINE_DIM = 0.05, 0.3
 LINE_QUANTILE = 0.9
 Segment = tuple[float, float, float, float]
@@ -26,8 +27,8 @@ Segment = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class CaptureAid:
-    """One figure, with what is wanted in its unit; ``words`` is which way to go, empty where all
-    is well."""
+    """One figure and its target in its unit; ``words`` says which way to move, empty if all is
+    well."""
 
     name: Literal["exposure", "focus", "framing", "distance"]
     title: Text
@@ -40,7 +41,7 @@ class CaptureAid:
 
 
 def exposure_aid(picture: ImageQuality) -> CaptureAid:
-    """Of a picture of the object: what is lost in white, or how far the bright parts reach."""
+    """For a picture of the object: the overexposed share, or the level of the bright parts."""
     if picture.overexposed:
         share = 100 * picture.saturated
         too_bright = message("too-bright-saturated", share=quantity(share, "%"))
@@ -61,7 +62,7 @@ def exposure_aid(picture: ImageQuality) -> CaptureAid:
 
 
 def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
-    """The same of the laser's line; None where no line is seen."""
+    """The same for the laser line; None if no line is detected."""
     if not len(stripe.u):
         return None
     full = saturation_level(image)
@@ -83,7 +84,7 @@ def line_aid(image: Image, stripe: Stripe) -> CaptureAid | None:
 
 
 def focus_aid(picture: ImageQuality) -> CaptureAid | None:
-    """How wide the picture's edges are; None where that is not known."""
+    """Width of the edges in the picture; None if unknown."""
     if picture.blur_px is None:
         return None
     width, wanted = EDGE_WIDTH * picture.blur_px, EDGE_WIDTH * picture.soft_px
@@ -102,7 +103,7 @@ def focus_aid(picture: ImageQuality) -> CaptureAid | None:
 
 
 def framing_aid(outline: Sequence[Segment], width_px: int, height_px: int) -> CaptureAid | None:
-    """How much of the picture the object takes, and where it lies; None where it is not seen."""
+    """Share of the picture that the object covers, and its position; None if it is not detected."""
     if not outline:
         return None
     ends = np.array(outline).reshape(-1, 2)
@@ -136,7 +137,7 @@ def _side(across: float, down: float) -> Literal["right", "left", "down", "up"]:
 
 
 def distance_aid(distance: Distance) -> CaptureAid:
-    """How far the camera is from what it sees, against what was calibrated."""
+    """Distance from the camera to what it sees, relative to the calibrated range."""
     wanted = message(
         "from-to", low=quantity(distance.near_mm, "mm"), high=quantity(distance.far_mm, "mm")
     )

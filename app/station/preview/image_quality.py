@@ -1,4 +1,4 @@
-"""Where a picture is saturated, to be drawn on it."""
+"""Saturated parts of a picture, for drawing on it."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from app.metrology.image import saturation_level
 from app.station.devices.stillness import Stillness
 
 CELL_PX = 16
-# So many clipped pixels make a cell: a hot pixel or two do not.
+# Number of clipped pixels that make a cell: one or two hot pixels do not.
 LEAST = 6
 MOST_BOXES = 300
 Box = tuple[int, int, int, int]
@@ -23,7 +23,7 @@ Box = tuple[int, int, int, int]
 
 
 def saturation(image: Image) -> tuple[float, tuple[Box, ...]]:
-    """The share of saturated pixels in percent, and the places as boxes, joined along rows."""
+    """The share of saturated pixels in percent, and their positions as boxes, joined along rows."""
     clipped = image >= saturation_level(image)
     count = int(np.count_nonzero(clipped))
     percent = 100.0 * count / image.size
@@ -42,12 +42,12 @@ def saturation(image: Image) -> tuple[float, tuple[Box, ...]]:
 
 
 def image_findings(image: Image) -> list[Finding]:
-    """Exposure, saturation and sharpness as findings; empty when all is well."""
+    """Exposure, saturation and sharpness as findings; empty if all is well."""
     return measure_image(image)[1]
 
 
 def measure_image(image: Image) -> tuple[ImageQuality | None, list[Finding]]:
-    """The same with the measures, which a picture that is not grey has none of."""
+    """The same with the measures; a picture that is not grey has none."""
     try:
         measures = measure_image_quality(image)
     except OperationError as error:
@@ -67,5 +67,5 @@ def error_finding(error: OperationError) -> Finding:
 
 
 def stillness_findings(stillness: Stillness) -> list[Finding]:
-    """Asks to hold still when the arm moves; empty when it is still."""
+    """Asks the operator to hold still if the arm moves; empty if it is still."""
     return [] if stillness.still else [Finding("attention", stillness.text, message("hold-still"))]

@@ -1,4 +1,4 @@
-"""The live picture for the browser: encoded once for all who watch, described in words."""
+"""The live picture for the browser: encoded once for all viewers, and described in words."""
 
 import json
 import logging
@@ -52,7 +52,7 @@ STRIPE_POINTS = 200
 
 @dataclass(frozen=True)
 class PreviewHeader:
-    """What goes with a picture; pixels are those of the full frame."""
+    """Data that accompany a picture; pixels are those of the full frame."""
 
     seq: int
     width_px: int
@@ -84,8 +84,8 @@ class PreviewImage:
 
 
 class Preview:
-    """Publishes the newest picture, at most 15 a second, while somebody watches or the
-    object is looked for."""
+    """Publishes the newest picture, at most 15 per second, while someone watches or the object is
+    searched for."""
 
     def __init__(self, bus: Bus, arm: StationArm, sensor: StationSensor) -> None:
         self._bus = bus
@@ -138,7 +138,7 @@ class Preview:
             self.remove_viewer()
 
     def detect(self, item: CalibrationTarget | None) -> None:
-        """Looks for the object from now on; None ends the search."""
+        """Searches for the object from now on; None ends the search."""
         self._objects.watch(item)
         with self._watched:
             self._detecting = item is not None
@@ -146,7 +146,7 @@ class Preview:
 
     @contextmanager
     def resting(self) -> Iterator[None]:
-        """The search for the object rests while such a block is open."""
+        """The search for the object pauses while such a block is open."""
         self._objects.rest(True)
         try:
             yield
@@ -159,20 +159,20 @@ class Preview:
 
     @property
     def extraction(self) -> Extraction:
-        """How the stripe is extracted that is drawn on the picture."""
+        """Settings for extracting the stripe that is drawn on the picture."""
         return self._extraction
 
     def set_settings(self, settings: ScanSettings) -> None:
-        """How the stripe is extracted that is drawn on the picture."""
+        """Settings for extracting the stripe that is drawn on the picture."""
         self._settings = settings
         self._extraction = extraction_by(settings, self._axis)
 
     def set_calibration(self, distances: WorkingRange | None) -> None:
-        """What gives distances in the picture from now on; None where nothing does."""
+        """Sets the source of distances in the picture; None if there is none."""
         self._distances = distances
 
     def latest(self) -> PreviewImage | None:
-        """The newest picture made; None before the first."""
+        """The newest picture; None before the first."""
         return self._latest
 
     def _run(self) -> None:
@@ -238,7 +238,7 @@ class Preview:
         measures: ImageQuality | None,
         distances: WorkingRange | None,
     ) -> Iterator[CaptureAid]:
-        """Of the line where only that is looked at, else of the object."""
+        """For the line if only the line matters, otherwise for the object."""
         if frame.laser_on and not self._detecting:
             if stripe is None:
                 return
@@ -253,7 +253,7 @@ class Preview:
         yield from some(framing_aid(seen.outline, width, height))
 
     def _current_detection(self, stillness: Stillness) -> TargetDetection:
-        """What was found of the object, unless the camera has been moved since."""
+        """The detection of the object, unless the camera has moved since."""
         seen = self._objects.detection
         if seen is NO_DETECTION or not self._arm.has_moved_since(seen.stamp_ns):
             return seen
@@ -264,7 +264,7 @@ class Preview:
     def _stripe(self, frame: Frame) -> Stripe | None:
         if not frame.laser_on:
             return None
-        # while an object is looked for, as its calibration takes the line: whole
+        # while an object is searched for, the complete line is extracted, as for its calibration
         extraction = Extraction(self._axis) if self._detecting else self._extraction
         try:
             return extraction.stripe(frame.image)
@@ -272,7 +272,7 @@ class Preview:
             return None
 
     def _measure(self, image: Image) -> tuple[ImageQuality | None, tuple[Finding, ...]]:
-        """Measures and words a few times a second: faster, nobody reads them."""
+        """Measures and renders texts a few times per second: faster, nobody could read them."""
         made_s, measures, words = self._words
         now = time.monotonic()
         if now - made_s > WORDS_PERIOD_S:
@@ -283,7 +283,7 @@ class Preview:
 
 
 def some(aid: CaptureAid | None) -> tuple[CaptureAid, ...]:
-    """The aid, where there is one."""
+    """The aid, if there is one."""
     return () if aid is None else (aid,)
 
 
@@ -301,7 +301,7 @@ def jpeg(image: Image) -> bytes:
 
 
 def decimate(stripe: Stripe | None) -> tuple[tuple[float, float], ...]:
-    """At most 200 points of a stripe, evenly taken."""
+    """At most 200 points of a stripe, evenly spaced."""
     if stripe is None or not len(stripe.u):
         return ()
     every = max(1, -(-len(stripe.u) // STRIPE_POINTS))

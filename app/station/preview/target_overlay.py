@@ -1,4 +1,4 @@
-"""What was found of the object in a picture, as it is drawn: its corners and its outline. Pure."""
+"""The detection of the object in a picture, for drawing: its corners and its outline. Pure."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ Segment = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class DetectedCorner:
-    """A corner found in a picture; as ``ImageCorner`` of the browser's types."""
+    """A corner detected in a picture; as ``ImageCorner`` of the browser's types."""
 
     name: str
     u: float
@@ -31,17 +31,18 @@ class DetectedCorner:
 
 @dataclass(frozen=True)
 class TargetOverlay:
-    """The object in a picture: each corner with its distance from where all of them put it."""
+    """The object in a picture: each corner with its distance from the position that fits all of
+    them."""
 
     corners: tuple[DetectedCorner, ...] = ()
     outline: tuple[Segment, ...] = ()
 
 
 def detect_target(image: Image, item: CalibrationTarget, stripe: Stripe | None) -> TargetOverlay:
-    """The object found in a picture; raises ``OperationError`` where it is not to be found.
+    """The object detected in a picture; raises ``OperationError`` if it is not detected.
 
     Args:
-        stripe: of the same picture, where the laser was on.
+        stripe: of the same picture, if the laser was on.
     """
     if isinstance(item, Chessboard):
         line = stripe and drop_faint_stripe(image, stripe)
@@ -50,7 +51,7 @@ def detect_target(image: Image, item: CalibrationTarget, stripe: Stripe | None) 
 
 
 def block_overlay(found: ObjectDetection, block: Crenellated) -> TargetOverlay:
-    """A block by the camera that was fitted to it, hidden edges left out."""
+    """A block by the camera that was fitted to it, without hidden edges."""
     points = corners(block)
     at = project(found.camera, np.array([points[corner.name] for corner in found.corners]))
     parts = visible_parts(block, found.camera.centre_mm)

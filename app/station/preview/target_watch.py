@@ -1,4 +1,4 @@
-"""Looks for the object in the live picture a few times a second, on a thread of its own."""
+"""Searches for the object in the live picture a few times per second, in a separate thread."""
 
 import logging
 import threading
@@ -16,14 +16,14 @@ from hardware.interfaces import Frame
 
 log = logging.getLogger(__name__)
 
-# The detection may take half of one core, whatever it costs.
+# The detection may use half of one core, whatever its cost.
 REST_SHARE = 1.0
 SHORTEST_REST_S = 0.15
 
 
 @dataclass(frozen=True)
 class TargetDetection:
-    """What was found of the object in the frame exposed at ``stamp_ns``."""
+    """The detection of the object in the frame exposed at ``stamp_ns``."""
 
     stamp_ns: int = 0
     corners: tuple[DetectedCorner, ...] = ()
@@ -35,7 +35,7 @@ NO_DETECTION = TargetDetection()
 
 
 class TargetWatch:
-    """Detects on the newest frame that was offered, and rests between two detections."""
+    """Detects the object in the newest frame, and rests between two detections."""
 
     def __init__(self) -> None:
         self._offered = threading.Condition()
@@ -60,31 +60,31 @@ class TargetWatch:
             self._thread = None
 
     def watch(self, item: CalibrationTarget | None) -> None:
-        """Names the object to look for; None ends the search."""
+        """Sets the object to search for; None ends the search."""
         with self._offered:
             if item != self._item:
                 self._item, self._detection, self._frame = item, NO_DETECTION, None
 
     @property
     def detection(self) -> TargetDetection:
-        """What the last search found; ``NO_DETECTION`` while none is wanted."""
+        """The result of the last search; ``NO_DETECTION`` if none is wanted."""
         with self._offered:
             return self._detection
 
     def rest(self, resting: bool) -> None:
-        """While resting, no new search begins."""
+        """While resting, no new search starts."""
         with self._offered:
             self._resting = resting
 
     def forget(self, seen: TargetDetection) -> None:
-        """What was found is out of date: the next search begins at once."""
+        """The last result is outdated: the next search starts at once."""
         with self._offered:
             if self._detection is seen:
                 self._detection = NO_DETECTION
                 self._offered.notify()
 
     def offer(self, frame: Frame, stripe: Stripe | None) -> None:
-        """Gives the newest frame, with its stripe where the laser is on; never waits."""
+        """Passes the newest frame, with its stripe if the laser is on; never waits."""
         with self._offered:
             if self._item is not None and not self._resting:
                 self._frame = (frame, stripe)
@@ -118,7 +118,7 @@ def _search(frame: Frame, stripe: Stripe | None, item: CalibrationTarget) -> Tar
         found = detect_target(frame.image, item, stripe)
     except OperationError as refusal:
         return TargetDetection(stamp_ns, finding=error_finding(refusal))
-    except Exception:  # a preview must not end because a picture is odd
+    except Exception:  # an odd picture must not end the preview
         log.exception("the search for the object failed")
         return TargetDetection(
             stamp_ns, finding=Finding("attention", message("search-object-failed"))

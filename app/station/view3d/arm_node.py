@@ -40,7 +40,7 @@ class Removable(Protocol):
 
 
 class ArmNode:
-    """Nodes nested as the links are, so that a pose is one small message a joint."""
+    """Nested nodes, one per link, so that a pose is one small message per joint."""
 
     def __init__(self, server: viser.ViserServer, arm: Arm) -> None:
         self._server = server
@@ -54,11 +54,11 @@ class ArmNode:
             self._build(arm)
 
     def remove(self) -> None:
-        """Takes the arm and its sensor away."""
+        """Removes the arm and its sensor."""
         self._root.remove()
 
     def pose(self, links: Floats) -> None:
-        """Puts every link where ``A_i E_i`` (n, 4, 4) of Eq. 2-3 has it."""
+        """Moves every link to ``A_i E_i`` (n, 4, 4) of Eq. 2-3."""
         with self._server.atomic():
             for handle, T in zip(self._links, links, strict=True):
                 handle.position, handle.wxyz = viser_pose(T)
@@ -75,7 +75,7 @@ class ArmNode:
             tubes, hub = link_meshes(joint, float(radii[i]), float(radii[i + 1]))
             if tubes is not None:
                 add_mesh(self._server, f"{path}/tube", tubes, LINK)
-            if i > 0:  # the first joint turns in the foot
+            if i > 0:  # the first joint turns in the base
                 add_mesh(self._server, f"{path}/hub", hub, HUB)
         self._flange = path
         self._add_probe(arm, float(radii[-1]))
@@ -105,7 +105,7 @@ class ArmNode:
         plane: LaserPlane,
         depth_range_mm: tuple[float, float],
     ) -> None:
-        """Draws a housing behind the camera's centre, and the field where the laser measures."""
+        """Draws a housing behind the camera centre, and the field in which the laser measures."""
         self.clear_sensor()
         centre = apply(T_flange_sensor, camera.centre_mm[None])[0]
         R_flange_cam = T_flange_sensor[:3, :3] @ camera.rotation.T
@@ -127,8 +127,8 @@ class ArmNode:
         self._sensor, self._field, self._rim = [], None, None
 
     def set_laser(self, on: bool, in_range: bool | None) -> None:
-        """Colours the field: its rim red while the laser is on; inside green where the stripe
-        is within it, red where it is not, and grey where no stripe is measured."""
+        """Colours the field: its rim red while the laser is on; its inside green if the stripe is
+        within it, red if not, and grey if no stripe is measured."""
         if self._field is None or self._rim is None or (on, in_range) == self._looks:
             return
         self._looks = (on, in_range)
@@ -159,7 +159,7 @@ class ArmNode:
 
 
 def _housing(centre_mm: Floats, R_flange_cam: Floats) -> Mesh:
-    """A box around the camera's centre, opening along its view."""
+    """A box around the camera centre, opening along its view."""
     low = -SENSOR_HALF_MM - np.array([0.0, 0.0, SENSOR_HALF_MM[2]])
     mesh = box(low, SENSOR_HALF_MM - np.array([0.0, 0.0, SENSOR_HALF_MM[2]]))
     return Mesh(mesh.vertices_mm @ R_flange_cam.T + centre_mm, mesh.faces)

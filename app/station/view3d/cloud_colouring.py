@@ -1,4 +1,4 @@
-"""What the cloud's colours mean: which value, between which limits, on which scale."""
+"""The meaning of the cloud's colours: quantity, limits and scale."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,16 +16,16 @@ Measure = Literal["height", "intensity", "uncertainty", "age", "deviation"]
 Distances = Callable[[Floats], Floats]
 """Signed distances (N,) in mm of points (N, 3) from a fitted shape."""
 Points32 = NDArray[np.float32]
-"""(N, 3), mm from the cloud's own origin."""
+"""(N, 3) mm, relative to the origin of the cloud."""
 PointAttributes = NDArray[np.void]
 """(N,) of ``ATTRIBUTES``."""
 
 ATTRIBUTES = np.dtype([("intensity", "<f4"), ("uncertainty_um", "<f4"), ("taken_s", "<f4")])
-"""What is kept of each shown point beside its place; the time since its scan began."""
+"""Data stored with the position of each shown point; the time since its scan began."""
 
 
 def point_attributes(points: Points, taken_s: Floats) -> PointAttributes:
-    """Of points (N,) taken at times (N,)."""
+    """For points (N,) captured at times (N,)."""
     traits = np.empty(len(points), ATTRIBUTES)
     traits["intensity"] = points["intensity"]
     traits["uncertainty_um"] = points["uncertainty_um"]
@@ -38,7 +38,7 @@ class _MeasureScale:
     unit: Text
     scale: Bytes
     percentiles: tuple[float, float]
-    """What the automatic range leaves out at either end."""
+    """Share that the automatic range excludes at either end."""
     least_span: float
 
 
@@ -49,18 +49,18 @@ MEASURE_SCALES: dict[Measure, _MeasureScale] = {
     "age": _MeasureScale("s", SCALE[::-1], (0.0, 100.0), 5.0),
     "deviation": _MeasureScale("µm", BALANCE, (0.0, 100.0), 4.0),
 }
-# An automatic range moves once it is off by this share of itself.
+# An automatic range changes when it is off by this share of itself.
 OFF_SHARE = 0.08
-# The age moves on in steps of this share of its range.
+# The age advances in steps of this share of its range.
 AGE_STEP = 0.05
-# What is so many times the range away from a shape does not belong to it.
+# Points further from a shape than this multiple of the range do not belong to it.
 APART_RANGES = 4.0
 FIT_SIGMAS = 3.0
 
 
 @dataclass(frozen=True)
 class Legend:
-    """What stands beside the picture."""
+    """The legend next to the view."""
 
     measure: Measure
     unit: Text
@@ -68,21 +68,21 @@ class Legend:
     high: float
     automatic: bool
     colours: tuple[str, ...]
-    """Of the scale, evenly spaced from low to high."""
+    """Colours of the scale, evenly spaced from low to high."""
 
 
 @dataclass(frozen=True)
 class ReferenceShape:
-    """The shape that deviations are from."""
+    """The shape for deviations."""
 
     distances: Distances
     rms_mm: float
 
 
 class CloudColouring:
-    """Not safe for threads: its owner holds a lock.
+    """Not thread-safe: its owner holds a lock.
 
-    ``version`` counts up whenever points need other colours than before.
+    ``version`` increases whenever points need new colours.
     """
 
     def __init__(self) -> None:
@@ -109,7 +109,7 @@ class CloudColouring:
         )
 
     def show(self, measure: Measure, limits: tuple[float, float] | None) -> None:
-        """Colours by this from now on, within limits of its unit, or automatic ones."""
+        """Selects the quantity, with limits in its unit, or automatic ones."""
         self.measure = measure
         self._is_manual = limits is not None
         self._ranged = limits is not None
@@ -118,11 +118,11 @@ class CloudColouring:
         self.version += 1
 
     def forget_range(self) -> None:
-        """With nothing shown any more, what comes next sets an automatic range again."""
+        """If nothing is shown any more, the next data sets an automatic range again."""
         self._ranged = self._is_manual
 
     def aim_at(self, target: ReferenceShape | None) -> None:
-        """The shape that deviations are from; without one, heights are shown instead."""
+        """The shape for deviations; without one, heights are shown instead."""
         self.reference = target
         if self.measure != "deviation":
             return
@@ -134,7 +134,7 @@ class CloudColouring:
     def values(
         self, points: Floats, traits: PointAttributes, newest_s: float
     ) -> NDArray[np.floating]:
-        """What is coloured by, (N,), of points (N, 3) of the arm frame."""
+        """The values (N,) for colouring points (N, 3) of the arm frame."""
         if self.measure == "height":
             return np.asarray(points[:, 2])
         if self.measure == "deviation":
@@ -146,18 +146,18 @@ class CloudColouring:
         return np.asarray(traits[name])
 
     def age_step(self, newest_s: float) -> int:
-        """Counts up as colours of ages go out of date."""
+        """Increases as the colours of ages become outdated."""
         if self.measure != "age":
             return 0
         return int(newest_s / (AGE_STEP * max(self._high - self._low, 1e-6)))
 
     def beyond_age(self, newest_s: float, node_newest_s: float) -> bool:
-        """Whether all of a node is older than the range, so that its colours stay."""
+        """Whether all points of a node are older than the range, so that its colours stay."""
         return self.measure == "age" and newest_s - node_newest_s > self._high
 
     def colours(self, points: Floats, traits: PointAttributes, newest_s: float) -> Bytes:
         """Colours (N, 3) of points (N, 3) of the arm frame."""
-        if self.measure == "age":  # as of the step's end: nothing is younger than new
+        if self.measure == "age":  # at the end of the step: nothing is younger than new
             step_s = AGE_STEP * max(self._high - self._low, 1e-6)
             newest_s = step_s * self.age_step(newest_s)
         values = self.values(points, traits, newest_s)
@@ -168,7 +168,7 @@ class CloudColouring:
         return found
 
     def settle_range(self, sample: NDArray[np.floating]) -> None:
-        """Moves an automatic range to where values (N,) of all that is shown lie now."""
+        """Adjusts an automatic range to the values (N,) of everything shown."""
         if self._is_manual:
             return
         wanted = self._range_of(sample[np.isfinite(sample)])

@@ -1,8 +1,8 @@
-"""A growing cloud in the 3D view: small nodes that are merged, thinned above a budget.
+"""A growing cloud in the 3D view: small nodes that are merged, and thinned above a budget.
 
-New points go out as they come, in small nodes. Those are merged into large nodes, each of
-points of one tier (see ``voxels``), so that thinning takes nodes away and sends none again:
-what is to be done at a time does not grow with the cloud.
+New points are sent at once, in small nodes. These are merged into large nodes, each with points of
+one tier (see ``voxels``), so that thinning removes nodes and sends none again: the work per turn
+does not grow with the cloud.
 """
 
 from dataclasses import dataclass
@@ -28,19 +28,19 @@ FIRST_VOXEL_MM = 0.1
 NODE_POINTS = 100_000
 FEW_POINTS = 4_000
 MOST_SMALL_NODES, SMALL_POINTS = 60, 100_000
-"""Of more they are merged."""
+"""A larger number of small nodes is merged."""
 SMALLEST_POINT_MM = 0.3
 
 
 @dataclass
 class _PointNode:
-    """A node of the scene, with what is needed to colour it again."""
+    """A node of the scene, with the data needed to colour it again."""
 
     points_mm: Points32
     traits: PointAttributes
     handle: viser.PointCloudHandle | None = None
     painted: tuple[int, int] = (-1, 0)
-    """The colours it has: version of the painter, and step of the age."""
+    """Its present colours: version of the painter, and step of the age."""
 
     @property
     def newest_s(self) -> float:
@@ -52,7 +52,7 @@ class _PointNode:
 
 
 class CloudNode:
-    """The cloud of one scan. Not safe for threads: its owner holds a lock."""
+    """The cloud of one scan. Not thread-safe: its owner holds a lock."""
 
     def __init__(
         self, server: viser.ViserServer, painter: CloudColouring, budget: int, root: str = "/cloud"
@@ -70,25 +70,25 @@ class CloudNode:
 
     @property
     def voxel_mm(self) -> float:
-        """How far apart the shown points of a surface are, about."""
+        """Approximate distance between the shown points of a surface."""
         return self._voxels.size_mm
 
     @property
     def bounds_mm(self) -> tuple[Floats, Floats]:
-        """Lowest and highest corner (3,) of what was ever added, in the arm frame."""
+        """Lowest and highest corner (3,) of all points ever added, in the arm frame."""
         return self._low_mm, self._high_mm
 
     def points_mm(self) -> Floats:
-        """What is shown, (N, 3) in the arm frame."""
+        """The shown points, (N, 3) in the arm frame."""
         parts = [self._in_arm(node.points_mm) for node in self._nodes]
         return np.concatenate(parts) if parts else np.zeros((0, 3))
 
     def traits(self) -> list[PointAttributes]:
-        """Of what is shown, in the order of ``points_mm``."""
+        """Data of the shown points, in the order of ``points_mm``."""
         return [node.traits for node in self._nodes]
 
     def sample(self, count: int) -> NDArray[np.floating]:
-        """About so many of the values that are coloured by."""
+        """Approximately this many of the values for colouring."""
         step = max(1, self.visible_count // count)
         parts = [
             self._painter.values(
@@ -104,12 +104,12 @@ class CloudNode:
         self._forget()
 
     def remove(self) -> None:
-        """Takes the cloud out of the scene for good."""
+        """Removes the cloud from the scene permanently."""
         self.clear()
         self._server.scene.remove_by_name(self._root)
 
     def add(self, found: Points, taken_s: Floats) -> None:
-        """Shows those of the points (N,), taken at times (N,), that are the first in their cube."""
+        """Shows the points (N,), captured at times (N,), that are the first in their cube."""
         places = np.empty((len(found), 3))
         for i, axis in enumerate("xyz"):
             places[:, i] = found[axis]
@@ -138,7 +138,7 @@ class CloudNode:
             self._show(node)
 
     def keep_budget(self) -> bool:
-        """Thins what is shown where it is more than the budget; whether it was."""
+        """Thins the shown points if they exceed the budget; returns whether it did."""
         finest = self._voxels.finest
         while self._voxels.count > self.budget and self._voxels.coarsen():
             continue
@@ -154,7 +154,7 @@ class CloudNode:
         return True
 
     def repaint(self, most_points: int) -> int:
-        """Gives nodes the colours that they should have, up to so many points; how many it did."""
+        """Updates the colours of nodes, for a limited number of points; returns the number."""
         done = 0
         for node in self._nodes:
             if done >= most_points:
@@ -191,7 +191,7 @@ class CloudNode:
         return np.asarray(points + self._origin_mm)
 
     def _place_origin(self, points_mm: Floats) -> None:
-        """Float32 is exact to a tenth of a micrometre this near to the points."""
+        """Float32 is exact to a tenth of a micrometre at this distance."""
         self._origin_mm = np.round(np.median(points_mm, axis=0))
         self._server.scene.add_frame(
             self._root, show_axes=False, position=self._origin_mm * M_PER_MM
@@ -201,7 +201,7 @@ class CloudNode:
         return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
 
     def _show(self, node: _PointNode, tier: int | None = None) -> None:
-        """Its name states the tier of its points, where they are of one."""
+        """Its name states the tier of its points, if they have one."""
         self._made += 1
         of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring
@@ -216,10 +216,10 @@ class CloudNode:
         )
 
     def _merge(self) -> None:
-        """Many small nodes become few large ones: a browser slows down with many.
+        """Merges many small nodes into few large ones, because a browser slows down with many.
 
-        Tiers of which there are only few points yet stay together in one small node.
-        What is larger is there before what was small goes: nobody waits for all of it.
+        Tiers with only few points stay together in one small node. The larger node is there before
+        the small ones are removed, so nothing disappears in between.
         """
         small, self._small = self._small, []
         if not small:
@@ -242,7 +242,7 @@ class CloudNode:
             _remove(node)
 
     def _append(self, tier: int, node: _PointNode) -> None:
-        """Shows a node's points in large nodes of their tier; fills up the last of those."""
+        """Shows the points of a node in large nodes of their tier; fills the last of those."""
         nodes = self._large.setdefault(tier, [])
         last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 3 else None
         if last is not None:

@@ -1,4 +1,4 @@
-"""The clouds of the scans that are shown at once, within one budget of points."""
+"""The clouds of all scans in the view, within one budget of points."""
 
 import numpy as np
 import viser
@@ -9,17 +9,17 @@ from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, Measure, PointAttributes
 from app.station.view3d.cloud_node import CloudNode
 
-# So many points a turn are given other colours: the record and new points come first.
+# Number of points recoloured per turn: recording and new points come first.
 REPAINT_POINTS = 400_000
 SAMPLE = 20_000
-# The automatic range is looked at again when so much more is shown.
+# The automatic range is computed again when this much more is shown.
 LOOK_AGAIN = 1.05
 
 
 class CloudSet:
-    """The scan under way, or the last one, and others that were asked for, by their names.
+    """The running or last scan, and other scans in the view, by name.
 
-    Not safe for threads: its owner holds a lock.
+    Not thread-safe: its owner holds a lock.
     """
 
     def __init__(self, server: viser.ViserServer, budget: int) -> None:
@@ -40,7 +40,7 @@ class CloudSet:
 
     @property
     def bounds_mm(self) -> tuple[Floats, Floats]:
-        """Lowest and highest corner (3,) of all that is shown; infinite where nothing is."""
+        """Lowest and highest corner (3,) of everything shown; infinite if nothing is shown."""
         lows = [view.bounds_mm[0] for view in self._views.values()]
         highs = [view.bounds_mm[1] for view in self._views.values()]
         return np.min(lows, axis=0, initial=np.inf), np.max(highs, axis=0, initial=-np.inf)
@@ -50,24 +50,24 @@ class CloudSet:
         return view.visible_count if view else 0
 
     def visible_points(self, name: str) -> tuple[Floats, float]:
-        """What is shown of a scan, (N, 3) mm, and the size of the cubes that thin it."""
+        """The shown points of a scan, (N, 3) mm, and the size of the cubes that thin it."""
         view = self._views[name]
         return view.points_mm(), view.voxel_mm
 
     def visible_attributes(self, name: str) -> PointAttributes:
-        """Beside ``points_of``."""
+        """Data of the points of ``points_of``."""
         parts = self._views[name].traits()
         return np.concatenate(parts) if parts else np.zeros(0, ATTRIBUTES)
 
     def open(self, name: str, live: bool = False) -> None:
-        """A place for the points of one more scan; the others get less of the budget."""
+        """Adds a scan; the others get a smaller share of the budget."""
         self._made += 1
         root = "/cloud" if live else f"/kept/{self._made}"
         self._views[name] = CloudNode(self._server, self.painter, self._budget, root)
         self._share()
 
     def close(self, name: str) -> None:
-        """Takes a scan out of the picture."""
+        """Removes a scan from the view."""
         view = self._views.pop(name, None)
         if view is not None:
             view.remove()
@@ -80,7 +80,7 @@ class CloudSet:
             self.close(name)
 
     def add(self, name: str, points: Points, taken_s: Floats) -> bool:
-        """Shows points (N,) taken at these times (N,); False where their scan is not shown."""
+        """Shows points (N,) captured at these times (N,); False if their scan is not shown."""
         view = self._views.get(name)
         if view is None:
             return False
@@ -88,12 +88,12 @@ class CloudSet:
         return True
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
-        """Colours all by this, within limits of its unit, or automatic ones."""
+        """Colours all clouds by this quantity, with limits in its unit, or automatic ones."""
         self.painter.show(measure, limits)
         self._settle_range()
 
     def settle(self) -> None:
-        """A turn's share of what is left to do: ranges, colours, thinning. Soon done."""
+        """One turn of the remaining work: ranges, colours, thinning. It takes little time."""
         for view in self._views.values():
             view.keep_budget()
         version, shown = self._range_basis

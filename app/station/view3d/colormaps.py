@@ -1,7 +1,7 @@
-"""Colour scales of the cloud: even steps to the eye, distinct on light and dark ground.
+"""Colour scales of the cloud: perceptually even, and visible on light and dark backgrounds.
 
-Both scales can be read by those who cannot distinguish red from green: one grows lighter all
-along, the other runs from blue over a light grey to orange.
+Both scales are suitable for red-green blindness: one becomes steadily lighter, the other runs from
+blue over light grey to orange.
 """
 
 import numpy as np
@@ -13,9 +13,9 @@ Bytes = NDArray[np.uint8]
 
 STEPS = 256
 NO_VALUE = (150, 156, 164)
-"""Where a point has no such value."""
+"""For points without such a value."""
 APART = (92, 100, 112)
-"""What does not belong to the fitted shape."""
+"""For points that do not belong to the fitted shape."""
 # Björn Ottosson's Oklab, in which equal distances look alike: from linear sRGB to the
 # responses of the eye's cones, and from their cube roots to lightness and two hues.
 _CONES = np.array(
@@ -50,7 +50,7 @@ def srgb(lab: Floats) -> Floats:
 
 
 def even_scale(stops: list[tuple[int, int, int]], count: int = STEPS) -> Bytes:
-    """Colours (count, 3) through the stops, each as far from the next as all others are."""
+    """Colours (count, 3) through the stops, at equal distances from each other."""
     fine = np.linspace(0, len(stops) - 1, 4001)
     lab = oklab(np.array(stops, dtype=float))
     path = np.column_stack([np.interp(fine, np.arange(len(stops)), column) for column in lab.T])
@@ -71,11 +71,11 @@ BALANCE = np.concatenate(
         even_scale([_MIDDLE, (236, 146, 60), (190, 72, 12)], STEPS // 2),
     ]
 )
-"""From below to above, with nothing in the middle."""
+"""From below to above, neutral in the middle."""
 
 
 def map_colours(values: NDArray[np.floating], low: float, high: float, scale: Bytes) -> Bytes:
-    """Colours (N, 3) of values (N,) between two limits; beyond them the outermost."""
+    """Colours (N, 3) of values (N,) between two limits; the outermost colours beyond them."""
     known = np.append(scale, [NO_VALUE], axis=0).astype(np.uint8)
     by = (len(scale) - 1) / max(high - low, 1e-9)
     at = (values.astype(np.float64) - low) * by
@@ -85,6 +85,6 @@ def map_colours(values: NDArray[np.floating], low: float, high: float, scale: By
 
 
 def scale_stops(scale: Bytes, count: int = 17) -> tuple[str, ...]:
-    """Some of a scale's colours, evenly spaced, as pages write them."""
+    """Some colours of a scale, evenly spaced, in CSS notation."""
     at = np.rint(np.linspace(0, STEPS - 1, count)).astype(int)
     return tuple(f"#{r:02x}{g:02x}{b:02x}" for r, g, b in scale[at].tolist())

@@ -1,4 +1,4 @@
-"""Where the 3D view looks from, until somebody turns it."""
+"""The initial viewpoint of the 3D view, until a user moves it."""
 
 import numpy as np
 import viser
@@ -7,14 +7,14 @@ from app.metrology.transforms import Floats
 
 FIELD_OF_VIEW_RAD = float(np.radians(42.0))
 ELEVATION_RAD = float(np.radians(26.0))
-# Beside the line from the arm's base to the work, so that both are seen.
+# Beside the line from the arm's base to the work, so that both are visible.
 AZIMUTH_OFFSET_RAD = float(np.radians(-65.0))
-# A camera this near to where it was put (as a share of its distance) was not touched.
+# A camera this close to its initial position (as a share of its distance) was not moved.
 UNTOUCHED = 0.01
 
 
 class InitialCamera:
-    """Aims new tabs, and those whose user has not moved the view."""
+    """Sets the view of new tabs, and of those whose user has not moved it."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
@@ -25,7 +25,7 @@ class InitialCamera:
         self.look(np.array([0.3, 0.0, 0.15]), 0.6)
 
     def look(self, centre_m: Floats, radius_m: float) -> None:
-        """Shows a ball of the arm frame, from beside the line between the base and it."""
+        """Shows a sphere of the arm frame, from beside the line between the base and it."""
         azimuth = np.arctan2(centre_m[1], centre_m[0]) + AZIMUTH_OFFSET_RAD
         across = np.cos(ELEVATION_RAD)
         direction = np.array(

@@ -1,4 +1,4 @@
-"""Meshes for the 3D view, made of numbers: tubes, the block, the sensor's field. Pure."""
+"""Meshes for the 3D view, computed from numbers: tubes, the block, the sensor's field. Pure."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -19,7 +19,7 @@ Faces = NDArray[np.uint32]
 SIDES = 28
 FIELD_SAMPLES = 33
 BALL_ROWS = 24
-# Of a chessboard: its plate's thickness, and how high the squares are drawn above it.
+# For a chessboard: thickness of its plate, and height at which the squares are drawn above it.
 PLATE_MM, INK_MM = 5.0, 0.05
 
 
@@ -50,7 +50,7 @@ def tube(start_mm: Floats, end_mm: Floats, start_radius_mm: float, end_radius_mm
     aside /= np.linalg.norm(aside)
     turns = np.linspace(0, 2 * np.pi, SIDES, endpoint=False)
     ring = np.outer(np.cos(turns), aside) + np.outer(np.sin(turns), np.cross(axis, aside))
-    # the ends have rings of their own, so that they are shaded flat
+    # the ends have separate rings, for flat shading
     rings = [start + start_radius_mm * ring, end + end_radius_mm * ring]
     vertices = np.concatenate([*rings, *rings, start[None], end[None]])
     k = np.arange(SIDES)
@@ -69,7 +69,7 @@ def tube(start_mm: Floats, end_mm: Floats, start_radius_mm: float, end_radius_mm
 
 
 def box(low_mm: Floats, high_mm: Floats) -> Mesh:
-    """A box with its edges along the axes, each face with corners of its own."""
+    """A box with its edges along the axes; each face has separate corners."""
     low, high = np.asarray(low_mm, dtype=float), np.asarray(high_mm, dtype=float)
     vertices: list[Floats] = []
     faces: list[list[int]] = []
@@ -88,7 +88,7 @@ def box(low_mm: Floats, high_mm: Floats) -> Mesh:
 
 
 def flat_mesh(corners_mm: Floats) -> Mesh:
-    """A flat convex outline (K, 3), to be seen from both sides."""
+    """A flat convex outline (K, 3), visible from both sides."""
     k = np.arange(1, len(corners_mm) - 1, dtype=np.uint32)
     return Mesh(corners_mm, np.column_stack([np.zeros_like(k), k, k + 1]))
 
@@ -146,9 +146,9 @@ def reach_mm(arm: Arm) -> float:
 
 
 def link_path(joint: Joint) -> Floats:
-    """The link's centre line (3, 3) in its own frame: along the joint's axis, then the normal.
+    """The centre line (3, 3) of a link in its own frame: along the joint axis, then the normal.
 
-    From the frame before (Eq. 2): ``d`` along its z axis, then ``a`` along x.
+    From the previous frame (Eq. 2): ``d`` along its z axis, then ``a`` along x.
     """
     corner = np.array([-joint.a_mm, 0.0, 0.0])
     axis = joint_axis(joint)
@@ -156,12 +156,12 @@ def link_path(joint: Joint) -> Floats:
 
 
 def joint_axis(joint: Joint) -> Floats:
-    """The joint's axis (3,), z of the frame before, in the link's own frame."""
+    """The joint axis (3,), z of the previous frame, in the link's own frame."""
     return np.array([0.0, np.sin(joint.alpha_rad), np.cos(joint.alpha_rad)])
 
 
 def link_meshes(joint: Joint, radius_mm: float, end_radius_mm: float) -> tuple[Mesh | None, Mesh]:
-    """A link's tubes (None where it has no length) and its joint's hub, in the link's frame."""
+    """The tubes of a link (None without length) and the hub of its joint, in the link's frame."""
     path = link_path(joint)
     tubes = [
         tube(a, b, radius_mm, end_radius_mm)
@@ -176,9 +176,9 @@ def link_meshes(joint: Joint, radius_mm: float, end_radius_mm: float) -> tuple[M
 def measuring_field(
     camera: Camera, plane: LaserPlane, depth_range_mm: tuple[float, float]
 ) -> Floats:
-    """Outline (K, 3) in the sensor frame of what the camera sees of the laser plane.
+    """Outline (K, 3), in the sensor frame, of the part of the laser plane that the camera sees.
 
-    Within the calibrated distances from the camera; empty where it sees none of it.
+    Within the calibrated distances from the camera; empty if it sees none of it.
     """
     u = np.linspace(0, camera.width_px - 1, FIELD_SAMPLES)
     v = np.linspace(0, camera.height_px - 1, 4 * FIELD_SAMPLES)

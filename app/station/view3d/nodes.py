@@ -1,4 +1,4 @@
-"""Small helpers between our meshes in mm and the 3D view's in metres."""
+"""Helpers between the meshes in mm and those of the 3D view in metres."""
 
 import numpy as np
 import viser
@@ -48,14 +48,14 @@ OPACITY = 0.16
 
 
 class ShapeNodes:
-    """The shapes that are drawn, by their numbers."""
+    """The drawn shapes, by number."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
         self._roots: dict[int, viser.FrameHandle] = {}
 
     def show(self, number: int, mesh: Mesh, label: str) -> None:
-        """Draws one; its label stands at its top."""
+        """Draws a shape, with its label at its top."""
         root = f"/fits/{number}"
         with self._server.atomic():
             self._roots[number] = self._server.scene.add_frame(root, show_axes=False)
@@ -81,14 +81,14 @@ INK: Colour = (48, 52, 58)
 
 
 class TargetNode:
-    """Draws it where it lies. For one thread at a time."""
+    """Draws it in its pose. For one thread at a time."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
         self._drawn: list[viser.MeshHandle] = []
 
     def show(self, T_arm_obj: Floats, item: CalibrationTarget) -> None:
-        """Draws the object instead of the one before."""
+        """Draws the object, replacing the previous one."""
         self.clear()
         position, wxyz = viser_pose(T_arm_obj)
         for name, mesh, colour in _parts(item):

@@ -1,4 +1,4 @@
-"""A scale beside the clouds in the 3D view: as long as it says."""
+"""A scale bar next to the clouds in the 3D view, with its true length."""
 
 import numpy as np
 import viser
@@ -11,20 +11,20 @@ LIGHT: Colour = (206, 212, 220)
 DARK: Colour = (66, 74, 86)
 ROOT = "/scale"
 SHARE = 0.4
-"""Of the clouds' larger side, at most so much."""
+"""Maximum length, as a share of the larger side of the clouds."""
 PARTS = 5
 MOVED_SHARE = 0.02
-"""Of its length: by less it is not moved."""
+"""Share of its length by which it must be off before it is moved."""
 
 
 def round_length_mm(most_mm: float) -> float:
-    """The largest of 1, 2, 5, 10 and so on that is not above a length."""
+    """The largest of 1, 2, 5, 10 and so on that does not exceed a length."""
     tens = 10.0 ** np.floor(np.log10(most_mm))
     return float(max(step * tens for step in (1.0, 2.0, 5.0) if step * tens <= most_mm * 1.0001))
 
 
 class ScaleBar:
-    """Lies before the front lower edge of what is shown; alternately light and dark."""
+    """Lies in front of the lower front edge of the cloud; alternately light and dark."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
@@ -33,7 +33,7 @@ class ScaleBar:
         self._foot_mm = np.zeros(3)
 
     def lay(self, low_mm: Floats, high_mm: Floats) -> None:
-        """Beside the box of the clouds; again only where another length fits it."""
+        """Next to the box of the clouds; drawn again only if another length fits."""
         side = float(max(high_mm[0] - low_mm[0], high_mm[1] - low_mm[1]))
         length = round_length_mm(max(SHARE * side, 1.0))
         foot = low_mm - np.array([0.0, 0.15 * length, 0.0])

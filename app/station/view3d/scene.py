@@ -1,7 +1,7 @@
-"""The 3D view: a viser server on the loopback, showing arm, sensor, object and cloud.
+"""The 3D view: a viser server on loopback that shows arm, sensor, object and cloud.
 
-It shows all that it receives, so it is reached only through the station's own server.
-It is a preview, never the record.
+It shows everything it receives, so it can be reached only through the station's own server. It is a
+preview, never the record.
 """
 
 import threading
@@ -33,22 +33,22 @@ T = TypeVar("T")
 POINT_BUDGET = 3_000_000
 FLUSH_S = 0.1
 REST_S = 0.02
-"""So long at least between two turns, for the station's other threads."""
-# Nodes that go out in one message: a late joiner on a slow line gets the first of them
-# before its connection is given up (viser merges up to 128 by itself).
+"""Minimum pause between two turns, for the station's other threads."""
+# Number of nodes in one message: a new viewer on a slow line gets the first of them before its
+# connection times out (viser merges up to 128 by default).
 WINDOW_MESSAGES = 4
-# So many new points are drawn as they are; of more, every second, third, and so on.
+# Up to this many new points are drawn; of more, every second, third, and so on.
 WAITING_POINTS = 250_000
-# The view is aimed again when the cloud has grown by this, and never nearer than that.
+# The view is adjusted again when the cloud has grown by this factor; minimum size.
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
 AXIS_M = 0.2
 
 
 class Scene:
-    """Everything that is drawn; methods may be called from any thread and do not wait.
+    """The drawn scene; methods may be called from any thread and do not wait.
 
-    Points are taken at once and shown each 100 ms by the scene's own thread.
+    Points are accepted at once and shown every 100 ms by the scene's own thread.
     """
 
     def __init__(self, point_budget: int = POINT_BUDGET, label: str = "Crenel") -> None:
@@ -80,37 +80,37 @@ class Scene:
 
     @property
     def port(self) -> int:
-        """The loopback port that the station's server forwards to."""
+        """The loopback port to which the station's server forwards."""
         return int(self._server.get_port())
 
     @property
     def points_shown(self) -> int:
-        """Of the scan under way, or the last one."""
+        """Points of the running scan, or of the last one."""
         return self._clouds.count_visible(self._live)
 
     @property
     def waiting(self) -> int:
-        """Points that were taken and are not drawn yet."""
+        """Accepted points that are not drawn yet."""
         return self._waiting_points
 
     @property
     def begun(self) -> int:
-        """How many scans have begun: with each the picture is cleared."""
+        """Number of scans so far: each one clears the view."""
         return self._begun
 
     @property
     def measure(self) -> Measure:
-        """What the clouds are coloured by."""
+        """The quantity by which the clouds are coloured."""
         return self._clouds.painter.measure
 
     @property
     def legend(self) -> Legend | None:
-        """What the colours mean; None before there are any."""
+        """The legend of the colours; None before there are any."""
         return self._clouds.painter.legend
 
     @property
     def scans(self) -> dict[str, int]:
-        """The scans in the picture, by name, with how many points of each are shown."""
+        """The scans in the view, by name, with the number of points shown of each."""
         with self._lock:
             return {name: self._clouds.count_visible(name) for name in self._clouds.names}
 
@@ -120,7 +120,7 @@ class Scene:
         _quiet(self._server.stop)
 
     def begin(self, name: str = "") -> None:
-        """A new scan: the picture is cleared for it; arm, sensor and object stay."""
+        """A new scan: the view is cleared for it; arm, sensor and object stay."""
         with self._lock:
             self._take_waiting()
             self._clouds.clear()
@@ -136,8 +136,8 @@ class Scene:
     def add_points(self, points: Points) -> None:
         """Adds points (N,) of the arm frame to the scan under way.
 
-        Never waits for what is being drawn. When the display is behind, it gets fewer of
-        the points, the fewer the further: it is a preview.
+        Never waits for drawing. If the display is behind, it receives fewer points, the more so the
+        further it is behind: it is a preview.
         """
         with self._handing_over:
             step = 1 + self._waiting_points // WAITING_POINTS
@@ -145,31 +145,31 @@ class Scene:
             self._waiting_points += len(self._waiting[-1][0])
 
     def open_scan(self, name: str) -> None:
-        """A place in the picture for a scan of before."""
+        """Adds an earlier scan to the view."""
         with self._lock:
             self._clouds.open(name)
 
     def add_to_scan(self, name: str, points: Points, taken_s: Floats) -> bool:
-        """Shows points (N,) of a scan of before; False once it was taken out of the picture."""
+        """Shows points (N,) of an earlier scan; False if it was removed from the view."""
         with self._lock:
             known = self._clouds.add(name, points, taken_s)
             self._look_at_clouds()
             return known
 
     def close_scan(self, name: str) -> None:
-        """Takes a scan out of the picture."""
+        """Removes a scan from the view."""
         with self._lock:
             self._clouds.close(name)
             if not self._clouds.visible_count:
                 self._scale_bar.remove()
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
-        """Colours all clouds by this, within limits of its unit, or automatic ones."""
+        """Colours all clouds by this quantity, with limits in its unit, or automatic ones."""
         with self._lock:
             self._clouds.colour_by(measure, limits)
 
     def aim_at(self, target: ReferenceShape | None) -> None:
-        """The shape that deviations are from."""
+        """The shape for deviations."""
         with self._lock:
             self._clouds.painter.aim_at(target)
 
@@ -183,13 +183,13 @@ class Scene:
             self._fits.hide(number)
 
     def visible_points(self, name: str) -> tuple[Floats, PointAttributes, float]:
-        """What is shown of a scan: (N, 3) mm, beside it (N,), and the size of its cubes."""
+        """The shown points of a scan: (N, 3) mm, their data (N,), and the size of its cubes."""
         with self._lock:
             points_mm, voxel_mm = self._clouds.visible_points(name)
             return points_mm, self._clouds.visible_attributes(name), voxel_mm
 
     def set_arm_model(self, arm: Arm | None) -> None:
-        """Draws this arm from now on, by its own kinematics."""
+        """Draws this arm from now on, with its own kinematics."""
         with self._lock:
             if arm == self._arm_model:
                 return
@@ -201,7 +201,7 @@ class Scene:
             self._has_aimed = False
 
     def set_arm(self, q_rad: Sequence[float]) -> None:
-        """The arm's encoder angles (n,); drawn at most ten times a second."""
+        """The arm's encoder angles (n,); drawn at most ten times per second."""
         self._q_rad = q_rad
 
     def set_sensor(
@@ -222,12 +222,12 @@ class Scene:
                 self._arm.clear_sensor()
 
     def set_laser(self, on: bool, in_range: bool | None = None) -> None:
-        """Shows the measuring field by the laser, and by whether the stripe is within it
-        (None where no stripe is measured)."""
+        """Colours the measuring field by the state of the laser, and by whether the stripe is
+        within it (None if no stripe is measured)."""
         self._laser = on, in_range
 
     def set_object(self, T_arm_obj: Floats, item: CalibrationTarget) -> None:
-        """Draws the object where the contacts or the pictures put it."""
+        """Draws the object in its pose by the contact points or the pictures."""
         with self._lock:
             self._object.show(T_arm_obj, item)
 
@@ -269,7 +269,7 @@ class Scene:
         )
 
     def _look_at_arm(self, arm: Arm, links: Floats) -> None:
-        """Before there is a cloud: the arm from its foot to its tip."""
+        """Before there is a cloud: the arm from its base to its tip."""
         T_arm_flange = np.linalg.multi_dot(list(links))
         joints = [np.zeros(3), apply(T_arm_flange, arm.tip.centre_mm[None])[0]]
         T = np.eye(4)
@@ -281,7 +281,7 @@ class Scene:
         self._initial_camera.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
 
     def _look_at_clouds(self) -> None:
-        """As they grow: all of them, with some of the sensor over them."""
+        """The growing clouds: all of them, with part of the sensor above them."""
         low, high = self._clouds.bounds_mm
         if not np.isfinite(low).all():
             return
@@ -332,7 +332,7 @@ class Scene:
 
 
 def _quiet(act: Callable[[], T]) -> T:
-    """viser prints its address, which is of no use to anybody: it is reached elsewhere."""
+    """viser prints its address, which is useless: the view is reached elsewhere."""
     console = rich.get_console()
     before, console.quiet = console.quiet, True
     try:

@@ -1,7 +1,7 @@
-"""viser's own server, closed to all but the station's.
+"""viser's own server, closed to everything except the station's server.
 
-By itself it serves the scene to every program of this machine and every page open in its
-browsers, and opens a public tunnel for whoever asks it to, in a process forked off the station.
+By default, it serves the scene to every program on this machine and every page in its browsers, and
+opens a public tunnel on request, in a process forked from the station.
 """
 
 import secrets
@@ -27,7 +27,7 @@ Process = Callable[[ServerConnection, Request], Response | None]
 
 
 def open_server(label: str) -> tuple[viser.ViserServer, Mapping[str, str]]:
-    """The server, and the header that it asks of every request; no browser sends that."""
+    """The server, and the header that it requires of every request; no browser sends it."""
     key = secrets.token_urlsafe(32)
     serve = websockets.asyncio.server.serve
 
@@ -43,7 +43,7 @@ def open_server(label: str) -> tuple[viser.ViserServer, Mapping[str, str]]:
         return serve(*args, process_request=process, **options)
 
     with _opening:
-        # viser takes no such option; its server has begun when it is made
+        # viser has no such option; its server is running after construction
         websockets.asyncio.server.serve = closed  # type: ignore[assignment, misc]
         try:
             server = viser.ViserServer(host="127.0.0.1", port=0, label=label, verbose=False)

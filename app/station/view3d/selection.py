@@ -1,4 +1,4 @@
-"""Which points lie under a rectangle drawn over the 3D view, on the surface in front. Pure."""
+"""The points on the front surface under a rectangle drawn over the 3D view. Pure."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,32 +15,32 @@ from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import PointAttributes
 from app.station.view3d.nodes import M_PER_MM
 
-# The front surface is found by squares of the rectangle with about so many points each.
+# The front surface is determined in squares of the rectangle with about this many points each.
 POINTS_A_CELL = 16
 MOST_CELLS = 48
-# A point belongs to it up to so many square's widths behind: a slope of four in one.
+# A point belongs to it up to this many square widths behind: a slope of four in one.
 DEEP_CELLS = 6.0
 DEEP_VOXELS = 6.0
-# Of the points of a square, this share may fly before the surface.
+# This share of the points of a square may be noise in front of the surface.
 FLYING = 0.1
 NEARER_NEIGHBOURS = 3
 
 
 @dataclass(frozen=True)
 class ViewCamera:
-    """Where a browser looks from: x to the right, y down, z ahead."""
+    """The viewpoint of a browser: x to the right, y down, z ahead."""
 
     wxyz: tuple[float, float, float, float]
-    """From the camera's frame to the arm's."""
+    """From the camera frame to the arm frame."""
     position_m: tuple[float, float, float]
     fov_rad: float
-    """From the picture's top to its bottom."""
+    """From the top of the picture to its bottom."""
     aspect: float
     """Width over height."""
 
     def project(self, points_mm: Floats) -> Floats:
-        """Of points (N, 3) of the arm frame: place in the picture (0 to 1 from the left and
-        from the top) and distance ahead in mm; NaN for what is not ahead."""
+        """For points (N, 3) of the arm frame: position in the picture (0 to 1 from the left and
+        from the top) and distance ahead in mm; NaN for points that are not ahead."""
         w, x, y, z = self.wxyz
         R_arm_cam: Floats = Rotation.from_quat([x, y, z, w]).as_matrix()
         seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ R_arm_cam
@@ -63,12 +63,12 @@ class Rectangle:
 
 
 class FrontSurface:
-    """What is seen of a cloud through a rectangle, and not what lies behind it."""
+    """The part of a cloud that is visible in a rectangle, without what is behind it."""
 
     def __init__(
         self, camera: ViewCamera, rectangle: Rectangle, shown_mm: Floats, voxel_mm: float
     ) -> None:
-        """By the points (N, 3) that are shown, which are thinned by cubes of ``voxel_mm``."""
+        """From the shown points (N, 3), which are thinned by cubes of ``voxel_mm``."""
         self._camera, self._rectangle = camera, rectangle
         seen = camera.project(shown_mm)
         seen = seen[self._within(seen)]
@@ -85,7 +85,7 @@ class FrontSurface:
         self._front_mm = self._front(seen)
 
     def holds(self, points_mm: Floats) -> NDArray[np.bool_]:
-        """Which of the points (N, 3) lie on it."""
+        """Mask of the points (N, 3) on it."""
         seen = self._camera.project(points_mm)
         found = self._within(seen)
         if self.empty:
@@ -100,7 +100,7 @@ class FrontSurface:
         return np.asarray((x >= at.left) & (x <= at.right) & (y >= at.top) & (y <= at.bottom))
 
     def _size_mm(self, depth_mm: float) -> tuple[float, float]:
-        """Width and height of the rectangle so far ahead."""
+        """Width and height of the rectangle at a distance."""
         at, whole = self._rectangle, 2 * depth_mm * float(np.tan(self._camera.fov_rad / 2))
         return (
             max(at.right - at.left, 1e-6) * whole * self._camera.aspect,
@@ -116,7 +116,7 @@ class FrontSurface:
         return np.asarray(row * self._across + column)
 
     def _front(self, seen: Floats) -> Floats:
-        """How far ahead the surface is in each cell; NaN where nothing is."""
+        """Distance of the surface in each cell; NaN if there is none."""
         cells = self._cells(seen)
         order = np.lexsort((seen[:, 2], cells))
         count = np.bincount(cells, minlength=self._across * self._down)
@@ -127,7 +127,7 @@ class FrontSurface:
         return self._without_gaps(front.reshape(self._down, self._across)).ravel()
 
     def _without_gaps(self, front: Floats) -> Floats:
-        """Leaves out cells where only chance left a gap in front, by their neighbours."""
+        """Excludes cells with a random gap in front, by their neighbours."""
         wide = np.pad(front, 1, constant_values=np.nan)
         down, across = front.shape
         nearer = np.zeros(front.shape, dtype=np.int64)
@@ -139,14 +139,14 @@ class FrontSurface:
 
 
 MOST_FITTED = 300_000
-"""Of more points in a region, every second, third, and so on is fitted."""
+"""If a region has more points, every second, third, and so on is fitted."""
 FRAMES_A_SCAN = 1 << 40
-"""Frames of different scans are distinguished by this."""
+"""Distinguishes frames of different scans."""
 
 
 @dataclass(frozen=True)
 class VisibleCloud:
-    """A scan in the picture: what is shown of it, and its file once it is complete."""
+    """A scan in the view: its shown points, and its file when it is complete."""
 
     points_mm: Floats
     traits: PointAttributes
@@ -159,12 +159,12 @@ class SelectedPoints:
     """Points of a region."""
 
     points_mm: Floats
-    """(N, 3), evenly out of ``count``."""
+    """(N, 3), evenly selected from ``count``."""
     frame: NDArray[np.int64]
     """(N,)"""
     count: int
     every: bool
-    """Whether files gave all points, or the thinned ones of the picture had to do."""
+    """Whether all points came from files, or some from the thinned cloud in the view."""
 
 
 def select_points(
@@ -200,7 +200,7 @@ def select_points(
 
 def _read_points(cloud: VisibleCloud) -> Iterator[tuple[Floats, NDArray[np.int64]]]:
     if cloud.file is None:
-        # frames are not kept of what is shown; those of one moment stand for one
+        # the frame of shown points is not stored; points of one moment count as one frame
         moments = np.unique(cloud.traits["taken_s"], return_inverse=True)[1]
         yield cloud.points_mm, moments.astype(np.int64)
         return
@@ -210,7 +210,7 @@ def _read_points(cloud: VisibleCloud) -> Iterator[tuple[Floats, NDArray[np.int64
 
 
 class _PointSample:
-    """Evenly thinned when it grows too large."""
+    """Thinned evenly if it grows too large."""
 
     def __init__(self) -> None:
         self.count = 0

@@ -1,4 +1,4 @@
-"""Shapes fitted to what was picked in the 3D view: their figures, and how they are drawn."""
+"""Shapes fitted to points selected in the 3D view: their figures, and their drawing."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,12 +15,12 @@ from app.station.view3d.meshes import Mesh, ball, flat_mesh, tube
 
 UM_PER_MM = 1e3
 MARGIN = 0.04
-"""A drawn shape reaches so much beyond the points that it was fitted to."""
+"""A drawn shape extends beyond the fitted points by this."""
 
 
 @dataclass(frozen=True)
 class ShapeParameter:
-    """A number with its standard uncertainty, k = 1; None where it is not known."""
+    """A value with its standard uncertainty, k = 1; None if it is unknown."""
 
     label: Text
     value: float
@@ -32,16 +32,16 @@ class ShapeParameter:
 
 @dataclass(frozen=True)
 class FittedShape:
-    """What the operator reads of a fitted shape."""
+    """The fitted shape as the operator reads it."""
 
     id: int
     shape: ShapeName
     points: int
-    """That the fit used."""
+    """Number of points that the fit used."""
     picked: int
-    """That lie in the region, of which evenly as many were fitted as stand above."""
+    """Number of points in the region, from which the fitted ones were evenly selected."""
     every: bool
-    """From all points of the scans, and not only those that are shown."""
+    """From all points of the scans, and not only from those that are shown."""
     rms_um: float
     largest_um: float
     form_um: float
@@ -49,11 +49,11 @@ class FittedShape:
 
 
 def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
-    """The shape's parameters, the ones that are asked for first."""
+    """The parameters of the shape, the most important first."""
     fit, known = measured.fit, _StandardUncertainties(measured.covariance)
     if isinstance(fit, PlaneFit):
         upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
-        # known at the middle of its points, and by its tilts from there to the arm's zero
+        # known at the middle of its points, and from there by its tilts to the arm's origin
         lever = np.array(
             [1.0, *(float(side @ fit.centre_mm) for side in perpendicular_axes(fit.normal))]
         )
@@ -88,7 +88,7 @@ def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
 
 
 class _StandardUncertainties:
-    """Standard uncertainties out of a covariance, where there is one."""
+    """Standard uncertainties from a covariance, if there is one."""
 
     def __init__(self, covariance: Floats | None) -> None:
         self._covariance = covariance
@@ -100,13 +100,13 @@ class _StandardUncertainties:
         return factor * UM_PER_MM * float(np.sqrt(self._covariance[parameter, parameter]))
 
     def along_um(self, gradient: Floats) -> float | None:
-        """Of a length that changes so with the parameters (p,)."""
+        """Of a length with these derivatives by the parameters (p,)."""
         if self._covariance is None:
             return None
         return UM_PER_MM * float(np.sqrt(gradient @ self._covariance @ gradient))
 
     def angle_arcsec(self, first: int) -> float | None:
-        """Of a direction with two tilts, towards where it is known worst."""
+        """Of a direction with two tilts, in its worst direction."""
         if self._covariance is None:
             return None
         tilts = self._covariance[first : first + 2, first : first + 2]
@@ -124,7 +124,7 @@ def _vector(label: Callable[[str], Text], direction: Floats) -> tuple[ShapeParam
 
 
 def shape_mesh(measured: MeasuredShape, points_mm: Floats) -> Mesh:
-    """The shape where it was fitted to points (N, 3), a little larger."""
+    """The shape as fitted to points (N, 3), slightly larger."""
     fit = measured.fit
     used = points_mm[fit.used]
     if isinstance(fit, SphereFit):

@@ -1,4 +1,4 @@
-"""What everybody sees in the 3D view beside the scan under way: other scans, colours, fits."""
+"""Control of the 3D view, apart from the running scan: other scans, colours, fits."""
 
 import contextlib
 import logging
@@ -34,7 +34,7 @@ CLOUD = "cloud.ply"
 
 @dataclass(frozen=True)
 class StoredScan:
-    """A finished scan, as far as showing it needs to know it."""
+    """A finished scan, with the data needed to show it."""
 
     id: str
     name: Text
@@ -45,7 +45,7 @@ class StoredScan:
 
 @dataclass(frozen=True)
 class VisibleScan:
-    """A scan in the picture, and how much of it has been read, 0 to 1."""
+    """A scan in the view, and how much of it has been read, 0 to 1."""
 
     id: str
     points_shown: int
@@ -61,17 +61,17 @@ class ViewState:
     legend: Legend | None
     fits: tuple[FittedShape, ...]
     busy: Text
-    """What is being fitted now; empty when nothing is."""
+    """The shape that is being fitted; empty if there is none."""
     distance: Distance | None
-    """Of the stripe, where there is one."""
+    """Of the stripe, if there is one."""
     records: int
-    """Counts up when scans were renamed or deleted."""
+    """Increases when scans were renamed or deleted."""
 
 
 class ViewController:
-    """Changes what is shown, for all viewers; methods may be called from any thread.
+    """Changes the view, for all viewers; methods may be called from any thread.
 
-    What takes longer is done on threads of its own: reading clouds, and fitting.
+    Longer work runs in separate threads: reading clouds, and fitting.
     """
 
     def __init__(
@@ -99,28 +99,28 @@ class ViewController:
         self._publisher.start()
 
     def close(self) -> None:
-        """Ends what is under way."""
+        """Ends all running work."""
         self._closing.set()
         self._publisher.join(5.0)
         self._loader.shutdown(cancel_futures=True)
         self._fitter.shutdown(cancel_futures=True)
 
     def look(self, key: str, camera: ViewCamera) -> None:
-        """Where the browser with this key looks from now."""
+        """Sets the present viewpoint of the browser with this key."""
         self._cameras[key] = camera
 
     def leave(self, key: str, camera: ViewCamera) -> None:
-        """The browser that looked last from there is gone."""
+        """Removes the last viewpoint of this browser."""
         if self._cameras.get(key) is camera:
             del self._cameras[key]
 
     @property
     def pages(self) -> int:
-        """Pages that are looking, as far as they have reported where from."""
+        """Browsers that have reported their viewpoint."""
         return len(self._cameras)
 
     def state(self) -> ViewState:
-        """The view as of now."""
+        """The current state of the view."""
         with self._lock:
             self._drop_old_fits()
             scans = self._scene.scans
@@ -139,16 +139,16 @@ class ViewController:
             )
 
     def note_records(self) -> None:
-        """Scans were renamed or deleted: browsers read their lists again."""
+        """Scans were renamed or deleted: browsers reload their lists."""
         with self._lock:
             self._records += 1
             self._publish()
 
     def show(self, scan: StoredScan) -> None:
-        """Puts a scan into the picture, beside those that are there.
+        """Adds a scan to the view.
 
         Raises:
-            OperationError: its cloud is not in the data folder any more.
+            OperationError: its cloud is no longer in the data folder.
         """
         file = scan.folder / CLOUD
         if not file.is_file():
@@ -166,17 +166,18 @@ class ViewController:
         self._loader.submit(self._load, scan)
 
     def hide(self, scan_id: str) -> None:
-        """Takes a scan out of the picture; its files stay."""
+        """Removes a scan from the view; its files stay."""
         with self._lock:
             self._loading.pop(scan_id, None)
             self._scene.close_scan(scan_id)
             self._publish()
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:
-        """Colours everything by this, within limits in the legend's unit, or automatic ones.
+        """Colours everything by this quantity, with limits in the unit of the legend, or automatic
+        ones.
 
         Raises:
-            OperationError: the limits are no range, or there is no shape to deviate from.
+            OperationError: the limits are not a range, or there is no shape for deviations.
         """
         if limits is not None and not (
             all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
@@ -202,7 +203,7 @@ class ViewController:
         Returns at once; the shape appears in ``state``, or an event says why it does not.
 
         Raises:
-            OperationError: the browser is not known, or another fit is under way.
+            OperationError: the browser is unknown, or another fit is running.
         """
         with self._lock:
             camera = self._cameras.get(key)
@@ -219,7 +220,7 @@ class ViewController:
         self._fitter.submit(self._fit, camera, rectangle, shape)
 
     def remove_fit(self, fit_id: int) -> None:
-        """Takes a fitted shape away; deviations are then from the last one left."""
+        """Removes a fitted shape; deviations are then from the last remaining one."""
         with self._lock:
             self._fits = [(fitted, found) for fitted, found in self._fits if fitted.id != fit_id]
             self._scene.hide_shape(fit_id)
@@ -227,7 +228,7 @@ class ViewController:
             self._publish()
 
     def _load(self, scan: StoredScan) -> None:
-        """On the loader's thread."""
+        """Runs in the loader's thread."""
         s_a_frame = scan.seconds / max(scan.frames, 1)
         try:
             for points, done in read_cloud_pieces(scan.folder / CLOUD):
@@ -251,7 +252,7 @@ class ViewController:
                 self._loading.pop(scan.id, None)
 
     def _fit(self, camera: ViewCamera, rectangle: Rectangle, shape: ShapeName) -> None:
-        """On the fitter's thread."""
+        """Runs in the fitter's thread."""
         begun = self._scene.begun
         try:
             picked = select_points(camera, rectangle, self._visible_clouds())
@@ -299,10 +300,10 @@ class ViewController:
         self._scene.aim_at(ReferenceShape(measured.distances, measured.fit.rms_mm))
 
     def _visible_clouds(self) -> list[VisibleCloud]:
-        """All that is in the picture, with the files of the scans that are complete."""
+        """All scans in the view, with the files of those that are complete."""
         found = []
         for name in self._scene.scans:
-            with contextlib.suppress(KeyError):  # taken out meanwhile
+            with contextlib.suppress(KeyError):  # removed in the meantime
                 points_mm, traits, voxel_mm = self._scene.visible_points(name)
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
@@ -311,7 +312,7 @@ class ViewController:
         return found
 
     def _drop_old_fits(self) -> None:
-        """Those of before the present scan began: the scene has dropped them already."""
+        """Scans from before the present one: the scene has already removed them."""
         if self._begun != self._scene.begun:
             self._begun = self._scene.begun
             self._fits = []
@@ -322,7 +323,7 @@ class ViewController:
             self._publish()
 
     def _publish(self) -> None:
-        """Says what is shown, if that has changed."""
+        """Publishes the view, if it has changed."""
         with self._lock:
             state = self.state()
             if state != self._published:

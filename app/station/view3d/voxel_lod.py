@@ -1,10 +1,10 @@
-"""Thinning points for the display, finer or coarser without looking at any of them again.
+"""Thins points for the display, finer or coarser without processing any of them again.
 
-Space is cut into cubes, eight of which make one of the next larger size, and so on. A point
-is shown where it is the first of its smallest cube, and belongs to the largest cube that it
-is the first of. So all points of one size can be taken away at once, and what is left is the
-first point of each larger cube, as if there had never been smaller ones. Every other cube
-goes first, which leaves a chequered pattern: the steps between two sizes are halves.
+Space is divided into cubes, eight of which form one of the next larger size, and so on. A point is
+shown if it is the first of its smallest cube, and belongs to the largest cube of which it is the
+first. All points of one size can therefore be removed together, and the first point of each larger
+cube remains, as if there had never been smaller ones. Every other cube is removed first, which
+leaves a chequered pattern: the steps between two sizes are halves.
 """
 
 import numpy as np
@@ -15,16 +15,16 @@ from app.native.arguments import F64, I8, I64, Array, Function, Integer, Real
 from app.native.library import CRENEL
 
 Tiers = NDArray[np.int8]
-"""(N,) where each point belongs: 2 n, or 2 n + 1 for the cubes that stay a step longer, for
-cubes of 2^n times the first size; -1 where it is not shown."""
+"""(N,) tier of each point: 2 n, or 2 n + 1 for the cubes that stay one step longer, for cubes of
+2^n times the first size; -1 if it is not shown."""
 
 SIZES = 16
 _FIRST_SLOTS = 1 << 14
-# A table that has grown is filled so much at a time.
+# A table that has grown is filled in portions of this size.
 _COPIED_SLOTS = 1 << 16
 
-# Cubes are remembered as bits of bricks of 4 x 4 x 4; a slot of a table has a brick's key, 0
-# where there is none, and its bits. Cubes have 21 bits an axis: with 0.1 mm that is 200 m.
+# Cubes are stored as bits of bricks of 4 x 4 x 4; a slot of a table has the key of a brick, or 0,
+# and its bits. Cubes have 21 bits per axis: with 0.1 mm, that is 200 m.
 _take_points = Function(
     CRENEL,
     "take_points",
@@ -50,7 +50,7 @@ _NO_SLOTS = np.zeros((1, 2), dtype=np.int64)
 
 
 class Voxels:
-    """Remembers which cubes of space already show a point."""
+    """Stores which cubes of space already show a point."""
 
     def __init__(self, first_mm: float) -> None:
         self.finest = 0
@@ -63,16 +63,16 @@ class Voxels:
 
     @property
     def size_mm(self) -> float:
-        """How far apart the shown points of a surface are, about."""
+        """Approximate distance between the shown points of a surface."""
         return self._first_mm * float(2.0 ** (self.finest / 2))
 
     @property
     def count(self) -> int:
-        """How many points are shown."""
+        """Number of points shown."""
         return int(self._counts[self.finest :].sum())
 
     def take(self, points_mm: Floats) -> Tiers:
-        """Where the points (N, 3) belong; those that are shown are no more new."""
+        """Tiers of the points (N, 3); points that are shown are no longer new."""
         points = np.ascontiguousarray(points_mm, dtype=np.float64)
         tiers = np.empty(len(points), dtype=np.int8)
         done = 0
@@ -94,7 +94,7 @@ class Voxels:
         return tiers
 
     def coarsen(self) -> bool:
-        """Points of the lowest tier are shown no more; False where there is only one left."""
+        """Points of the lowest tier are no longer shown; False if there is only one left."""
         self.finest += 1
         if self.finest < 2 * SIZES:
             return True
@@ -102,7 +102,7 @@ class Voxels:
         return False
 
     def _enlarge_table(self) -> None:
-        """A larger table, without the bricks of sizes that are not shown any more."""
+        """A larger table, without the bricks of sizes that are no longer shown."""
         self._copy_on(len(self._old))
         self._bricks[: self.finest // 2] = 0
         needed = 3 * int(self._bricks.sum()) + _FIRST_SLOTS
@@ -110,7 +110,7 @@ class Voxels:
         self._slots = np.zeros((1 << needed.bit_length(), 2), dtype=np.int64)
 
     def _copy_on(self, slots: int) -> None:
-        """Enters some more of what the table of before held."""
+        """Enters a further portion of the content of the previous table."""
         part = self._old[self._copied : self._copied + slots]
         _copy_bricks(part, self.finest // 2, self._slots)
         self._copied += len(part)

@@ -19,13 +19,13 @@ from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stri
 from app.progress import Progress, no_progress
 
 MANY_CLIPPED, DARK = 0.3, 0.1
-"""Shares of the pixels, and of full scale, from which on a picture is reported as such."""
+"""Shares of the pixels, and of full scale, from which a picture is reported as such."""
 COLUMNS = ("u", "v", "intensity", "sigma_px")
 
 
 @dataclass(frozen=True)
 class ImageStripe:
-    """The stripe found in one picture file."""
+    """The stripe in one picture file."""
 
     file: Path
     stripe: Stripe
@@ -39,13 +39,13 @@ def extract_stripes(
     mask: Mask | None = None,
     colour: LaserColour | None = None,
 ) -> list[ImageStripe]:
-    """The stripe of every picture, outside a mask's zones.
+    """The stripe of every picture, outside the zones of a mask.
 
     Args:
         colour: of the laser, whose channel is taken of colour pictures.
 
     Raises:
-        OperationError: a picture cannot be read, has none, or is of another size than the mask.
+        OperationError: a picture cannot be read, has no stripe, or differs in size from the mask.
     """
     found: list[ImageStripe] = []
     where = None if mask is None else mask.where()
@@ -63,7 +63,7 @@ def extract_stripes(
 
 
 def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) -> OperationError:
-    """With what the picture is like instead."""
+    """With the properties of the picture instead."""
     what = message("shows-no-stripe", path=display_path(path))
     if masked:
         what = message("shows-no-stripe-outside-mask", path=display_path(path))
@@ -84,7 +84,7 @@ def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) ->
 
 
 def write_stripes(path: Path, stripes: Sequence[ImageStripe]) -> None:
-    """Writes ``u,v,intensity,sigma_px``; of several pictures with a last column ``image``."""
+    """Writes ``u,v,intensity,sigma_px``; for several pictures, with a last column ``image``."""
     several = len(stripes) > 1
     rows: list[tuple[float | str, ...]] = []
     for picture in stripes:

@@ -73,7 +73,7 @@ class PoseDelta:
 
     @property
     def words(self) -> Text:
-        """``tilt left 20°, 8 mm higher``; ``hold as it is`` if nothing changes."""
+        """``tilt left 20°, 8 mm higher``; ``keep this pose`` if nothing changes."""
         right, back, turn = (
             quantity(abs(angle), "°")
             for angle in (self.tilt_right_deg, self.tilt_back_deg, self.turn_deg)
