@@ -21,7 +21,7 @@ Blur = Annotated[Number, Field(ge=0.001, le=100)]
 
 
 class ScanOptions(BaseModel):
-    """What is set by a number or a choice. None leaves it to the station."""
+    """Settings that are a number or a choice; None means automatic."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
