@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 
 from app.formats.session.arm_session import read_bars, write_observations
-from app.guide.arm.auto_sampling import HOLD_NS, TURN_RAD, sample_points
 from app.guide.arm.flow import build_view
-from app.guide.arm.live import ArmLive
-from app.guide.arm.observations import collect_observations
+from app.guide.arm.observations import HOLD_NS, TURN_RAD, collect_observations, sample_points
 from app.guide.arm.rules import LEAST, rejection_reason
-from app.guide.arm.state import ArmState, apply_row
+from app.guide.arm.state import ArmLive, ArmState, apply_row
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import fold

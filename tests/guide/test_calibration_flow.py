@@ -11,13 +11,12 @@ from pydantic_core import to_jsonable_python
 from app.findings import Finding, Quality
 from app.formats.results.calibration import PlanePart
 from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.live import CalibrationLive, TouchReport
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
 from app.guide.calibration.rules import rejection_reason
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import suggest_places
 from app.guide.calibration.touch.report import touch_report
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.result_view import (
     BudgetLine,
     CalibrationResult,

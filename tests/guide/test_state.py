@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.guide.calibration import state as state_module
-from app.guide.calibration.confirm import CONFIRMATIONS
 from app.guide.calibration.state import STEPS
+from app.guide.calibration.tasks import CONFIRMATIONS
 from app.guide.common.journal import FORMER_NOTES
 from tests.guide.builders import capture_row, point_row, start_row, state_after
 

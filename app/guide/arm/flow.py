@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 from app.errors import sentence
 from app.findings import Finding, Quality
-from app.guide.arm.live import ArmLive
 from app.guide.arm.picture import build_picture
 from app.guide.arm.rules import (
     SEATS_WANTED,
@@ -14,7 +13,7 @@ from app.guide.arm.rules import (
     swing_deg,
     touches_wanted,
 )
-from app.guide.arm.state import ArmState, Kind, SeatSamples
+from app.guide.arm.state import ArmLive, ArmState, Kind, SeatSamples
 from app.guide.arm.tip import QUALITY as TIP_QUALITY
 from app.guide.arm.tip import tip_check_finding as tip_finding
 from app.guide.arm.view import ArmPicture, ArmView

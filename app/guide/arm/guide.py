@@ -11,13 +11,11 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import ARM, write_observations
-from app.guide.arm.auto_sampling import HOLD_NS, sample_points
 from app.guide.arm.flow import build_view
 from app.guide.arm.history import KIND, ArmHistory, ArmJournal
-from app.guide.arm.live import ArmLive
-from app.guide.arm.observations import collect_observations
+from app.guide.arm.observations import HOLD_NS, collect_observations, sample_points
 from app.guide.arm.rules import ARGUMENTS, rejection_reason
-from app.guide.arm.state import POINTS, ArmState, Artefact, Purpose, apply_row, place_name
+from app.guide.arm.state import POINTS, ArmLive, ArmState, Artefact, Purpose, apply_row, place_name
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id

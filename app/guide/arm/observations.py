@@ -1,9 +1,63 @@
-"""What an arm session took, as the identification has it."""
+"""The points of an arm session: sampled while the arm swings about its tip, and as the
+identification takes them. Pure."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from app.guide.arm.state import ArmState
+from app.guide.arm.state import Angles, ArmState
 from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
+from app.metrology.arm.joint_interpolation import shortest_turn
+from app.metrology.arm.kinematics import Arm, tip_centres
+from app.station.devices.joint_buffer import JointWindow
+
+TURN_RAD = float(np.deg2rad(3.0))
+"""A point is taken whenever a joint has turned so far since the last."""
+LEFT_MM = 3.0
+"""A tip further than this from where it was is not in its seat."""
+HOLD_NS = 400_000_000
+"""So long before the tip leaves its seat, and after it returns, no point counts."""
+
+
+@dataclass(frozen=True)
+class SampledPoints:
+    """What a stretch of joint samples gives."""
+
+    q_rad: tuple[Angles, ...]
+    left_mm: float | None
+    """How far the tip is from the seat now, where it has left it."""
+
+
+def sample_points(
+    arm: Arm, taken: Sequence[Angles], samples: JointWindow, first_ns: int, last_ns: int
+) -> SampledPoints:
+    """The samples that become points.
+
+    Args:
+        taken: points of this seat so far; the first is taken with the tip in the seat.
+        samples: a little more than what is asked for, so that it is known whether the
+            tip was leaving or coming.
+        first_ns, last_ns: between these stamps samples may become points.
+    """
+    if not len(samples):
+        return SampledPoints((), None)
+    tips = tip_centres(arm, samples.q_rad)
+    begun = min(int(np.searchsorted(samples.stamps_ns, first_ns)), len(tips) - 1)
+    centre = np.median(tip_centres(arm, np.array(taken)), axis=0) if taken else tips[begun]
+    off_mm = np.linalg.norm(tips - centre, axis=1)
+    away_ns = samples.stamps_ns[off_mm > LEFT_MM]
+    picked: list[Angles] = []
+    last = np.array(taken[-1]) if taken else None
+    for stamp, q in zip(samples.stamps_ns, samples.q_rad, strict=True):
+        if not first_ns <= stamp <= last_ns:
+            continue
+        if len(away_ns) and np.min(np.abs(away_ns - stamp)) < HOLD_NS:
+            continue
+        if last is None or float(np.max(np.abs(shortest_turn(q - last)))) >= TURN_RAD:
+            last = q
+            picked.append(tuple(float(angle) for angle in q))
+    return SampledPoints(tuple(picked), float(off_mm[-1]) if off_mm[-1] > LEFT_MM else None)
 
 
 def collect_observations(state: ArmState) -> ArmObservations:

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 from pydantic import TypeAdapter
 
-from app.guide.arm.live import ArmLive
-from app.guide.arm.state import Angles, ArmState, SeatSamples
+from app.guide.arm.state import Angles, ArmLive, ArmState, SeatSamples
 from app.guide.arm.tip import tip_result
 from app.guide.arm.view import (
     ArmPicture,

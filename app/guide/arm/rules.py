@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from app.guide.arm.live import ArmLive
-from app.guide.arm.state import Angles, ArmState, Kind
+from app.guide.arm.state import Angles, ArmLive, ArmState, Kind
 from app.guide.common.arguments import Arguments, ArgumentTable, IdArguments, OperatorArguments
 from app.messages.message import Text, message, quantity, rounded
 

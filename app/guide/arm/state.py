@@ -1,12 +1,17 @@
-"""The state of an arm session: a fold over its journal. Pure."""
+"""The state of an arm session, a fold over its journal, and the station beside it. Pure."""
 
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from app.findings import Finding
+from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
+from app.guide.common.view import Busy
 from app.messages.message import Text, Value, message
+from app.metrology.arm.kinematics import Arm
+from app.station.devices.link_state import DeviceState
 
 Purpose = Literal["check", "tip", "identify"]
 Kind = Literal["seat", "bar", "sphere"]
@@ -116,6 +121,25 @@ class ArmState:
             return "swing"
         done = self.checked is not None or self.solved is not None
         return "result" if done else "seat"
+
+
+@dataclass(frozen=True)
+class ArmLive:
+    """The station as the arm session sees it."""
+
+    library: DatasheetLibrary
+    arm: Arm | None
+    """The chosen one's model."""
+    link: DeviceState
+    connected_joints: int | None
+    q_rad: Angles | None
+    """The newest sample."""
+    left_mm: float | None
+    """How far the tip is from its seat, where it has left it."""
+    has_simulation: bool
+    simulation_running: bool
+    busy: Busy | None
+    trouble: Finding | None
 
 
 def apply_row(state: ArmState, row: JournalEntry) -> ArmState:

@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 from app.errors import OperationError
 from app.guide.calibration import tasks
-from app.guide.calibration.confirm import CONFIRMATIONS, confirm
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.simulated_operator import simulation_job
 from app.guide.calibration.state import STEPS
+from app.guide.calibration.tasks import CONFIRMATIONS, confirm
 from app.guide.calibration.touch import points as taking
 from app.guide.common.arguments import Args
 from app.guide.common.buttons import ButtonName, Press

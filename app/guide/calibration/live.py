@@ -7,11 +7,13 @@ from app.findings import Finding
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.outcome import CalibrationOutcome
 from app.guide.calibration.poses.advice import Advice
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.datasheet_library import DatasheetLibrary
-from app.guide.common.view import Busy
+from app.guide.common.view import Busy, TouchedPoint
+from app.messages.message import Text
 from app.metrology.adjustment.planning.next_pose import PoseDelta
+from app.metrology.adjustment.planning.next_touches import TouchAdvice
 from app.metrology.arm.kinematics import Arm
+from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
@@ -47,6 +49,28 @@ class SelectedDatasheets:
     def board(self) -> Chessboard | None:
         """The object where it is a chessboard."""
         return self.object if isinstance(self.object, Chessboard) else None
+
+
+@dataclass(frozen=True)
+class TouchReport:
+    """The contact points taken so far, where they put the object, and the findings about them."""
+
+    points: tuple[TouchedPoint, ...]
+    alignment: Alignment | None
+    """The block's place; None before it is known, and always on a board."""
+    missing: Text
+    """What to probe before anything can be computed; empty when nothing is missing."""
+    findings: tuple[Finding, ...]
+    questionable: tuple[int, ...]
+    """Indices of points that should be taken away."""
+    advice: TouchAdvice | None = None
+    """How many more, on which face, make the object known as well as is wanted."""
+    target_um: float = 0.0
+
+    def face_rms_um(self, face: str) -> float | None:
+        if self.alignment is None:
+            return None
+        return next((f.rms_mm * 1e3 for f in self.alignment.faces if f.face == face), None)
 
 
 @dataclass(frozen=True)

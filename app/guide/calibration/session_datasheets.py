@@ -2,11 +2,15 @@
 
 import time
 
-from app.guide.calibration.live import ConnectedArm, ConnectedSensor, SelectedDatasheets
+from app.guide.calibration.live import (
+    ConnectedArm,
+    ConnectedSensor,
+    SelectedDatasheets,
+    TouchReport,
+)
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import FIELDS, CalibrationState
 from app.guide.calibration.touch.report import touch_report
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.limits import Limits
 from app.metrology.targets.crenellated_block import Crenellated

@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 from app.errors import OperationError
 from app.guide.calibration import tasks
-from app.guide.calibration.confirm import confirm
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.poses.board_views import next_view
+from app.guide.calibration.tasks import confirm
 from app.guide.calibration.touch.report import face_in_use, face_progress, where_on_object
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.messages.message import message

@@ -1,6 +1,7 @@
-"""The flow's longer works, each run as one job: taking the picture, and solving."""
+"""What a calibration does at a step: confirming it, taking the picture, and solving."""
 
 from app.errors import OperationError
+from app.guide.calibration.flow import HEADINGS
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.outcome import from_payload, to_payload
 from app.guide.calibration.poses.advice import to_payload as to_advice
@@ -11,6 +12,23 @@ from app.guide.calibration.solve import solve
 from app.guide.common.recorded_error import error_payload
 from app.messages.message import message
 from app.station.jobs import Progress
+
+CONFIRMATIONS = {
+    "confirm_devices": "devices_confirmed",
+    "confirm_setup": "setup_confirmed",
+    "confirm_touch": "touch_confirmed",
+    "confirm_place": "place_confirmed",
+    "keep_picture": "capture_kept",
+}
+
+
+def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
+    """Confirms a step; from the set-up on, the session uses its own datasheet copies."""
+    with guide.lock:
+        if name == "confirm_setup":
+            guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state)
+        guide.append(CONFIRMATIONS[name], {}, key)
+        guide.station.bus.event("step_done", message("next", title=HEADINGS[guide.state.step]))
 
 
 def capture(guide: CalibrationGuide, progress: Progress) -> None:

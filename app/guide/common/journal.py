@@ -1,11 +1,15 @@
-"""What a guided flow needs of the place where its journal is kept."""
+"""The journal of a guided session: where it is kept, and what its folds share."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 from pathlib import Path
-from typing import Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
 State = TypeVar("State")
+Point = TypeVar("Point", bound=Any)  # a dataclass with ``index`` and ``voided``
+Undone = tuple[int, ...]
+"""Indices of what was taken back since the last one was taken, the last of them last."""
 FORMER_NOTES = ("hand_started", "hand_stopped")
 SIMULATION_NOTES = ("simulation_started", "simulation_stopped", *FORMER_NOTES)
 """Rows that record when the simulated operator ran, and change nothing; journals of earlier
@@ -66,6 +70,24 @@ def fold(
 ) -> State:
     """The state that a session's rows lead to."""
     return reduce(step, rows, begin)
+
+
+def take_back(
+    taken: Iterable[Point], undone: Undone, index: int
+) -> tuple[tuple[Point, ...], Undone]:
+    """What was taken, without the one of an index; and what can be put back now."""
+    return _mark(taken, index, voided=True), (*undone, index)
+
+
+def put_back(
+    taken: Iterable[Point], undone: Undone, index: int
+) -> tuple[tuple[Point, ...], Undone]:
+    """The inverse."""
+    return _mark(taken, index, voided=False), tuple(i for i in undone if i != index)
+
+
+def _mark(taken: Iterable[Point], index: int, voided: bool) -> tuple[Point, ...]:
+    return tuple(replace(one, voided=voided) if one.index == index else one for one in taken)
 
 
 class StoredCalibration(Protocol):

@@ -4,8 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
-from app.guide.common.undo import put_back, take_back
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, take_back
 
 STEPS = ("gauge", "touch", "scan", "review")
 Payload = Mapping[str, Any]

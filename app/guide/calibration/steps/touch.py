@@ -1,12 +1,11 @@
 """The step 'touch': contact points on the object's faces. Pure."""
 
 from app.findings import Finding, Quality
-from app.guide.calibration.live import CalibrationLive
+from app.guide.calibration.live import CalibrationLive, TouchReport
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, device_findings, geometry, offer
 from app.guide.calibration.touch.block import TITLES
 from app.guide.calibration.touch.report import face_in_use, face_progress, next_face
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.common.view import StepProgress as Progress
 from app.messages.message import Text, Value, message, quantity

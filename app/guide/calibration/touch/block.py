@@ -6,8 +6,8 @@ import numpy as np
 
 from app.errors import OperationError, sentence
 from app.findings import Finding
+from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import FaceProgress, TouchedPoint, Vec3
 from app.messages.message import message, quantity, signed, word
 from app.metrology.adjustment.planning.next_touches import next_touches

@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from app.findings import Finding
+from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
 from app.guide.calibration.touch import block as touching
 from app.guide.calibration.touch import board as board_touching
-from app.guide.calibration.touch.touch_report import TouchReport
 from app.guide.common.view import FaceProgress
 from app.messages.message import Text, message
 from app.metrology.arm.joint_plausibility import limits_error
