@@ -65,7 +65,6 @@ answered-who-asked-control = auf die Bitte um die Bedienung geantwortet
 answers-browsers = Antworten an Browser
 applied-dropped-arms-delay = den Verzug des Messarms angewandt oder verworfen
 approved = Freigegeben
-arm = Messarm: { $text }
 arm-2 = Der Messarm: { $text }
 arm-3 = Der Messarm ist, wie er war.
 arm-4 = Messarm

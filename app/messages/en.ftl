@@ -65,7 +65,6 @@ answered-who-asked-control = answered who asked for control
 answers-browsers = Answers to browsers
 applied-dropped-arms-delay = applied or dropped the arm's delay
 approved = Approved
-arm = Arm: { $text }
 arm-2 = The arm: { $text }
 arm-3 = The arm is as it was.
 arm-4 = Arm

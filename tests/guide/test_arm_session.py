@@ -11,7 +11,7 @@ import pytest
 from app.formats.session.arm_session import read_bars, write_observations
 from app.guide.arm.flow import build_view
 from app.guide.arm.observations import HOLD_NS, TURN_RAD, collect_observations, sample_points
-from app.guide.arm.rules import LEAST, rejection_reason
+from app.guide.arm.rules import LEAST, RULES
 from app.guide.arm.state import ArmLive, ArmState, apply_row
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import DatasheetLibrary
@@ -22,6 +22,7 @@ from app.station.devices.joint_buffer import JointWindow
 from tests.guide.builders import CONNECTED, REST_RAD, FakeRow, reach_tip
 
 MS = 1_000_000
+rejection_reason = RULES.rejection_reason
 
 
 def state_after(*rows: tuple[str, Mapping[str, object]]) -> ArmState:

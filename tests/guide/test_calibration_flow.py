@@ -13,7 +13,7 @@ from app.formats.results.calibration import PlanePart
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import CalibrationLive, TouchReport
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
-from app.guide.calibration.rules import rejection_reason
+from app.guide.calibration.rules import RULES
 from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import suggest_places
 from app.guide.calibration.touch.report import touch_report
@@ -118,7 +118,7 @@ def test_every_step_says_what_to_do_and_why_not(
     for each in view.actions:
         assert each.enabled == (each.why_not == "")
         assert each.label
-        assert each.enabled == (rejection_reason(state, live, each.name, each.args) == "")
+        assert each.enabled == (RULES.rejection_reason(state, live, each.name, each.args) == "")
     json.dumps(to_jsonable_python(view, inf_nan_mode="constants"), allow_nan=False)
 
 
@@ -361,7 +361,7 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(
     assert not view.running
     assert [a.name for a in view.actions] == ["repeat"]
     assert {s.state for s in view.steps} == {"done"}
-    assert rejection_reason(state, live, "accept", {})
+    assert RULES.rejection_reason(state, live, "accept", {})
 
 
 @pytest.mark.parametrize(
@@ -386,7 +386,7 @@ def test_what_makes_no_sense_here_is_declined_with_a_reason(
     name: str, args: dict[str, object], step: str, arm: Arm, block: Crenellated
 ) -> None:
     state = state_after(start_row(step))
-    assert rejection_reason(state, make_live(state, arm, block), name, args)
+    assert RULES.rejection_reason(state, make_live(state, arm, block), name, args)
 
 
 def test_while_something_is_at_work_only_stopping_is_possible(arm: Arm, block: Crenellated) -> None:

@@ -12,7 +12,7 @@ from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile
 from app.guide.common.journal import fold
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, Gauges, VerifyLive
-from app.guide.verify.rules import rejection_reason
+from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerifyState, apply_row
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
@@ -118,13 +118,13 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
     live = live_of()
     assert state.open_cloud is not None
     for name in ("begin_cloud", "confirm_clouds", "back", "abandon", "undo"):
-        assert rejection_reason(state, live, name, {}), name
-    assert rejection_reason(state, live, "finish_cloud", {}) == ""
+        assert RULES.rejection_reason(state, live, name, {}), name
+    assert RULES.rejection_reason(state, live, "finish_cloud", {}) == ""
     ended = state_after(
         *TO_SCAN, ("cloud_begun", {"number": 1}), ("cloud_ended", {"number": 1, "ended": True})
     )
     assert ended.clouds[0].waiting
-    assert "measured" in str(rejection_reason(ended, live, "begin_cloud", {}))
+    assert "measured" in str(RULES.rejection_reason(ended, live, "begin_cloud", {}))
 
 
 @pytest.mark.parametrize(
@@ -141,7 +141,7 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
     ],
 )
 def test_what_cannot_be_done_says_why(changes: dict[str, object], name: str, said: str) -> None:
-    assert said in str(rejection_reason(state_after(*TO_SCAN), live_of(**changes), name, {}))
+    assert said in str(RULES.rejection_reason(state_after(*TO_SCAN), live_of(**changes), name, {}))
 
 
 def test_a_lost_arm_is_said_and_nothing_is_lost() -> None:
@@ -221,4 +221,4 @@ def test_arguments_that_name_nothing_are_declined(name: str, args: dict[str, obj
         "void_cloud": [*TO_SCAN, *cloud(1)],
         "back": [*TO_SCAN],
     }[name]
-    assert rejection_reason(state_after(*rows), live_of(), name, args)
+    assert RULES.rejection_reason(state_after(*rows), live_of(), name, args)

@@ -1,47 +1,39 @@
 """The view of an arm session, from its state and the station as it is. Pure."""
 
-from collections.abc import Mapping
+from functools import partial
 
 from app.errors import sentence
 from app.findings import Finding, Quality
+from app.guide.arm.instructions import instruct
 from app.guide.arm.picture import build_picture
 from app.guide.arm.rules import (
+    RULES,
     SEATS_WANTED,
     WANTED,
     places_taken,
-    rejection_reason,
     swing_deg,
     touches_wanted,
 )
 from app.guide.arm.state import ArmLive, ArmState, Kind, SeatSamples
-from app.guide.arm.tip import QUALITY as TIP_QUALITY
-from app.guide.arm.tip import tip_check_finding as tip_finding
+from app.guide.arm.tip import tip_check_finding
 from app.guide.arm.view import ArmPicture, ArmView
+from app.guide.common.flow import DECISION_QUALITY, list_steps, lost_device_findings
 from app.guide.common.recorded_error import error_from_payload
 from app.guide.common.view import (
     Action,
     ChoiceOption,
     LiveNumber,
-    Step,
     StepProgress,
     Vec3,
 )
 from app.messages.message import Text, message, quantity, rounded, text_from_json
 from app.metrology.transforms import Floats
 
-WHERE = (
-    message("near-base"),
-    message("far-out"),
-    message("left"),
-    message("right"),
-    message("high-up"),
-    message("low-down"),
-)
-STEPS = (
-    ("seat", message("seat-tip")),
-    ("swing", message("swing-arm")),
-    ("result", message("result")),
-)
+STEPS: dict[str, Text] = {
+    "seat": message("seat-tip"),
+    "swing": message("swing-arm"),
+    "result": message("result"),
+}
 
 
 BEGIN: dict[Kind, Text] = {
@@ -49,7 +41,7 @@ BEGIN: dict[Kind, Text] = {
     "bar": message("tip-bars-end"),
     "sphere": message("sphere-clamped"),
 }
-ON_SPHERE = {"seat": message("clamp-sphere"), "swing": message("touch")}
+ON_SPHERE: dict[str, Text] = {"seat": message("clamp-sphere"), "swing": message("touch")}
 WITH_SPHERE = ("identify", "tip")
 
 
@@ -59,7 +51,7 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
     step = state.step
     seat = state.seats[-1] if state.seats else None
     picture = build_picture(state, live, seat)
-    title, instruction = _words(state, seat)
+    title, instruction = instruct(state, seat)
     return ArmView(
         session_id=state.session_id,
         rev=state.rev,
@@ -75,7 +67,7 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
         ],
         arm=state.arm,
         artefact=state.artefact,
-        steps=_steps(state),
+        steps=list_steps(_titles(state), step, step),
         step=step,
         title=title,
         instruction=instruction,
@@ -88,80 +80,10 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
     )
 
 
-TIP_WORDS = {
-    "seat": (
-        message("clean-tip-clamp-sphere"),
-        message("sphere-known-diameter-clamped-firmly-within"),
-    ),
-    "swing": (
-        message("touch-sphere"),
-        message("top-all-around-side-wrist-turned"),
-    ),
-    "result": (message("checked"), message("tips-diameter-how-well-touches-agree")),
-}
-
-
-def _words(state: ArmState, seat: SeatSamples | None) -> tuple[Text, Text]:
-    if state.purpose == "tip":
-        return TIP_WORDS[state.step]
-    if state.step == "swing":
-        assert seat is not None
-        if state.touching:
-            return (
-                message("touch-2", place=seat.place),
-                message("touch-all-over-upper-half-every"),
-            )
-        return (
-            message("swing-arm-about", place=seat.place),
-            message("keep-tip-seat-swing-elbow-one"),
-        )
-    if state.step == "result":
-        if state.purpose == "check":
-            return message("checked"), message("what-tip-moved-while-held-one")
-        if state.saved:
-            return (
-                message("use"),
-                message("calibrate-sensors-again-their-place-belongs"),
-            )
-        return (
-            message("before-after"),
-            message("places-were-held-out-fit-over"),
-        )
-    if state.purpose == "check":
-        return (
-            message("put-tip-into-seat"),
-            message("clamp-cone-ball-seat-about-two"),
-        )
-    done = len(state.seats)
-    where = WHERE[done % len(WHERE)]
-    if state.half_bar:
-        return message("put-tip-into-bars-other-end"), message("leave-bar-where")
-    if state.artefact.kind == "bar":
-        return (
-            message("put-tip-into-end-ball-bar"),
-            message("clamp-bar-firmly-reach-put-tip", where=where),
-        )
-    if state.artefact.kind == "sphere":
-        return message("clamp-sphere"), message("clamp-firmly-reach", where=where)
-    if places_taken(state) >= SEATS_WANTED:
-        return message("enough-places"), message("identify-arm-take-more-know-better")
-    return (
-        message("put-tip-into-seat-2", done=done + 1),
-        message("clamp-seat-firmly-reach-put-tip", where=where),
-    )
-
-
-def _steps(state: ArmState) -> list[Step]:
-    at = [name for name, _ in STEPS].index(state.step)
+def _titles(state: ArmState) -> dict[str, Text]:
+    """Of the steps; a sphere is touched, a seat is swung in."""
     sphere = state.purpose in WITH_SPHERE and state.artefact.kind == "sphere"
-    return [
-        Step(
-            name,
-            ON_SPHERE.get(name, title) if sphere else title,
-            "done" if i < at else "current" if i == at else "todo",
-        )
-        for i, (name, title) in enumerate(STEPS)
-    ]
+    return STEPS | ON_SPHERE if sphere else STEPS
 
 
 def limit_quality(half_range_um: Vec3 | Floats, limit_um: float | None) -> Quality:
@@ -189,7 +111,7 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
             expected=quantity(tip.expected_mm, "mm", 3),
             expanded_uncertainty=quantity(tip.expanded_uncertainty_um, "µm"),
         )
-        quality = TIP_QUALITY[tip.decision]
+        quality = DECISION_QUALITY[tip.decision]
         return LiveNumber(message("tips-diameter"), tip.diameter_mm, "mm", 3, quality, note)
     half_range_um = picture.half_range_um
     note = (
@@ -234,12 +156,7 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
     findings: list[Finding] = []
     if live.trouble:
         findings.append(live.trouble)
-    if live.link.state != "connected":
-        findings.append(
-            Finding(
-                "bad", message("arm", text=live.link.text), message("wait-check-what-taken-kept")
-            )
-        )
+    findings += lost_device_findings(live.link)
     if state.step == "swing" and live.left_mm is not None:
         findings.append(
             Finding(
@@ -260,7 +177,7 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
             )
         )
     if state.purpose == "tip" and state.checked is not None:
-        findings.append(tip_finding(state.checked))
+        findings.append(tip_check_finding(state.checked))
     if state.step == "result" and state.purpose == "check":
         findings += _check_findings(state, picture)
     if state.solved is not None:
@@ -309,21 +226,8 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
 
 
 def _actions(state: ArmState, live: ArmLive) -> list[Action]:
-    def offer(
-        name: str,
-        label: Text,
-        primary: bool = False,
-        confirm: Text = "",
-        args: Mapping[str, object] | None = None,
-    ) -> Action:
-        reason = rejection_reason(state, live, name, args or {})
-        return Action(name, label, args or {}, primary, not reason, reason, confirm)
-
-    operator_actions = (
-        [offer("run_simulation", message("let-simulation-do"))] if live.has_simulation else []
-    )
-    if live.simulation_running:
-        operator_actions = [offer("stop_simulation", message("stop-simulation"), primary=True)]
+    offer = partial(RULES.offer, state, live)
+    operator_actions = RULES.offer_simulation(state, live)
     leave = offer("end", message("leave"), confirm=message("leave-session-points-yet-used-kept"))
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)

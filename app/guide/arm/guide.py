@@ -14,7 +14,7 @@ from app.formats.session.arm_session import ARM, write_observations
 from app.guide.arm.flow import build_view
 from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.observations import HOLD_NS, collect_observations, sample_points
-from app.guide.arm.rules import ARGUMENTS, rejection_reason
+from app.guide.arm.rules import ARGUMENTS, RULES
 from app.guide.arm.state import POINTS, ArmLive, ArmState, Artefact, Purpose, apply_row, place_name
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
@@ -28,7 +28,7 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 
-FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, rejection_reason, ARGUMENTS)
+FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS)
 FRESH_S = 2.0
 """Arms that were added to the data folder are seen after this time."""
 

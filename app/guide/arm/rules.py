@@ -3,12 +3,19 @@
 An empty reason means that it is possible.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from app.guide.arm.state import Angles, ArmLive, ArmState, Kind
-from app.guide.common.arguments import Arguments, ArgumentTable, IdArguments, OperatorArguments
+from app.guide.common.arguments import (
+    Args,
+    Arguments,
+    ArgumentTable,
+    IdArguments,
+    OperatorArguments,
+)
+from app.guide.common.rules import CommandRules, no_simulation_reason
 from app.messages.message import Text, message, quantity, rounded
 
 WANTED = 60
@@ -43,22 +50,6 @@ ONLY_IN = {
 }
 
 
-def rejection_reason(state: ArmState, live: ArmLive, name: str, args: Mapping[str, object]) -> Text:
-    """Why a command cannot be done now; empty when it can."""
-    if name not in ONLY_IN:
-        return message("there-no-command", name=name)
-    if name == "stop_simulation":
-        return "" if live.simulation_running else message("simulation-moving")
-    if state.ended or not state.session_id:
-        return message("session-closed-start-new-one")
-    if live.busy is not None:
-        return message("wait-2", text=live.busy.text)
-    if state.step not in ONLY_IN[name]:
-        return message("belongs-another-step-session-stands", step=state.step)
-    rule = RULES.get(name)
-    return rule(state, live, args) if rule else ""
-
-
 def swing_deg(q_rad: Sequence[Angles]) -> float:
     """How far the joint that turned most has turned."""
     return float(np.rad2deg(np.ptp(np.array(q_rad), axis=0).max())) if q_rad else 0.0
@@ -74,7 +65,7 @@ def touches_wanted(state: ArmState) -> int:
     return TIP_WANTED if state.purpose == "tip" else TOUCHES_WANTED
 
 
-def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _arm_ready(state: ArmState, live: ArmLive, args: Args) -> Text:
     if live.arm is None:
         return message("choose-arm-first")
     if live.link.state != "connected":
@@ -89,7 +80,7 @@ def _arm_ready(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Te
     return ""
 
 
-def _choose_artefact(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _choose_artefact(state: ArmState, live: ArmLive, args: Args) -> Text:
     kind, size = args.get("kind"), args.get("size_mm")
     known = {"identify": ("seat", "bar", "sphere"), "tip": ("sphere",), "check": ()}
     if kind not in known[state.purpose]:
@@ -112,20 +103,20 @@ def _number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _begin(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _begin(state: ArmState, live: ArmLive, args: Args) -> Text:
     missing = state.artefact.kind != "seat" and state.artefact.size_mm is None
     if missing and state.purpose != "check":
         return message("give-certificate-first", kind=state.artefact.kind)
     return _arm_ready(state, live, args)
 
 
-def _touch(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _touch(state: ArmState, live: ArmLive, args: Args) -> Text:
     if not state.touching:
         return message("points-taken-themselves-while-arm-swings")
     return _arm_ready(state, live, args)
 
 
-def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _finish(state: ArmState, live: ArmLive, args: Args) -> Text:
     taken = state.seats[-1].q_rad
     if state.touching:
         least = TIP_LEAST if state.purpose == "tip" else TOUCHES_LEAST
@@ -143,7 +134,7 @@ def _finish(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     return ""
 
 
-def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _fit(state: ArmState, live: ArmLive, args: Args) -> Text:
     if state.purpose != "identify":
         return message("check-one-seat")
     if places_taken(state) < SEATS_LEAST:
@@ -155,7 +146,7 @@ def _fit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
     return ""
 
 
-def _choose_arm(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _choose_arm(state: ArmState, live: ArmLive, args: Args) -> Text:
     if state.seats:
         return message("seats-were-taken-another-arm")
     chosen = args.get("id")
@@ -163,7 +154,7 @@ def _choose_arm(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> T
     return "" if known else message("there-no-such-arm")
 
 
-def _set_limit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _set_limit(state: ArmState, live: ArmLive, args: Args) -> Text:
     limit = args.get("limit_um")
     fine = limit is None or (
         isinstance(limit, int | float) and not isinstance(limit, bool) and 1 <= limit <= 1e5
@@ -173,38 +164,39 @@ def _set_limit(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Te
     return "" if fine else message("limit-number-micrometres-1-100-000")
 
 
-def _drop_seat(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _drop_seat(state: ArmState, live: ArmLive, args: Args) -> Text:
     return "" if state.seats else message("no-seat-taken-yet")
 
 
-def _save(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _save(state: ArmState, live: ArmLive, args: Args) -> Text:
     if state.saved:
         return message("arm-use-already")
     return "" if state.solved else message("identify-arm-first")
 
 
-def _restore(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
+def _restore(state: ArmState, live: ArmLive, args: Args) -> Text:
     return "" if state.saved else message("arm-3")
 
 
-def _simulation(state: ArmState, live: ArmLive, args: Mapping[str, object]) -> Text:
-    return "" if live.has_simulation else message("there-no-simulation-real-devices")
-
-
-Rule = Callable[[ArmState, ArmLive, Mapping[str, object]], Text]
-RULES: dict[str, Rule] = {
-    "choose_artefact": _choose_artefact,
-    "begin": _begin,
-    "touch": _touch,
-    "finish": _finish,
-    "fit": _fit,
-    "choose_arm": _choose_arm,
-    "set_limit": _set_limit,
-    "drop_seat": _drop_seat,
-    "save": _save,
-    "restore": _restore,
-    "run_simulation": _simulation,
-}
+RULES = CommandRules[ArmState, ArmLive](
+    ONLY_IN,
+    (),
+    {
+        "choose_artefact": _choose_artefact,
+        "begin": _begin,
+        "touch": _touch,
+        "finish": _finish,
+        "fit": _fit,
+        "choose_arm": _choose_arm,
+        "set_limit": _set_limit,
+        "drop_seat": _drop_seat,
+        "save": _save,
+        "restore": _restore,
+        "run_simulation": no_simulation_reason,
+    },
+    closed=message("session-closed-start-new-one"),
+    elsewhere=lambda step: message("belongs-another-step-session-stands", step=step),
+)
 
 
 class _Limit(Arguments):

@@ -5,10 +5,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from app.findings import Finding
 from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import SIMULATION_NOTES, JournalEntry
-from app.guide.common.view import Busy
+from app.guide.common.rules import SessionLive
 from app.messages.message import Text, Value, message
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
@@ -124,7 +123,7 @@ class ArmState:
 
 
 @dataclass(frozen=True)
-class ArmLive:
+class ArmLive(SessionLive):
     """The station as the arm session sees it."""
 
     library: DatasheetLibrary
@@ -136,10 +135,6 @@ class ArmLive:
     """The newest sample."""
     left_mm: float | None
     """How far the tip is from its seat, where it has left it."""
-    has_simulation: bool
-    simulation_running: bool
-    busy: Busy | None
-    trouble: Finding | None
 
 
 def apply_row(state: ArmState, row: JournalEntry) -> ArmState:

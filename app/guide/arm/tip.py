@@ -3,20 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from app.findings import Finding, Quality
+from app.findings import Finding
 from app.guide.arm.view import TipResult
+from app.guide.common.flow import DECISION_QUALITY
 from app.messages.message import Text, join, message, quantity
 from app.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
 """Of the diameter's error and of the scatter, until the operator sets another: an arm of the
 article's class touches to no better."""
-QUALITY: dict[str, Quality] = {
-    "pass": "good",
-    "fail": "bad",
-    "uncertain": "attention",
-    "none": "neutral",
-}
 
 
 def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> dict[str, object]:
@@ -58,7 +53,7 @@ def tip_check_finding(payload: Mapping[str, Any]) -> Finding:
     limit_um = payload["limit_um"]
     if limit_um is not None:
         text = join([text, message("limit-is", limit=quantity(limit_um, "µm"))], " ")
-    return Finding(QUALITY[payload["decision"]], text, remedy)
+    return Finding(DECISION_QUALITY[payload["decision"]], text, remedy)
 
 
 def _cause(payload: Mapping[str, Any]) -> tuple[Text, Text]:

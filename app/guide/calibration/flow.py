@@ -3,13 +3,15 @@
 from collections.abc import Callable
 
 from app.guide.calibration.live import CalibrationLive
-from app.guide.calibration.state import STEPS, CalibrationState
-from app.guide.calibration.steps.body import StepView, offer
+from app.guide.calibration.rules import RULES, offer
+from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.capture import capture_step, place_step, solve_step
 from app.guide.calibration.steps.review import review_step
 from app.guide.calibration.steps.setup import devices_step, setup_step
 from app.guide.calibration.steps.touch import touch_step
-from app.guide.common.view import Action, FlowView, Step, StepState
+from app.guide.common.flow import list_steps
+from app.guide.common.view import Action, FlowView
 from app.messages.message import message
 
 TITLES = {
@@ -51,7 +53,7 @@ def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
         session_id=state.session_id,
         rev=live.rev,
         running=running,
-        steps=[Step(step, TITLES[step], _step_state(state, step)) for step in STEPS],
+        steps=list_steps(TITLES, state.step, state.reached, over=state.ended == "accepted"),
         step=state.step,
         title=message("calibration-use") if state.ended == "accepted" else HEADINGS[state.step],
         instruction=body.instruction,
@@ -66,34 +68,11 @@ def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
     )
 
 
-def _step_state(state: CalibrationState, step: str) -> StepState:
-    place, here = STEPS.index(step), STEPS.index(state.step)
-    if state.ended == "accepted" or place < here:
-        return "done"
-    if place == here:
-        return "current"
-    return "stale" if place <= STEPS.index(state.reached) else "todo"
-
-
 def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the simulated operator, the way back, the way out."""
     actions = []
-    if live.simulation_running:
-        actions.append(
-            offer(state, live, "stop_simulation", message("stop-simulation"), primary=True)
-        )
-    elif live.has_simulation and state.step != "review":
-        actions.append(offer(state, live, "run_simulation", message("let-simulation-do")))
-        if state.step == "devices":
-            actions.append(
-                offer(
-                    state,
-                    live,
-                    "run_simulation",
-                    message("let-simulation-do-everything"),
-                    {"all": True},
-                )
-            )
+    if live.simulation_running or state.step != "review":
+        actions = RULES.offer_simulation(state, live, whole=state.step == "devices")
     if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", message("back")))
     actions.append(

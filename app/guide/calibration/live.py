@@ -8,7 +8,8 @@ from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.outcome import CalibrationOutcome
 from app.guide.calibration.poses.advice import Advice
 from app.guide.common.datasheet_library import DatasheetLibrary
-from app.guide.common.view import Busy, TouchedPoint
+from app.guide.common.rules import SessionLive
+from app.guide.common.view import TouchedPoint
 from app.messages.message import Text
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.adjustment.planning.next_touches import TouchAdvice
@@ -74,7 +75,7 @@ class TouchReport:
 
 
 @dataclass(frozen=True)
-class CalibrationLive:
+class CalibrationLive(SessionLive):
     """The station as it is now."""
 
     rev: int
@@ -105,8 +106,8 @@ class CalibrationLive:
     scanning: bool
     tip: Finding | None
     """What the last check of the tip says, while the set-up is looked at."""
-    has_simulation: bool
-    busy: Busy | None
-    simulation_running: bool
-    trouble: Finding | None
-    """Why the last thing asked for was not done."""
+
+    @property
+    def links(self) -> tuple[DeviceState, DeviceState]:
+        """Of the arm and of the sensor."""
+        return self.arm_link, self.sensor_link

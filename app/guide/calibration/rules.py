@@ -3,7 +3,6 @@
 An empty reason means that it is possible.
 """
 
-from collections.abc import Callable, Mapping
 from typing import Literal
 
 from app.findings import Finding
@@ -13,6 +12,7 @@ from app.guide.calibration.state import STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
 from app.guide.calibration.touch.report import face_names, where_on_object
 from app.guide.common.arguments import (
+    Args,
     Arguments,
     ArgumentTable,
     BackArguments,
@@ -21,10 +21,8 @@ from app.guide.common.arguments import (
     OperatorArguments,
     ShortText,
 )
+from app.guide.common.rules import CommandRules, no_simulation_reason
 from app.messages.message import Text, join, message, quantity, word
-
-Args = Mapping[str, object]
-Rule = Callable[[CalibrationState, CalibrationLive, Args], Text]
 
 ONLY_IN = {
     "confirm_devices": ("devices",),
@@ -49,22 +47,6 @@ ONLY_IN = {
     "run_simulation": ("devices", "setup", "touch", "place", "capture", "solve"),
 }
 ALWAYS = ("stop_simulation", "repeat", "abandon")
-
-
-def rejection_reason(state: CalibrationState, live: CalibrationLive, name: str, args: Args) -> Text:
-    """Why the command ``name`` cannot be done now; empty when it can."""
-    if name not in ONLY_IN and name not in ALWAYS:
-        return message("there-no-command", name=name)
-    if name == "stop_simulation":
-        return "" if live.simulation_running else message("simulation-moving")
-    if live.busy is not None:
-        return message("wait-2", text=live.busy.text)
-    if (state.ended or not state.session_id) and name != "repeat":
-        return message("calibration-closed-start-new-one")
-    if name in ONLY_IN and state.step not in ONLY_IN[name]:
-        return message("belongs-another-step-calibration-stands", step=state.step)
-    rule = RULES.get(name)
-    return rule(state, live, args) if rule else ""
 
 
 def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -256,30 +238,34 @@ def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return "" if to in earlier else message("there-no-earlier-step", to=str(to))
 
 
-def _simulation(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
-    return "" if live.has_simulation else message("there-no-simulation-real-devices")
-
-
-RULES: dict[str, Rule] = {
-    "confirm_devices": _devices,
-    "choose": _choose,
-    "confirm_setup": _setup,
-    "select_face": _face,
-    "take_point": _take,
-    "undo": _undo,
-    "redo": _redo,
-    "void_point": _void,
-    "confirm_touch": _touch,
-    "confirm_place": _place,
-    "capture": _capture,
-    "keep_picture": _keep,
-    "void_pose": _void_pose,
-    "restore_pose": _restore_pose,
-    "solve": _solve,
-    "accept": _accept,
-    "back": _back,
-    "run_simulation": _simulation,
-}
+RULES = CommandRules[CalibrationState, CalibrationLive](
+    ONLY_IN,
+    ALWAYS,
+    {
+        "confirm_devices": _devices,
+        "choose": _choose,
+        "confirm_setup": _setup,
+        "select_face": _face,
+        "take_point": _take,
+        "undo": _undo,
+        "redo": _redo,
+        "void_point": _void,
+        "confirm_touch": _touch,
+        "confirm_place": _place,
+        "capture": _capture,
+        "keep_picture": _keep,
+        "void_pose": _void_pose,
+        "restore_pose": _restore_pose,
+        "solve": _solve,
+        "accept": _accept,
+        "back": _back,
+        "run_simulation": no_simulation_reason,
+    },
+    closed=message("calibration-closed-start-new-one"),
+    elsewhere=lambda step: message("belongs-another-step-calibration-stands", step=step),
+    when_closed=("repeat",),
+)
+offer = RULES.offer
 
 
 class _Choice(Arguments):

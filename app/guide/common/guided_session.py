@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from typing import Any, ClassVar, Generic, Protocol, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.guide.common.arguments import Args, ArgumentTable, check_arguments
 from app.guide.common.journal import Check, Journal, JournalEntry, fold
+from app.guide.common.rules import CommandRules, Live, State
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import Busy
 from app.messages.message import Text, message
@@ -32,29 +33,8 @@ class StationServices(Protocol):
     def simulated_operator(self) -> SimulatedOperator | None: ...
 
 
-class SessionState(Protocol):
-    """What all states have."""
-
-    @property
-    def session_id(self) -> str: ...
-    @property
-    def ended(self) -> object:
-        """True in some way once the session is over."""
-
-
-class SessionLive(Protocol):
-    """The station as a flow sees it: a dataclass; among its fields is what is busy."""
-
-    __dataclass_fields__: ClassVar[dict[str, Any]]
-
-    @property
-    def busy(self) -> Busy | None: ...
-
-
 log = logging.getLogger(__name__)
 STALE = "stale-view"
-State = TypeVar("State", bound=SessionState)
-Live = TypeVar("Live", bound=SessionLive)
 View = TypeVar("View")
 
 
@@ -71,8 +51,8 @@ class Flow(Generic[State, Live, View]):
     after: Callable[[State, JournalEntry], State]
     """What a row makes of a state."""
     view_of: Callable[[State, Live], View]
-    why_not: Callable[[State, Live, str, Mapping[str, object]], Text]
-    """Why a command cannot be done; empty when it can."""
+    rules: CommandRules[State, Live]
+    """When the commands are possible."""
     arguments: ArgumentTable
     """What the commands take."""
 
@@ -190,7 +170,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     def why_not(self, name: str, args: Mapping[str, object], by_simulation: bool) -> Text:
         """Why a command cannot be done now; ``by_simulation``: its own running job is no reason."""
         live = self.live()
-        return self._flow.why_not(
+        return self._flow.rules.rejection_reason(
             self.state, replace(live, busy=None) if by_simulation else live, name, args
         )
 

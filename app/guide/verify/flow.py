@@ -1,25 +1,26 @@
 """The view of a verification, from its state and the station as it is. Pure."""
 
-from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 
 from app.errors import OperationError, sentence
-from app.findings import Finding, Quality
+from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
+from app.guide.common.flow import DECISION_QUALITY, list_steps, lost_device_findings
 from app.guide.common.recorded_error import error_from_payload
-from app.guide.common.view import Action, LiveNumber, Step, StepProgress
+from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import build_picture, touch_rms_um
 from app.guide.verify.rules import (
     CLOUDS_WANTED,
     OTHER_SIZE_MM,
     OTHER_SIZE_SDS,
+    RULES,
     change_reason,
-    rejection_reason,
     touches_wanted,
 )
-from app.guide.verify.state import STEPS, VerifyState
+from app.guide.verify.state import VerifyState
 from app.guide.verify.view import (
     GaugeOption,
     VerifyView,
@@ -34,12 +35,6 @@ TITLES = {
     "review": message("result"),
 }
 LEFT_OUT_SHARE = 0.2
-QUALITY: dict[str, Quality] = {
-    "pass": "good",
-    "fail": "bad",
-    "uncertain": "attention",
-    "none": "neutral",
-}
 
 
 def build_view(state: VerifyState, live: VerifyLive) -> VerifyView:
@@ -57,7 +52,7 @@ def build_view(state: VerifyState, live: VerifyLive) -> VerifyView:
             for name, gauge in live.gauges.known.items()
         ],
         gauge=state.gauge,
-        steps=_steps(state),
+        steps=list_steps(TITLES, state.step, state.reached),
         step=state.step,
         title=title,
         instruction=instruction,
@@ -95,18 +90,6 @@ def _words(state: VerifyState, live: VerifyLive) -> tuple[Text, Text]:
     return TITLES["review"], message("what-clouds-show-against-certificate")
 
 
-def _steps(state: VerifyState) -> list[Step]:
-    at, reached = STEPS.index(state.step), STEPS.index(state.reached)
-    return [
-        Step(
-            name,
-            TITLES[name],
-            "done" if i < at else "current" if i == at else "stale" if i <= reached else "todo",
-        )
-        for i, name in enumerate(STEPS)
-    ]
-
-
 # -- the card ------------------------------------------------------------------
 
 
@@ -130,7 +113,7 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     if main.limit is not None:
         limit = rounded(main.limit, "µm")
         note = message("limit-m-2", limit=limit, expanded_uncertainty=expanded)
-    return LiveNumber(main.title, abs(main.value), "µm", 0, QUALITY[main.decision], note)
+    return LiveNumber(main.title, abs(main.value), "µm", 0, DECISION_QUALITY[main.decision], note)
 
 
 def _uncertainty_note(touched: object) -> Text:
@@ -167,10 +150,7 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
         findings.append(live.trouble)
     if reason := change_reason(state, live):
         findings.append(Finding("bad", reason, message("what-taken-kept-folder")))
-    for link in (live.arm_link, live.sensor_link):
-        if link.state != "connected":
-            lost = join([link.title, link.text], ": ")
-            findings.append(Finding("bad", lost, message("wait-check-what-taken-kept")))
+    findings += lost_device_findings(live.arm_link, live.sensor_link)
     if state.step == "gauge":
         findings += live.gauges.findings
         if not live.gauges.known:
@@ -186,9 +166,11 @@ def _findings(state: VerifyState, live: VerifyLive) -> list[Finding]:
     if state.step == "review":
         verdict = live.judged.verdict
         if verdict is not None:
-            findings.append(Finding(QUALITY[verdict.result], verdict.text, _remedy(verdict.result)))
+            findings.append(
+                Finding(DECISION_QUALITY[verdict.result], verdict.text, _remedy(verdict.result))
+            )
         findings += [
-            Finding(QUALITY[figure.decision], figure.reason)
+            Finding(DECISION_QUALITY[figure.decision], figure.reason)
             for figure in live.judged.figures
             if figure.decision in ("fail", "uncertain")
         ]
@@ -245,33 +227,15 @@ def _about_clouds(state: VerifyState, live: VerifyLive) -> list[Finding]:
 
 
 def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
-    def offer(
-        name: str,
-        label: Text,
-        primary: bool = False,
-        confirm: Text = "",
-        args: Mapping[str, object] | None = None,
-    ) -> Action:
-        reason = rejection_reason(state, live, name, args or {})
-        return Action(name, label, args or {}, primary, not reason, reason, confirm)
-
+    offer = partial(RULES.offer, state, live)
     leave = offer(
         "abandon", message("leave"), confirm=message("leave-verification-clouds-kept-folder")
     )
     if change_reason(state, live) and state.open_cloud is None:
         return [offer("again", message("begin-again"), primary=True), leave]
-    operator_actions = (
-        [offer("run_simulation", message("let-simulation-do"))] if live.has_simulation else []
-    )
-    if live.simulation_running:
-        operator_actions = [offer("stop_simulation", message("stop-simulation"), primary=True)]
+    operator_actions = RULES.offer_simulation(state, live, whole=state.step == "gauge")
     back = offer("back", message("back"))
     if state.step == "gauge":
-        if live.has_simulation and not live.simulation_running:
-            whole = {"all": True}
-            operator_actions.append(
-                offer("run_simulation", message("let-simulation-do-everything"), args=whole)
-            )
         return [
             offer("confirm_gauge", message("gauge-clamped"), primary=True),
             *operator_actions,

@@ -25,7 +25,7 @@ from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify.flow import build_view
 from app.guide.verify.gauges import gauge_path, read_gauges
 from app.guide.verify.live import CloudResults, Gauges, VerifyLive
-from app.guide.verify.rules import ARGUMENTS, rejection_reason
+from app.guide.verify.rules import ARGUMENTS, RULES
 from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
@@ -45,7 +45,7 @@ from app.workflows.verification_metrics import (
 )
 
 KIND = "verify"
-FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, rejection_reason, ARGUMENTS)
+FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES, ARGUMENTS)
 FRESH_S = 2.0
 """Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3

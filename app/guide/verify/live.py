@@ -7,7 +7,7 @@ from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import FigurePart, VerificationVerdict
-from app.guide.common.view import Busy
+from app.guide.common.rules import SessionLive
 from app.messages.message import Text
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
@@ -35,7 +35,7 @@ class CloudResults:
 
 
 @dataclass(frozen=True)
-class VerifyLive:
+class VerifyLive(SessionLive):
     """The station as the verification sees it."""
 
     active_id: str
@@ -54,7 +54,3 @@ class VerifyLive:
     still: bool
     scan_why_not: Text
     scan_points: int
-    has_simulation: bool
-    simulation_running: bool
-    busy: Busy | None
-    trouble: Finding | None

@@ -3,10 +3,9 @@
 An empty reason means that it is possible.
 """
 
-from collections.abc import Callable, Mapping
-
 from app.errors import OperationError
 from app.guide.common.arguments import (
+    Args,
     ArgumentTable,
     BackArguments,
     IdArguments,
@@ -14,6 +13,7 @@ from app.guide.common.arguments import (
     NumberArguments,
     OperatorArguments,
 )
+from app.guide.common.rules import CommandRules, no_simulation_reason
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
 from app.messages.message import Text, message
@@ -26,7 +26,6 @@ PLANE_WANTED, SPHERE_WANTED = 6, 7
 """Touches beyond the least, so that their scatter shows how well they fix the gauge."""
 OTHER_SIZE_MM, OTHER_SIZE_SDS = 0.3, 3.0
 """The touched radius may differ from the nominal by so much, and so many of its own sd."""
-Args = Mapping[str, object]
 
 ONLY_IN = {
     "choose_gauge": ("gauge",),
@@ -51,24 +50,6 @@ ONLY_IN = {
 ALWAYS = ("stop_simulation", "abandon", "again")
 WHATEVER_IS_IN_USE = ("stop_simulation", "abandon", "again", "finish_cloud", "drop_cloud")
 """What can be done although another calibration is in use by now."""
-
-
-def rejection_reason(state: VerifyState, live: VerifyLive, name: str, args: Args) -> Text:
-    """Why a command cannot be done now; empty when it can."""
-    if name not in ONLY_IN and name not in ALWAYS:
-        return message("there-no-command", name=name)
-    if name == "stop_simulation":
-        return "" if live.simulation_running else message("simulation-moving")
-    if state.ended or not state.session_id:
-        return message("verification-closed-start-new-one")
-    if live.busy is not None:
-        return message("wait-2", text=live.busy.text)
-    if name in ONLY_IN and state.step not in ONLY_IN[name]:
-        return message("belongs-another-step-verification-stands", step=state.step)
-    if name not in WHATEVER_IS_IN_USE and (reason := change_reason(state, live)):
-        return reason
-    rule = RULES.get(name)
-    return rule(state, live, args) if rule else ""
 
 
 def change_reason(state: VerifyState, live: VerifyLive) -> Text:
@@ -182,36 +163,44 @@ def _back(state: VerifyState, live: VerifyLive, args: Args) -> Text:
 
 
 def _simulation(state: VerifyState, live: VerifyLive, args: Args) -> Text:
-    if not live.has_simulation:
-        return message("there-no-simulation-real-devices")
-    return message("finish-cloud-drop") if state.open_cloud is not None else ""
+    return no_simulation_reason(state, live, args) or _leave(state, live, args)
 
 
 def _leave(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     return message("finish-cloud-drop") if state.open_cloud is not None else ""
 
 
-Rule = Callable[[VerifyState, VerifyLive, Args], Text]
-RULES: dict[str, Rule] = {
-    "choose_gauge": _choose,
-    "confirm_gauge": _confirm_gauge,
-    "touch": _touch,
-    "undo": _undo,
-    "redo": _redo,
-    "void_touch": _void_touch,
-    "confirm_touch": _confirm_touch,
-    "begin_cloud": _begin,
-    "finish_cloud": _scanning,
-    "drop_cloud": _scanning,
-    "void_cloud": _cloud,
-    "restore_cloud": _cloud,
-    "confirm_clouds": _enough,
-    "accept": _enough,
-    "back": _back,
-    "run_simulation": _simulation,
-    "abandon": _leave,
-    "again": _leave,
-}
+def _changed(state: VerifyState, live: VerifyLive, name: str) -> Text:
+    return "" if name in WHATEVER_IS_IN_USE else change_reason(state, live)
+
+
+RULES = CommandRules[VerifyState, VerifyLive](
+    ONLY_IN,
+    ALWAYS,
+    {
+        "choose_gauge": _choose,
+        "confirm_gauge": _confirm_gauge,
+        "touch": _touch,
+        "undo": _undo,
+        "redo": _redo,
+        "void_touch": _void_touch,
+        "confirm_touch": _confirm_touch,
+        "begin_cloud": _begin,
+        "finish_cloud": _scanning,
+        "drop_cloud": _scanning,
+        "void_cloud": _cloud,
+        "restore_cloud": _cloud,
+        "confirm_clouds": _enough,
+        "accept": _enough,
+        "back": _back,
+        "run_simulation": _simulation,
+        "abandon": _leave,
+        "again": _leave,
+    },
+    closed=message("verification-closed-start-new-one"),
+    elsewhere=lambda step: message("belongs-another-step-verification-stands", step=step),
+    precondition=_changed,
+)
 
 
 ARGUMENTS: ArgumentTable = {

@@ -24,8 +24,8 @@ from app.formats.results.verification import (
 from app.formats.session.calibration_session import ARM
 from app.formats.software import SOFTWARE
 from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.recorded_error import error_payload
-from app.guide.verify.flow import QUALITY
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState
@@ -137,7 +137,7 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
             state.session_id, state.calibration_id, guide.folder, figures, key, check
         )
     )
-    quality = QUALITY[document.verdict.result]
+    quality = DECISION_QUALITY[document.verdict.result]
     guide.station.bus.event("accepted", message("verified", text=document.verdict.text), quality)
 
 

@@ -7,10 +7,12 @@ from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
 from app.guide.calibration.poses.board_views import plan_view, view_instruction
+from app.guide.calibration.rules import offer
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import StepView, device_findings, offer
+from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
+from app.guide.common.flow import lost_device_findings
 from app.guide.common.view import (
     Action,
     CameraPicture,
@@ -47,7 +49,11 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         picture=picture,
         number=_to_go(live) or _stillness(live),
         progress=_poses(state, live),
-        findings=[*device_findings(live), *_picture_findings(live), *_about_line(live)],
+        findings=[
+            *lost_device_findings(*live.links),
+            *_picture_findings(live),
+            *_about_line(live),
+        ],
         actions=[
             offer(state, live, "confirm_place", message("object-picture"), primary=True),
             *_enough(state, live),
@@ -62,7 +68,7 @@ def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         picture=_camera(state, live),
         number=_stillness(live),
         progress=_poses(state, live),
-        findings=[*device_findings(live), *_picture_findings(live)],
+        findings=[*lost_device_findings(*live.links), *_picture_findings(live)],
         actions=[
             offer(state, live, "capture", message("take-picture"), primary=True),
             *_enough(state, live),

@@ -5,8 +5,8 @@ from typing import Literal
 
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.outcome import CalibrationOutcome, PoseDrawing
+from app.guide.calibration.rules import offer
 from app.guide.calibration.state import CalibrationState, PoseCapture
-from app.guide.calibration.steps.body import offer
 from app.guide.common.result_view import CalibrationResult, PoseRow
 from app.guide.common.view import Action, PosePicture
 from app.messages.message import Text, message, word

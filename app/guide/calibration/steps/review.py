@@ -3,8 +3,9 @@
 from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.outcome import CalibrationOutcome
+from app.guide.calibration.rules import offer
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import StepView, geometry, offer
+from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.calibration.steps.capture import solve_step
 from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.common.result_view import CalibrationResult

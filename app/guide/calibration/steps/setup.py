@@ -2,9 +2,9 @@
 
 from app.findings import Quality
 from app.guide.calibration.live import CalibrationLive
-from app.guide.calibration.rules import other_devices
+from app.guide.calibration.rules import offer, other_devices
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import StepView, geometry, offer
+from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.targets.chessboard import Chessboard
@@ -21,15 +21,14 @@ QUALITY: dict[str, Quality] = {
 
 def devices_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Are the arm and the sensor there?"""
-    links = (live.arm_link, live.sensor_link)
-    ready = all(link.state == "connected" for link in links)
+    ready = all(link.state == "connected" for link in live.links)
     return StepView(
         instruction=(
             message("both-devices-answer-go")
             if ready
             else message("switch-arm-sensor-connect-them")
         ),
-        picture=DevicesPicture([_line(link) for link in links]),
+        picture=DevicesPicture([_line(link) for link in live.links]),
         actions=[offer(state, live, "confirm_devices", message("continue"), primary=True)],
     )
 

@@ -2,10 +2,12 @@
 
 from app.findings import Finding, Quality
 from app.guide.calibration.live import CalibrationLive, TouchReport
+from app.guide.calibration.rules import offer
 from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.body import StepView, device_findings, geometry, offer
+from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.calibration.touch.block import TITLES
 from app.guide.calibration.touch.report import face_in_use, face_progress, next_face
+from app.guide.common.flow import lost_device_findings
 from app.guide.common.view import Action, DevicesPicture, FaceProgress, LiveNumber, ObjectPicture
 from app.guide.common.view import StepProgress as Progress
 from app.messages.message import Text, Value, message, quantity
@@ -36,7 +38,11 @@ def touch_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         picture=ObjectPicture(geometry(item), faces, touch.points),
         number=_number(touch),
         progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
-        findings=[*device_findings(live)[:1], *touch.findings, *_advice(touch)],
+        findings=[
+            *lost_device_findings(*live.links)[:1],
+            *touch.findings,
+            *_advice(touch),
+        ],
         actions=_actions(state, live, touch, done >= wanted),
     )
 
@@ -63,7 +69,7 @@ def _on_board(
         instruction=instruction,
         picture=ObjectPicture(geometry(board), [face], touch.points),
         progress=Progress(done, wanted, message("points-of", taken=done, wanted=wanted)),
-        findings=[*device_findings(live)[:1], *touch.findings],
+        findings=[*lost_device_findings(*live.links)[:1], *touch.findings],
         actions=_actions(state, live, touch, done == 0 or left <= 0),
     )
 

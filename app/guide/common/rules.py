@@ -1,0 +1,110 @@
+"""When the commands of a guided session are possible, and how they are offered. Pure."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
+
+from app.findings import Finding
+from app.guide.common.arguments import Args
+from app.guide.common.view import Action, Busy
+from app.messages.message import Text, message
+
+
+class SessionState(Protocol):
+    """What all states have."""
+
+    @property
+    def session_id(self) -> str: ...
+    @property
+    def rev(self) -> int: ...
+    @property
+    def step(self) -> str: ...
+    @property
+    def ended(self) -> object:
+        """True in some way once the session is over."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SessionLive:
+    """The station as every session sees it, beside its journal."""
+
+    has_simulation: bool
+    simulation_running: bool
+    busy: Busy | None
+    """The work that is under way."""
+    trouble: Finding | None
+    """Why the last thing asked for was not done."""
+
+
+State = TypeVar("State", bound=SessionState)
+Live = TypeVar("Live", bound=SessionLive)
+Rule = Callable[[State, Live, Args], Text]
+"""Why a command cannot be done now; empty when it can."""
+
+
+@dataclass(frozen=True)
+class CommandRules(Generic[State, Live]):
+    """The commands of a kind of session, and what each waits for."""
+
+    only_in: Mapping[str, tuple[str, ...]]
+    """The steps that a command belongs to."""
+    always: tuple[str, ...]
+    """Commands of every step."""
+    rules: Mapping[str, Rule[State, Live]]
+    closed: Text
+    """Said where the session is over, or none was begun."""
+    elsewhere: Callable[[str], Text]
+    """Said of a command of another step than the present one."""
+    when_closed: tuple[str, ...] = ()
+    """Commands that a closed session takes, too."""
+    precondition: Callable[[State, Live, str], Text] | None = None
+    """Asked before a command's own rule, with the command's name."""
+
+    def rejection_reason(self, state: State, live: Live, name: str, args: Args) -> Text:
+        """Why a command cannot be done now; empty when it can."""
+        if name not in self.only_in and name not in self.always:
+            return message("there-no-command", name=name)
+        if name == "stop_simulation":
+            return "" if live.simulation_running else message("simulation-moving")
+        if (state.ended or not state.session_id) and name not in self.when_closed:
+            return self.closed
+        if live.busy is not None:
+            return message("wait-2", text=live.busy.text)
+        if state.step not in self.only_in.get(name, (state.step,)):
+            return self.elsewhere(state.step)
+        if self.precondition and (reason := self.precondition(state, live, name)):
+            return reason
+        rule = self.rules.get(name)
+        return rule(state, live, args) if rule else ""
+
+    def offer(
+        self,
+        state: State,
+        live: Live,
+        name: str,
+        label: Text,
+        args: Args | None = None,
+        primary: bool = False,
+        confirm: Text = "",
+    ) -> Action:
+        """The action, enabled or with the reason why not."""
+        reason = self.rejection_reason(state, live, name, args or {})
+        return Action(name, label, args or {}, primary, not reason, reason, confirm)
+
+    def offer_simulation(self, state: State, live: Live, whole: bool = False) -> list[Action]:
+        """Starting the simulated operator, for the ``whole`` session too, or stopping it."""
+        if live.simulation_running:
+            label = message("stop-simulation")
+            return [self.offer(state, live, "stop_simulation", label, primary=True)]
+        if not live.has_simulation:
+            return []
+        actions = [self.offer(state, live, "run_simulation", message("let-simulation-do"))]
+        if whole:
+            label = message("let-simulation-do-everything")
+            actions.append(self.offer(state, live, "run_simulation", label, {"all": True}))
+        return actions
+
+
+def no_simulation_reason(state: SessionState, live: SessionLive, args: Args) -> Text:
+    """Of a station on real devices."""
+    return "" if live.has_simulation else message("there-no-simulation-real-devices")
