@@ -3,15 +3,17 @@
 import json
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile
+from app.guide.common.datasheet_library import DatasheetEntry, Gauges
 from app.guide.common.journal import fold
 from app.guide.verify.flow import build_view
-from app.guide.verify.live import CloudResults, Gauges, VerifyLive
+from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerifyState, apply_row
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
@@ -60,11 +62,15 @@ def cloud(number: int, **changes: object) -> list[Entry]:
 TO_SCAN: list[Entry] = [STARTED, ("gauge_confirmed", {}), ("touch_skipped", {})]
 
 
+def _entry(name: str, gauge: GaugeFile) -> DatasheetEntry[GaugeFile]:
+    return DatasheetEntry(name, Path(f"{name}.json"), gauge)
+
+
 def live_of(**changes: Any) -> VerifyLive:
     live = VerifyLive(
         active_id="c1",
         active_name="First",
-        gauges=Gauges({"plate": PLANE, "sphere": SPHERE}, ()),
+        gauges=Gauges({"plate": _entry("plate", PLANE), "sphere": _entry("sphere", SPHERE)}, ()),
         gauge=PLANE,
         limits=DEFAULT_LIMITS,
         arm=None,

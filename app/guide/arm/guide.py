@@ -1,6 +1,5 @@
 """The one arm session of a station: its journal, its points, and what is shown of it."""
 
-import time
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -17,11 +16,15 @@ from app.guide.arm.observations import HOLD_NS, collect_observations, sample_poi
 from app.guide.arm.rules import ARGUMENTS, RULES
 from app.guide.arm.state import POINTS, ArmLive, ArmState, Artefact, Purpose, apply_row, place_name
 from app.guide.arm.view import ArmView
-from app.guide.common.datasheet_library import DatasheetLibrary, read_library
+from app.guide.common.datasheet_library import (
+    DatasheetLibrary,
+    FolderContent,
+    read_gauges,
+    read_library,
+)
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
-from app.guide.verify.gauges import read_gauges
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 from app.station.bus import Bus
@@ -29,8 +32,6 @@ from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 
 FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS)
-FRESH_S = 2.0
-"""Arms that were added to the data folder are seen after this time."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         self.history = ArmHistory(journal)
         self._left_mm: float | None = None
         self._sampled_ns = 0
-        self._library: tuple[float, DatasheetLibrary] | None = None
+        self._library = FolderContent(read_library, data_folder)
         self._session_arm: tuple[str, Arm | None] = ("", None)
         self.resume()
 
@@ -97,11 +98,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def library(self) -> DatasheetLibrary:
         """What the station knows; read again only while an arm can be chosen."""
-        old = self._library is None or time.monotonic() - self._library[0] > FRESH_S
-        choosing = not self.running or not self.state.seats
-        if self._library is None or (choosing and old):
-            self._library = (time.monotonic(), read_library(self.data_folder))
-        return self._library[1]
+        return self._library.latest(choosing=not self.running or not self.state.seats)
 
     def arm(self) -> Arm | None:
         """The session's own copy of the arm once a seat was begun, before it the library's."""
@@ -154,9 +151,9 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         if (last := self.history.last_sphere()) is not None:
             return last
         spheres = [
-            gauge
-            for gauge in read_gauges(self.data_folder / "gauges").known.values()
-            if gauge.radius_mm is not None
+            entry.datasheet
+            for entry in read_gauges(self.data_folder).known.values()
+            if entry.datasheet.radius_mm is not None
         ]
         if len(spheres) != 1 or spheres[0].radius_mm is None:
             return None

@@ -1,7 +1,5 @@
 """Which arm, object and sensor a session uses, and how its points agree with them."""
 
-import time
-
 from app.guide.calibration.live import (
     ConnectedArm,
     ConnectedSensor,
@@ -11,12 +9,10 @@ from app.guide.calibration.live import (
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import FIELDS, CalibrationState
 from app.guide.calibration.touch.report import touch_report
-from app.guide.common.datasheet_library import DatasheetLibrary, read_library
+from app.guide.common.datasheet_library import DatasheetLibrary, FolderContent, read_library
 from app.metrology.limits import Limits
 from app.metrology.targets.crenellated_block import Crenellated
 
-FRESH_S = 2.0
-"""While the operator chooses, files that were added are seen after this time."""
 CHOOSING = ("devices", "setup")
 TARGET_SHARE = 0.3
 """The contacts may take so much of what a good calibration may be uncertain by."""
@@ -27,20 +23,14 @@ class SessionDatasheets:
 
     def __init__(self, folder: SessionFolder, limits: Limits) -> None:
         self._target_um = TARGET_SHARE * limits.good_um
-        self._data_folder = folder.path.parent.parent
         self.folder = folder
-        self._library: DatasheetLibrary | None = None
-        self._read_at = 0.0
+        self._library = FolderContent(read_library, folder.path.parent.parent)
         self._session_copies: SelectedDatasheets | None = None
         self._report: tuple[object, TouchReport | None] = (None, None)
 
     def library(self, choosing: bool) -> DatasheetLibrary:
         """What the station knows."""
-        old = time.monotonic() - self._read_at > FRESH_S
-        if self._library is None or (choosing and old):
-            self._library = read_library(self._data_folder)
-            self._read_at = time.monotonic()
-        return self._library
+        return self._library.latest(choosing)
 
     def selection(self, state: CalibrationState) -> SelectedDatasheets:
         """The library's datasheets while choosing; later the session's own copies."""

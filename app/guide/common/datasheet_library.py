@@ -1,5 +1,6 @@
-"""The arms, objects and sensors that the station knows, from files in its data folder."""
+"""The arms, objects, sensors and gauges that the station knows, from files in its data folder."""
 
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Generic, TypeVar
 from app.errors import OperationError
 from app.findings import Finding
 from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.file_names import check_name
@@ -16,11 +18,15 @@ from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.target import CalibrationTarget
 
 Datasheet = TypeVar("Datasheet")
+Content = TypeVar("Content")
+GAUGE_ENDINGS = (".nominal.json", ".json")
+FRESH_S = 2.0
+"""While the operator chooses, files that were added are seen after this time."""
 
 
 @dataclass(frozen=True)
 class DatasheetEntry(Generic[Datasheet]):
-    """One readable file; its id is the file's name without ``.json``."""
+    """One readable file; its id is the file's name without its ending."""
 
     id: str
     path: Path
@@ -46,6 +52,29 @@ class DatasheetLibrary:
         return entry_id in known.get(field, {})
 
 
+@dataclass(frozen=True)
+class Gauges:
+    """The data folder's gauges by id; files that cannot be read are findings."""
+
+    known: Mapping[str, DatasheetEntry[GaugeFile]]
+    findings: tuple[Finding, ...]
+
+
+class FolderContent(Generic[Content]):
+    """What a data folder has, read again only while the operator chooses from it."""
+
+    def __init__(self, read: Callable[[Path], Content], data_folder: Path) -> None:
+        self._read, self._data_folder = read, data_folder
+        self._latest: tuple[float, Content] | None = None
+
+    def latest(self, choosing: bool) -> Content:
+        """As it was read last, or is now."""
+        latest = self._latest
+        if latest is None or (choosing and time.monotonic() - latest[0] > FRESH_S):
+            latest = self._latest = (time.monotonic(), self._read(self._data_folder))
+        return latest[1]
+
+
 def read_library(data_folder: Path) -> DatasheetLibrary:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []
@@ -57,14 +86,25 @@ def read_library(data_folder: Path) -> DatasheetLibrary:
     )
 
 
+def read_gauges(data_folder: Path) -> Gauges:
+    """Reads ``gauges/*.json`` and ``gauges/*.nominal.json``."""
+    findings: list[Finding] = []
+    known = _entries(data_folder / "gauges", read_gauge, findings, GAUGE_ENDINGS)
+    return Gauges(known, tuple(findings))
+
+
 def _entries(
-    folder: Path, read: Callable[[Path], Datasheet], findings: list[Finding]
+    folder: Path,
+    read: Callable[[Path], Datasheet],
+    findings: list[Finding],
+    endings: tuple[str, ...] = (".json",),
 ) -> dict[str, DatasheetEntry[Datasheet]]:
     entries: dict[str, DatasheetEntry[Datasheet]] = {}
     for path in sorted(folder.glob("*.json")):
         try:
             check_name(path)
-            entries[path.stem] = DatasheetEntry(path.stem, path, read(path))
+            entry_id = next(path.name.removesuffix(e) for e in endings if path.name.endswith(e))
+            entries.setdefault(entry_id, DatasheetEntry(entry_id, path, read(path)))
         except OperationError as error:
             findings.append(Finding("attention", error.text, message("correct-remove-file")))
     return entries

@@ -48,8 +48,9 @@ def build_view(state: VerifyState, live: VerifyLive) -> VerifyView:
         calibration_id=state.calibration_id,
         calibration=live.active_name if state.calibration_id == live.active_id else "",
         gauges=[
-            GaugeOption(name, gauge.shape, gauge.name or name, _detail(gauge))
-            for name, gauge in live.gauges.known.items()
+            GaugeOption(entry.id, gauge.shape, gauge.name or entry.id, _detail(gauge))
+            for entry in live.gauges.known.values()
+            for gauge in (entry.datasheet,)
         ],
         gauge=state.gauge,
         steps=list_steps(TITLES, state.step, state.reached),

@@ -1,6 +1,5 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,13 +17,13 @@ from app.formats.results.calibration import Calibration, read_calibration
 from app.formats.results.verification import CONTACTS, GAUGE
 from app.formats.session.calibration_session import ARM, ContactReadings, write_contacts
 from app.guide.calibration.session_folder import CALIBRATION
+from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
 from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
 from app.guide.common.journal import Check, Journal, JournalEntry
 from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify.flow import build_view
-from app.guide.verify.gauges import gauge_path, read_gauges
-from app.guide.verify.live import CloudResults, Gauges, VerifyLive
+from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import ARGUMENTS, RULES
 from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
@@ -46,8 +45,6 @@ from app.workflows.verification_metrics import (
 
 KIND = "verify"
 FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES, ARGUMENTS)
-FRESH_S = 2.0
-"""Gauges that were added to the data folder are seen after this time."""
 SAME_PLACE_MM = 0.3
 
 
@@ -115,7 +112,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         self.provenance = signing
         self.calibrations, self.verifications = calibrations, verifications
         self._data_folder, self._limits = data_folder, limits
-        self._gauges: tuple[float, Gauges] | None = None
+        self._gauges = FolderContent(read_gauges, data_folder)
         self._session_copies: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
         self._judged: tuple[
             VerifyState | None, ProbedGauge | OperationError | None, CloudResults
@@ -166,17 +163,14 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
 
     def gauges(self) -> Gauges:
         """The data folder's; read again only while one can be chosen."""
-        old = self._gauges is None or time.monotonic() - self._gauges[0] > FRESH_S
-        choosing = not self.running or self.state.step == "gauge"
-        if self._gauges is None or (choosing and old):
-            self._gauges = (time.monotonic(), read_gauges(self._data_folder / "gauges"))
-        return self._gauges[1]
+        return self._gauges.latest(choosing=not self.running or self.state.step == "gauge")
 
     def datasheets(self) -> tuple[GaugeFile | None, Arm | None]:
         """Gauge and arm: the session's own copies once the gauge was confirmed."""
         state = self.state
         if state.step == "gauge" or state.ended:
-            return self.gauges().known.get(state.gauge), None
+            entry = self.gauges().known.get(state.gauge)
+            return entry.datasheet if entry else None, None
         named = f"{state.session_id}/{state.gauge}"
         if self._session_copies[0] != named:
             try:
@@ -264,9 +258,8 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         assert active is not None
         with convert_io_errors(self.folder):
             ensure_folder(self.folder)
-            gauge = gauge_path(self._data_folder / "gauges", self.state.gauge)
             for source, name in (
-                (gauge, GAUGE),
+                (self.gauges().known[self.state.gauge].path, GAUGE),
                 (active.file.parent / ARM, ARM),
                 (active.file, CALIBRATION),
             ):

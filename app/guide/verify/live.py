@@ -4,23 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from app.errors import OperationError
-from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile, VerificationLimits
 from app.formats.results.verification import FigurePart, VerificationVerdict
+from app.guide.common.datasheet_library import Gauges
 from app.guide.common.rules import SessionLive
 from app.messages.message import Text
 from app.metrology.arm.kinematics import Arm
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import CloudErrors, ProbedGauge
-
-
-@dataclass(frozen=True)
-class Gauges:
-    """The data folder's gauges by id; files that cannot be read are findings."""
-
-    known: Mapping[str, GaugeFile]
-    findings: tuple[Finding, ...]
 
 
 @dataclass(frozen=True)
