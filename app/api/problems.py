@@ -11,8 +11,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.types import Message as AsgiMessage
 
 from app.errors import OperationError
-from app.guide.calibration.guide import StaleCommandError
-from app.guide.common.guided_session import STALE
+from app.guide.common.guided_session import STALE, StaleViewError
 from app.messages.message import Text, join, message, quantity
 from app.messages.validation import validation_text
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError
@@ -30,7 +29,8 @@ def operation_problem(error: OperationError, status: int = UNPROCESSABLE) -> Res
     detail = message("error-what", what=error.what)
     if error.why:
         detail = message("error-what-and-why", what=error.what, why=error.why)
-    return problem(status, error.code, detail, error.remedy)
+    view = error.view if isinstance(error, StaleViewError) else None
+    return problem(status, error.code, detail, error.remedy, view)
 
 
 class NotFoundError(Exception):
@@ -47,7 +47,6 @@ class NotFoundError(Exception):
 def install(app: FastAPI) -> None:
     """Answers every exception of a route with a problem."""
     app.add_exception_handler(OperationError, _answer_operation_error)
-    app.add_exception_handler(StaleCommandError, _answer_stale_command)
     app.add_exception_handler(NotFoundError, _answer_not_found)
     app.add_exception_handler(AccessDeniedError, _answer_access_denied)
     app.add_exception_handler(TooManyAttemptsError, _answer_too_many)
@@ -63,17 +62,6 @@ async def _answer_operation_error(request: Request, error: Exception) -> Respons
             message("log-not-saved", method=request.method, path=request.url.path, reason=error.why)
         )
     return operation_problem(error, STATUSES.get(error.code, UNPROCESSABLE))
-
-
-async def _answer_stale_command(request: Request, error: Exception) -> Response:
-    assert isinstance(error, StaleCommandError)
-    return problem(
-        HTTPStatus.CONFLICT,
-        "stale-view",
-        message("calibration-went-meanwhile-nothing-done"),
-        message("look-present-step-act"),
-        error.view,
-    )
 
 
 async def _answer_not_found(request: Request, error: Exception) -> Response:

@@ -4,7 +4,6 @@ from fastapi import APIRouter
 from starlette.status import HTTP_204_NO_CONTENT
 
 from app.errors import OperationError
-from app.guide.common.commands import stop_simulation
 from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.devices.rig import Devices
@@ -82,6 +81,6 @@ def stop_everything(context: Context) -> None:
     context.rig.sensor.laser_off()
     context.simulated_scan.stop()
     for guide in (context.guide, context.arm_guide, context.verify_guide):
-        stop_simulation(guide)
+        guide.stop_simulation()
     context.scanner.stop()
     context.rig.sensor.laser_off()

@@ -291,7 +291,6 @@ calibration-use-cannot-read = Die verwendete Kalibrierung lässt sich nicht lese
 calibration-utc = Kalibrierung { $now } UTC
 calibration-valid-verified-scan-part = Die Kalibrierung ist gültig und verifiziert. Das Teil scannen.
 calibration-verified-yet = Diese Kalibrierung wurde noch nicht verifiziert.
-calibration-went-meanwhile-nothing-done = Die Kalibrierung ging inzwischen weiter; es wurde nichts getan.
 calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren nicht mit den Bildern und Antastpunkten
 camera = Die Kamera { $source }
 camera-cannot-do = { $title } kann { $key } = { $value } nicht; möglich ist { $given }
@@ -1282,7 +1281,6 @@ look-change = Ansehen und tauschen.
 look-last-message-let-simulation-try = Die letzte Meldung ansehen und den simulierten Bediener es erneut versuchen lassen
 look-log-below-send-support-bundle = Das Protokoll unten ansehen, und das Paket für den Support an den schicken, der hilft.
 look-numbers-then-accept-calibration-repeat = Die Zahlen ansehen, dann die Kalibrierung annehmen oder wiederholen.
-look-present-step-act = Den jetzigen Schritt ansehen und danach handeln.
 look-present-step-act-2 = Den jetzigen Schritt ansehen und danach handeln
 look-them-below-send-support-bundle = Unten ansehen und das Diagnosepaket senden.
 looked-arms-delay = den Verzug des Messarms bestimmt

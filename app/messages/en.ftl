@@ -291,7 +291,6 @@ calibration-use-cannot-read = The calibration in use cannot be read
 calibration-utc = Calibration { $now } UTC
 calibration-valid-verified-scan-part = The calibration is valid and verified. Scan the part.
 calibration-verified-yet = This calibration was not verified yet.
-calibration-went-meanwhile-nothing-done = The calibration went on meanwhile; nothing was done.
 calibrations-unknowns-did-settle-what-seen = the calibration's unknowns did not converge on the pictures and contacts
 camera = The camera { $source }
 camera-cannot-do = { $title } cannot do { $key } = { $value }; it offers { $given }
@@ -1278,7 +1277,6 @@ look-change = Look at it, and change it.
 look-last-message-let-simulation-try = Check the last message, and let the simulated operator try again
 look-log-below-send-support-bundle = Look at the log below, and send the support bundle to whoever helps.
 look-numbers-then-accept-calibration-repeat = Look at the numbers, then accept the calibration or repeat it.
-look-present-step-act = Look at the present step, and act on that.
 look-present-step-act-2 = Look at the present step, and act on that
 look-them-below-send-support-bundle = Look at them below, and send the support bundle.
 looked-arms-delay = looked for the arm's delay

@@ -8,17 +8,17 @@ from app.api.scan import stop_everything
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.software import SOFTWARE
-from app.guide.arm.commands import press as press_arm
+from app.guide.arm.commands import COMMANDS as ARM_COMMANDS
 from app.guide.arm.guide import ArmGuide, ArmServices
-from app.guide.calibration.commands import press
+from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
 from app.guide.calibration.guide import CalibrationGuide
 from app.guide.calibration.guide import CalibrationServices as GuidedStation
 from app.guide.common.buttons import Buttons, Press
-from app.guide.common.provenance import Provenance
+from app.guide.common.guided_session import Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
-from app.guide.verify.commands import press as press_verify
+from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
 from app.guide.verify.guide import VerificationServices, VerifyGuide
 from app.messages.message import message
 from app.metrology.limits import LIMITS, Limits
@@ -115,7 +115,13 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         reading = store.temperatures.newest()
         return reading.celsius if reading else None
 
-    signing = Provenance(parts.name, simulated, lambda: lease.last_name, celsius_now)
+    signing = Provenance(
+        parts.name,
+        simulated,
+        lambda: lease.last_name,
+        celsius_now,
+        store.temperatures.celsius_near,
+    )
 
     def use_active() -> None:
         _use_calibration(store.calibrations.active(), store, rig, preview, scanner, bus)
@@ -200,9 +206,9 @@ def _button_handler(
 
     def pressed(event: Press) -> None:
         sessions: list[tuple[int, Callable[[], bool]]] = [
-            (guide.state.rev, lambda: press(guide, event)),
-            (verify_guide.state.rev, lambda: press_verify(verify_guide, event)),
-            (arm_guide.state.rev, lambda: press_arm(arm_guide, event)),
+            (guide.state.rev, lambda: CALIBRATION_COMMANDS.press(guide, event)),
+            (verify_guide.state.rev, lambda: VERIFICATION_COMMANDS.press(verify_guide, event)),
+            (arm_guide.state.rev, lambda: ARM_COMMANDS.press(arm_guide, event)),
         ]
         for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):
             if takes():

@@ -2,23 +2,22 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Request
+from fastapi import APIRouter, Path
 from starlette.responses import Response
 
 from app.api.access.authorization import TheVisitor
 from app.api.files.file_response import send_file
 from app.api.problems import NotFoundError
+from app.api.sessions.routes import session_router, view_response
 from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
-from app.guide.common.audit_labels import audit_label
-from app.guide.verify.commands import command
+from app.guide.verify.commands import COMMANDS
 from app.guide.verify.view import VerifyView
 from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
 from app.store.verifications import VerificationRecord
-from app.wire.encoding import encode_json
-from app.wire.schema import FlowCommand, NewTemperature, StudyState, VerificationSummary
+from app.wire.schema import NewTemperature, StudyState, VerificationSummary
 from app.workflows.measure_gauge import MAP
 from app.workflows.verification_study import AcceptedCalibration, StudyFile, study_verification
 
@@ -27,32 +26,15 @@ CloudNumber = Annotated[int, Path(ge=1, le=999)]
 STUDY_TITLE = message("rebuilding-clouds-every-calibration")
 
 
-def _answer(view: VerifyView) -> Response:
-    return Response(encode_json(view), media_type="application/json")
-
-
-@router.get("/verify", response_model=VerifyView)
-def verify(context: TheContext) -> Response:
-    """The current view of the verification."""
-    return _answer(context.verify_guide.view())
+router.include_router(
+    session_router("/verify", VerifyView, lambda context: context.verify_guide, COMMANDS)
+)
 
 
 @router.post("/verify/start", response_model=VerifyView)
 def start(context: TheContext) -> Response:
-    """Starts a verification, or resumes the open one."""
-    return _answer(context.verify_guide.start())
-
-
-@router.post("/verify/command", response_model=VerifyView)
-def run_command(
-    asked: FlowCommand, request: Request, context: TheContext, visitor: TheVisitor
-) -> Response:
-    """Performs one of the view's actions; once per key, and only for the current view."""
-    request.state.detail = audit_label(asked.name)
-    guide, temperatures = context.verify_guide, context.store.temperatures
-    return _answer(
-        command(guide, asked.name, asked.args, asked.rev, asked.key, visitor.name, temperatures)
-    )
+    """Begins a verification, or resumes the open one."""
+    return view_response(context.verify_guide.start())
 
 
 @router.post("/temperature")

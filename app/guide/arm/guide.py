@@ -22,8 +22,8 @@ from app.guide.common.datasheet_library import (
     read_gauges,
     read_library,
 )
-from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
-from app.guide.common.provenance import NO_PROVENANCE, Provenance
+from app.guide.common.flow import Flow
+from app.guide.common.guided_session import NO_PROVENANCE, GuidedSession, Provenance, new_session_id
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
@@ -31,7 +31,7 @@ from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 
-FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS)
+FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS, (POINTS,))
 
 
 @dataclass(frozen=True)
@@ -56,9 +56,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
-        super().__init__(station, journal, FLOW)
-        self.provenance = signing
-        self.data_folder = data_folder
+        super().__init__(station, journal, FLOW, data_folder, signing)
         self.history = ArmHistory(journal)
         self._left_mm: float | None = None
         self._sampled_ns = 0
@@ -123,19 +121,15 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def begin(self, purpose: Purpose, key: str | None) -> None:
         """A new session with the last one's limit, and the connected arm's datasheet."""
-        session_id = new_session_id()
         payload = {
             "purpose": purpose,
             "arm": self._best_guess(),
             "limit_um": self._last_limit_um(purpose),
         }
         sphere = self._last_sphere() if purpose == "tip" else None
-        with self.beginning():
-            self.state = ArmState(session_id=session_id)
-            self._journal.begin_session(session_id, KIND)
-            self.append("started", payload, key)
-            if sphere is not None:
-                self.append("artefact_chosen", asdict(sphere))
+        self.begin_session(ArmState(session_id=new_session_id()), payload, key)
+        if sphere is not None:
+            self.append("artefact_chosen", asdict(sphere))
 
     def _last_limit_um(self, purpose: Purpose) -> float | None:
         """The one set last for the same; an open session's may be not in its history yet."""
@@ -172,19 +166,9 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     # -- changes -------------------------------------------------------------
 
-    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
-        """Writes a row, and brings the state in line with it."""
-        with self.lock:
-            session_id = self.state.session_id
-            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
-            if kind != POINTS:
-                self._trouble = None
-            if kind == "ended":
-                self._journal.end_session(self.state.session_id)
-
-    @property
-    def rev(self) -> int:
-        return self.state.rev
+    def after_change(self) -> None:
+        """A command's rows are published once it is done, and points with the next refresh."""
+        self.changed.notify_all()
 
     # -- seats ---------------------------------------------------------------
 

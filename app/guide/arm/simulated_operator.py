@@ -1,13 +1,13 @@
 """The simulated operator in an arm session: seats, bars and spheres, one after another."""
 
 import time
-from collections.abc import Callable
 
 from app.guide.arm.evaluate import finish_seat
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.rules import SEATS_WANTED, touches_wanted
 from app.guide.arm.state import Kind, Purpose
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.simulation import act_as_operator
 from app.messages.message import message
 from app.station.jobs import Progress
 
@@ -17,30 +17,22 @@ POSTURES: dict[Purpose, int] = {"check": 1, "tip": 1, "identify": 2}
 """How often the operator puts the tip into a seat, each time with the elbow elsewhere."""
 
 
-def simulation_job(guide: ArmGuide, operator: SimulatedOperator) -> Callable[[Progress], None]:
+def simulate(guide: ArmGuide, operator: SimulatedOperator, whole: bool, progress: Progress) -> None:
     """Takes the one seat of a check; of an identification all that are still wanted of the
     chosen artefact, of a sphere one."""
-
-    def work(progress: Progress) -> None:
-        try:
-            if guide.state.swinging:
-                with guide.lock:
-                    guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
-            if guide.state.purpose != "check" and guide.state.artefact.kind == "sphere":
-                _take_sphere(guide, operator, progress)
-                return
-            wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
-            wanted = max(wanted, len(guide.state.seats) + 1)
-            while guide.simulation_running:
-                done = len(guide.state.seats)
-                if done >= wanted and not guide.state.half_bar:
-                    return
-                if not _take_seat(guide, operator, min(done / wanted, 1.0), progress):
-                    return
-        finally:
-            guide.simulation_running = False
-
-    return work
+    if guide.state.swinging:
+        guide.append("seat_dropped", {"name": guide.state.seats[-1].name})
+    if guide.state.purpose != "check" and guide.state.artefact.kind == "sphere":
+        _take_sphere(guide, operator, progress)
+        return
+    wanted = SEATS_WANTED if guide.state.purpose == "identify" else 1
+    wanted = max(wanted, len(guide.state.seats) + 1)
+    while guide.simulation_running:
+        done = len(guide.state.seats)
+        if done >= wanted and not guide.state.half_bar:
+            return
+        if not _take_seat(guide, operator, min(done / wanted, 1.0), progress):
+            return
 
 
 def _count_artefacts(guide: ArmGuide, kind: Kind) -> int:
@@ -95,16 +87,9 @@ def _take_sphere(guide: ArmGuide, operator: SimulatedOperator, progress: Progres
 
 
 def _begin(guide: ArmGuide) -> bool:
-    with guide.lock:
-        if not guide.simulation_running:
-            return False
-        guide.check_allowed("begin", {}, None, by_simulation=True)
-        guide.begin_seat(None)
-        return True
+    return act_as_operator(guide, "begin", lambda: guide.begin_seat(None))
 
 
 def _finish(guide: ArmGuide) -> None:
-    with guide.lock:
-        guide.refresh()
-        guide.check_allowed("finish", {}, None, by_simulation=True)
-        finish_seat(guide, None)
+    guide.refresh()
+    act_as_operator(guide, "finish", lambda: finish_seat(guide, None))

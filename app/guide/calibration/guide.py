@@ -18,10 +18,16 @@ from app.guide.calibration.poses.detection import DetectionCache
 from app.guide.calibration.rules import ARGUMENTS, RULES
 from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
 from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import ENDS, FIELDS, KINDS, CalibrationState, apply_row
-from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
+from app.guide.calibration.state import FIELDS, CalibrationState, apply_row
+from app.guide.common.flow import Flow
+from app.guide.common.guided_session import (
+    NO_PROVENANCE,
+    GuidedSession,
+    Provenance,
+    StaleViewError,
+    new_session_id,
+)
 from app.guide.common.journal import Calibrations, Journal
-from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.result_view import CalibrationResult
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import FlowView
@@ -40,14 +46,6 @@ from app.workflows.calibrate import AnyDetection
 
 KIND = "calibration"
 FLOW = Flow(KIND, "flow", CalibrationState(), apply_row, build_view, RULES, ARGUMENTS)
-
-
-class StaleCommandError(Exception):
-    """A command was given on a view that is no longer the present one."""
-
-    def __init__(self, view: FlowView) -> None:
-        self.view = view
-        super().__init__("the calibration went on meanwhile")
 
 
 @dataclass(frozen=True)
@@ -80,15 +78,14 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         limits: Limits = LIMITS,
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
-        super().__init__(station, journal, FLOW)
-        self.provenance = signing
+        super().__init__(station, journal, FLOW, data_folder, signing)
         self.limits = limits
         """What a calibration's verdict goes by."""
         self.detections = DetectionCache()
         self.calibrations = calibrations
         self.tip: Callable[[], Finding | None] = lambda: None
         """What the last check of the tip says."""
-        self._data_folder = data_folder
+        self._sessions = data_folder / "sessions"
         self._on_closed = on_closed
         self._datasheets: SessionDatasheets | None = None
         self._outcome: tuple[Mapping[str, object] | None, CalibrationOutcome | None] = (None, None)
@@ -99,7 +96,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
     @property
     def datasheets(self) -> SessionDatasheets:
         """What the present session chooses from, and chose."""
-        path = self._data_folder / "sessions" / (self.state.session_id or "none")
+        path = self._sessions / (self.state.session_id or "none")
         if self._datasheets is None or self._datasheets.folder.path != path:
             self._datasheets = SessionDatasheets(SessionFolder(path), self.limits)
         return self._datasheets
@@ -221,25 +218,12 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         if step == "devices":
             choices = best_guess(library, self.state, self._arm_info(), self._sensor_info())
         session_id = new_session_id()
-        with self.beginning():
-            self.state = CalibrationState(session_id=session_id, choices=choices)
-            if step == "touch":
-                self.folder.keep_datasheets(library, self.state)
-            self._journal.begin_session(session_id, KIND)
-            self.append("started", {"choices": choices, "step": step}, key)
+        if step == "touch":
+            SessionFolder(self._sessions / session_id).keep_datasheets(library, choices)
+        state = CalibrationState(session_id=session_id, choices=choices)
+        self.begin_session(state, {"choices": choices, "step": step}, key)
 
     # -- changes -------------------------------------------------------------
-
-    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
-        """Writes a row, and brings state, folder and station in line with it."""
-        assert kind in KINDS, kind
-        with self.lock:
-            session_id = self.state.session_id
-            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
-            self._trouble = None
-            if kind in ENDS:
-                self._journal.end_session(self.state.session_id)
-            self._after_change()
 
     def accept(self, result: CalibrationResult, key: str | None) -> None:
         """Makes the session's calibration the one in use."""
@@ -260,12 +244,11 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
                 lambda check: self.calibrations.accept(session_id, name, file, figures, key, check)
             )
             self.station.bus.event("accepted", message("use-2", name=name), "good")
-            self._after_change()
+            self.after_change()
 
-    def _after_change(self) -> None:
+    def after_change(self) -> None:
         self.sync_station()
-        self.changed.notify_all()
-        self.refresh()
+        super().after_change()
         if self.state.ended in ("accepted", "abandoned"):
             self._on_closed()
 
@@ -300,5 +283,5 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
     def rev(self) -> int:
         return self._journal.last_number()
 
-    def stale(self) -> Exception:
-        return StaleCommandError(self.view())
+    def stale(self) -> StaleViewError:
+        return StaleViewError(self.view())

@@ -1,6 +1,6 @@
 """The folder of a guided session (docs/formats.md), which can be rebuilt from its files alone."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -29,10 +29,10 @@ from app.formats.session.calibration_session import (
     write_images,
 )
 from app.guide.calibration.live import SelectedDatasheets
-from app.guide.calibration.state import CalibrationState, Contact
+from app.guide.calibration.state import Contact
 from app.guide.calibration.state import PoseCapture as Captured
 from app.guide.common.datasheet_library import DatasheetLibrary
-from app.guide.common.provenance import Provenance
+from app.guide.common.guided_session import Provenance
 from app.guide.common.result_view import CalibrationResult
 from app.station.devices.capture import Capture
 
@@ -46,14 +46,14 @@ class SessionFolder:
         self.path = path
         self.calibration = path / CALIBRATION
 
-    def keep_datasheets(self, library: DatasheetLibrary, state: CalibrationState) -> None:
+    def keep_datasheets(self, library: DatasheetLibrary, choices: Mapping[str, str]) -> None:
         """Copies the chosen arm, object and sensor, which the session uses from now on."""
         with convert_io_errors(self.path):
             ensure_folder(self.path / PICTURES)
             sources = (
-                (library.arms[state.choices["arm"]].path, ARM),
-                (library.objects[state.choices["object"]].path, OBJECT),
-                (library.sensors[state.choices["sensor"]].path, SENSOR),
+                (library.arms[choices["arm"]].path, ARM),
+                (library.objects[choices["object"]].path, OBJECT),
+                (library.sensors[choices["sensor"]].path, SENSOR),
             )
             for source, name in sources:
                 write_atomically(self.path / name, read_bounded(source))

@@ -10,43 +10,34 @@ from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.tasks import confirm
 from app.guide.calibration.touch.report import face_in_use, face_progress, where_on_object
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.simulation import (
+    ATTEMPTS,
+    TIMEOUT_S,
+    StepWork,
+    act_as_operator,
+    touch_until_taken,
+    work_on_steps,
+)
 from app.messages.message import message
 from app.station.jobs import Progress
 
-TIMEOUT_S = 4.0
 SENSOR_TIMEOUT_S = 10.0
-ATTEMPTS = 3
 POSES, BOARD_POSES = 5, 9
 
 
-def simulation_job(
-    guide: CalibrationGuide, operator: SimulatedOperator, whole: bool
-) -> Callable[[Progress], None]:
-    """The job that does the present step, or goes on up to the review."""
-
-    def work(progress: Progress) -> None:
-        try:
-            # the sensor may have been elsewhere since: a simulated arm begins at its rest
-            if guide.state.step == "capture" and not _hold(guide, operator, progress):
-                return
-            while guide.simulation_running:
-                step = guide.state.step
-                STEP_JOBS[step](guide, operator, progress)
-                if not whole or guide.state.step in (step, "review"):
-                    break
-        finally:
-            guide.simulation_running = False
-
-    return work
+def simulate(
+    guide: CalibrationGuide, operator: SimulatedOperator, whole: bool, progress: Progress
+) -> None:
+    """Does the present step, or goes on up to the review."""
+    # the sensor may have been elsewhere since: a simulated arm begins at its rest
+    if guide.state.step != "capture" or _hold(guide, operator, progress):
+        work_on_steps(STEPS, guide, operator, whole, progress)
 
 
 def _confirm(guide: CalibrationGuide, name: str) -> None:
-    """Goes on as a person would, by the same rules; not once the job was stopped."""
+    """Goes on once that is possible."""
     _await(guide, lambda: _possible(guide, name), TIMEOUT_S)
-    with guide.lock:
-        if guide.simulation_running:
-            guide.check_allowed(name, {}, None, by_simulation=True)
-            confirm(guide, name, None)
+    act_as_operator(guide, name, lambda: confirm(guide, name, None))
 
 
 def _possible(guide: CalibrationGuide, name: str) -> bool:
@@ -83,37 +74,24 @@ def _touch(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progr
 
 
 def _touch_one(guide: CalibrationGuide, operator: SimulatedOperator, face: str, index: int) -> bool:
-    """One place, again where a point was declined; False when it was stopped."""
-    for attempt in range(ATTEMPTS):
+    def touch(attempt: int) -> bool:
         with guide.lock:
             item = guide.datasheets.selection(guide.state).object
             if item is not None and face_in_use(guide.state.face, item) != face:
                 guide.append("face_selected", {"face": face})
-            before = len(guide.state.contacts)
-            declined = guide.declined
-        if not operator.touch(face, index + 100 * attempt):
-            return False
-        if _await_point(guide, before, declined):
-            return True
-    raise OperationError(
-        "simulation-declined",
+        return operator.touch(face, index + 100 * attempt)
+
+    return touch_until_taken(
+        guide,
+        touch,
+        lambda: len(guide.state.contacts),
         message(
             "hands-point-face-declined-times",
             index=index + 1,
             where=where_on_object(face),
             attempts=ATTEMPTS,
         ),
-        remedy=message("look-last-message-let-simulation-try"),
     )
-
-
-def _await_point(guide: CalibrationGuide, before: int, declined: int) -> bool:
-    """Whether the press became a point; the arm's bytes and the journal take their time."""
-    with guide.changed:
-        guide.changed.wait_for(
-            lambda: len(guide.state.contacts) > before or guide.declined > declined, TIMEOUT_S
-        )
-        return len(guide.state.contacts) > before
 
 
 def _hold(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> bool:
@@ -180,7 +158,7 @@ def _await(guide: CalibrationGuide, ready: Callable[[], bool], timeout_s: float)
             guide.changed.wait(0.1)
 
 
-STEP_JOBS: dict[str, Callable[[CalibrationGuide, SimulatedOperator, Progress], None]] = {
+STEPS: dict[str, StepWork[CalibrationGuide]] = {
     "devices": _devices,
     "setup": _setup,
     "touch": _touch,

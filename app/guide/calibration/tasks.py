@@ -26,7 +26,7 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
     """Confirms a step; from the set-up on, the session uses its own datasheet copies."""
     with guide.lock:
         if name == "confirm_setup":
-            guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state)
+            guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state.choices)
         guide.append(CONFIRMATIONS[name], {}, key)
         guide.station.bus.event("step_done", message("next", title=HEADINGS[guide.state.step]))
 

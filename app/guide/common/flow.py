@@ -1,12 +1,18 @@
-"""What the views of all guided sessions consist of. Pure."""
+"""What a kind of guided session consists of, and what all views have. Pure."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Generic, TypeVar
 
 from app.findings import Finding, Quality
+from app.guide.common.arguments import ArgumentTable
+from app.guide.common.journal import JournalEntry
+from app.guide.common.rules import CommandRules, Live, State
 from app.guide.common.view import Step, StepState
 from app.messages.message import Text, join, message
 from app.station.devices.link_state import DeviceState
 
+View = TypeVar("View")
 DECISION_QUALITY: dict[str, Quality] = {
     "pass": "good",
     "fail": "bad",
@@ -14,6 +20,27 @@ DECISION_QUALITY: dict[str, Quality] = {
     "none": "neutral",
 }
 """Of a figure against its limit."""
+
+
+@dataclass(frozen=True)
+class Flow(Generic[State, Live, View]):
+    """What is known of a kind of session without a station: pure functions of its state."""
+
+    kind: str
+    """Of the sessions in the journal."""
+    topic: str
+    """Under which the view is published."""
+    empty: State
+    """Before the first row."""
+    after: Callable[[State, JournalEntry], State]
+    """What a row makes of a state."""
+    view_of: Callable[[State, Live], View]
+    rules: CommandRules[State, Live]
+    """When the commands are possible."""
+    arguments: ArgumentTable
+    """What the commands take."""
+    automatic: tuple[str, ...] = ()
+    """Rows that come by themselves: what was declined before them stays shown."""
 
 
 def list_steps(

@@ -4,22 +4,26 @@ import logging
 import secrets
 import threading
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from typing import Generic, Protocol, TypeVar
+from pathlib import Path
+from typing import Generic, Protocol
 
 from app.errors import OperationError, sentence
 from app.findings import Finding
-from app.guide.common.arguments import Args, ArgumentTable, check_arguments
+from app.guide.common.arguments import Args, check_arguments
+from app.guide.common.flow import Flow, View
 from app.guide.common.journal import Check, Journal, JournalEntry, fold
-from app.guide.common.rules import CommandRules, Live, State
+from app.guide.common.rules import Live, State
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import Busy
 from app.messages.message import Text, message
 from app.station.bus import Bus
-from app.station.jobs import Jobs
+from app.station.jobs import Job, Jobs, Progress
+
+log = logging.getLogger(__name__)
+STALE = "stale-view"
 
 
 class StationServices(Protocol):
@@ -33,28 +37,33 @@ class StationServices(Protocol):
     def simulated_operator(self) -> SimulatedOperator | None: ...
 
 
-log = logging.getLogger(__name__)
-STALE = "stale-view"
-View = TypeVar("View")
-
-
 @dataclass(frozen=True)
-class Flow(Generic[State, Live, View]):
-    """What is known of a kind of session without a station: pure functions of its state."""
+class Provenance:
+    """What a record says of where, by whom and how warm it was made."""
 
-    kind: str
-    """Of the sessions in the journal."""
-    topic: str
-    """Under which the view is published."""
-    empty: State
-    """Before the first row."""
-    after: Callable[[State, JournalEntry], State]
-    """What a row makes of a state."""
-    view_of: Callable[[State, Live], View]
-    rules: CommandRules[State, Live]
-    """When the commands are possible."""
-    arguments: ArgumentTable
-    """What the commands take."""
+    station: str = ""
+    simulated: bool = False
+    operator: Callable[[], str] = str
+    """Who has control or had it last; empty where nobody did."""
+    temperature_c: Callable[[], float | None] = lambda: None
+    """The room's; None where it is not measured."""
+    celsius_near: Callable[[str], float | None] = lambda at: None
+    """The same at another time."""
+
+
+NO_PROVENANCE = Provenance()
+
+
+class StaleViewError(OperationError):
+    """A command was given on a view that is no longer the present one.
+
+    ``view`` is the present one, for a client that shows it at once.
+    """
+
+    def __init__(self, view: object | None) -> None:
+        what = message("session-went-meanwhile-nothing-done")
+        super().__init__(STALE, what, remedy=message("look-present-step-act-2"))
+        self.view = view
 
 
 def new_session_id() -> str:
@@ -68,7 +77,12 @@ class GuidedSession(ABC, Generic[State, Live, View]):
     station: StationServices
 
     def __init__(
-        self, station: StationServices, journal: Journal, flow: Flow[State, Live, View]
+        self,
+        station: StationServices,
+        journal: Journal,
+        flow: Flow[State, Live, View],
+        data_folder: Path,
+        provenance: Provenance,
     ) -> None:
         self.lock = threading.RLock()
         self.changed = threading.Condition(self.lock)
@@ -76,6 +90,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         self.declined = 0
         """Counts what was asked for and declined."""
         self.station = station
+        self.data_folder, self.provenance = data_folder, provenance
         self._journal, self._flow = journal, flow
         self._trouble: Finding | None = None
         self._published: View | None = None
@@ -119,7 +134,16 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             "session-cannot-read-set-aside", session_id=session_id, error=error
         )
 
-    def keep(self, write: Callable[[Check], object]) -> None:
+    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
+        """Writes a row, and brings the state in line with it."""
+        with self.lock:
+            session_id = self.state.session_id
+            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
+            if self.state.ended:
+                self._journal.end_session(session_id)
+            self.after_change()
+
+    def keep(self, write: Callable[[Check], JournalEntry]) -> None:
         """Has a row written, which is folded before it is committed; the state follows.
 
         Raises:
@@ -139,8 +163,26 @@ class GuidedSession(ABC, Generic[State, Live, View]):
                     message("send-support-bundle"),
                 ) from error
 
-        write(check)
+        row = write(check)
         self.state = states[-1]
+        if row.kind not in self._flow.automatic:
+            self._trouble = None
+
+    def after_change(self) -> None:
+        """Whoever waits for a row goes on, and the view is published."""
+        self.changed.notify_all()
+        self.refresh()
+
+    def begin_session(self, state: State, payload: Mapping[str, object], key: str | None) -> None:
+        """Begins a session in a state; where it cannot be written, as on a full disk, the one
+        before stays."""
+        before, self.state = self.state, state
+        try:
+            self._journal.begin_session(state.session_id, self._flow.kind)
+            self.append("started", payload, key)
+        except BaseException:
+            self.state = before
+            raise
 
     @property
     def running(self) -> bool:
@@ -163,9 +205,9 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             return self._flow.view_of(self.state, self.live())
 
     @property
-    @abstractmethod
     def rev(self) -> int:
         """What the view's revision is now."""
+        return self.state.rev
 
     def why_not(self, name: str, args: Mapping[str, object], by_simulation: bool) -> Text:
         """Why a command cannot be done now; ``by_simulation``: its own running job is no reason."""
@@ -192,23 +234,9 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             raise OperationError("not-now", reason)
         return typed
 
-    def stale(self) -> Exception:
+    def stale(self) -> StaleViewError:
         """What is raised where a command was given on an old view."""
-        return OperationError(
-            STALE,
-            message("session-went-meanwhile-nothing-done"),
-            remedy=message("look-present-step-act-2"),
-        )
-
-    @contextmanager
-    def beginning(self) -> Iterator[None]:
-        """A session that cannot be written, as on a full disk, is not begun."""
-        before = self.state
-        try:
-            yield
-        except BaseException:
-            self.state = before
-            raise
+        return StaleViewError(None)
 
     def refresh(self) -> View:
         """Publishes the view if it changed, and returns it."""
@@ -231,3 +259,39 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             self.station.bus.event("refused", refusal.text, "attention")
             self.changed.notify_all()
             self.refresh()
+
+    def start_job(self, title: Text, work: Callable[[Progress], None]) -> None:
+        """Starts work in the background; why it failed is shown in the session.
+
+        Raises:
+            OperationError: ``busy`` while another job runs.
+        """
+
+        def done(job: Job[None]) -> None:
+            if job.refusal is not None:
+                self.decline(job.refusal)
+            self.refresh()
+
+        self.station.jobs.start(title, work, done)
+
+    def start_simulation(self, work: Callable[[Progress], None]) -> None:
+        """Lets the simulated operator work; raises ``OperationError`` while another job runs."""
+
+        def run(progress: Progress) -> None:
+            try:
+                work(progress)
+            finally:
+                self.simulation_running = False
+
+        self.simulation_running = True
+        try:
+            self.start_job(message("simulation-work"), run)
+        except OperationError:
+            self.simulation_running = False
+            raise
+
+    def stop_simulation(self) -> None:
+        """Ends the simulated operator's work in this session early; idempotent."""
+        if self.simulation_running and self.station.simulated_operator is not None:
+            self.simulation_running = False
+            self.station.simulated_operator.cancel()

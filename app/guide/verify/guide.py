@@ -1,6 +1,6 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -18,14 +18,14 @@ from app.formats.results.verification import CONTACTS, GAUGE
 from app.formats.session.calibration_session import ARM, ContactReadings, write_contacts
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
-from app.guide.common.guided_session import Flow, GuidedSession, new_session_id
+from app.guide.common.flow import Flow
+from app.guide.common.guided_session import NO_PROVENANCE, GuidedSession, Provenance, new_session_id
 from app.guide.common.journal import Check, Journal, JournalEntry
-from app.guide.common.provenance import NO_PROVENANCE, Provenance
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import ARGUMENTS, RULES
-from app.guide.verify.state import ENDS, VerificationCloud, VerifyState, apply_row
+from app.guide.verify.state import VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm, tip_centres
@@ -108,10 +108,9 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         limits: VerificationLimits = DEFAULT_LIMITS,
         signing: Provenance = NO_PROVENANCE,
     ) -> None:
-        super().__init__(station, journal, FLOW)
-        self.provenance = signing
+        super().__init__(station, journal, FLOW, data_folder, signing)
         self.calibrations, self.verifications = calibrations, verifications
-        self._data_folder, self._limits = data_folder, limits
+        self._limits = limits
         self._gauges = FolderContent(read_gauges, data_folder)
         self._session_copies: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
         self._judged: tuple[
@@ -126,7 +125,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
     @property
     def folder(self) -> Path:
         """The present session's folder."""
-        return self._data_folder / "verifications" / self.state.session_id
+        return self.data_folder / "verifications" / self.state.session_id
 
     # -- what is shown -------------------------------------------------------
 
@@ -244,13 +243,10 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
                 message("no-calibration-use-yet"),
                 message("calibrate-first"),
             )
-        session_id = new_session_id()
         known = self.gauges().known
         gauge = self.state.gauge if self.state.gauge in known else next(iter(known), "")
-        with self.beginning():
-            self.state = VerifyState(session_id=session_id)
-            self._journal.begin_session(session_id, KIND)
-            self.append("started", {"calibration_id": active.id, "gauge": gauge}, key)
+        payload = {"calibration_id": active.id, "gauge": gauge}
+        self.begin_session(VerifyState(session_id=new_session_id()), payload, key)
 
     def keep_datasheets(self) -> None:
         """Copies gauge, arm and calibration, which the session uses from now on."""
@@ -266,25 +262,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
                 write_atomically(self.folder / name, read_bounded(source))
         self._session_copies = ("", None, None)
 
-    # -- changes -------------------------------------------------------------
-
-    def append(self, kind: str, payload: Mapping[str, object], key: str | None = None) -> None:
-        """Writes a row, and brings the state in line with it."""
-        with self.lock:
-            session_id = self.state.session_id
-            self.keep(lambda check: self._journal.append(session_id, kind, payload, key, check))
-            if kind in ENDS:
-                self._journal.end_session(self.state.session_id)
-            self.refresh()
-
-    def keep(self, write: Callable[[Check], object]) -> None:
-        super().keep(write)
-        self._trouble = None
-        self.changed.notify_all()
-
-    @property
-    def rev(self) -> int:
-        return self.state.rev
+    # -- touches -------------------------------------------------------------
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
         """Takes the place that the tip touches, or touched at ``until_ns``.

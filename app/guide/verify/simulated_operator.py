@@ -1,10 +1,16 @@
 """The simulated operator in a verification: touches the gauge, and passes over it."""
 
 import time
-from collections.abc import Callable
 
-from app.errors import OperationError
 from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.simulation import (
+    ATTEMPTS,
+    TIMEOUT_S,
+    StepWork,
+    act_as_operator,
+    touch_until_taken,
+    work_on_steps,
+)
 from app.guide.verify import tasks
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.rules import CLOUDS_WANTED, touches_wanted
@@ -13,41 +19,18 @@ from app.station.jobs import Progress
 
 GAUGES = {"plane": "plate", "sphere": "sphere"}
 """What the simulated operator calls the gauge of a shape on its table."""
-TIMEOUT_S = 4.0
-ATTEMPTS = 3
 PAUSE_S = 0.1
 
 
-def simulation_job(
-    guide: VerifyGuide, operator: SimulatedOperator, whole: bool
-) -> Callable[[Progress], None]:
-    """The job that does the present step, or goes on up to the result."""
-
-    def work(progress: Progress) -> None:
-        try:
-            while guide.simulation_running and guide.state.step in STEP_JOBS:
-                step = guide.state.step
-                STEP_JOBS[step](guide, operator, progress)
-                if not whole or guide.state.step == step:
-                    break
-        finally:
-            guide.simulation_running = False
-
-    return work
+def simulate(
+    guide: VerifyGuide, operator: SimulatedOperator, whole: bool, progress: Progress
+) -> None:
+    """Does the present step, or goes on up to the result."""
+    work_on_steps(STEPS, guide, operator, whole, progress)
 
 
-def _confirm(guide: VerifyGuide, name: str, kind: str) -> None:
-    """Goes on as a person would, by the same rules; not once the job was stopped."""
-    with guide.lock:
-        if guide.simulation_running:
-            guide.check_allowed(name, {}, None, by_simulation=True)
-            guide.append(kind, {})
-
-
-def _gauge(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    with guide.lock:
-        guide.check_allowed("confirm_gauge", {}, None, by_simulation=True)
-        tasks.confirm_gauge(guide, None)
+def _confirm_gauge(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
+    act_as_operator(guide, "confirm_gauge", lambda: tasks.confirm_gauge(guide, None))
 
 
 def _name(guide: VerifyGuide) -> str:
@@ -62,27 +45,15 @@ def _touch(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) 
         progress(message("simulation-touches-2", name=word(name)), index / of)
         if not guide.simulation_running or not _touch_one(guide, operator, name, index):
             return
-    _confirm(guide, "confirm_touch", "touch_confirmed")
+    act_as_operator(guide, "confirm_touch", lambda: guide.append("touch_confirmed", {}))
 
 
 def _touch_one(guide: VerifyGuide, operator: SimulatedOperator, name: str, index: int) -> bool:
-    """One place, again where it was declined; False when it was stopped."""
-    for attempt in range(ATTEMPTS):
-        with guide.lock:
-            before, declined = len(guide.state.touches), guide.declined
-        if not operator.touch_gauge(name, index + 50 * attempt):
-            return False
-        with guide.changed:
-            guide.changed.wait_for(
-                lambda: len(guide.state.touches) > before or guide.declined > declined,  # noqa: B023
-                TIMEOUT_S,
-            )
-            if len(guide.state.touches) > before:
-                return True
-    raise OperationError(
-        "simulation-declined",
+    return touch_until_taken(
+        guide,
+        lambda attempt: operator.touch_gauge(name, index + 50 * attempt),
+        lambda: len(guide.state.touches),
         message("hands-touch-declined-times", index=index + 1, attempts=ATTEMPTS),
-        remedy=message("look-last-message-let-simulation-try"),
     )
 
 
@@ -94,7 +65,7 @@ def _scan(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -
         progress(text, done / at_least_one)
         if not guide.simulation_running or not _scan_one(guide, operator, name, progress):
             return
-    _confirm(guide, "confirm_clouds", "clouds_confirmed")
+    act_as_operator(guide, "confirm_clouds", lambda: guide.append("clouds_confirmed", {}))
 
 
 def _scan_one(
@@ -102,11 +73,8 @@ def _scan_one(
 ) -> bool:
     """One cloud from its begin to its measure; False when it was stopped or is of no use."""
     _await_scanner(guide)
-    with guide.lock:
-        if not guide.simulation_running:
-            return False
-        guide.check_allowed("begin_cloud", {}, None, by_simulation=True)
-        tasks.begin_cloud(guide, None)
+    if not act_as_operator(guide, "begin_cloud", lambda: tasks.begin_cloud(guide, None)):
+        return False
     whole = operator.scan_part(name)
     with guide.lock:
         if guide.state.open_cloud is None:
@@ -126,8 +94,8 @@ def _await_scanner(guide: VerifyGuide) -> None:
         time.sleep(PAUSE_S)
 
 
-STEP_JOBS: dict[str, Callable[[VerifyGuide, SimulatedOperator, Progress], None]] = {
-    "gauge": _gauge,
+STEPS: dict[str, StepWork[VerifyGuide]] = {
+    "gauge": _confirm_gauge,
     "touch": _touch,
     "scan": _scan,
 }

@@ -170,4 +170,3 @@ CHANGES: dict[str, Callable[[VerifyState, Payload], VerifyState]] = {
     "accepted": lambda state, payload: replace(state, ended="accepted"),
     "abandoned": lambda state, payload: replace(state, ended="abandoned"),
 }
-ENDS = ("accepted", "abandoned")

@@ -3,7 +3,6 @@
 import shutil
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Protocol
 
 from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
@@ -37,12 +36,6 @@ from app.workflows.measure_gauge import MAP, GaugeFit, measure_recording
 from app.workflows.verification_metrics import CloudErrors
 
 RECORDING = "scan.mcap"
-
-
-class Temperatures(Protocol):
-    """What the temperature was at a time; None where it is not known."""
-
-    def celsius_near(self, at: str) -> float | None: ...
 
 
 def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
@@ -114,14 +107,14 @@ def measure(
     guide.station.scene.close_scan(scan_id)
 
 
-def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: str | None) -> None:
+def accept(guide: VerifyGuide, key: str | None) -> None:
     """Writes the record and keeps the verification.
 
     Raises:
         OperationError: a file cannot be read or written; nothing is kept then.
     """
     live, state = guide.live(), guide.state
-    document = build_record(guide, live, operator, temperatures)
+    document = build_record(guide, live)
     write_verification(guide.folder, document)
     figures = {
         "result": document.verdict.result,
@@ -130,7 +123,7 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
         "gauge": document.gauge.name,
         "clouds": len(document.clouds),
         "touched": document.placing is not None,
-        "operator": operator,
+        "operator": document.operator,
     }
     guide.keep(
         lambda check: guide.verifications.accept(
@@ -141,10 +134,9 @@ def accept(guide: VerifyGuide, operator: str, temperatures: Temperatures, key: s
     guide.station.bus.event("accepted", message("verified", text=document.verdict.text), quality)
 
 
-def build_record(
-    guide: VerifyGuide, live: VerifyLive, operator: str, temperatures: Temperatures
-) -> VerificationFile:
+def build_record(guide: VerifyGuide, live: VerifyLive) -> VerificationFile:
     """The record as of now."""
+    provenance = guide.provenance
     state, gauge, verdict = guide.state, live.gauge, live.judged.verdict
     active = guide.calibrations.active()
     assert gauge is not None
@@ -157,9 +149,9 @@ def build_record(
     )
     return VerificationFile(
         id=state.session_id,
-        station=guide.provenance.station,
-        simulated=guide.provenance.simulated,
-        operator=operator,
+        station=provenance.station,
+        simulated=provenance.simulated,
+        operator=provenance.operator(),
         started_at=state.started_at,
         accepted_at=accepted_at,
         gauge=GaugePart(
@@ -187,8 +179,8 @@ def build_record(
         verdict=verdict,
         notes=_notes(state),
         temperature=TemperaturePart(
-            start_c=temperatures.celsius_near(state.started_at),
-            end_c=temperatures.celsius_near(accepted_at),
+            start_c=provenance.celsius_near(state.started_at),
+            end_c=provenance.celsius_near(accepted_at),
         ),
         inputs=_inputs(guide.folder, state),
         software=SOFTWARE,

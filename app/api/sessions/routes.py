@@ -1,0 +1,43 @@
+"""The routes that every guided session has."""
+
+from collections.abc import Callable
+from typing import Any
+
+from fastapi import APIRouter, Request
+from starlette.responses import Response
+
+from app.guide.common.audit_labels import audit_label
+from app.guide.common.commands import Commands
+from app.guide.common.guided_session import GuidedSession
+from app.operations.context import Context, TheContext
+from app.wire.encoding import encode_json
+from app.wire.schema import FlowCommand
+
+
+def view_response(view: object) -> Response:
+    """A session's view."""
+    return Response(encode_json(view), media_type="application/json")
+
+
+def session_router(
+    path: str,
+    view: type,
+    guide_of: Callable[[Context], GuidedSession[Any, Any, Any]],
+    commands: Commands[Any],
+) -> APIRouter:
+    """Routes for the present view, and for its commands."""
+    router = APIRouter(prefix=path)
+
+    @router.get("", response_model=view)
+    def present_view(context: TheContext) -> Response:
+        """The present view."""
+        return view_response(guide_of(context).view())
+
+    @router.post("/command", response_model=view)
+    def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
+        """One of the view's actions; once for each key, and only on the present view."""
+        request.state.detail = audit_label(asked.name)
+        guide = guide_of(context)
+        return view_response(commands.run(guide, asked.name, asked.args, asked.rev, asked.key))
+
+    return router
