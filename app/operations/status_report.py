@@ -4,10 +4,8 @@ import time
 
 from app.errors import sentence
 from app.findings import Quality
-from app.guide.arm.view import ArmView
 from app.guide.common.validity import Validity
-from app.guide.common.view import FlowView
-from app.guide.verify.view import VerifyView
+from app.guide.common.view import SessionView
 from app.messages.message import Text, join, message
 from app.operations.context import Context
 from app.station.devices.link_state import DeviceState
@@ -94,7 +92,7 @@ def _activity(context: Context) -> ActivityReport:
         ("arm", "checking_arm"),
     ):
         view = context.bus.latest(topic)
-        if isinstance(view, (FlowView, VerifyView, ArmView)) and view.running:
+        if isinstance(view, SessionView) and view.running:
             step = next((i for i, one in enumerate(view.steps, 1) if one.id == view.step), 0)
             progress = view.progress.text if view.progress else ""
             if view.busy is not None:

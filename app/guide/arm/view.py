@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.findings import Finding, Quality
+from app.findings import Quality
 from app.formats.results.verification import Decision
 from app.guide.arm.state import Artefact, Purpose
-from app.guide.common.view import Action, Busy, ChoiceOption, LiveNumber, Step, StepProgress, Vec3
+from app.guide.common.view import ChoiceOption, SessionView, Vec3
 from app.guide.verify.view import TouchLine
 from app.messages.message import Text
 
@@ -121,27 +121,15 @@ class ArmPicture:
 
 
 @dataclass(frozen=True)
-class ArmView:
-    """The complete state of the arm session."""
+class ArmView(SessionView):
+    """The whole state of the arm session."""
 
-    session_id: str
-    rev: int
-    running: bool
     purpose: Purpose
     arms: Sequence[ChoiceOption]
     arm: str
     artefact: Artefact
     """What the tip is put to next, in an identification."""
-    steps: Sequence[Step]
-    step: str
-    title: Text
-    instruction: Text
     picture: ArmPicture
-    number: LiveNumber | None
-    progress: StepProgress | None
-    findings: Sequence[Finding]
-    actions: Sequence[Action]
-    busy: Busy | None
 
 
 @dataclass(frozen=True)

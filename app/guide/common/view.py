@@ -1,4 +1,4 @@
-"""What the browser is shown of a guided flow."""
+"""What the browser is shown of a guided session."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -222,8 +222,8 @@ class Busy:
 
 
 @dataclass(frozen=True)
-class FlowView:
-    """The complete state of the guided calibration."""
+class SessionView:
+    """What every guided session shows, beside its picture."""
 
     session_id: str
     rev: int
@@ -232,9 +232,15 @@ class FlowView:
     step: str
     title: Text
     instruction: Text
-    picture: Picture
     number: LiveNumber | None
     progress: StepProgress | None
     findings: Sequence[Finding]
     actions: Sequence[Action]
     busy: Busy | None
+
+
+@dataclass(frozen=True)
+class FlowView(SessionView):
+    """The whole state of the guided calibration."""
+
+    picture: Picture

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from app.findings import Finding
 from app.formats.datasheets.gauge import Shape
 from app.formats.results.verification import Decision, Result
-from app.guide.common.view import Action, Busy, LiveNumber, Step, StepProgress
+from app.guide.common.view import SessionView
 from app.messages.message import Text
 
 CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
@@ -92,24 +91,12 @@ class VerifyPicture:
 
 
 @dataclass(frozen=True)
-class VerifyView:
-    """The complete state of the verification."""
+class VerifyView(SessionView):
+    """The whole state of the verification."""
 
-    session_id: str
-    rev: int
-    running: bool
     calibration_id: str
     calibration: str
     """Name of the calibration that is verified."""
     gauges: Sequence[GaugeOption]
     gauge: str
-    steps: Sequence[Step]
-    step: str
-    title: Text
-    instruction: Text
     picture: VerifyPicture
-    number: LiveNumber | None
-    progress: StepProgress | None
-    findings: Sequence[Finding]
-    actions: Sequence[Action]
-    busy: Busy | None
