@@ -1,8 +1,9 @@
 import { clearBanner, notify } from "../state/banner";
 import { t } from "../state/language";
-import { getState, putFlow, setState } from "../state/store";
-import { NoAnswer, post, postOnce, Refused } from "./http";
-import type { FlowCommand, FlowView, Problem, ScanStatus, SignInState } from "./wire";
+import { localized } from "../state/localized";
+import { getState, setState } from "../state/store";
+import { NoAnswer, post, Refused } from "./http";
+import type { Problem, ScanStatus, SignInState, StudyState } from "./wire";
 
 /** 128 random bits; also on plain http, where randomUUID does not exist. */
 export function newKey(): string {
@@ -49,32 +50,6 @@ export async function done(act: () => Promise<unknown>, whatWas: string): Promis
   }
 }
 
-export async function sendFlow(name: string, args: Record<string, unknown>): Promise<void> {
-  const command: FlowCommand = { name, args, rev: getState().flow?.rev ?? 0, key: newKey() };
-  try {
-    const view = await postOnce<FlowView>("/api/flow/command", command);
-    clearBanner();
-    if (view) putFlow(view);
-  } catch (error) {
-    if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
-      setState({ flow: error.problem.view });
-      notify({ quality: "neutral", title: t("ui-step-already-advanced-nothing-recorded-twice") }, 6000);
-      return;
-    }
-    notifyOfError(error, t("ui-the-action-was-not-confirmed"));
-  }
-}
-
-export async function startFlow(): Promise<void> {
-  try {
-    const view = await post<FlowView>("/api/flow/start");
-    clearBanner();
-    if (view) putFlow(view);
-  } catch (error) {
-    notifyOfError(error, t("ui-the-calibration-was-not-started"));
-  }
-}
-
 async function scanCommand(path: string, body: unknown, whatWas: string): Promise<void> {
   await done(async () => {
     const scan = await post<ScanStatus>(path, body);
@@ -113,5 +88,14 @@ export async function setExposure(exposure_us: number): Promise<void> {
     await post("/api/exposure", { exposure_us });
   } catch (error) {
     notifyOfError(error, t("ui-the-exposure-was-not-changed"));
+  }
+}
+
+export async function makeStudy(id: string): Promise<StudyState | null> {
+  try {
+    return localized(await post<StudyState>(`/api/verifications/${id}/study`, {}));
+  } catch (error) {
+    notifyOfError(error, t("ui-the-clouds-were-not-rebuilt"));
+    return null;
   }
 }

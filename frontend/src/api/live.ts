@@ -1,7 +1,7 @@
 import { noteReturn, notify } from "../state/banner";
 import { t } from "../state/language";
 import { playFor } from "../state/sounds";
-import { getState, type LiveState, putFlow, setState, subscribe } from "../state/store";
+import { getState, type LiveState, putView, setState, subscribe } from "../state/store";
 import { previewInterest, showPreview } from "./preview";
 import { readSession } from "./session";
 import { stationsInterest } from "./stations";
@@ -39,7 +39,7 @@ function put(change: Partial<LiveState>): void {
     setState(rest);
     if (!flow) return;
     if (resync) setState({ flow });
-    else putFlow(flow);
+    else putView("flow", flow);
     resync = false;
   }, 16);
 }

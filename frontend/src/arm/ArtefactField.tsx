@@ -1,6 +1,6 @@
 import type { FocusEvent, FormEvent } from "react";
 
-import { sendArm } from "../api/armCommands";
+import { sendCommand } from "../api/guideCommands";
 import type { Artefact } from "../api/wire";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
@@ -34,7 +34,7 @@ export function ArtefactField({
       <span className={styles.label}>{t("ui-artefact")}</span>
       <Segments
         value={kind}
-        onChange={(chosen) => void sendArm("choose_artefact", { kind: chosen })}
+        onChange={(chosen) => void sendCommand("arm", "choose_artefact", { kind: chosen })}
         options={KINDS.map(({ value, label }) => ({ value, label: t(label) }))}
         disabled={disabled}
         wide
@@ -55,7 +55,7 @@ function Size({ kind, artefact, disabled }: SizeProps) {
   const size = useLengthField(artefact.size_mm, "mm");
   const uncertainty = useLengthField(artefact.standard_uncertainty_mm * 1000, "µm");
   const set = () =>
-    sendArm("choose_artefact", {
+    sendCommand("arm", "choose_artefact", {
       kind,
       size_mm: size.value,
       standard_uncertainty_mm: kind === "bar" ? (uncertainty.value ?? 0) / 1000 : 0,

@@ -1,6 +1,6 @@
 import type { FormEvent } from "react";
 
-import { sendArm } from "../api/armCommands";
+import { sendCommand } from "../api/guideCommands";
 import styles from "../parts/Field.module.css";
 import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
@@ -11,7 +11,7 @@ import { t } from "../state/language";
 /** The largest (max − min)/2 that the operator accepts; stored for the next checks. */
 export function LimitField({ limit_um, tip }: { limit_um: number | null; tip: boolean }) {
   const limit = useLengthField(limit_um, "µm");
-  const set = () => sendArm("set_limit", { limit_um: limit.value });
+  const set = () => sendCommand("arm", "set_limit", { limit_um: limit.value });
   const submit = (event: FormEvent) => {
     event.preventDefault();
     if (limit.valid) void set();

@@ -1,6 +1,6 @@
 import { type KeyboardEvent, useRef } from "react";
 
-import { sendFlow } from "../api/commands";
+import { sendCommand } from "../api/guideCommands";
 import type { ObjectGeometry } from "../api/types";
 import type { BlockGeometry, BoardGeometry, Choice, ChoiceOption } from "../api/wire";
 import { ObjectDrawing } from "../object/ObjectDrawing";
@@ -47,7 +47,7 @@ function ChoiceGroup({ choice }: { choice: Choice }) {
   const group = useRef<HTMLDivElement>(null);
   const choose = (option: ChoiceOption | undefined) => {
     if (option && option.id !== choice.selected) {
-      void sendFlow("choose", { field: choice.field, id: option.id });
+      void sendCommand("flow", "choose", { field: choice.field, id: option.id });
     }
   };
   const onKey = (event: KeyboardEvent) => {

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 
-import { sendFlow } from "../api/commands";
+import { sendCommand } from "../api/guideCommands";
 import type { TouchedPoint } from "../api/wire";
 import { BOARD_FACE } from "../object/board";
 import { CloseIcon } from "../parts/icons";
@@ -29,7 +29,7 @@ export function PointPanel({ point, onClose, removable }: PointPanelProps) {
   }, [onClose]);
 
   const remove = async () => {
-    await sendFlow("void_point", { index: point.index });
+    await sendCommand("flow", "void_point", { index: point.index });
     onClose();
   };
   return (

@@ -1,4 +1,4 @@
-import { sendFlow } from "../api/commands";
+import { sendCommand } from "../api/guideCommands";
 import type { PosePicture, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { PressButton } from "../parts/PressButton";
@@ -70,7 +70,7 @@ export function ExcludeButton({ pose }: { pose: PosePicture }) {
       key={action.name}
       disabled={!action.enabled}
       why={action.why_not}
-      onPress={() => sendFlow(action.name, action.args)}
+      onPress={() => sendCommand("flow", action.name, action.args)}
     >
       {action.label}
     </PressButton>

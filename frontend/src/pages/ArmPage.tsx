@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { startArm } from "../api/armCommands";
+import { startArm } from "../api/guideCommands";
 import { ArmCard } from "../arm/ArmCard";
 import { ArmPictureView } from "../arm/ArmPictureView";
 import { History, type Past } from "../arm/History";

@@ -1,4 +1,4 @@
-import { startFlow } from "../api/commands";
+import { startCalibration } from "../api/guideCommands";
 import { FlowCard } from "../flow/FlowCard";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
@@ -32,7 +32,7 @@ function NotStarted() {
         <>
           <CardHead title={t("ui-calibrate-the-sensor")} text={t("ui-clamp-object-clean-tip-takes-few")} />
           <MainAct>
-            <PressButton kind="primary" onPress={startFlow}>
+            <PressButton kind="primary" onPress={startCalibration}>
               {t("ui-start-calibration")}
             </PressButton>
           </MainAct>

@@ -1,4 +1,4 @@
-import { startVerify } from "../api/verifyCommands";
+import { startVerification } from "../api/guideCommands";
 import type { VerificationFile, VerificationSummary, VerifyView } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { MainAct } from "../parts/Actions";
@@ -88,7 +88,7 @@ function Records({ opened, running }: { opened: string | null; running: boolean 
 
 async function begin(): Promise<void> {
   setState({ record: null });
-  await startVerify();
+  await startVerification();
 }
 
 function First({ calibrated }: { calibrated: boolean }) {

@@ -2,20 +2,20 @@ import { beforeEach, expect, test, vi } from "vitest";
 
 import type { FlowView } from "../api/wire";
 import { clearBanner, noteReturn, notify } from "./banner";
-import { getState, lookAtPose, putFlow, setState, subscribe } from "./store";
+import { getState, lookAtPose, putView, setState, subscribe } from "./store";
 
 const view = (session_id: string, rev: number) => ({ session_id, rev }) as FlowView;
 
 beforeEach(() => setState({ flow: null, banner: null }));
 
 test("an older view of the same session is dropped, one of another is not", () => {
-  putFlow(view("a", 5));
-  putFlow(view("a", 4));
+  putView("flow", view("a", 5));
+  putView("flow", view("a", 4));
   expect(getState().flow?.rev).toBe(5);
-  putFlow(view("a", 5));
-  putFlow(view("a", 6));
+  putView("flow", view("a", 5));
+  putView("flow", view("a", 6));
   expect(getState().flow?.rev).toBe(6);
-  putFlow(view("b", 1));
+  putView("flow", view("b", 1));
   expect(getState().flow).toEqual({ session_id: "b", rev: 1 });
 });
 

@@ -22,6 +22,10 @@ import { localized } from "./localized";
 
 export type Connection = "connecting" | "live" | "lost";
 
+/** A guided session, by its name in the live state and in its addresses. */
+export type Guide = "flow" | "verify" | "arm";
+export type SessionView = FlowView | VerifyView | ArmView;
+
 export interface StationEvent {
   id: number;
   kind: string;
@@ -127,9 +131,9 @@ export function lookAtPose(pose: number): void {
   setState({ look: { pose } });
 }
 
-/** Takes a newer view of the flow; an older one, come late by another road, is dropped. */
-export function putFlow(view: FlowView): void {
-  const current = state.flow;
+/** Takes a newer view of a guided session; an older one, come late by another road, is dropped. */
+export function putView(guide: Guide, view: SessionView): void {
+  const current = state[guide];
   if (current && current.session_id === view.session_id && current.rev > view.rev) return;
-  setState({ flow: view });
+  setState({ [guide]: view } as Partial<LiveState>);
 }

@@ -1,4 +1,4 @@
-import { sendVerify } from "../api/verifyCommands";
+import { sendCommand } from "../api/guideCommands";
 import type { CloudLine, VerifyPicture } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { measured, signedLength } from "../parts/lengths";
@@ -67,7 +67,7 @@ function Row({ cloud, busy }: { cloud: CloudLine; busy: boolean }) {
       {idle && state !== "refused" && (
         <PressButton
           kind="quiet"
-          onPress={() => sendVerify(state === "aside" ? "restore_cloud" : "void_cloud", { number })}
+          onPress={() => sendCommand("verify", state === "aside" ? "restore_cloud" : "void_cloud", { number })}
         >
           {state === "aside" ? t("ui-include") : t("ui-exclude")}
         </PressButton>

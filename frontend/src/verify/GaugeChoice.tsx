@@ -1,4 +1,4 @@
-import { sendVerify } from "../api/verifyCommands";
+import { sendCommand } from "../api/guideCommands";
 import type { GaugeOption } from "../api/wire";
 import choice from "../flow/ChoicesPicture.module.css";
 import { EmptyState } from "../parts/EmptyState";
@@ -32,7 +32,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
                 role="radio"
                 aria-checked={option.id === gauge}
                 className={choice.option}
-                onClick={() => void (option.id === gauge || sendVerify("choose_gauge", { id: option.id }))}
+                onClick={() => void (option.id === gauge || sendCommand("verify", "choose_gauge", { id: option.id }))}
               >
                 <span className={choice.tick}>{option.id === gauge && <CheckIcon size="1.125rem" />}</span>
                 <span>

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
+import { makeStudy } from "../api/commands";
 import { get } from "../api/http";
-import { makeStudy } from "../api/verifyCommands";
 import type { StudyFile, StudyState } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
 import { rampColour } from "../object/residuals";

@@ -1,0 +1,33 @@
+import { clearBanner, notify } from "../state/banner";
+import { t } from "../state/language";
+import { type Guide, getState, putView, type SessionView } from "../state/store";
+import { done, newKey, notifyOfError } from "./commands";
+import { post, postOnce, Refused } from "./http";
+import type { ArmView, FlowCommand } from "./wire";
+
+export async function sendCommand(guide: Guide, name: string, args: Record<string, unknown> = {}): Promise<void> {
+  const command: FlowCommand = { name, args, rev: getState()[guide]?.rev ?? 0, key: newKey() };
+  try {
+    const view = await postOnce<SessionView>(`/api/${guide}/command`, command);
+    clearBanner();
+    if (view) putView(guide, view);
+  } catch (error) {
+    if (error instanceof Refused && error.problem.status === 409 && error.problem.view) {
+      putView(guide, error.problem.view);
+      notify({ quality: "neutral", title: t("ui-step-already-advanced-nothing-recorded-twice") }, 6000);
+      return;
+    }
+    notifyOfError(error, t("ui-the-action-was-not-confirmed"));
+  }
+}
+
+async function start(guide: Guide, body: unknown, whatWas: string): Promise<void> {
+  await done(async () => {
+    const view = await post<SessionView>(`/api/${guide}/start`, body);
+    if (view) putView(guide, view);
+  }, whatWas);
+}
+
+export const startCalibration = () => start("flow", {}, t("ui-the-calibration-was-not-started"));
+export const startVerification = () => start("verify", {}, t("ui-the-verification-was-not-started"));
+export const startArm = (purpose: ArmView["purpose"]) => start("arm", { purpose }, t("ui-the-session-was-not-started"));
