@@ -9,12 +9,11 @@ from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from app.formats.software import SOFTWARE
 from app.guide.arm.commands import COMMANDS as ARM_COMMANDS
-from app.guide.arm.guide import ArmGuide, ArmServices
+from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
-from app.guide.calibration.guide import CalibrationGuide
-from app.guide.calibration.guide import CalibrationServices as GuidedStation
+from app.guide.calibration.guide import CalibrationGuide, CalibrationServices
 from app.guide.common.buttons import Buttons, Press
-from app.guide.common.guided_session import Provenance
+from app.guide.common.guided_session import Provenance, StationServices
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
@@ -128,7 +127,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
 
     use_active()  # an open session then applies its own choice
     guide = CalibrationGuide(
-        GuidedStation(bus, rig, preview, scene, jobs, parts.simulated_operator),
+        CalibrationServices(bus, rig, jobs, parts.simulated_operator, preview, scene),
         store.journal,
         store.calibrations,
         store.folder,
@@ -142,11 +141,11 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         parts.simulated_operator, jobs, bus, lambda: bus.publish("scan", scanner.state())
     )
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
-    arm_station = ArmServices(bus, rig, jobs, parts.simulated_operator)
+    arm_station = StationServices(bus, rig, jobs, parts.simulated_operator)
     arm_guide = ArmGuide(arm_station, store.journal, store.folder, signing)
     guide.tip = lambda: last_tip_finding(arm_guide, parts.due)
     verify_guide = VerifyGuide(
-        VerificationServices(bus, rig, jobs, scanner, scene, parts.simulated_operator),
+        VerificationServices(bus, rig, jobs, parts.simulated_operator, scanner, scene),
         store.journal,
         store.calibrations,
         store.verifications,

@@ -290,7 +290,7 @@ def test_a_server_killed_while_it_scans_loses_no_cloud(desk: Desk, tmp_path: Pat
     scanner = Scanner(bus, rig, scene, left / "scans")
     jobs = Jobs(bus)
     try:
-        station = VerificationServices(bus, rig, jobs, scanner, scene, None)
+        station = VerificationServices(bus, rig, jobs, None, scanner, scene)
         guide = VerifyGuide(station, store.journal, store.calibrations, store.verifications, left)
         assert guide.state.session_id == session
         assert guide.state.open_cloud is not None

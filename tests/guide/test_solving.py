@@ -38,6 +38,8 @@ class InUse:
 
     name: str
     file: Path
+    id: str = "c1"
+    accepted_at: str = "2026-01-01T00:00:00Z"
 
 
 def quiet(text: Text, share: float) -> None:

@@ -1,7 +1,7 @@
 """The one arm session of a station: its journal, its points, and what is shown of it."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 from app.errors import OperationError
@@ -23,35 +23,25 @@ from app.guide.common.datasheet_library import (
     read_library,
 )
 from app.guide.common.flow import Flow
-from app.guide.common.guided_session import NO_PROVENANCE, GuidedSession, Provenance, new_session_id
-from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.guided_session import (
+    NO_PROVENANCE,
+    GuidedSession,
+    Provenance,
+    StationServices,
+    new_session_id,
+)
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.jobs import Jobs
 
 FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS, (POINTS,))
-
-
-@dataclass(frozen=True)
-class ArmServices:
-    """The station's parts that the arm's flows work with."""
-
-    bus: Bus
-    rig: Rig
-    jobs: Jobs
-    simulated_operator: SimulatedOperator | None
 
 
 class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
     """The latest check, tip check or identification."""
 
-    station: ArmServices
-
     def __init__(
         self,
-        station: ArmServices,
+        station: StationServices,
         journal: ArmJournal,
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,

@@ -25,20 +25,17 @@ from app.guide.common.guided_session import (
     GuidedSession,
     Provenance,
     StaleViewError,
+    StationServices,
     new_session_id,
 )
 from app.guide.common.journal import Calibrations, Journal
 from app.guide.common.result_view import CalibrationResult
-from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import FlowView
 from app.messages.message import message
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.transforms import Floats
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.jobs import Jobs
 from app.station.preview.preview import Preview
 from app.station.scan.state import ScanState
 from app.station.view3d.scene import Scene
@@ -49,15 +46,11 @@ FLOW = Flow(KIND, "flow", CalibrationState(), apply_row, build_view, RULES, ARGU
 
 
 @dataclass(frozen=True)
-class CalibrationServices:
+class CalibrationServices(StationServices):
     """The station's parts that the guide works with."""
 
-    bus: Bus
-    rig: Rig
     preview: Preview
     scene: Scene
-    jobs: Jobs
-    simulated_operator: SimulatedOperator | None
 
 
 class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView]):

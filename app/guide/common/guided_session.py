@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Generic, Protocol
+from typing import Generic
 
 from app.errors import OperationError, sentence
 from app.findings import Finding
@@ -20,21 +20,22 @@ from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.view import Busy
 from app.messages.message import Text, message
 from app.station.bus import Bus
+from app.station.devices.rig import Rig
 from app.station.jobs import Job, Jobs, Progress
 
 log = logging.getLogger(__name__)
 STALE = "stale-view"
 
 
-class StationServices(Protocol):
-    """What every session needs of the station."""
+@dataclass(frozen=True)
+class StationServices:
+    """The station's parts that every session works with."""
 
-    @property
-    def bus(self) -> Bus: ...
-    @property
-    def jobs(self) -> Jobs: ...
-    @property
-    def simulated_operator(self) -> SimulatedOperator | None: ...
+    bus: Bus
+    rig: Rig
+    jobs: Jobs
+    simulated_operator: SimulatedOperator | None
+    """Of the simulated station."""
 
 
 @dataclass(frozen=True)

@@ -94,9 +94,13 @@ class StoredCalibration(Protocol):
     """An accepted calibration and its file."""
 
     @property
+    def id(self) -> str: ...
+    @property
     def name(self) -> str: ...
     @property
     def file(self) -> Path: ...
+    @property
+    def accepted_at(self) -> str: ...
 
 
 class Calibrations(Protocol):

@@ -19,9 +19,14 @@ from app.formats.session.calibration_session import ARM, ContactReadings, write_
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
 from app.guide.common.flow import Flow
-from app.guide.common.guided_session import NO_PROVENANCE, GuidedSession, Provenance, new_session_id
-from app.guide.common.journal import Check, Journal, JournalEntry
-from app.guide.common.simulated_operator import SimulatedOperator
+from app.guide.common.guided_session import (
+    NO_PROVENANCE,
+    GuidedSession,
+    Provenance,
+    StationServices,
+    new_session_id,
+)
+from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
 from app.guide.verify.rules import ARGUMENTS, RULES
@@ -30,9 +35,6 @@ from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from app.workflows.measure_gauge import GaugeFit
@@ -49,34 +51,11 @@ SAME_PLACE_MM = 0.3
 
 
 @dataclass(frozen=True)
-class VerificationServices:
+class VerificationServices(StationServices):
     """The station's parts that a verification works with."""
 
-    bus: Bus
-    rig: Rig
-    jobs: Jobs
     scanner: Scanner
     scene: Scene
-    simulated_operator: SimulatedOperator | None
-
-
-class ActiveCalibration(Protocol):
-    """An accepted calibration."""
-
-    @property
-    def id(self) -> str: ...
-    @property
-    def name(self) -> str: ...
-    @property
-    def file(self) -> Path: ...
-    @property
-    def accepted_at(self) -> str: ...
-
-
-class CalibrationsInUse(Protocol):
-    """Where the calibration in use is kept."""
-
-    def active(self) -> ActiveCalibration | None: ...
 
 
 class Verifications(Protocol):
@@ -102,7 +81,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         self,
         station: VerificationServices,
         journal: Journal,
-        calibrations: CalibrationsInUse,
+        calibrations: Calibrations,
         verifications: Verifications,
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
