@@ -1,6 +1,7 @@
 """The longer works of a verification: measuring a cloud, and writing the record."""
 
 import shutil
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -228,11 +229,7 @@ def cloud_part(cloud: VerificationCloud, fit: GaugeFit, errors: CloudErrors) -> 
         normal=fit.normal,
         offset_mm=fit.offset_mm,
         radius_mm=fit.radius_mm,
-        angle_arcsec=errors.angle_arcsec,
-        z_error_um=errors.z_error_um,
-        offset_error_um=errors.offset_error_um,
-        radius_error_um=errors.radius_error_um,
-        centre_error_um=errors.centre_error_um,
+        **asdict(errors),
     )
 
 

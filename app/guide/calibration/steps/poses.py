@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from typing import Literal
 
 from app.guide.calibration.live import CalibrationLive
-from app.guide.calibration.outcome import CalibrationOutcome, PoseDrawing
+from app.guide.calibration.outcome import CalibrationOutcome
 from app.guide.calibration.rules import offer
 from app.guide.calibration.state import CalibrationState, PoseCapture
-from app.guide.common.result_view import CalibrationResult, PoseRow
+from app.guide.common.result_view import PoseRow
 from app.guide.common.view import Action, PosePicture
 from app.messages.message import Text, message, word
 
@@ -20,15 +20,13 @@ def pose_pictures(
     Args:
         solved: the result that they are shown with; None before there is one.
     """
-    rows = {row.number: row for row in _rows(solved.result if solved else None)}
-    drawings = {drawing.number: drawing for drawing in (solved.poses if solved else ())}
+    query = f"?session={state.session_id}"
     return [
         _pose(
             capture,
-            f"/api/flow/image/{capture.ambient.rsplit('/', 1)[-1]}?session={state.session_id}",
+            f"/api/flow/image/{_file_name(capture)}{query}",
             live.capture_outcomes.get(capture.number),
-            rows.get(capture.number),
-            drawings.get(capture.number),
+            solved,
             None if state.ended else _action(state, live, capture),
         )
         for capture in state.listed
@@ -42,33 +40,27 @@ def past_pose_pictures(
     image_url: str,
 ) -> list[PosePicture]:
     """The same of a session that is over, whose pictures are at ``image_url``."""
-    rows = {row.number: row for row in _rows(solved.result)}
-    drawings = {drawing.number: drawing for drawing in solved.poses}
     return [
-        _pose(
-            capture,
-            image_url + capture.ambient.rsplit("/", 1)[-1],
-            looked_at.get(capture.number),
-            rows.get(capture.number),
-            drawings.get(capture.number),
-            None,
-        )
+        _pose(capture, image_url + _file_name(capture), looked_at.get(capture.number), solved, None)
         for capture in state.listed
     ]
 
 
-def _rows(result: CalibrationResult | None) -> tuple[PoseRow, ...]:
-    return tuple(result.poses) if result else ()
+def _file_name(capture: PoseCapture) -> str:
+    return capture.ambient.rsplit("/", 1)[-1]
 
 
 def _pose(
     capture: PoseCapture,
     image_url: str,
     looked_at: CalibrationOutcome | None,
-    row: PoseRow | None,
-    drawing: PoseDrawing | None,
+    solved: CalibrationOutcome | None,
     action: Action | None,
 ) -> PosePicture:
+    rows = solved.result.poses if solved and solved.result else ()
+    row = next((one for one in rows if one.number == capture.number), None)
+    drawings = solved.poses if solved else ()
+    drawing = next((one for one in drawings if one.number == capture.number), None)
     found = drawing or looked_at
     used = row is not None and row.used and not capture.gone
     return PosePicture(
