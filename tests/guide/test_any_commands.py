@@ -23,10 +23,9 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
-from app.guide.arm.rules import ONLY_IN as OF_ARM
-from app.guide.calibration.rules import ALWAYS, ONLY_IN
-from app.guide.verify.rules import ALWAYS as ALWAYS_VERIFYING
-from app.guide.verify.rules import ONLY_IN as OF_VERIFICATION
+from app.guide.arm.rules import RULES as OF_ARM
+from app.guide.calibration.rules import RULES as OF_CALIBRATION
+from app.guide.verify.rules import RULES as OF_VERIFICATION
 from app.operations.context import Context
 from app.server.application import build_app
 from app.server.composition import StationParts, close_context
@@ -44,9 +43,9 @@ SEQUENCES, COMMANDS = 4, 12
 PURPOSES = ("check", "tip", "identify")
 CHOICES = dict.fromkeys(("arm", "object", "sensor"), "simulated")
 NAMES = {
-    "flow": (*ONLY_IN, *ALWAYS, "nothing"),
-    "arm": (*OF_ARM, "nothing"),
-    "verify": (*OF_VERIFICATION, *ALWAYS_VERIFYING, "nothing"),
+    "flow": (*OF_CALIBRATION.commands, "nothing"),
+    "arm": (*OF_ARM.commands, "nothing"),
+    "verify": (*OF_VERIFICATION.commands, "nothing"),
 }
 Q_RAD = [[0.1 * joint + 0.3 * n for joint in range(6)] for n in range(4)]
 TOUCHED: Rows = [point_row(face, q) for face, q in zip(("crest", "front") * 2, Q_RAD, strict=True)]

@@ -1,18 +1,36 @@
 """The audit log names acts in words, not by the commands' own names."""
 
-from app.guide.arm import commands as arm_commands
-from app.guide.arm import rules as arm_rules
-from app.guide.calibration import commands
-from app.guide.calibration import rules as permissions
+from typing import Any
+
+import pytest
+
+from app.guide.arm.commands import COMMANDS as OF_ARM
+from app.guide.arm.rules import RULES as ARM_RULES
+from app.guide.calibration.commands import COMMANDS as OF_CALIBRATION
+from app.guide.calibration.rules import RULES as CALIBRATION_RULES
 from app.guide.common.audit_labels import AUDIT_LABELS, audit_label
-from app.guide.verify import commands as verify_commands
-from app.guide.verify import rules as verify_rules
+from app.guide.common.commands import Commands
+from app.guide.common.rules import CommandRules
+from app.guide.verify.commands import COMMANDS as OF_VERIFICATION
+from app.guide.verify.rules import RULES as VERIFICATION_RULES
+
+FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
+    (OF_CALIBRATION, CALIBRATION_RULES),
+    (OF_ARM, ARM_RULES),
+    (OF_VERIFICATION, VERIFICATION_RULES),
+)
+
+
+@pytest.mark.parametrize(("commands", "rules"), FLOWS)
+def test_what_is_done_has_a_rule_and_what_has_a_rule_is_done(
+    commands: Commands[Any], rules: CommandRules[Any, Any]
+) -> None:
+    assert commands.acts.keys() == rules.commands.keys()
+    assert commands.at_press.keys() <= commands.acts.keys()
 
 
 def test_every_command_of_every_flow_has_its_words() -> None:
-    acts = (commands.ACTS, arm_commands.ACTS, verify_commands.ACTS)
-    allowed = (permissions.ONLY_IN, arm_rules.ONLY_IN, verify_rules.ONLY_IN)
-    assert {name for names in (*acts, *allowed) for name in names} == AUDIT_LABELS.keys()
+    assert {name for _, rules in FLOWS for name in rules.commands} == AUDIT_LABELS.keys()
 
 
 def test_what_no_flow_knows_stays_as_it_was_sent() -> None:

@@ -13,7 +13,7 @@ from app.formats.session.arm_session import ARM, write_observations
 from app.guide.arm.flow import build_view
 from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.observations import HOLD_NS, collect_observations, sample_points
-from app.guide.arm.rules import ARGUMENTS, RULES
+from app.guide.arm.rules import RULES
 from app.guide.arm.state import POINTS, ArmLive, ArmState, Artefact, Purpose, apply_row, place_name
 from app.guide.arm.view import ArmView
 from app.guide.common.datasheet_library import (
@@ -33,7 +33,7 @@ from app.guide.common.guided_session import (
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 
-FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, ARGUMENTS, (POINTS,))
+FLOW = Flow(KIND, "arm", ArmState(), apply_row, build_view, RULES, (POINTS,))
 
 
 class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):

@@ -11,11 +11,10 @@ from app.guide.arm.state import Angles, ArmLive, ArmState, Kind
 from app.guide.common.arguments import (
     Args,
     Arguments,
-    ArgumentTable,
     IdArguments,
     OperatorArguments,
 )
-from app.guide.common.rules import CommandRules, no_simulation_reason
+from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, message, quantity, rounded
 
 WANTED = 60
@@ -29,25 +28,6 @@ TIP_WANTED, TIP_LEAST = 9, 5
 """Of the sphere that the tip is checked on; from eight on a bend is distinguished from a size."""
 SIZES_MM: dict[Kind, tuple[float, float]] = {"bar": (20.0, 5000.0), "sphere": (3.0, 300.0)}
 LARGEST_UNCERTAINTY_MM = 1.0
-
-ONLY_IN = {
-    "choose_arm": ("seat",),
-    "set_limit": ("seat", "swing", "result"),
-    "choose_artefact": ("seat",),
-    "begin": ("seat",),
-    "touch": ("swing",),
-    "finish": ("swing",),
-    "drop_swing": ("swing",),
-    "drop_seat": ("seat",),
-    "fit": ("seat",),
-    "save": ("result",),
-    "restore": ("result",),
-    "reopen": ("result",),
-    "again": ("result",),
-    "run_simulation": ("seat", "swing"),
-    "stop_simulation": ("seat", "swing", "result"),
-    "end": ("seat", "swing", "result"),
-}
 
 
 def swing_deg(q_rad: Sequence[Angles]) -> float:
@@ -178,27 +158,6 @@ def _restore(state: ArmState, live: ArmLive, args: Args) -> Text:
     return "" if state.saved else message("arm-3")
 
 
-RULES = CommandRules[ArmState, ArmLive](
-    ONLY_IN,
-    (),
-    {
-        "choose_artefact": _choose_artefact,
-        "begin": _begin,
-        "touch": _touch,
-        "finish": _finish,
-        "fit": _fit,
-        "choose_arm": _choose_arm,
-        "set_limit": _set_limit,
-        "drop_seat": _drop_seat,
-        "save": _save,
-        "restore": _restore,
-        "run_simulation": no_simulation_reason,
-    },
-    closed=message("session-closed-start-new-one"),
-    elsewhere=lambda step: message("belongs-another-step-session-stands", step=step),
-)
-
-
 class _Limit(Arguments):
     limit_um: float | None = None
 
@@ -209,9 +168,25 @@ class _Artefact(Arguments):
     standard_uncertainty_mm: float = 0.0
 
 
-ARGUMENTS: ArgumentTable = {
-    "choose_arm": IdArguments,
-    "set_limit": _Limit,
-    "choose_artefact": _Artefact,
-    "run_simulation": OperatorArguments,
-}
+RULES = CommandRules[ArmState, ArmLive](
+    {
+        "choose_arm": Command(("seat",), _choose_arm, IdArguments),
+        "set_limit": Command(rule=_set_limit, arguments=_Limit),
+        "choose_artefact": Command(("seat",), _choose_artefact, _Artefact),
+        "begin": Command(("seat",), _begin),
+        "touch": Command(("swing",), _touch),
+        "finish": Command(("swing",), _finish),
+        "drop_swing": Command(("swing",)),
+        "drop_seat": Command(("seat",), _drop_seat),
+        "fit": Command(("seat",), _fit),
+        "save": Command(("result",), _save),
+        "restore": Command(("result",), _restore),
+        "reopen": Command(("result",)),
+        "again": Command(("result",)),
+        "run_simulation": Command(("seat", "swing"), no_simulation_reason, OperatorArguments),
+        "stop_simulation": Command(),
+        "end": Command(),
+    },
+    closed=message("session-closed-start-new-one"),
+    elsewhere=lambda step: message("belongs-another-step-session-stands", step=step),
+)

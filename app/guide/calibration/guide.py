@@ -15,7 +15,7 @@ from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.poses.advice import Advice, remaining
 from app.guide.calibration.poses.advice import from_payload as advice_from
 from app.guide.calibration.poses.detection import DetectionCache
-from app.guide.calibration.rules import ARGUMENTS, RULES
+from app.guide.calibration.rules import RULES
 from app.guide.calibration.session_datasheets import CHOOSING, SessionDatasheets, best_guess
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import FIELDS, CalibrationState, apply_row
@@ -42,7 +42,7 @@ from app.station.view3d.scene import Scene
 from app.workflows.calibrate import AnyDetection
 
 KIND = "calibration"
-FLOW = Flow(KIND, "flow", CalibrationState(), apply_row, build_view, RULES, ARGUMENTS)
+FLOW = Flow(KIND, "flow", CalibrationState(), apply_row, build_view, RULES)
 
 
 @dataclass(frozen=True)

@@ -14,39 +14,14 @@ from app.guide.calibration.touch.report import face_names, where_on_object
 from app.guide.common.arguments import (
     Args,
     Arguments,
-    ArgumentTable,
     BackArguments,
     IndexArguments,
     NumberArguments,
     OperatorArguments,
     ShortText,
 )
-from app.guide.common.rules import CommandRules, no_simulation_reason
+from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, join, message, quantity, word
-
-ONLY_IN = {
-    "confirm_devices": ("devices",),
-    "choose": ("setup",),
-    "confirm_setup": ("setup",),
-    "select_face": ("touch",),
-    "take_point": ("touch",),
-    "undo": ("touch",),
-    "redo": ("touch",),
-    "void_point": ("touch",),
-    "confirm_touch": ("touch",),
-    "confirm_place": ("place",),
-    "capture": ("capture",),
-    "keep_picture": ("place", "capture"),
-    "another_pose": ("solve", "review"),
-    "void_pose": ("solve", "review"),
-    "retake": ("solve", "review"),
-    "restore_pose": ("solve", "review"),
-    "solve": ("solve", "review"),
-    "accept": ("review",),
-    "back": ("setup", "touch", "place", "capture", "solve", "review"),
-    "run_simulation": ("devices", "setup", "touch", "place", "capture", "solve"),
-}
-ALWAYS = ("stop_simulation", "repeat", "abandon")
 
 
 def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -238,36 +213,6 @@ def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     return "" if to in earlier else message("there-no-earlier-step", to=str(to))
 
 
-RULES = CommandRules[CalibrationState, CalibrationLive](
-    ONLY_IN,
-    ALWAYS,
-    {
-        "confirm_devices": _devices,
-        "choose": _choose,
-        "confirm_setup": _setup,
-        "select_face": _face,
-        "take_point": _take,
-        "undo": _undo,
-        "redo": _redo,
-        "void_point": _void,
-        "confirm_touch": _touch,
-        "confirm_place": _place,
-        "capture": _capture,
-        "keep_picture": _keep,
-        "void_pose": _void_pose,
-        "restore_pose": _restore_pose,
-        "solve": _solve,
-        "accept": _accept,
-        "back": _back,
-        "run_simulation": no_simulation_reason,
-    },
-    closed=message("calibration-closed-start-new-one"),
-    elsewhere=lambda step: message("belongs-another-step-calibration-stands", step=step),
-    when_closed=("repeat",),
-)
-offer = RULES.offer
-
-
 class _Choice(Arguments):
     field: Literal["arm", "object", "sensor"]
     id: ShortText
@@ -277,12 +222,33 @@ class _Face(Arguments):
     face: ShortText
 
 
-ARGUMENTS: ArgumentTable = {
-    "choose": _Choice,
-    "select_face": _Face,
-    "void_point": IndexArguments,
-    "void_pose": NumberArguments,
-    "restore_pose": NumberArguments,
-    "back": BackArguments,
-    "run_simulation": OperatorArguments,
-}
+RULES = CommandRules[CalibrationState, CalibrationLive](
+    {
+        "confirm_devices": Command(("devices",), _devices),
+        "choose": Command(("setup",), _choose, _Choice),
+        "confirm_setup": Command(("setup",), _setup),
+        "select_face": Command(("touch",), _face, _Face),
+        "take_point": Command(("touch",), _take),
+        "undo": Command(("touch",), _undo),
+        "redo": Command(("touch",), _redo),
+        "void_point": Command(("touch",), _void, IndexArguments),
+        "confirm_touch": Command(("touch",), _touch),
+        "confirm_place": Command(("place",), _place),
+        "capture": Command(("capture",), _capture),
+        "keep_picture": Command(("place", "capture"), _keep),
+        "another_pose": Command(("solve", "review")),
+        "void_pose": Command(("solve", "review"), _void_pose, NumberArguments),
+        "retake": Command(("solve", "review")),
+        "restore_pose": Command(("solve", "review"), _restore_pose, NumberArguments),
+        "solve": Command(("solve", "review"), _solve),
+        "accept": Command(("review",), _accept),
+        "back": Command(STEPS[1:], _back, BackArguments),
+        "run_simulation": Command(STEPS[:-1], no_simulation_reason, OperatorArguments),
+        "stop_simulation": Command(),
+        "repeat": Command(when_closed=True),
+        "abandon": Command(),
+    },
+    closed=message("calibration-closed-start-new-one"),
+    elsewhere=lambda step: message("belongs-another-step-calibration-stands", step=step),
+)
+offer = RULES.offer

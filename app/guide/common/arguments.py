@@ -43,11 +43,7 @@ class OperatorArguments(Arguments):
     all: bool = False
 
 
-ArgumentTable = Mapping[str, type[Arguments]]
-"""By the command's name; one that is not named takes nothing."""
-
-
-def check_arguments(table: ArgumentTable, name: str, args: Args) -> Args:
+def check_arguments(model: type[Arguments], args: Args) -> Args:
     """A command's arguments, each of its type; null is as if it were not given.
 
     Raises:
@@ -55,7 +51,7 @@ def check_arguments(table: ArgumentTable, name: str, args: Args) -> Args:
     """
     given = {field: value for field, value in args.items() if value is not None}
     try:
-        return table.get(name, Arguments).model_validate(given).model_dump(exclude_unset=True)
+        return model.model_validate(given).model_dump(exclude_unset=True)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         place = ".".join(str(part) for part in ("args", *first["loc"]))

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from app.findings import Finding, Quality
-from app.guide.common.arguments import ArgumentTable
 from app.guide.common.journal import JournalEntry
 from app.guide.common.rules import CommandRules, Live, State
 from app.guide.common.view import Step, StepState
@@ -36,9 +35,7 @@ class Flow(Generic[State, Live, View]):
     """What a row makes of a state."""
     view_of: Callable[[State, Live], View]
     rules: CommandRules[State, Live]
-    """When the commands are possible."""
-    arguments: ArgumentTable
-    """What the commands take."""
+    """When the commands are possible, and what they take."""
     automatic: tuple[str, ...] = ()
     """Rows that come by themselves: what was declined before them stays shown."""
 

@@ -230,7 +230,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """
         if rev is not None and rev != self.rev:
             raise self.stale()
-        typed = check_arguments(self._flow.arguments, name, args)
+        typed = check_arguments(self._flow.rules.arguments(name), args)
         if reason := self.why_not(name, typed, by_simulation):
             raise OperationError("not-now", reason)
         return typed

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
 from app.findings import Finding
-from app.guide.common.arguments import Args
+from app.guide.common.arguments import Args, Arguments
 from app.guide.common.view import Action, Busy
 from app.messages.message import Text, message
 
@@ -43,39 +43,50 @@ Rule = Callable[[State, Live, Args], Text]
 
 
 @dataclass(frozen=True)
-class CommandRules(Generic[State, Live]):
-    """The commands of a kind of session, and what each waits for."""
+class Command(Generic[State, Live]):
+    """When a command is possible, and what it takes."""
 
-    only_in: Mapping[str, tuple[str, ...]]
-    """The steps that a command belongs to."""
-    always: tuple[str, ...]
-    """Commands of every step."""
-    rules: Mapping[str, Rule[State, Live]]
+    steps: tuple[str, ...] = ()
+    """Those that it belongs to; none where it belongs to all."""
+    rule: Rule[State, Live] | None = None
+    """What else it waits for."""
+    arguments: type[Arguments] = Arguments
+    when_closed: bool = False
+    """Whether a session that is over takes it, too."""
+
+
+@dataclass(frozen=True)
+class CommandRules(Generic[State, Live]):
+    """The commands of a kind of session."""
+
+    commands: Mapping[str, Command[State, Live]]
     closed: Text
     """Said where the session is over, or none was begun."""
     elsewhere: Callable[[str], Text]
     """Said of a command of another step than the present one."""
-    when_closed: tuple[str, ...] = ()
-    """Commands that a closed session takes, too."""
     precondition: Callable[[State, Live, str], Text] | None = None
     """Asked before a command's own rule, with the command's name."""
 
+    def arguments(self, name: str) -> type[Arguments]:
+        """What a command takes; one that is not known takes nothing."""
+        return self.commands[name].arguments if name in self.commands else Arguments
+
     def rejection_reason(self, state: State, live: Live, name: str, args: Args) -> Text:
         """Why a command cannot be done now; empty when it can."""
-        if name not in self.only_in and name not in self.always:
+        command = self.commands.get(name)
+        if command is None:
             return message("there-no-command", name=name)
         if name == "stop_simulation":
             return "" if live.simulation_running else message("simulation-moving")
-        if (state.ended or not state.session_id) and name not in self.when_closed:
+        if (state.ended or not state.session_id) and not command.when_closed:
             return self.closed
         if live.busy is not None:
             return message("wait-2", text=live.busy.text)
-        if state.step not in self.only_in.get(name, (state.step,)):
+        if command.steps and state.step not in command.steps:
             return self.elsewhere(state.step)
         if self.precondition and (reason := self.precondition(state, live, name)):
             return reason
-        rule = self.rules.get(name)
-        return rule(state, live, args) if rule else ""
+        return command.rule(state, live, args) if command.rule else ""
 
     def offer(
         self,

@@ -29,7 +29,7 @@ from app.guide.common.guided_session import (
 from app.guide.common.journal import Calibrations, Check, Journal, JournalEntry
 from app.guide.verify.flow import build_view
 from app.guide.verify.live import CloudResults, VerifyLive
-from app.guide.verify.rules import ARGUMENTS, RULES
+from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
@@ -46,7 +46,7 @@ from app.workflows.verification_metrics import (
 )
 
 KIND = "verify"
-FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES, ARGUMENTS)
+FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES)
 SAME_PLACE_MM = 0.3
 
 

@@ -6,14 +6,13 @@ An empty reason means that it is possible.
 from app.errors import OperationError
 from app.guide.common.arguments import (
     Args,
-    ArgumentTable,
     BackArguments,
     IdArguments,
     IndexArguments,
     NumberArguments,
     OperatorArguments,
 )
-from app.guide.common.rules import CommandRules, no_simulation_reason
+from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
 from app.messages.message import Text, message
@@ -27,27 +26,6 @@ PLANE_WANTED, SPHERE_WANTED = 6, 7
 OTHER_SIZE_MM, OTHER_SIZE_SDS = 0.3, 3.0
 """The touched radius may differ from the nominal by so much, and so many of its own sd."""
 
-ONLY_IN = {
-    "choose_gauge": ("gauge",),
-    "confirm_gauge": ("gauge",),
-    "touch": ("touch",),
-    "undo": ("touch", "scan"),
-    "redo": ("touch",),
-    "void_touch": ("touch",),
-    "confirm_touch": ("touch",),
-    "skip_touch": ("touch",),
-    "begin_cloud": ("scan",),
-    "finish_cloud": ("scan",),
-    "drop_cloud": ("scan",),
-    "void_cloud": ("scan", "review"),
-    "restore_cloud": ("scan", "review"),
-    "confirm_clouds": ("scan",),
-    "more_clouds": ("review",),
-    "accept": ("review",),
-    "back": ("touch", "scan", "review"),
-    "run_simulation": ("gauge", "touch", "scan"),
-}
-ALWAYS = ("stop_simulation", "abandon", "again")
 WHATEVER_IS_IN_USE = ("stop_simulation", "abandon", "again", "finish_cloud", "drop_cloud")
 """What can be done although another calibration is in use by now."""
 
@@ -175,39 +153,30 @@ def _changed(state: VerifyState, live: VerifyLive, name: str) -> Text:
 
 
 RULES = CommandRules[VerifyState, VerifyLive](
-    ONLY_IN,
-    ALWAYS,
     {
-        "choose_gauge": _choose,
-        "confirm_gauge": _confirm_gauge,
-        "touch": _touch,
-        "undo": _undo,
-        "redo": _redo,
-        "void_touch": _void_touch,
-        "confirm_touch": _confirm_touch,
-        "begin_cloud": _begin,
-        "finish_cloud": _scanning,
-        "drop_cloud": _scanning,
-        "void_cloud": _cloud,
-        "restore_cloud": _cloud,
-        "confirm_clouds": _enough,
-        "accept": _enough,
-        "back": _back,
-        "run_simulation": _simulation,
-        "abandon": _leave,
-        "again": _leave,
+        "choose_gauge": Command(("gauge",), _choose, IdArguments),
+        "confirm_gauge": Command(("gauge",), _confirm_gauge),
+        "touch": Command(("touch",), _touch),
+        "undo": Command(("touch", "scan"), _undo),
+        "redo": Command(("touch",), _redo),
+        "void_touch": Command(("touch",), _void_touch, IndexArguments),
+        "confirm_touch": Command(("touch",), _confirm_touch),
+        "skip_touch": Command(("touch",)),
+        "begin_cloud": Command(("scan",), _begin),
+        "finish_cloud": Command(("scan",), _scanning),
+        "drop_cloud": Command(("scan",), _scanning),
+        "void_cloud": Command(("scan", "review"), _cloud, NumberArguments),
+        "restore_cloud": Command(("scan", "review"), _cloud, NumberArguments),
+        "confirm_clouds": Command(("scan",), _enough),
+        "more_clouds": Command(("review",)),
+        "accept": Command(("review",), _enough),
+        "back": Command(STEPS[1:], _back, BackArguments),
+        "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
+        "stop_simulation": Command(),
+        "abandon": Command(rule=_leave),
+        "again": Command(rule=_leave),
     },
     closed=message("verification-closed-start-new-one"),
     elsewhere=lambda step: message("belongs-another-step-verification-stands", step=step),
     precondition=_changed,
 )
-
-
-ARGUMENTS: ArgumentTable = {
-    "choose_gauge": IdArguments,
-    "void_touch": IndexArguments,
-    "void_cloud": NumberArguments,
-    "restore_cloud": NumberArguments,
-    "back": BackArguments,
-    "run_simulation": OperatorArguments,
-}
