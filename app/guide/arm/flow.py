@@ -17,7 +17,7 @@ from app.guide.arm.rules import (
 from app.guide.arm.state import ArmLive, ArmState, Kind, SeatSamples
 from app.guide.arm.tip import tip_check_finding
 from app.guide.arm.view import ArmPicture, ArmView
-from app.guide.common.flow import DECISION_QUALITY, list_steps, lost_device_findings
+from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
 from app.guide.common.recorded_error import error_from_payload
 from app.guide.common.view import (
     Action,
@@ -156,7 +156,7 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
     findings: list[Finding] = []
     if live.trouble:
         findings.append(live.trouble)
-    findings += lost_device_findings(live.link)
+    findings += device_findings(live.link)
     if state.step == "swing" and live.left_mm is not None:
         findings.append(
             Finding(

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
+from pydantic import TypeAdapter
+
 from app.findings import Finding
 from app.guide.arm.view import TipResult
 from app.guide.common.flow import DECISION_QUALITY
@@ -12,6 +14,7 @@ from app.metrology.gauges.tip_check import TipCheck
 LIMIT_UM = 150.0
 """Of the diameter's error and of the scatter, until the operator sets another: an arm of the
 article's class touches to no better."""
+_RESULT = TypeAdapter(TipResult)
 
 
 def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> dict[str, object]:
@@ -30,21 +33,9 @@ def to_payload(found: TipCheck, expected_mm: float, limit_um: float | None) -> d
     }
 
 
-RESULT = (
-    "diameter_mm",
-    "expected_mm",
-    "error_um",
-    "expanded_uncertainty_um",
-    "scatter_um",
-    "bend_um",
-    "limit_um",
-    "decision",
-)
-
-
 def tip_result(payload: Mapping[str, Any]) -> TipResult:
     """What was found, as it is shown."""
-    return TipResult(**{name: payload[name] for name in RESULT})
+    return _RESULT.validate_python(payload)
 
 
 def tip_check_finding(payload: Mapping[str, Any]) -> Finding:

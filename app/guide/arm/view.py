@@ -133,13 +133,19 @@ class ArmView(SessionView):
 
 
 @dataclass(frozen=True)
-class ArmCheckSummary:
-    """One arm check of the history."""
+class ArmRecord:
+    """One session of the history."""
 
     id: str
     at: str
     arm_name: str
     arm_serial: str
+
+
+@dataclass(frozen=True)
+class ArmCheckSummary(ArmRecord):
+    """One check of the history."""
+
     points: int
     half_range_um: Vec3
     two_sigma_um: Vec3
@@ -148,35 +154,19 @@ class ArmCheckSummary:
 
 
 @dataclass(frozen=True)
-class TipCheckSummary:
-    """One tip check of the history."""
+class TipCheckSummary(ArmRecord, TipResult):
+    """One check of the tip."""
 
-    id: str
-    at: str
-    arm_name: str
-    arm_serial: str
     touches: int
-    diameter_mm: float
-    expected_mm: float
-    error_um: float
-    expanded_uncertainty_um: float
-    scatter_um: float
-    bend_um: float | None
-    limit_um: float | None
-    decision: Decision
     text: Text
     """What was found, in one sentence."""
     verdict: Quality
 
 
 @dataclass(frozen=True)
-class IdentificationSummary:
+class IdentificationSummary(ArmRecord):
     """One identification of the arm."""
 
-    id: str
-    at: str
-    arm_name: str
-    arm_serial: str
     volume_before_um: float
     volume_after_um: float
     size_known: bool

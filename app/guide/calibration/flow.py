@@ -48,45 +48,31 @@ def build_view(state: CalibrationState, live: CalibrationLive) -> FlowView:
     if state.ended in ("abandoned", "repeated"):
         state = CalibrationState(choices=state.choices)
     body = BODIES[state.step](state, live)
-    running = bool(state.session_id) and not state.ended
+    running, accepted = bool(state.session_id) and not state.ended, state.ended == "accepted"
+    common = _common_actions(state, live) if running else []
     return FlowView(
         session_id=state.session_id,
         rev=live.rev,
         running=running,
-        steps=list_steps(TITLES, state.step, state.reached, over=state.ended == "accepted"),
+        steps=list_steps(TITLES, state.step, state.reached, over=accepted),
         step=state.step,
-        title=message("calibration-use") if state.ended == "accepted" else HEADINGS[state.step],
+        title=message("calibration-use") if accepted else HEADINGS[state.step],
         instruction=body.instruction,
         picture=body.picture,
         number=body.number,
         progress=body.progress,
         findings=[*([live.trouble] if live.trouble else []), *body.findings],
-        actions=[*body.actions, *_common(state, live)]
-        if running
-        else _final_actions(state, live, body),
+        actions=[*(body.actions if running or accepted else ()), *common],
         busy=live.busy,
     )
 
 
-def _common(state: CalibrationState, live: CalibrationLive) -> list[Action]:
+def _common_actions(state: CalibrationState, live: CalibrationLive) -> list[Action]:
     """What every step offers: the simulated operator, the way back, the way out."""
     actions = []
     if live.simulation_running or state.step != "review":
         actions = RULES.offer_simulation(state, live, whole=state.step == "devices")
     if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", message("back")))
-    actions.append(
-        offer(
-            state,
-            live,
-            "abandon",
-            message("abandon"),
-            confirm=message("abandon-calibration-calibration-use-stays"),
-        )
-    )
-    return actions
-
-
-def _final_actions(state: CalibrationState, live: CalibrationLive, body: StepView) -> list[Action]:
-    """Of a session that is over only its result is shown."""
-    return list(body.actions) if state.ended == "accepted" else []
+    confirm = message("abandon-calibration-calibration-use-stays")
+    return [*actions, offer(state, live, "abandon", message("abandon"), confirm=confirm)]

@@ -56,7 +56,7 @@ def list_steps(
     return [Step(name, titles[name], state_of(place)) for place, name in enumerate(names)]
 
 
-def lost_device_findings(*links: DeviceState) -> list[Finding]:
+def device_findings(*links: DeviceState) -> list[Finding]:
     """A device that went away while the operator is at work; nothing is lost by it."""
     return [
         Finding("bad", join([link.title, link.text], ": "), message("wait-check-what-taken-kept"))

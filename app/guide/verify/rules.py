@@ -148,7 +148,7 @@ def _leave(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     return message("finish-cloud-drop") if state.open_cloud is not None else ""
 
 
-def _changed(state: VerifyState, live: VerifyLive, name: str) -> Text:
+def _check_calibration(state: VerifyState, live: VerifyLive, name: str) -> Text:
     return "" if name in WHATEVER_IS_IN_USE else change_reason(state, live)
 
 
@@ -178,5 +178,5 @@ RULES = CommandRules[VerifyState, VerifyLive](
     },
     closed=message("verification-closed-start-new-one"),
     elsewhere=lambda step: message("belongs-another-step-verification-stands", step=step),
-    precondition=_changed,
+    precondition=_check_calibration,
 )

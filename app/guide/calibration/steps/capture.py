@@ -12,7 +12,7 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
-from app.guide.common.flow import lost_device_findings
+from app.guide.common.flow import device_findings
 from app.guide.common.view import (
     Action,
     CameraPicture,
@@ -50,7 +50,7 @@ def place_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         number=_to_go(live) or _stillness(live),
         progress=_poses(state, live),
         findings=[
-            *lost_device_findings(*live.links),
+            *device_findings(*live.links),
             *_picture_findings(live),
             *_about_line(live),
         ],
@@ -68,7 +68,7 @@ def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
         picture=_camera(state, live),
         number=_stillness(live),
         progress=_poses(state, live),
-        findings=[*lost_device_findings(*live.links), *_picture_findings(live)],
+        findings=[*device_findings(*live.links), *_picture_findings(live)],
         actions=[
             offer(state, live, "capture", message("take-picture"), primary=True),
             *_enough(state, live),
