@@ -1,9 +1,9 @@
-import type { FlowView } from "../api/wire";
 import { t } from "../state/language";
+import type { SessionView } from "../state/store";
 import styles from "./StepDots.module.css";
 
 /** The current step in one line, for screens too small for the list of steps. */
-export function StepDots({ view }: { view: Pick<FlowView, "steps" | "step"> }) {
+export function StepDots({ view }: { view: SessionView }) {
   const index = view.steps.findIndex((step) => step.id === view.step);
   return (
     <div className={styles.steps} aria-hidden="true">

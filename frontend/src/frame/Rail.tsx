@@ -15,6 +15,7 @@ import {
 import { t } from "../state/language";
 import { go, PAGES, type Page, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";
+import { usePageSession } from "../state/usePageSession";
 import styles from "./Rail.module.css";
 import { StepList } from "./StepList";
 
@@ -31,11 +32,9 @@ const ICONS = {
   people: PeopleIcon,
 };
 
-/** Pages, and under them the steps of the flow while it is on. */
+/** Pages, and under them the steps of the page's guided session while it is on. */
 export function Rail({ page }: { page: Page }) {
-  const flow = useLive((s) => s.flow);
-  const arm = useLive((s) => s.arm);
-  const verify = useLive((s) => s.verify);
+  const session = usePageSession(page);
   const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <div className={styles.rail}>
@@ -44,9 +43,7 @@ export function Rail({ page }: { page: Page }) {
           <PageLink key={to} to={to} current={to === page} />
         ))}
       </nav>
-      {page === "calibrate" && <StepList flow={flow} />}
-      {page === "verify" && <StepList flow={verify} />}
-      {page === "arm" && <StepList flow={arm} />}
+      <StepList session={session} />
     </div>
   );
 }

@@ -1,7 +1,8 @@
-import type { FlowView, Step } from "../api/wire";
+import type { Step } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { CheckIcon, StaleIcon } from "../parts/icons";
 import { t } from "../state/language";
+import type { SessionView } from "../state/store";
 import styles from "./StepList.module.css";
 
 const WORDS: Record<Step["state"], PlainId> = {
@@ -11,17 +12,17 @@ const WORDS: Record<Step["state"], PlainId> = {
   stale: "ui-to-do-again",
 };
 
-/** The steps of the flow: what is done, where we are, what comes, what must be done again. */
-export function StepList({ flow }: { flow: Pick<FlowView, "running" | "steps" | "step"> | null }) {
-  if (!flow?.running) return null;
+/** The steps of a guided session: what is done, where we are, what comes, what must be done again. */
+export function StepList({ session }: { session: SessionView | null }) {
+  if (!session?.running) return null;
   return (
     <ol className={styles.steps} aria-label={t("ui-steps")}>
-      {flow.steps.map((step, i) => (
+      {session.steps.map((step, i) => (
         <li
           key={step.id}
           className={styles.step}
           data-state={step.state}
-          aria-current={step.id === flow.step ? "step" : undefined}
+          aria-current={step.id === session.step ? "step" : undefined}
           title={step.title}
         >
           <span className={styles.mark}>

@@ -3,6 +3,7 @@ import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
+import { usePageSession } from "../state/usePageSession";
 import { ControlMenu } from "./ControlMenu";
 import { SafetyControls } from "./SafetyControls";
 import { Toggles } from "./Toggles";
@@ -32,15 +33,13 @@ export function TopBar({ page }: { page: Page }) {
 
 /** "Step 3 of 7: Touch the front face", or the page's name. */
 function WhereWeAre({ page }: { page: Page }) {
-  const flow = useLive((s) => (page === "arm" ? s.arm : page === "verify" ? s.verify : s.flow));
-  if ((page !== "calibrate" && page !== "verify" && page !== "arm") || !flow?.running) {
-    return <div className={styles.where}>{t(TITLES[page])}</div>;
-  }
-  const index = flow.steps.findIndex((step) => step.id === flow.step);
+  const session = usePageSession(page);
+  if (!session?.running) return <div className={styles.where}>{t(TITLES[page])}</div>;
+  const index = session.steps.findIndex((step) => step.id === session.step);
   return (
     <div className={styles.where}>
-      <span className={styles.count}>{t("ui-step-of", { n: index + 1, all: flow.steps.length })}</span>
-      <span className={styles.title}>{flow.title}</span>
+      <span className={styles.count}>{t("ui-step-of", { n: index + 1, all: session.steps.length })}</span>
+      <span className={styles.title}>{session.title}</span>
     </div>
   );
 }

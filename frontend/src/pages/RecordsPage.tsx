@@ -9,6 +9,7 @@ import type {
   VerificationSummary,
 } from "../api/wire";
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
+import { useArmList } from "../arm/useArmList";
 import { Banners } from "../frame/Banners";
 import rows from "../parts/List.module.css";
 import { CalibrationHistory } from "../records/CalibrationHistory";
@@ -75,10 +76,9 @@ interface Check {
 
 /** Everything that was done to the arm and its tip, the newest first. */
 function useChecks(): { list: Check[] | null; failed: boolean } {
-  const grown = useLive((s) => `${s.arm?.session_id ?? ""} ${s.arm?.step ?? ""}`);
-  const arm = useList<ArmCheckSummary>("/api/arm/checks", grown);
-  const tip = useList<TipCheckSummary>("/api/arm/tips", grown);
-  const identified = useList<IdentificationSummary>("/api/arm/identifications", grown);
+  const arm = useArmList<ArmCheckSummary>("checks");
+  const tip = useArmList<TipCheckSummary>("tips");
+  const identified = useArmList<IdentificationSummary>("identifications");
   const failed = arm.failed || tip.failed || identified.failed;
   if (!arm.list || !tip.list || !identified.list) return { list: null, failed };
   const list: Check[] = [
