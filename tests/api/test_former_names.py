@@ -26,6 +26,6 @@ def test_a_path_is_replaced_whole_or_at_its_beginning() -> None:
 @pytest.mark.parametrize("note", FORMER_NOTES)
 def test_a_journal_of_an_earlier_version_is_read(note: str) -> None:
     assert note in SIMULATION_NOTES
-    assert note in calibration.KINDS
+    assert note in calibration.NOTES
     assert note in arm.CHANGES
     assert note in verify.CHANGES

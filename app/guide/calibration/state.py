@@ -261,8 +261,6 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "solve_refused": _solve_refused,
     "went_back": lambda state, payload: replace(state, step=payload["to"]),
 }
-KINDS = frozenset((*FORWARD, *ENDS, *NOTES, *CHANGES))
-"""Every kind of row there is."""
 
 
 def _contact(state: CalibrationState, payload: Payload) -> Contact:
