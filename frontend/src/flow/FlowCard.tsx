@@ -27,7 +27,7 @@ export function FlowCard({ view }: { view: FlowView }) {
       guide="flow"
       view={view}
       findings={findings}
-      actions={next && view.actions.map((action) => ({ ...action, primary: false }))}
+      actions={next ? view.actions.map((action) => ({ ...action, primary: false })) : view.actions}
       verdict={view.picture.kind === "result"}
       whole={view.picture.kind === "still"}
       next={

@@ -37,10 +37,10 @@ export function SessionCard({
   findings,
   actions = view.actions,
   help = view.step,
-  verdict,
+  verdict = false,
   number,
   next,
-  whole,
+  whole = false,
   children,
 }: SessionCardProps) {
   const heading = useStepHeading(view.step);
