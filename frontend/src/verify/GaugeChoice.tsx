@@ -1,9 +1,8 @@
 import { sendCommand } from "../api/guideCommands";
 import type { GaugeOption } from "../api/wire";
+import { ChoiceGroup } from "../flow/ChoiceGroup";
 import choice from "../flow/ChoicesPicture.module.css";
 import { EmptyState } from "../parts/EmptyState";
-import { CheckIcon } from "../parts/icons";
-import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { GaugeDrawing } from "./GaugeDrawing";
 
@@ -22,27 +21,12 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
   return (
     <div className={choice.picture}>
       <div className={choice.choices}>
-        <section className={choice.group}>
-          <h3 className={choice.heading}>{t("ui-gauge")}</h3>
-          <div role="radiogroup" aria-label={t("ui-gauge")} className={choice.options}>
-            {gauges.map((option) => (
-              <button
-                key={option.id}
-                type="button"
-                role="radio"
-                aria-checked={option.id === gauge}
-                className={choice.option}
-                onClick={() => void (option.id === gauge || sendCommand("verify", "choose_gauge", { id: option.id }))}
-              >
-                <span className={choice.tick}>{option.id === gauge && <CheckIcon size="1.125rem" />}</span>
-                <span>
-                  <span className={choice.label}>{isolated(option.label)}</span>
-                  <span className={choice.detail}>{option.detail}</span>
-                </span>
-              </button>
-            ))}
-          </div>
-        </section>
+        <ChoiceGroup
+          title={t("ui-gauge")}
+          options={gauges}
+          selected={gauge}
+          onChoose={(id) => void sendCommand("verify", "choose_gauge", { id })}
+        />
       </div>
       <div style={{ alignItems: "center", justifyContent: "center" }}>
         <GaugeDrawing shape={chosen?.shape ?? null} />
