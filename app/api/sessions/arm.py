@@ -1,8 +1,9 @@
 """The guided sessions of the arm: its daily check, and its identification."""
 
+from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.sessions.routes import session_router, view_response
+from app.api.sessions.routes import add_session_routes, view_response
 from app.guide.arm.commands import COMMANDS
 from app.guide.arm.view import (
     ArmCheckSummary,
@@ -13,7 +14,8 @@ from app.guide.arm.view import (
 from app.operations.context import TheContext
 from app.wire.schema import ArmStart
 
-router = session_router("/api/arm", ArmView, lambda context: context.arm_guide, COMMANDS)
+router = APIRouter(prefix="/api/arm")
+add_session_routes(router, "", ArmView, lambda context: context.arm_guide, COMMANDS)
 
 
 @router.get("/checks")

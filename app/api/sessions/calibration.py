@@ -2,16 +2,18 @@
 
 from pathlib import Path
 
+from fastapi import APIRouter
 from starlette.responses import Response
 
 from app.api.files.file_response import send_file
-from app.api.sessions.routes import session_router, view_response
+from app.api.sessions.routes import add_session_routes, view_response
 from app.guide.calibration.commands import COMMANDS
 from app.guide.common.view import FlowView
 from app.messages.message import message
 from app.operations.context import TheContext
 
-router = session_router("/api/flow", FlowView, lambda context: context.guide, COMMANDS)
+router = APIRouter(prefix="/api/flow")
+add_session_routes(router, "", FlowView, lambda context: context.guide, COMMANDS)
 
 
 @router.post("/start", response_model=FlowView)

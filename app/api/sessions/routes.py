@@ -19,25 +19,23 @@ def view_response(view: object) -> Response:
     return Response(encode_json(view), media_type="application/json")
 
 
-def session_router(
+def add_session_routes(
+    router: APIRouter,
     path: str,
     view: type,
     guide_of: Callable[[Context], GuidedSession[Any, Any, Any]],
     commands: Commands[Any],
-) -> APIRouter:
-    """Routes for the present view, and for its commands."""
-    router = APIRouter(prefix=path)
+) -> None:
+    """Adds the routes of the present view, and of its commands."""
 
-    @router.get("", response_model=view)
+    @router.get(path, response_model=view)
     def present_view(context: TheContext) -> Response:
         """The present view."""
         return view_response(guide_of(context).view())
 
-    @router.post("/command", response_model=view)
+    @router.post(path + "/command", response_model=view)
     def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
         """One of the view's actions; once for each key, and only on the present view."""
         request.state.detail = audit_label(asked.name)
         guide = guide_of(context)
         return view_response(commands.run(guide, asked.name, asked.args, asked.rev, asked.key))
-
-    return router

@@ -8,7 +8,7 @@ from starlette.responses import Response
 from app.api.access.authorization import TheVisitor
 from app.api.files.file_response import send_file
 from app.api.problems import NotFoundError
-from app.api.sessions.routes import session_router, view_response
+from app.api.sessions.routes import add_session_routes, view_response
 from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
 from app.guide.verify.commands import COMMANDS
@@ -26,9 +26,7 @@ CloudNumber = Annotated[int, Path(ge=1, le=999)]
 STUDY_TITLE = message("rebuilding-clouds-every-calibration")
 
 
-router.include_router(
-    session_router("/verify", VerifyView, lambda context: context.verify_guide, COMMANDS)
-)
+add_session_routes(router, "/verify", VerifyView, lambda context: context.verify_guide, COMMANDS)
 
 
 @router.post("/verify/start", response_model=VerifyView)
