@@ -43,7 +43,8 @@ class Commands(Generic[Guide]):
         with guide.lock:
             if not guide.knows_key(key):
                 rev_seen = None if name in AT_ANY_REV else rev
-                self.acts[name](guide, guide.check_allowed(name, args, rev_seen), key)
+                typed = guide.check_allowed(name, args, rev_seen)
+                self.acts[name](guide, typed, key)
             return guide.refresh()
 
     def press(self, guide: Guide, event: Press) -> bool:
@@ -56,7 +57,8 @@ class Commands(Generic[Guide]):
                 if name in self.at_press:
                     self.at_press[name](guide, event.stamp_ns)
                 else:
-                    self.acts[name](guide, guide.check_allowed(name, {}, None), None)
+                    typed = guide.check_allowed(name, {}, None)
+                    self.acts[name](guide, typed, None)
             except OperationError as refusal:
                 guide.decline(refusal)
             guide.refresh()
