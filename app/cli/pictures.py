@@ -2,11 +2,14 @@
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.console import print_json, print_table, progress_bar, report_errors
+
+if TYPE_CHECKING:
+    from app.metrology.colour import LaserColour
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
@@ -86,7 +89,7 @@ def extract(
     check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
-    of_laser = colour.value if colour else None
+    of_laser: LaserColour | None = None if colour is None else colour.value
     with progress_bar("Extracting", not as_json) as progress:
         stripes = extract_all(images, axis.value, progress, settings, zones, of_laser)
         write_stripes(output, stripes)
@@ -147,7 +150,8 @@ def detect(
 
     if output is not None:
         check_output_path(output, [*images, target])
-    channel = colour.value if colour else "green"  # of which colour cameras have most pixels
+    # a colour camera has most pixels of green
+    channel: LaserColour = "green" if colour is None else colour.value
     with progress_bar("Detecting", not as_json) as progress:
         found = detect_targets(
             images, read_object(target), laser.value if laser else None, channel, progress
