@@ -7,8 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from starlette.responses import Response
 
-from app.api.files.file_response import send_file
-from app.api.lookups import find_calibration
+from app.api.lookups import find_calibration, send_file
 from app.errors import OperationError
 from app.formats.results.acceptance import read_acceptance
 from app.guide.calibration.accepted import restore_result

@@ -1,7 +1,13 @@
-"""Records by the ids in addresses."""
+"""Records and files that an address names; ``NotFoundError`` where there is none."""
+
+from pathlib import Path
+
+from starlette.responses import FileResponse, Response
 
 from app.api.problems import NotFoundError
-from app.messages.message import message
+from app.formats.io_errors import convert_io_errors
+from app.formats.open_file import open_file
+from app.messages.message import Text, message
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
@@ -21,3 +27,23 @@ def find_scan(context: Context, scan_id: str) -> ScanRecord:
     if scan is None:
         raise NotFoundError(message("there-no-scan", scan_id=scan_id))
     return scan
+
+
+def send_file(
+    path: Path | None, missing: Text, media_type: str, name: str = "", cached: bool = False
+) -> Response:
+    """A file of the data folder to look at, or where it is named to download.
+
+    Args:
+        missing: the text where there is no ordinary file.
+
+    Raises:
+        NotFoundError: there is none.
+        OperationError: it cannot be read.
+    """
+    if path is None or not path.is_file():
+        raise NotFoundError(missing)
+    with convert_io_errors(path):
+        open_file(path).close()
+    headers = {"Cache-Control": "private"} if cached else None
+    return FileResponse(path, media_type=media_type, filename=name or None, headers=headers)

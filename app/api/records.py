@@ -5,8 +5,7 @@ from pathlib import Path
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.files.file_response import send_file
-from app.api.lookups import find_calibration, find_scan
+from app.api.lookups import find_calibration, find_scan, send_file
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary

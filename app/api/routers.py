@@ -1,4 +1,11 @@
-"""All routers of the application, in the order in which paths are matched."""
+"""All routers of the application, in the order in which a path is looked for.
+
+The last one answers what no other does: with the client's built files, or its page.
+"""
+
+from fastapi import APIRouter, FastAPI, Request
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
 
 from app.api import (
     calibrations,
@@ -13,9 +20,33 @@ from app.api import (
     settings,
 )
 from app.api.access import accounts, auth, tokens
-from app.api.files import client
 from app.api.sessions import arm, calibration, verification
+from app.api.static_files import file_response, names_a_file, page_response
 from app.api.viewer import proxy
+
+client = APIRouter(include_in_schema=False)
+
+
+@client.get("/api/openapi.json")
+def openapi(request: Request) -> dict[str, object]:
+    """What the interface takes and gives, for programs."""
+    app: FastAPI = request.app
+    return app.openapi()
+
+
+@client.api_route("/api/{path:path}", methods=["GET", "POST", "PUT", "PATCH", "DELETE"])
+def no_such_interface(path: str) -> Response:
+    raise HTTPException(404)
+
+
+@client.api_route("/{path:path}", methods=["GET", "HEAD"])
+def client_file(path: str) -> Response:
+    """A built file, or the page itself, which finds its own way by the address."""
+    found = file_response(path)
+    if found is None and names_a_file(path):
+        raise HTTPException(404)
+    return found or page_response("index.html")
+
 
 ROUTERS = (
     auth.router,
@@ -35,6 +66,5 @@ ROUTERS = (
     scene.router,
     live.router,
     proxy.router,
-    client.router,
+    client,
 )
-"""The client's router is the last one, because it answers every other path."""

@@ -18,7 +18,7 @@ from starlette.applications import Starlette
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from app.api.files.static_files import file_response, names_a_file, page_response
+from app.api.static_files import file_response, names_a_file, page_response
 from app.messages.message import Text, message
 from app.server.middleware import Guard
 from app.wire.problem import problem

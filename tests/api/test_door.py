@@ -11,8 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 import httpx
 import pytest
 
-from app.api import reports
-from app.api.files import static_files
+from app.api import reports, static_files
 from app.errors import OperationError
 from app.server import listener as serving
 from app.server import middleware as guard

@@ -15,7 +15,7 @@ from starlette.routing import Route
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.api.files import static_files
+from app.api import static_files
 from app.errors import OperationError
 from app.server.listener import make_server
 from app.server.starting_page import StartingApp, StartStep

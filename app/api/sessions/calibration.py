@@ -5,7 +5,7 @@ from pathlib import Path
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.files.file_response import send_file
+from app.api.lookups import send_file
 from app.api.sessions.routes import add_session_routes, view_response
 from app.guide.calibration.commands import COMMANDS
 from app.guide.common.view import FlowView

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Path
 from starlette.responses import Response
 
 from app.api.access.authorization import TheVisitor
-from app.api.files.file_response import send_file
+from app.api.lookups import send_file
 from app.api.problems import NotFoundError
 from app.api.sessions.routes import add_session_routes, view_response
 from app.errors import OperationError

@@ -1,1 +1,0 @@
-"""Files that are served: the built client, and files of the data folder."""
