@@ -80,7 +80,7 @@ def _terminate(number: int, frame: object) -> NoReturn:
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        from app.formats.software import SOFTWARE
+        from app.formats.json_document import SOFTWARE
 
         print(f"{SOFTWARE.name} {SOFTWARE.version}")
         raise typer.Exit

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import re
+from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
@@ -49,6 +50,23 @@ class DocumentPart(BaseModel):
     """A piece of a document. Fields that the program does not know are ignored."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
+
+
+class Software(DocumentPart):
+    """Which program and version wrote a file."""
+
+    name: str
+    version: str
+
+
+def _installed_version() -> str:
+    try:
+        return metadata.version("crenel")
+    except metadata.PackageNotFoundError:  # run from a source tree that was not installed
+        return "uninstalled"
+
+
+SOFTWARE = Software(name="crenel", version=_installed_version())
 
 
 class Document(DocumentPart):

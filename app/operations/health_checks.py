@@ -10,7 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import TypeVar, cast
 
 from app.errors import OperationError
-from app.formats.software import SOFTWARE
+from app.formats.json_document import SOFTWARE
 from app.guide.common.validity import SECONDS_A_DAY, age_days
 from app.monitoring import health, storage_health
 from app.monitoring import health_topics as health_messages

@@ -2,12 +2,15 @@
 
 import asyncio
 import logging
-from collections.abc import Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
+from itertools import count
 
 from app.errors import OperationError, sentence
+from app.guide.verify.commands import measure_waiting
 from app.messages.message import join
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
+from app.operations.home import build_home
 from app.operations.status_report import build_report
 from app.station.bus import Event
 from app.supervision.message_data import payload_text, readable
@@ -17,6 +20,9 @@ from app.timestamps import utc_now
 from app.wire.schema import Home
 
 log = logging.getLogger(__name__)
+LIVE_S = 0.2
+HOME_EVERY = 5
+"""Home is looked at less often than the guided sessions."""
 REPORT_S = 0.5
 STATIONS_S = 1.0
 HEALTH_S = 3.0
@@ -24,6 +30,43 @@ TEMPERATURE_S = 5.0
 END_S = 1.5
 DueKey = tuple[str, str | None]
 """Id and time of a check that is due."""
+
+
+async def _repeat(step: Callable[[], Awaitable[None]], period_s: float, failure: str) -> None:
+    """Runs until cancelled; a step that fails is logged, and the next may succeed."""
+    while True:
+        try:
+            await step()
+        except OperationError as refusal:  # of a damaged database or its disk; Health shows it
+            log.warning("%s: %s", failure, refusal.line)
+        except Exception:
+            log.exception(failure)
+        await asyncio.sleep(period_s)
+
+
+async def tick(context: Context) -> None:
+    """Refreshes the live part of guided sessions, and home; runs until cancelled.
+
+    Only what changed is published.
+    """
+    ticks = count()
+    home: Home | None = None
+
+    async def step() -> None:
+        nonlocal home
+        number = next(ticks)
+        await asyncio.to_thread(context.guide.refresh)
+        await asyncio.to_thread(context.arm_guide.refresh)
+        await asyncio.to_thread(measure_waiting, context.verify_guide)
+        await asyncio.to_thread(context.verify_guide.refresh)
+        if number % HOME_EVERY == 0:
+            await asyncio.to_thread(context.recovery.step)
+            found = await asyncio.to_thread(build_home, context)
+            if found != home:
+                home = found
+                context.bus.publish("home", home)
+
+    await _repeat(step, LIVE_S, "the live state could not be refreshed")
 
 
 async def observe(context: Context) -> None:
@@ -59,18 +102,16 @@ async def _run_and_log(work: Coroutine[object, object, None]) -> None:
 
 async def _reports(context: Context) -> None:
     due: set[DueKey] = set()
-    while True:
-        try:
-            report = await asyncio.to_thread(build_report, context)
-            context.bus.publish("report", readable(report))
-            if context.monitoring.broker is not None:
-                context.monitoring.broker.report(report)
-            due = _notify_due(context, due)
-        except OperationError as refusal:  # from a damaged database or its disk; Health shows it
-            log.warning("the station's report could not be made: %s", refusal.line)
-        except Exception:  # the station continues, and the next attempt may succeed
-            log.exception("the station's report could not be made")
-        await asyncio.sleep(REPORT_S)
+
+    async def step() -> None:
+        nonlocal due
+        report = await asyncio.to_thread(build_report, context)
+        context.bus.publish("report", readable(report))
+        if context.monitoring.broker is not None:
+            context.monitoring.broker.report(report)
+        due = _notify_due(context, due)
+
+    await _repeat(step, REPORT_S, "the station's report could not be made")
 
 
 def _notify_due(context: Context, known: set[DueKey]) -> set[DueKey]:
@@ -140,22 +181,18 @@ def _pass_on(context: Context, event: Event) -> None:
 
 async def _health(context: Context) -> None:
     examiner = HealthChecker(context)
-    while True:
-        try:
-            context.monitoring.health = await asyncio.to_thread(examiner.look)
-        except OperationError as refusal:
-            log.warning("the station's health could not be looked at: %s", refusal.line)
-        except Exception:
-            log.exception("the station's health could not be looked at")
-        await asyncio.sleep(HEALTH_S)
+
+    async def step() -> None:
+        context.monitoring.health = await asyncio.to_thread(examiner.look)
+
+    await _repeat(step, HEALTH_S, "the station's health could not be looked at")
 
 
 async def _temperature(context: Context) -> None:
-    while context.monitoring.temperature.there:
-        try:
-            await asyncio.to_thread(context.monitoring.temperature.read)
-        except OperationError as refusal:
-            log.warning("the temperature could not be kept: %s", refusal.line)
-        except Exception:
-            log.exception("the temperature could not be read")
-        await asyncio.sleep(TEMPERATURE_S)
+    watch = context.monitoring.temperature
+    if watch.there:
+        await _repeat(
+            lambda: asyncio.to_thread(watch.read),
+            TEMPERATURE_S,
+            "the temperature could not be read and kept",
+        )

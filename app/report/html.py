@@ -5,7 +5,7 @@ import html
 from collections.abc import Sequence
 from functools import cache
 
-from app.formats.software import SOFTWARE
+from app.formats.json_document import SOFTWARE
 from app.messages.catalogue import Render, isolate_names, renderer
 from app.messages.message import Message, message
 from app.report.content import (

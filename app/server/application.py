@@ -10,10 +10,9 @@ from fastapi import Depends, FastAPI
 from app.api import problems
 from app.api.access.authorization import authorise
 from app.api.routers import ROUTERS
-from app.formats.software import SOFTWARE
+from app.formats.json_document import SOFTWARE
 from app.operations.context import Context
-from app.operations.publishers import observe
-from app.operations.ticker import tick
+from app.operations.publishers import observe, tick
 from app.security.anonymous_queue import AnonymousQueue
 from app.server.composition import StationParts, close_context, open_context
 from app.server.middleware import FormerPaths, Guard

@@ -7,7 +7,7 @@ from pathlib import Path
 from app.api.scan import stop_everything
 from app.errors import OperationError
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
-from app.formats.software import SOFTWARE
+from app.formats.json_document import SOFTWARE
 from app.guide.arm.commands import COMMANDS as ARM_COMMANDS
 from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS

@@ -21,9 +21,8 @@ from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder, write_atomically
 from app.formats.file_names import display_path, escape_unprintable
 from app.formats.io_errors import convert_io_errors, error_from_os
-from app.formats.json_document import file_sha256
+from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.open_file import open_file, read_bounded
-from app.formats.software import SOFTWARE
 from app.messages.message import message, quantity
 from app.timestamps import is_moment, utc_now
 

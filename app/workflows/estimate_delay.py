@@ -16,7 +16,7 @@ from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
 from app.formats.recording.stream import Block, read_blocks
 from app.formats.results.calibration import Calibration
-from app.formats.results.delay import Sync
+from app.formats.settings.scan_settings import Sync
 from app.messages.message import message, word
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm, flange_poses

@@ -19,9 +19,8 @@ from app.formats.datasheets.arm_identification import (
     ValidationPart,
 )
 from app.formats.io_errors import prefix_errors
-from app.formats.json_document import file_sha256
+from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.session.arm_session import TABLES, read_identification_session, read_observations
-from app.formats.software import SOFTWARE
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.cross_validation import Deviations, Validation
 from app.metrology.arm.identification.identify import Identification, Outlier, identify

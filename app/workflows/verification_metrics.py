@@ -16,8 +16,7 @@ from app.formats.results.verification import (
     VerificationVerdict,
 )
 from app.messages.message import Text, message, quantity
-from app.metrology.gauges.conformity import decide
-from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane
+from app.metrology.gauges.errors import ARCSEC_PER_RAD, angle_between_rad, compare_plane, decide
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 from app.workflows.measure_gauge import GaugeFit
 

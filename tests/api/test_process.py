@@ -22,7 +22,7 @@ import pytest
 import trustme
 
 from app.formats.images import write_png
-from app.formats.software import SOFTWARE
+from app.formats.json_document import SOFTWARE
 from hardware.simulator.station import SimulatedStation
 from tests.entering import client
 from tests.sent_texts import english

@@ -27,7 +27,6 @@ from app.formats.recording.decoders import SCHEMAS
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
 from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.formats.results.delay import Sync
 from app.formats.session.arm_session import read_observations
 from app.formats.session.calibration_session import (
     BlockSession,
@@ -39,7 +38,7 @@ from app.formats.session.calibration_session import (
 )
 from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
 from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings
+from app.formats.settings.scan_settings import ScanSettings, Sync
 from app.messages.message import Message
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere

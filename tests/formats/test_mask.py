@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.formats.results.delay import Sync
 from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings, Sync
 from app.metrology.stripe import StripeSettings
 from app.store.scan_settings import SettingsStore
 from tests.cli.test_cli import crenel, refused

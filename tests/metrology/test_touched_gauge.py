@@ -8,7 +8,7 @@ from app.metrology.arm.kinematics import Arm, Joint, Tip, flange_pose, tip_centr
 from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.fitting.shape import measure_shape
-from app.metrology.gauges.conformity import decide
+from app.metrology.gauges.errors import decide
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.metrology.gauges.scanned_gauge import fit_gauge_plane, fit_gauge_sphere, zone_mm
 from tests.guide.builders import REST_RAD, reach_tip

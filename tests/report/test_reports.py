@@ -17,13 +17,12 @@ from typer.testing import CliRunner
 from app.cli.main import cli
 from app.errors import OperationError
 from app.formats.datasheets.arm import write_arm
-from app.formats.json_document import file_sha256
+from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import VerificationFile, write_verification
 from app.formats.session.arm_session import write_observations
-from app.formats.software import SOFTWARE
 from app.messages.catalogue import renderer
 from app.messages.language_file import languages
 from app.messages.message import Message, Text, message, quantity

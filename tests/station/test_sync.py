@@ -11,7 +11,7 @@ import pytest
 from app.formats.recording.decoders import JointRecord
 from app.formats.recording.reader import open_recording
 from app.formats.results.calibration import Calibration, SerialNumbers
-from app.formats.results.delay import Sync
+from app.formats.settings.scan_settings import Sync
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.station.bus import Bus

@@ -4,8 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.formats.json_document import DocumentPart, NotNegative, Number
-from app.formats.software import Software
+from app.formats.json_document import DocumentPart, NotNegative, Number, Software
 from app.messages.message import Text
 
 

@@ -2,9 +2,8 @@
 
 from typing import ClassVar, Literal
 
-from app.formats.json_document import Document, NotNegative, Number, Positive, Vector3
+from app.formats.json_document import Document, NotNegative, Number, Positive, Software, Vector3
 from app.formats.results.calibration import Input
-from app.formats.software import Software
 from app.messages.message import Text
 
 ARM_CHECK = "arm-check.json"

@@ -16,9 +16,9 @@ from app.formats.json_document import (
     Matrix34,
     NotNegative,
     Number,
+    Software,
     Vector3,
 )
-from app.formats.software import Software
 from app.messages.message import Text, message
 from app.metrology.calibration.findings import Quality
 from app.metrology.sensor.camera import Camera, project, rays

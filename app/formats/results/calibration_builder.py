@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from app.formats.json_document import SOFTWARE
 from app.formats.results.calibration import (
     BudgetPart,
     CalibrationFile,
@@ -25,7 +26,6 @@ from app.formats.results.calibration import (
     Uncertainty,
     VerdictPart,
 )
-from app.formats.software import SOFTWARE
 from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty

@@ -11,9 +11,16 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from app.formats.datasheets.gauge import Shape
-from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
+from app.formats.json_document import (
+    Document,
+    DocumentPart,
+    NotNegative,
+    Number,
+    Positive,
+    Software,
+    Vector3,
+)
 from app.formats.results.calibration import Input, SerialNumbers
-from app.formats.software import Software
 from app.messages.message import Text
 
 Decision = Literal["pass", "fail", "uncertain", "none"]

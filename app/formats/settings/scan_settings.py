@@ -1,12 +1,14 @@
-"""``scan_settings.json``: what an operator sets of a scan. What is not set is automatic."""
+"""``scan_settings.json``: what an operator sets of a scan. What is not set is automatic.
+
+``sync.json``, the delay between arm and camera, is measured, and then a part of it.
+"""
 
 import json
 from typing import Annotated, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field, StrictBool
 
-from app.formats.json_document import Document, Number
-from app.formats.results.delay import Sync
+from app.formats.json_document import Document, NotNegative, Number
 from app.formats.settings.mask import Mask
 from app.metrology.stripe import PeakChoice, StripeSettings
 
@@ -18,6 +20,28 @@ Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
 """Microseconds."""
 Blur = Annotated[Number, Field(ge=0.001, le=100)]
 """Millimetres."""
+
+
+class Sync(Document):
+    """``sync.json``: by how much the arm's stamps are later than the camera's."""
+
+    FORMAT: ClassVar[str] = "crenel/sync"
+
+    delay_ms: Number
+    standard_uncertainty_ms: NotNegative
+    frames: int
+    reversals: int
+    seconds: NotNegative
+    speed_mm_s: NotNegative
+    rms_without_um: NotNegative
+    rms_um: NotNegative
+    arm_serial: str = ""
+    sensor_serial: str = ""
+    recording: str = ""
+
+    @property
+    def delay_ns(self) -> int:
+        return round(self.delay_ms * 1e6)
 
 
 class ScanOptions(BaseModel):

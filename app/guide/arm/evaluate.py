@@ -6,11 +6,10 @@ from datetime import UTC, datetime
 import numpy as np
 
 from app.errors import OperationError
-from app.formats.json_document import file_sha256
+from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from app.formats.results.calibration import Input
 from app.formats.session.arm_session import ARM, ARTICULATION, SPHERES
-from app.formats.software import SOFTWARE
 from app.guide.arm.flow import limit_quality
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.history import CHECKED, TIP_CHECKED

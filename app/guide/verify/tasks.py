@@ -8,7 +8,7 @@ from pathlib import Path
 from app.errors import OperationError
 from app.formats.atomic_write import sync_file, sync_folder
 from app.formats.io_errors import convert_io_errors
-from app.formats.json_document import file_sha256
+from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.calibration import CalibrationFile, Input
 from app.formats.results.verification import (
     CONTACTS,
@@ -22,7 +22,6 @@ from app.formats.results.verification import (
     write_verification,
 )
 from app.formats.session.calibration_session import ARM
-from app.formats.software import SOFTWARE
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.flow import DECISION_QUALITY
 from app.guide.common.recorded_error import error_payload

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
-from app.metrology.gauges.conformity import Decision, decide
+from app.metrology.gauges.errors import Decision, decide
 from app.metrology.gauges.probed_gauge import fit_probed_sphere, sphere_through
 from app.metrology.transforms import Floats
 
