@@ -2,6 +2,7 @@
 
 import re
 from datetime import UTC
+from typing import Literal
 
 from app.messages.message import Message, Quantity, Text, message, quantity, rounded, word
 from app.timestamps import parse_moment
@@ -37,6 +38,11 @@ def format_moment(text: str | None) -> Text:
 
 def micrometres(value_um: float) -> Quantity:
     return quantity(value_um, "µm", 1)
+
+
+def error_value(value: float, unit: Literal["µm", "″"]) -> Quantity:
+    """An error in the unit of its kind: an angle to an arcsecond, a length as ``micrometres``."""
+    return quantity(value, unit, 0 if unit == "″" else 1)
 
 
 def millimetres(value_um: float) -> Quantity:

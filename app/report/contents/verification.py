@@ -1,7 +1,6 @@
 """The report of a verification, from its folder alone."""
 
 from pathlib import Path
-from typing import Literal
 
 from app.formats.results.verification import (
     VERIFICATION,
@@ -12,7 +11,7 @@ from app.formats.results.verification import (
     VerificationFile,
     read_verification,
 )
-from app.messages.message import Message, Quantity, Text, join, message, quantity, rounded, word
+from app.messages.message import Message, Text, join, message, quantity, rounded, word
 from app.report.content import (
     Facts,
     Findings,
@@ -26,24 +25,12 @@ from app.report.content import (
     Verdict,
     signatures,
 )
-from app.report.contents.gauge_figure import deviation_figure
-from app.report.figure import (
-    BLUE,
-    FAINT,
-    GROUND,
-    INK,
-    LINE,
-    ORANGE,
-    RED,
-    SOFT,
-    Dot,
-    Figure,
-    Polyline,
-)
+from app.report.contents.verification_figures import cloud_plot, deviation_figure, limit_figure
 from app.report.formatting import (
     NONE,
     UNKNOWN,
     device_name,
+    error_value,
     format_moment,
     micrometres,
     millimetres,
@@ -67,10 +54,6 @@ QUALITIES: dict[Decision, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
-LABELS = 192.0
-"""Wide enough for the longest title of a figure, in every language."""
-TICK_SPACE = 7.0
-"""Minimum distance between the numbers beside a plot, so that they do not overlap."""
 DECISIONS: dict[Decision, Message] = {
     "pass": word("pass"),
     "fail": word("fail"),
@@ -97,7 +80,7 @@ def verification_report(folder: Path) -> Report[Text]:
         Section(message("results"), [_results(document), *_rule()]),
         signatures(document.operator),
         Section(message("reasons"), [Findings([*reasons, *notes])], together=False),
-        Section(message("against-limits"), [Pictures([_limit_figure(document)])]),
+        Section(message("against-limits"), [Pictures([limit_figure(document)])]),
         *_clouds(document),
         *_maps(folder, document),
         inputs_section(folder, document.inputs, VERIFICATION),
@@ -181,10 +164,10 @@ def _results(document: VerificationFile) -> ReportTable[Text]:
     rows: list[tuple[Text, ...]] = [
         (
             figure.title,
-            _value(figure.value, figure.unit),
+            error_value(figure.value, figure.unit),
             millimetres(figure.value) if figure.unit == "µm" else "",
-            plus_minus(_value(figure.expanded_uncertainty, figure.unit)),
-            NONE if figure.limit is None else _value(figure.limit, figure.unit),
+            plus_minus(error_value(figure.expanded_uncertainty, figure.unit)),
+            NONE if figure.limit is None else error_value(figure.limit, figure.unit),
             DECISIONS[figure.decision],
         )
         for figure in document.figures
@@ -200,52 +183,11 @@ def _results(document: VerificationFile) -> ReportTable[Text]:
     return ReportTable(columns, rows, (31, 13, 14, 13, 12, 18))
 
 
-def _value(value: float, unit: Literal["µm", "″"]) -> Quantity:
-    return quantity(value, unit, 0 if unit == "″" else 1)
-
-
 def _rule() -> list[TextBlock[Text]]:
     return [
         TextBlock(message("decision-rule-iso-14253-1-pass")),
         TextBlock(message("standard-positions-articulations-counts-iso-10360")),
     ]
-
-
-def _limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
-    """Each figure as a share of its limit, with its uncertainty and the value of each cloud."""
-    limited = [figure for figure in document.figures if figure.limit is not None]
-    figure = Figure[Text](
-        520, 24.0 * max(len(limited), 1) + 26, message("figures-against-their-limits")
-    )
-    left, width = LABELS, 270.0
-    reach = max((_limit_share(one) for one in limited), default=1.0)
-    scale = width / (2 * max(1.2, 1.05 * reach))
-    zero = left + width / 2
-    for row, one in enumerate(limited):
-        assert one.limit is not None
-        y = 24.0 * row + 14
-        figure.box((left, y - 7), width, 14, GROUND)
-        u = one.expanded_uncertainty / one.limit * scale
-        at = zero + one.value / one.limit * scale
-        colour = {"pass": BLUE, "fail": RED}.get(one.decision, ORANGE)
-        for value in one.clouds:
-            figure.items.append(Dot((zero + value / one.limit * scale, y), 1.8, "", FAINT, 0.7))
-        figure.line((at - u, y), (at + u, y), stroke=colour, width=2)
-        figure.items.append(Dot((at, y), 3, colour, "#ffffff", 0.6))
-        figure.label((left - 8, y + 3), one.title, 7.5, SOFT, "end")
-        figure.label((left + width + 8, y + 3), _value(one.value, one.unit), 8, INK)
-    bottom = 24.0 * len(limited) + 4
-    figure.line((zero, 2.0), (zero, bottom), stroke=LINE)
-    for sign in (-1, 1):
-        x = zero + sign * scale
-        figure.items.append(Polyline(((x, 2.0), (x, bottom)), RED, 1, dash=(3, 2)))
-        figure.label((x, bottom + 11), message("limit-mark"), 7.5, RED, "middle")
-    return figure, message("values-shares-their-limits-bar-expanded")
-
-
-def _limit_share(one: FigurePart) -> float:
-    assert one.limit is not None
-    return (abs(one.value) + one.expanded_uncertainty) / one.limit
 
 
 CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
@@ -284,7 +226,7 @@ def _clouds(document: VerificationFile) -> list[Section[Text]]:
     table = ReportTable[Text](columns, rows, (22, 14, 11, 15, *[12] * len(known)))
     sections = [Section[Text](message("clouds-2"), [table], together=False)]
     if len(document.clouds) > 1 and known:
-        plots = [_plot(document, name, title) for name, title, _ in known]
+        plots = [cloud_plot(document, name, title) for name, title, _ in known]
         sections.append(Section(message("over-clouds"), [Pictures(plots, 3)], together=False))
     return sections
 
@@ -305,32 +247,3 @@ def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
 def _cell(cloud: CloudPart, name: str, decimals: int) -> Text:
     value = getattr(cloud, name)
     return "–" if value is None else quantity(value, decimals=decimals)
-
-
-def _plot(document: VerificationFile, name: str, title: Text) -> tuple[Figure[Text], Text]:
-    values = [getattr(cloud, name) for cloud in document.clouds]
-    known = [float(value) for value in values if value is not None]
-    low, high = min([0.0, *known]), max([0.0, *known])
-    span = max(high - low, 1e-9) * 1.15
-    figure = Figure[Text](250, 120, title)
-    left, width, bottom, height = 34.0, 208.0, 100.0, 88.0
-    figure.box((left, bottom - height), width, height, "#f7f8fa", LINE)
-
-    def y(value: float) -> float:
-        return bottom - 4 - (value - low) / span * (height - 8)
-
-    figure.line((left, y(0.0)), (left + width, y(0.0)), stroke=FAINT, width=0.6)
-    figure.label((left - 4, y(0.0) + 2.5), "0", 7, FAINT, "end")
-    labelled = [0.0]
-    for value in (max(known, key=abs), min(known, key=abs)):
-        # a number that would overlap another is in the table only
-        if all(abs(y(value) - y(other)) >= TICK_SPACE for other in labelled):
-            figure.label((left - 4, y(value) + 2.5), quantity(value), 7, FAINT, "end")
-            labelled.append(value)
-    step = width / len(values)
-    for i, value in enumerate(values):
-        x = left + (i + 0.5) * step
-        figure.label((x, bottom + 10), str(i + 1), 7, FAINT, "middle")
-        if value is not None:
-            figure.items.append(Dot((x, y(value)), 2.6, BLUE))
-    return figure, message("cloud-cloud", title=title)
