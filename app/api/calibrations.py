@@ -16,7 +16,7 @@ from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import calibration_summary
 from app.store.calibrations import CalibrationRecord
-from app.wire.encoding import encode_json
+from app.wire.json_response import encode_json
 from app.wire.schema import CalibrationPoint, RecordedCalibration
 from app.workflows.calibration_history import HistoryEntry, read_history
 

@@ -21,7 +21,7 @@ from app.station.bus import Subscription, Updates
 from app.station.preview.preview import PreviewImage
 from app.station.scan.state import ScanState
 from app.store.login_sessions import Principal
-from app.wire.encoding import encode_json
+from app.wire.json_response import encode_json
 from app.wire.live_messages import (
     BeatMessage,
     EventMessage,

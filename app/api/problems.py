@@ -16,7 +16,7 @@ from app.messages.message import Text, join, message, quantity
 from app.messages.validation import validation_text
 from app.security.authentication import AccessDeniedError, TooManyAttemptsError
 from app.store.database import NOT_SAVED
-from app.wire.problem import RequestError, problem
+from app.wire.json_response import RequestError, problem
 
 log = logging.getLogger(__name__)
 

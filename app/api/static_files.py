@@ -1,4 +1,4 @@
-"""The built files of the client in ``app/static``; light to import, like ``problem``."""
+"""The built files of the client in ``app/static``; light to import, like ``json_response``."""
 
 from pathlib import Path
 

@@ -19,7 +19,7 @@ from starlette.types import Message as AsgiMessage
 
 from app.messages.message import Text, message, quantity
 from app.report.html_policy import POLICY
-from app.wire.problem import RequestError, problem
+from app.wire.json_response import RequestError, problem
 
 LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 LARGEST_BODY = 1 << 18

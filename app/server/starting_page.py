@@ -21,7 +21,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from app.api.static_files import file_response, names_a_file, page_response
 from app.messages.message import Text, message
 from app.server.middleware import Guard
-from app.wire.problem import problem
+from app.wire.json_response import problem
 from app.wire.readiness import Readiness
 
 PAGE = "starting.html"

@@ -21,7 +21,7 @@ from app.server.demo import station_parts
 from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.timestamps import utc_now
-from app.wire.encoding import encode_json
+from app.wire.json_response import encode_json
 from hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 

@@ -10,7 +10,7 @@ from app.guide.common.audit_labels import audit_label
 from app.guide.common.commands import Commands
 from app.guide.common.guided_session import GuidedSession
 from app.operations.context import Context, TheContext
-from app.wire.encoding import encode_json
+from app.wire.json_response import encode_json
 from app.wire.schema import FlowCommand
 
 

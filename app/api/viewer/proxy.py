@@ -27,7 +27,7 @@ from app.messages.message import message
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
 from app.station.view3d.view_controller import ViewController
-from app.wire.problem import problem
+from app.wire.json_response import problem
 
 router = APIRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
