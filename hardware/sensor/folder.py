@@ -25,14 +25,14 @@ from pydantic import Field
 from app.messages.message import message
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
-from hardware.sensor.grabbing import (
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.sensor.grey import LaserColour, to_grey
+from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
-    GrabbingSensor,
     ImageSource,
     PlaybackTimer,
 )
-from hardware.sensor.grey import LaserColour, to_grey
 
 _SUFFIXES = {".png", ".tif", ".tiff", ".bmp", ".jpg", ".jpeg"}
 

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from cv2.typing import MatLike
 
-from hardware.sensor.grabbing import GreyImage
+from hardware.sensor.image_source import GreyImage
 
 LaserColour = Literal["red", "green", "blue"]
 PLANES: dict[LaserColour, int] = {"blue": 0, "green": 1, "red": 2}

@@ -39,14 +39,14 @@ from app.messages.message import Text, join, message, rounded
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
-from hardware.sensor.grabbing import (
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.sensor.grey import LaserColour, to_grey
+from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
-    GrabbingSensor,
     ImageSource,
     PlaybackTimer,
 )
-from hardware.sensor.grey import LaserColour, to_grey
 
 _OPEN_MS, _READ_MS = 5000, 3000
 _STAMP_AGE_NS = 1_000_000_000

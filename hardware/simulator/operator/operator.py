@@ -25,8 +25,7 @@ from hardware.simulator.operator.contact import (
 )
 from hardware.simulator.operator.holding import SensorMount, sensor_over_block, sensor_over_board
 from hardware.simulator.operator.moving import MoveExecutor, OperatorState
-from hardware.simulator.operator.passing import PASS_S, passing_poses
-from hardware.simulator.operator.paths import PathPlanner
+from hardware.simulator.operator.paths import PASS_S, PathPlanner, passing_poses
 from hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
 from hardware.simulator.operator.swinging import (
     BAR_MM,

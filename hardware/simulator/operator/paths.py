@@ -1,4 +1,5 @@
-"""The simulated operator's ways to a pose of the arm, at an operator's speed or faster."""
+"""The simulated operator's ways to a pose of the arm, at an operator's speed or faster, and the
+way over the plate that shows a delay between arm and camera."""
 
 import numpy as np
 
@@ -8,6 +9,7 @@ from hardware.simulator.devices.kinematics import (
     Floats,
     UnreachableError,
     flange_pose,
+    rotation_about,
     solve_joints,
     translation,
 )
@@ -23,6 +25,9 @@ from hardware.simulator.operator.contact import contact_pose, outward_normal
 OPERATOR_MM_S, OPERATOR_RAD_S = 260.0, 2.2
 TRIES = 12
 SWAY_RAD = 0.1
+PASS_WAVES, PASS_WAVE_MM = 5.0, 6.0
+PASS_S = 6.0
+PASS_POSES = 121
 
 
 class PathPlanner:
@@ -137,3 +142,15 @@ class PathPlanner:
         angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
         seconds = 0.08 + float(np.linalg.norm(way)) / OPERATOR_MM_S + 0.4 * angle / OPERATOR_RAD_S
         return max(seconds, 0.16) / self.pace
+
+
+def passing_poses(T_arm_plate: Floats, half_y_mm: float) -> Floats:
+    """Sensor poses (K, 4, 4), arm frame, even in time: over the plate and back again, in waves
+    nearer and away, as evenly as an operator does it."""
+    poses = []
+    for s in np.linspace(0.0, 1.0, PASS_POSES):
+        y = -half_y_mm * np.cos(2 * np.pi * s)
+        z = PASS_WAVE_MM * np.sin(2 * np.pi * PASS_WAVES * s) * np.sin(np.pi * s) ** 0.5
+        lean = rotation_about("x", 0.05 * np.sin(6.0 * s)) @ rotation_about("y", 0.04 * s)
+        poses.append(T_arm_plate @ translation(0.0, float(y), float(z)) @ lean)
+    return np.stack(poses)
