@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
-from typing import Any, NoReturn, ParamSpec
+from typing import Annotated, Any, NoReturn, ParamSpec
 
 import typer
 from typer.core import TyperGroup
@@ -18,6 +18,7 @@ from app.progress import Progress, no_progress
 from hardware.errors import DeviceError
 
 P = ParamSpec("P")
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
 FAILED = 1
 INTERRUPTED = 130

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from app.console import (
+    AsJson,
     fail,
     print_figures,
     print_json,
@@ -33,9 +34,7 @@ def identify(
     check: Annotated[
         Path | None, typer.Option(help="A folder of places that the fit must not see.")
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the result for programs on stdout.")
-    ] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Identify the arm's own geometry from seats, spheres and ball bars touched with it."""
     from app.workflows.identify_arm import (
@@ -77,9 +76,7 @@ def articulation(
     limit_two_sigma_um: Annotated[
         float | None, typer.Option(min=0.0, help="Largest 2σ along any axis, in µm.")
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the result for programs on stdout.")
-    ] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Check an arm by single-point articulation: (max − min)/2 and 2σ of each axis, in µm.
 

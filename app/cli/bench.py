@@ -1,12 +1,23 @@
 """``crenel bench``: the tables of docs/accuracy.md, measured on the machine it runs on."""
 
-from dataclasses import asdict
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, TypeVar
 
 import typer
 
-from app.console import FullHelpGroup, print_json, print_table, progress_bar, report_errors
+from app.console import (
+    AsJson,
+    FullHelpGroup,
+    print_json,
+    print_table,
+    progress_bar,
+    report_errors,
+)
+from app.messages.message import Text
+from app.progress import Progress
 
 bench = typer.Typer(
     help="Measure the figures of docs/accuracy.md here.",
@@ -15,7 +26,35 @@ bench = typer.Typer(
     no_args_is_help=True,
 )
 
-AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a measurement is called while it runs, over its table, and in JSON."""
+
+    work: str
+    title: str
+    key: str = ""
+    """Of the list of its results; empty where it has one result, whose fields are the JSON."""
+
+
+def _measure(
+    shown: Shown,
+    as_json: bool,
+    run: Callable[[Progress], T],
+    columns: Sequence[Text],
+    table: Callable[[T], Sequence[Sequence[Text]]],
+) -> None:
+    """Runs a measurement, and prints its results as JSON or as a table."""
+    with progress_bar(shown.work, not as_json) as progress:
+        results: Any = run(progress)
+    if not as_json:
+        print_table(shown.title, columns, table(results))
+    elif shown.key:
+        print_json({shown.key: [asdict(one) for one in results]})
+    else:
+        print_json(asdict(results))
 
 
 @bench.command()
@@ -27,12 +66,8 @@ def calibration(
     """Error against the Cramér-Rao bound, and against what each solve claims (Monte Carlo)."""
     from app.bench.metrology.calibration import COLUMNS, run, table
 
-    with progress_bar("Solving", not as_json) as progress:
-        results = run(solves, progress=progress)
-    if as_json:
-        print_json({"set_ups": [asdict(kept) for kept in results]})
-        return
-    print_table("Calibration against its bound (k = 1, flange frame)", COLUMNS, table(results))
+    shown = Shown("Solving", "Calibration against its bound (k = 1, flange frame)", "set_ups")
+    _measure(shown, as_json, partial(run, solves), COLUMNS, table)
 
 
 @bench.command()
@@ -44,12 +79,8 @@ def paper(
     """The article's test: one plane's clouds rebuilt with ten calibrations by each method."""
     from app.bench.metrology.repeatability import COLUMNS, run, table
 
-    with progress_bar("Calibrating", not as_json) as progress:
-        results = run(arms, progress=progress)
-    if as_json:
-        print_json({"methods": [asdict(one) for one in results]})
-        return
-    print_table("A gauge plane over ten calibrations of one arm", COLUMNS, table(results))
+    shown = Shown("Calibrating", "A gauge plane over ten calibrations of one arm", "methods")
+    _measure(shown, as_json, partial(run, arms), COLUMNS, table)
 
 
 @bench.command()
@@ -98,37 +129,25 @@ def extraction(
     from app.bench.stripe.speed import COLUMNS, table
 
     of_real = [row for folder in real or () for row in real_lines.run(folder)]
-    with progress_bar("Measuring", not as_json) as progress:
-        rows = [*run(frames, progress), *of_real]
-    if as_json:
-        print_json({"measures": [asdict(row) for row in rows]})
-        return
-    print_table("Stripe extraction, 1280 × 1024, one thread", COLUMNS, table(rows))
+    shown = Shown("Measuring", "Stripe extraction, 1280 × 1024, one thread", "measures")
+    _measure(shown, as_json, lambda progress: [*run(frames, progress), *of_real], COLUMNS, table)
 
 
 def _extraction_paired(against: Path | None, as_json: bool) -> None:
     """Prints the rates of every variant, and of another checkout, by turns in one run."""
     from app.bench.stripe.paired import COLUMNS, run, table
 
-    with progress_bar("Measuring", not as_json) as progress:
-        rates = run(against, progress)
-    if as_json:
-        print_json({"rates": [asdict(one) for one in rates]})
-        return
     beside = "" if against is None else " (in brackets: over the other's rate)"
-    print_table(f"Plain frames, 1280 × 1024, one thread{beside}", COLUMNS, table(rates))
+    shown = Shown("Measuring", f"Plain frames, 1280 × 1024, one thread{beside}", "rates")
+    _measure(shown, as_json, partial(run, against), COLUMNS, table)
 
 
 def _extraction_clipped(as_json: bool) -> None:
     """Prints the rates and errors where the line is clipped, beside those where it is not."""
     from app.bench.stripe.clipped import COLUMNS, run, table
 
-    with progress_bar("Measuring", not as_json) as progress:
-        found = run(progress)
-    if as_json:
-        print_json({"kinds": [asdict(one) for one in found]})
-        return
-    print_table("Lines that are clipped, 1280 × 1024, one thread", COLUMNS, table(found))
+    shown = Shown("Measuring", "Lines that are clipped, 1280 × 1024, one thread", "kinds")
+    _measure(shown, as_json, run, COLUMNS, table)
 
 
 @bench.command()
@@ -143,12 +162,9 @@ def live(
     from app.bench.station.live import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-    with progress_bar("Scanning", not as_json) as progress:
-        found = run(FastStationConfig(profiles_hz=profiles_hz, width_px=points), seconds, progress)
-    if as_json:
-        print_json(asdict(found))
-        return
-    print_table(f"{profiles_hz:.0f} frames a second of {points} points", COLUMNS, table(found))
+    station = FastStationConfig(profiles_hz=profiles_hz, width_px=points)
+    shown = Shown("Scanning", f"{profiles_hz:.0f} frames a second of {points} points")
+    _measure(shown, as_json, partial(run, station, seconds), COLUMNS, table)
 
 
 @bench.command()
@@ -160,12 +176,8 @@ def view(
     """The 3D view after a long scan: a second viewer joins, and the colours are changed."""
     from app.bench.station.view import COLUMNS, run, table
 
-    with progress_bar("Showing", not as_json) as progress:
-        found = run(round(1e6 * million_points), progress)
-    if as_json:
-        print_json(asdict(found))
-        return
-    print_table("The 3D view after a long scan", COLUMNS, table(found))
+    shown = Shown("Showing", "The 3D view after a long scan")
+    _measure(shown, as_json, partial(run, round(1e6 * million_points)), COLUMNS, table)
 
 
 @bench.command()
@@ -179,12 +191,9 @@ def viewers(
     from app.bench.station.viewers import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
-    with progress_bar("Watching", not as_json) as progress:
-        found = run(FastStationConfig(profiles_hz=60.0, width_px=1280), number, seconds, progress)
-    if as_json:
-        print_json(asdict(found))
-        return
-    print_table("A scan of 60 frames a second, watched by many", COLUMNS, table(found))
+    station = FastStationConfig(profiles_hz=60.0, width_px=1280)
+    shown = Shown("Watching", "A scan of 60 frames a second, watched by many")
+    _measure(shown, as_json, partial(run, station, number, seconds), COLUMNS, table)
 
 
 @bench.command()
@@ -236,10 +245,7 @@ def start(
     from app.bench.station.start import Rounds, columns, run, table
     from app.bench.station.started import find_copy, running_copy
 
+    rounds = Rounds(cold, warm, busy)
     copies = [running_copy(), *([find_copy("against", against)] if against else [])]
-    with progress_bar("Starting", not as_json) as progress:
-        rows = run(copies, Rounds(cold, warm, busy), session, progress)
-    if as_json:
-        print_json({"measures": [asdict(row) for row in rows]})
-        return
-    print_table("From the start on: median (least–most)", columns(copies), table(rows))
+    shown = Shown("Starting", "From the start on: median (least–most)", "measures")
+    _measure(shown, as_json, partial(run, copies, rounds, session), columns(copies), table)

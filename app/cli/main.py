@@ -2,7 +2,6 @@
 
 import signal
 import sys
-import time
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -12,12 +11,12 @@ import typer
 from app.cli.arm import articulation, identify
 from app.cli.bench import bench
 from app.cli.pictures import detect, extract
-from app.cli.report import report
 from app.cli.scan import reconstruct, replay, study, sync
+from app.cli.session import calibrate, report
 from app.cli.station import backup, mqtt_schema, password
 from app.console import (
+    AsJson,
     FullHelpGroup,
-    print_figures,
     print_json,
     print_table,
     progress_bar,
@@ -36,20 +35,12 @@ cli = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 Host = Annotated[str, typer.Option(help="Address to listen on.")]
 Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0 takes a free one.")]
 Open = Annotated[bool, typer.Option("--open/--no-open", help="Open the browser.")]
 DataFolder = Annotated[
     Path | None, typer.Option("--data", help="Folder of the station's records.", file_okay=False)
 ]
-
-
-class Method(StrEnum):
-    """How a session is calibrated."""
-
-    JOINT = "joint"
-    ONE_POSE = "one-pose"
 
 
 class ShapeOption(StrEnum):
@@ -129,46 +120,7 @@ def serve(
     run_serve(config, data, host, port, open_browser)
 
 
-@cli.command()
-@report_errors
-def calibrate(
-    session: Annotated[Path, typer.Argument(help="Folder of a calibration session.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
-        "calibration.json"
-    ),
-    method: Annotated[
-        Method,
-        typer.Option(
-            help="joint: all poses in one adjustment. one-pose: the article's, by the first pose."
-        ),
-    ] = Method.JOINT,
-    good_um: Annotated[
-        float, typer.Option(min=0.0, help="A point known to this (k = 1) is good.")
-    ] = 50.0,
-    usable_um: Annotated[
-        float, typer.Option(min=0.0, help="Beyond this (k = 1) it is not to be used.")
-    ] = 150.0,
-    as_json: AsJson = False,
-) -> None:
-    """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
-    from app.cli.calibration_table import calibration_summary
-    from app.metrology.limits import Limits
-    from app.workflows.calibrate import calibrate_session
-
-    began = time.perf_counter()
-    with progress_bar("Calibrating", not as_json) as progress:
-        document, warnings = calibrate_session(
-            session, output, progress, method.value, Limits(good_um, usable_um)
-        )
-    seconds = time.perf_counter() - began
-    for text in warnings:
-        warn(text)
-    if as_json:
-        written = {"file": str(output), "seconds": seconds, "warnings": list(map(str, warnings))}
-        print_json({**document.fields(), **written})
-        return
-    print_figures(f"Calibration of {session}", calibration_summary(document))
-    print(f"{output} written in {seconds:.2f} s")
+cli.command()(calibrate)
 
 
 @cli.command()

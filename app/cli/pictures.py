@@ -6,12 +6,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.console import print_json, print_table, progress_bar, report_errors
+from app.console import AsJson, print_json, print_table, progress_bar, report_errors
 
 if TYPE_CHECKING:
     from app.metrology.colour import LaserColour
-
-AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
 
 
 class PeakOption(StrEnum):

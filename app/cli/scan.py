@@ -7,9 +7,15 @@ from typing import Annotated
 
 import typer
 
-from app.console import print_figures, print_json, print_table, progress_bar, report_errors, warn
-
-AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+from app.console import (
+    AsJson,
+    print_figures,
+    print_json,
+    print_table,
+    progress_bar,
+    report_errors,
+    warn,
+)
 
 
 @report_errors

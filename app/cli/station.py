@@ -1,22 +1,19 @@
 """``crenel backup``, ``password`` and ``mqtt-schema``: what a station's keeper needs."""
 
-import json
 import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from app.console import print_json, progress_bar, report_errors
+from app.console import AsJson, print_json, progress_bar, report_errors
 
 
 @report_errors
 def backup(
     data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="The new folder of the copy.")],
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the result for programs on stdout.")
-    ] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Copy a station's data folder, also while it runs; start from the copy with --data."""
     from dataclasses import asdict
@@ -69,4 +66,4 @@ def mqtt_schema() -> None:
     """The JSON schema of what stations publish over MQTT."""
     from app.supervision.messages import schema
 
-    print(json.dumps(schema(), indent=1, ensure_ascii=False))
+    print_json(schema())

@@ -10,7 +10,6 @@ without that (a control variate) the ratio is known two to four times better.
 """
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,8 +33,7 @@ from app.metrology.adjustment.core.uncertainty import (
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, rigid_fit
-
-Progress = Callable[[float, str], None]
+from app.progress import Progress, no_progress
 
 FIVE_FACES = ("crest", "front", "back", "left", "right")
 POOR_ARM = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
@@ -109,10 +107,9 @@ class _Solve:
 
 
 def run(
-    solves: int, setups: tuple[SetUp, ...] = SET_UPS, progress: Progress | None = None
+    solves: int, progress: Progress = no_progress, setups: tuple[SetUp, ...] = SET_UPS
 ) -> list[SetUpResult]:
     """``solves`` noisy sessions of each set-up, solved from a rough start."""
-    report = progress or (lambda _share, _text: None)
     results = []
     for i, setup in enumerate(setups):
         station = draw_setup(setup)
@@ -121,13 +118,13 @@ def run(
         volume = measuring_volume(exact)
         done, failed = [], 0
         for trial in range(solves):
-            report((i + trial / solves) / len(setups), setup.name)
+            progress((i + trial / solves) / len(setups), setup.name)
             draw = draw_session(station, np.random.default_rng([setup.seed, trial]))
             try:
                 done.append(_solve_draw(draw, exact, volume))
             except Exception as refusal:  # counted, with what it was
                 failed += 1
-                report((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
+                progress((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
         results.append(_summarise(setup, station, exact, volume, done, failed))
     return results
 

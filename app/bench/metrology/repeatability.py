@@ -4,7 +4,6 @@ Whatever a calibration has wrong shows as a plane that turns and shifts from one
 calibration to the next (the article, section 4: 230″ and 100 µm, with one pose).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,10 +25,9 @@ from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, inverse, rigid
+from app.progress import Progress, no_progress
 from hardware.simulator.devices.kinematics import UnreachableError, perturb_arm, solve_joints
 from hardware.simulator.session import SimulatedRig, draw_sensor_pose
-
-Progress = Callable[[float, str], None]
 
 ARM_UM = 250.0
 CLOUDS, FRAMES, POINTS, STEP_MM = 10, 12, 30, 5.0
@@ -61,10 +59,9 @@ class _Cloud:
 
 
 def run(
-    arms: int, calibrations: int = 10, progress: Progress | None = None
+    arms: int, progress: Progress = no_progress, calibrations: int = 10
 ) -> list[CalibrationRanges]:
     """``calibrations`` by each method on each of ``arms`` whose models are 250 µm off."""
-    report = progress or (lambda _share, _text: None)
     found: dict[str, list[tuple[float, float]]] = {name: [] for name, _, _ in METHODS}
     seed, done = 200, 0
     while done < arms:
@@ -74,7 +71,7 @@ def run(
             clouds = [_cloud(rig, np.random.default_rng([seed, i])) for i in range(CLOUDS)]
             own = []
             for k, (name, poses, alone) in enumerate(METHODS):
-                report((done + k / len(METHODS)) / arms, f"arm {done + 1}: {name}")
+                progress((done + k / len(METHODS)) / arms, f"arm {done + 1}: {name}")
                 own.append(_ranges(rig, seed, poses, alone, calibrations, clouds))
         except UnreachableError:
             continue
