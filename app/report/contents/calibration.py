@@ -33,8 +33,9 @@ from app.report.content import (
     Verdict,
     signatures,
 )
-from app.report.contents import calibration_figures as figures
 from app.report.contents.calibration_tables import Row, parameter_section, table_section
+from app.report.contents.residual_figures import FitBasis, image_figure, object_figure
+from app.report.contents.uncertainty_figures import budget_figure, volume_figure
 from app.report.figure import Figure
 from app.report.formatting import (
     UNKNOWN,
@@ -271,7 +272,7 @@ def _pictures(
         )
     by_number = {pose.number: pose for pose in session.poses}
     images = [
-        figures.image_figure(
+        image_figure(
             by_number[part.number], session.sensor.laser_colour, part, camera, _fit_basis(session)
         )
         for part in _worst_poses(document)
@@ -286,18 +287,18 @@ def _pictures(
         )
         sections.append(Section(title, [Pictures(images, 3)], together=False))
     if document.uncertainty is not None:
-        over = figures.volume_figure(document.uncertainty, camera, plane)
+        over = volume_figure(document.uncertainty, camera, plane)
         if over is not None:
             sections.append(
                 Section(message("uncertainty-over-measuring-volume"), [Pictures([over])])
             )
         limits = (accepted.good_um, accepted.usable_um) if accepted else (None, None)
-        bars = figures.budget_figure(document.uncertainty, *limits)
+        bars = budget_figure(document.uncertainty, *limits)
         sections.append(Section(message("error-budget"), [Pictures([bars])]))
     return sections
 
 
-def _fit_basis(session: BlockSession | BoardSession) -> figures.FitBasis:
+def _fit_basis(session: BlockSession | BoardSession) -> FitBasis:
     """The features of the object to which the poses were fitted; a board has no measured edges."""
     return "corners" if isinstance(session, BoardSession) else "edges"
 
@@ -313,7 +314,7 @@ def _contact_figure(document: CalibrationFile, session: BlockSession) -> tuple[F
     residuals_um = document.residuals.contacts_um if document.residuals is not None else ()
     outliers = document.residuals.contacts_left_out if document.residuals is not None else ()
     count = min(len(residuals_um), len(session.contacts.features))
-    return figures.object_figure(
+    return object_figure(
         session.block,
         session.contacts.features[:count],
         _contact_points(document, session.arm, session)[:count],
