@@ -11,7 +11,7 @@ from app.formats.datasheets.arm import write_arm
 from app.formats.datasheets.sensor import SensorDatasheet, write_sensor
 from app.formats.datasheets.target import write_object
 from app.formats.images import GreyImage, write_png
-from app.formats.session.calibration_session import ImageRow, write_images
+from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.arm.kinematics import RobotArm
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, rigid

@@ -15,12 +15,8 @@ from app.formats.datasheets.target import write_object
 from app.formats.images import write_png
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.formats.session.calibration_session import (
-    ContactReadings,
-    ImageRow,
-    write_contacts,
-    write_images,
-)
+from app.formats.session.calibration_session import ContactReadings, write_contacts
+from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.sensor.camera import Camera

@@ -31,12 +31,11 @@ from app.formats.session.arm_session import read_observations
 from app.formats.session.calibration_session import (
     BlockSession,
     BoardSession,
-    ImageRow,
     read_any_session,
     write_contacts,
-    write_images,
 )
 from app.formats.session.pose_columns import COLUMNS as POSE_COLUMNS
+from app.formats.session.pose_pictures import ImageRow, write_images
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings, Sync
 from app.messages.message import Message

@@ -13,12 +13,11 @@ from app.formats.datasheets.target import read_block, read_object, write_object
 from app.formats.session.calibration_session import (
     BoardSession,
     ContactReadings,
-    ImageRow,
     read_any_session,
     read_session,
     write_contacts,
-    write_images,
 )
+from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import rigid

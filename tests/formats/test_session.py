@@ -13,12 +13,11 @@ from app.errors import OperationError
 from app.formats.images import read_grey, write_png
 from app.formats.session.calibration_session import (
     ContactReadings,
-    ImageRow,
     read_contacts,
     read_session,
     write_contacts,
-    write_images,
 )
+from app.formats.session.pose_pictures import ImageRow, write_images
 from tests.formats.builders import ARM, BLOCK, HEIGHT, POSE_DEG, WIDTH, edit_text, write_session
 
 

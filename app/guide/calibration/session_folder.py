@@ -24,10 +24,9 @@ from app.formats.session.calibration_session import (
     PROBING,
     SENSOR,
     ContactReadings,
-    ImageRow,
     write_contacts,
-    write_images,
 )
+from app.formats.session.pose_pictures import ImageRow, write_images
 from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.state import Contact
 from app.guide.calibration.state import PoseCapture as Captured

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.formats.images import read_grey
 from app.formats.results.calibration import PosePart
-from app.formats.session.calibration_session import Pose
+from app.formats.session.pose_pictures import Pose
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.colour import LaserColour
 from app.metrology.image import saturation_level
