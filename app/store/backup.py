@@ -12,7 +12,7 @@ import json
 import os
 import shutil
 import sqlite3
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -24,6 +24,7 @@ from app.formats.io_errors import convert_io_errors, error_from_os
 from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.open_file import open_file, read_bounded
 from app.messages.message import message, quantity
+from app.progress import Progress, no_progress
 from app.timestamps import is_moment, utc_now
 
 DATABASE = "station.db"
@@ -48,9 +49,7 @@ class BackupRecord:
     bytes: int
 
 
-def backup(
-    data: Path, output: Path, progress: Callable[[float, str], None] = lambda share, text: None
-) -> BackupRecord:
+def backup(data: Path, output: Path, progress: Progress = no_progress) -> BackupRecord:
     """Copies a data folder into a new one.
 
     Args:
@@ -133,9 +132,7 @@ def _check(data: Path, output: Path) -> None:
         )
 
 
-def _copy(
-    data: Path, part: Path, output: Path, progress: Callable[[float, str], None]
-) -> BackupRecord:
+def _copy(data: Path, part: Path, output: Path, progress: Progress) -> BackupRecord:
     at = utc_now()
     _copy_database(data / DATABASE, part / DATABASE)
     files = list(_files(data))

@@ -86,9 +86,7 @@ def calibrate_session(
 
 def _calibrate_from_one_pose(session: BlockSession, progress: Progress) -> CalibrationFile:
     pose = session.poses[0]
-    result = calibrate_one_pose(
-        one_pose_inputs(session, pose), lambda text, share: progress(share, text)
-    )
+    result = calibrate_one_pose(one_pose_inputs(session, pose), progress)
     return one_pose_document(result, calibration_origin(session, (pose,), _user_name()))
 
 
@@ -113,9 +111,9 @@ def _calibrate_on_board(
     return board_document(result, calibration_origin(session, session.poses, _user_name()))
 
 
-def _solve_progress(progress: Progress) -> Callable[[Text, float], None]:
+def _solve_progress(progress: Progress) -> Progress:
     """Progress of what follows after the detection in the pictures."""
-    return lambda text, share: progress(DETECTION_SHARE + (1 - DETECTION_SHARE) * share, text)
+    return lambda share, text: progress(DETECTION_SHARE + (1 - DETECTION_SHARE) * share, text)
 
 
 def one_pose_inputs(session: BlockSession, pose: Pose) -> OnePoseInputs:

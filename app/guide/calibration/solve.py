@@ -25,7 +25,7 @@ from app.guide.common.result_view import (
 )
 from app.guide.common.view import ImageCorner, TouchedPoint
 from app.messages.message import Text, join, message, word
-from app.metrology.adjustment.block.calibrate import BlockCalibration, Progress, calibrate_block
+from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
 from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration import findings as metrology
@@ -33,6 +33,7 @@ from app.metrology.calibration.uncertainty_budget import source_text
 from app.metrology.limits import Limits
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import apply, inverse
+from app.station.jobs import Progress
 from app.workflows.calibrate import AnyDetection, board_inputs, calibration_origin, joint_inputs
 
 AnyCalibration = BlockCalibration | BoardCalibration
@@ -84,17 +85,17 @@ def _calibrate(
 ) -> tuple[AnyCalibration, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
     """The calibration, its file, what its poses are drawn with, and a board's touched points."""
 
-    def looked(share: float, text: Text) -> None:
+    def report(share: float, text: Text) -> None:
         progress(text, share)
 
     origin = calibration_origin(session, session.poses, operator="")
     if isinstance(session, BoardSession):
-        of_board = board_inputs(session, limits, looked, known)
-        on_board = calibrate_board(of_board, progress)
+        of_board = board_inputs(session, limits, report, known)
+        on_board = calibrate_board(of_board, report)
         drawings = _drawings(on_board, of_board.observations, session.board)
         return on_board, board_document(on_board, origin), drawings, _on_board(on_board, points)
-    of_block = joint_inputs(session, limits, looked, known)
-    on_block = calibrate_block(of_block, progress)
+    of_block = joint_inputs(session, limits, report, known)
+    on_block = calibrate_block(of_block, report)
     drawings = _drawings(on_block, of_block.observations, session.block)
     return on_block, joint_document(on_block, origin), drawings, ()
 

@@ -4,13 +4,12 @@ The sensor frame is the object frame in the calibration pose (Eq. 6), so that th
 probe matrix follows from the alignment and the arm's pose alone (Eq. 8).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import Text, message
+from app.messages.message import message
 from app.metrology.arm.kinematics import Arm, flange_pose, tip_centres, tip_covariances
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
@@ -41,8 +40,7 @@ from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from app.metrology.transforms import Floats, inverse
-
-Progress = Callable[[Text, float], None]
+from app.progress import Progress, no_progress
 
 # Repeatability with which a person brings the tip onto a ground face.
 PROBING_SD_MM = 0.005
@@ -113,13 +111,13 @@ class OnePoseCalibration:
 
 
 def calibrate_one_pose(
-    inputs: OnePoseInputs, progress: Progress | None = None
+    inputs: OnePoseInputs, progress: Progress = no_progress
 ) -> OnePoseCalibration:
     """Camera, laser plane and probe matrix from contact points and one pose.
 
     Args:
         inputs: contact points and images of one block that has not moved in between.
-        progress: called with the current step and the share done, 0 to 1.
+        progress: called with the share done, 0 to 1, and the current step.
 
     Returns:
         The calibration; its sensor frame is the object frame (Eq. 6). Uncertainties are standard
@@ -134,15 +132,14 @@ def calibrate_one_pose(
     Source:
         Eq. 6 to 8 and section 3.2 of the article; the refinement is not in the article.
     """
-    report = progress or (lambda _what, _share: None)
     _check(inputs)
-    report(message("fitting-contact-points"), 0.0)
+    progress(0.0, message("fitting-contact-points"))
     alignment = align_contacts(inputs)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
-    report(message("finding-objects-edges"), 0.1)
+    progress(0.1, message("finding-objects-edges"))
     in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
     detection = detect_object(inputs.ambient, inputs.block, in_the_way)
-    report(message("extracting-laser-stripe"), 0.5)
+    progress(0.5, message("extracting-laser-stripe"))
     stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
     if len(stripe.u) == 0:
         raise OperationError(
@@ -151,13 +148,13 @@ def calibrate_one_pose(
             message("laser-off-covered-beside-object-too"),
             message("check-laser-exposure-sensors-stripe-axis"),
         )
-    report(message("solving-camera"), 0.6)
+    progress(0.6, message("solving-camera"))
     faugeras = _faugeras(detection, inputs.block)
-    report(message("refining-camera-lens-laser-plane"), 0.7)
+    progress(0.7, message("refining-camera-lens-laser-plane"))
     fit, laser = refine_camera(detection, inputs.block, stripe)
-    report(message("working-out-error-budget"), 0.9)
+    progress(0.9, message("working-out-error-budget"))
     result = _assemble_calibration(inputs, alignment, detection, faugeras, fit, stripe, laser)
-    report(message("done"), 1.0)
+    progress(1.0, message("done"))
     return result
 
 

@@ -3,7 +3,6 @@
 With one pose alone, this is the article's method (Eq. 5-8) with the arm's errors included.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -68,8 +67,8 @@ from app.metrology.sensor.laser_plane import LaserPlane, in_frame
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse
+from app.progress import Progress, no_progress
 
-Progress = Callable[[Text, float], None]
 # Larger values are treated as unknown.
 HOPELESS_UM = 1e6
 
@@ -138,7 +137,7 @@ def observe_block(
     return BlockObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
 
-def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> BlockCalibration:
+def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> BlockCalibration:
     """Camera, laser plane and probe matrix from all poses and contact points together.
 
     One adjustment by maximum likelihood: the pose and the certificate of the block, the camera,
@@ -147,7 +146,7 @@ def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> Bl
 
     Args:
         inputs: P >= 1 poses and N contact points of one block that has not moved.
-        progress: called with the current step and the share done, 0 to 1.
+        progress: called with the share done, 0 to 1, and the current step.
 
     Returns:
         The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
@@ -163,21 +162,20 @@ def calibrate_block(inputs: BlockInputs, progress: Progress | None = None) -> Bl
     Source:
         With one pose, Eq. 5 to 8 of the article, with the errors of the arm taken into account.
     """
-    report = progress or (lambda _what, _share: None)
     _refuse_unusable(inputs)
-    report(message("fitting-contact-points"), 0.0)
+    progress(0.0, message("fitting-contact-points"))
     alignment = _align_contacts(inputs)
-    report(message("finding-start"), 0.1)
+    progress(0.1, message("finding-start"))
     start = _initial_problem(inputs, alignment)
-    report(message("adjusting-all-poses-together"), 0.3)
+    progress(0.3, message("adjusting-all-poses-together"))
     found = _adjust_twice(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
     found, outlier_lines_mm = remove_outlier_lines(found)
-    report(message("working-out-uncertainty"), 0.8)
+    progress(0.8, message("working-out-uncertainty"))
     result = _assemble_result(
         inputs, alignment, found, mounting, start.excluded_lines_mm | outlier_lines_mm
     )
-    report(message("done"), 1.0)
+    progress(1.0, message("done"))
     return result
 
 

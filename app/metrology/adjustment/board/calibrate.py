@@ -3,7 +3,6 @@
 Without contact points, the board's pose in the arm frame is estimated with everything else.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -55,8 +54,7 @@ from app.metrology.sensor.laser_plane import LaserPlane, refuse_edge_on
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, inverse
-
-Progress = Callable[[Text, float], None]
+from app.progress import Progress, no_progress
 
 # The offset of whole lines from their plane is estimated until it changes by less than this factor.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
@@ -109,7 +107,7 @@ def observe_board(
     return BoardObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
 
-def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> BoardCalibration:
+def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> BoardCalibration:
     """Camera, laser plane and probe matrix from images of a chessboard, probed or not.
 
     One adjustment by maximum likelihood, as ``calibrate_block``; the bent surface of the board
@@ -117,7 +115,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
 
     Args:
         inputs: P poses, as joint angles or flange poses, and contact points if there are any.
-        progress: called with the current step and the share done, 0 to 1.
+        progress: called with the share done, 0 to 1, and the current step.
 
     Returns:
         The calibration with uncertainty budget (k = 1, µm), residuals and findings. Its sensor
@@ -134,15 +132,14 @@ def calibrate_board(inputs: BoardInputs, progress: Progress | None = None) -> Bo
             ``stripe-one-line``, ``laser-along-board``, ``laser-through-camera``); or
             ``too-few-edges``, ``adjustment-failed``.
     """
-    report = progress or (lambda _what, _share: None)
     require_observations(inputs.observations, inputs.failed_poses, "board")
-    report(message("finding-start"), 0.0)
+    progress(0.0, message("finding-start"))
     start = board_problem(inputs)
-    report(message("adjusting-all-poses-together"), 0.3)
+    progress(0.3, message("adjusting-all-poses-together"))
     found, mounting = _adjust_robustly(inputs, start)
-    report(message("working-out-uncertainty"), 0.8)
+    progress(0.8, message("working-out-uncertainty"))
     result = _assemble_result(inputs, found, replace(start, mounting=mounting))
-    report(message("done"), 1.0)
+    progress(1.0, message("done"))
     return result
 
 

@@ -1,6 +1,5 @@
 """Identifies an arm: fits its geometry to measured places and checks the fit on held-out places."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,6 +37,7 @@ from app.metrology.arm.identification.volumetric_error import (
 )
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
+from app.progress import Progress, no_progress
 
 CORRELATED = 0.95
 """Parameters with a larger correlation are reported."""
@@ -46,8 +46,6 @@ BETTER = 1.05
 
 LARGE_DEVIATION = 1.4
 """Held-out deviations, in standard deviations, above which more places would help."""
-
-ProgressCallback = Callable[[float, Text], None]
 
 
 @dataclass(frozen=True)
@@ -131,7 +129,7 @@ def identify(
     arm: Arm,
     observations: ArmObservations,
     check: ArmObservations | None = None,
-    progress: ProgressCallback = lambda share, text: None,
+    progress: Progress = no_progress,
 ) -> Identification:
     """Fits Denavit-Hartenberg parameters, error terms between parallel axes, and the tip.
 
