@@ -24,7 +24,8 @@ from app.formats.results.calibration_builder import (
 from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.formats.session.pose_pictures import Pose
 from app.messages.message import Text, message
-from app.metrology.adjustment.block.calibrate import BlockInputs, calibrate_block, observe_block
+from app.metrology.adjustment.block.calibrate import calibrate_block, observe_block
+from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs

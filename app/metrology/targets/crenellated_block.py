@@ -41,6 +41,13 @@ class Crenellated:
     def merlon_count(self) -> int:
         return len(self.edges_x_mm) // 2
 
+    @property
+    def size_mm(self) -> float:
+        """The diagonal from floor to crest, which turns angles into lengths."""
+        across = self.edges_x_mm[-1] - self.edges_x_mm[0]
+        along, up = self.back_y_mm - self.front_y_mm, self.crest_z_mm - self.floor_z_mm
+        return float(np.linalg.norm([across, along, up]))
+
 
 @dataclass(frozen=True)
 class BlockEdge:

@@ -9,7 +9,8 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import BlockCalibration, BlockInputs, calibrate_block
+from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply

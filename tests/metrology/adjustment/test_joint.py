@@ -10,7 +10,8 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import BlockCalibration, BlockInputs, calibrate_block
+from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
 from app.metrology.adjustment.planning.next_touches import next_touches, placement_uncertainty_um

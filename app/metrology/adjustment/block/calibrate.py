@@ -5,35 +5,22 @@ With one pose alone, this is the article's method (Eq. 5-8) with the arm's error
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from app.errors import OperationError
 from app.messages.message import Text, message
 from app.metrology.adjustment.block.findings import BlockEvidence, block_findings
-from app.metrology.adjustment.block.initial_guess import common_camera, estimate_block_pose
-from app.metrology.adjustment.block.laser_lines import (
-    fit_common_plane,
-    remove_outlier_lines,
-    without_lines,
+from app.metrology.adjustment.block.laser_lines import remove_outlier_lines
+from app.metrology.adjustment.block.problem import (
+    BlockInputs,
+    align_contacts,
+    block_problem,
+    refuse_unusable,
 )
-from app.metrology.adjustment.block.observations import BlockView, block_contacts, block_prior
-from app.metrology.adjustment.core.arm_errors import arm_motion
 from app.metrology.adjustment.core.gauss_newton import (
     AdjustmentResult,
     no_convergence_error,
     solve_adjustment,
 )
-from app.metrology.adjustment.core.hand_eye import (
-    Mounting,
-    mounting_by_contacts,
-    refuse_contradictions,
-)
-from app.metrology.adjustment.core.observations import (
-    AdjustmentProblem,
-    BlockObservation,
-    FailedPose,
-    require_observations,
-)
+from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.observations import AdjustmentProblem, BlockObservation
 from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.uncertainty import (
     CalibrationUncertainty,
@@ -54,16 +41,14 @@ from app.metrology.adjustment.results.stripes import (
     reclassify_stripes,
     stripe_rms_mm,
 )
-from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.calibration.laser_plane_fit import stripe_on_levels
 from app.metrology.detection.detect_block import detect_object
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
-from app.metrology.limits import LIMITS, Limits
-from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane, in_frame
+from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats, inverse
@@ -71,23 +56,6 @@ from app.progress import Progress, no_progress
 
 # Larger values are treated as unknown.
 HOPELESS_UM = 1e6
-
-
-@dataclass(frozen=True)
-class BlockInputs:
-    """The input of a calibration over P poses of one block that has not moved.
-
-    ``q_rad`` (P, n) belongs to ``seen``; ``unseen`` are poses without a usable picture.
-    """
-
-    arm: Arm
-    block: Crenellated
-    features: tuple[str, ...]  # (N) face of each contact point
-    contact_q_rad: Floats  # (N, n)
-    observations: tuple[BlockObservation, ...]
-    q_rad: Floats
-    failed_poses: tuple[FailedPose, ...] = ()
-    limits: Limits = LIMITS
 
 
 @dataclass(frozen=True)
@@ -162,14 +130,14 @@ def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> Bl
     Source:
         With one pose, Eq. 5 to 8 of the article, with the errors of the arm taken into account.
     """
-    _refuse_unusable(inputs)
+    refuse_unusable(inputs)
     progress(0.0, message("fitting-contact-points"))
-    alignment = _align_contacts(inputs)
+    alignment = align_contacts(inputs)
     progress(0.1, message("finding-start"))
-    start = _initial_problem(inputs, alignment)
+    start = block_problem(inputs, alignment)
     progress(0.3, message("adjusting-all-poses-together"))
     found = _adjust_twice(start.problem, start.state)
-    found, mounting = remove_outlier_poses(found, start.mounting, block_size_mm(inputs.block))
+    found, mounting = remove_outlier_poses(found, start.mounting, inputs.block.size_mm)
     found, outlier_lines_mm = remove_outlier_lines(found)
     progress(0.8, message("working-out-uncertainty"))
     result = _assemble_result(
@@ -177,90 +145,6 @@ def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> Bl
     )
     progress(1.0, message("done"))
     return result
-
-
-def _align_contacts(inputs: BlockInputs) -> Alignment:
-    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
-    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
-    weighed = noise if np.any(noise) else None
-    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, weighed)
-    refuse_wrong_faces(alignment, inputs.features, inputs.block)
-    return alignment
-
-
-@dataclass(frozen=True)
-class _Start:
-    """The problem, its start values, and what was excluded before: poses that contradict the
-    others, and laser lines by pose number with their distance (mm) from the laser plane."""
-
-    problem: AdjustmentProblem
-    state: AdjustmentState
-    mounting: Mounting
-    excluded_lines_mm: dict[int, float]
-
-
-def _initial_problem(inputs: BlockInputs, alignment: Alignment) -> _Start:
-    """The problem without poses that contradict the others, and its start values."""
-    arm, block = inputs.arm, inputs.block
-    camera, plane = common_camera(inputs.observations, block)
-    T_cam_obj = np.array([estimate_block_pose(camera, pose, block) for pose in inputs.observations])
-    plane, lines_out = fit_common_plane(inputs.observations, block, camera, T_cam_obj, plane)
-    moves = arm_motion(arm, inputs.q_rad)
-    mounting = mounting_by_contacts(
-        moves.T_arm_flange, T_cam_obj, alignment.T_arm_obj, block_size_mm(block)
-    )
-    refuse_contradictions(mounting, [pose.number for pose in inputs.observations], "object")
-    prior = block_prior(block)
-    views = tuple(
-        _view(pose, block, camera, plane, T)
-        for pose, T in zip(inputs.observations, T_cam_obj, strict=True)
-    )
-    problem = AdjustmentProblem(
-        tuple(pose.number for pose in inputs.observations),
-        views,
-        moves,
-        block_contacts(arm, block, inputs.features, inputs.contact_q_rad, ~alignment.outliers),
-        prior,
-        camera.width_px,
-        camera.height_px,
-    )
-    problem = without_lines(problem, lines_out).without_poses(mounting.contradicts)
-    start = AdjustmentState(
-        camera,
-        plane,
-        mounting.T_flange_cam,
-        mounting.T_arm_obj,
-        prior.coordinates,
-        np.zeros(moves.by_links.shape[2]),
-        np.zeros((len(problem.views), moves.by_noise.shape[2])),
-    )
-    return _Start(problem, start, mounting, lines_out)
-
-
-def block_size_mm(block: Crenellated) -> float:
-    """The diagonal of the block from floor to crest; converts angles into lengths."""
-    return float(
-        np.linalg.norm(
-            [
-                block.edges_x_mm[-1] - block.edges_x_mm[0],
-                block.back_y_mm - block.front_y_mm,
-                block.crest_z_mm - block.floor_z_mm,
-            ]
-        )
-    )
-
-
-def _view(
-    pose: BlockObservation, block: Crenellated, camera: Camera, plane: LaserPlane, T_cam_obj: Floats
-) -> BlockView:
-    """The view of the pose, with the stripe points sorted by the pose's own detection of the
-    block."""
-    found = pose.detection
-    view = BlockView(
-        block, found.edges, found.corners, pose.stripe, np.full(len(pose.stripe.u), "", "<U5")
-    )
-    placed, in_obj = in_frame(camera, plane, inverse(T_cam_obj))
-    return view.reclassify_stripe(placed, in_obj, block_prior(block).coordinates)
 
 
 def _adjust_twice(problem: AdjustmentProblem, start: AdjustmentState) -> AdjustmentResult:
@@ -327,31 +211,3 @@ def _line_problem(pose: PoseResult, lines_out: dict[int, float]) -> Text:
     if pose.number in lines_out:
         return line_exclusion_reason(lines_out[pose.number])
     return "" if pose.stripe_points else NO_LINE
-
-
-def _refuse_unusable(inputs: BlockInputs) -> None:
-    require_observations(inputs.observations, inputs.failed_poses, "object")
-    joints = inputs.arm.joint_count
-    for name, q in ((message("poses"), inputs.q_rad), (message("contacts"), inputs.contact_q_rad)):
-        if q.ndim != 2 or q.shape[1] != joints:
-            raise OperationError(
-                "joint-count",
-                message("joint-angles", name=name, count=q.shape[-1]),
-                message("arm-has-joints", arm=inputs.arm.name, count=joints),
-                message("check-session-taken-arm"),
-            )
-        if not np.isfinite(q).all():
-            raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
-    sizes = {
-        (p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.observations
-    }
-    if len(sizes) > 1:
-        raise OperationError(
-            "image-size",
-            message(
-                "pictures-different-sizes",
-                sizes=", ".join(f"{width} × {height}" for width, height in sorted(sizes)),
-            ),
-            message("they-come-more-than-one-camera"),
-            message("use-full-pictures-one-sensor"),
-        )
