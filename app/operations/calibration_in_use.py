@@ -9,7 +9,7 @@ from app.formats.file_names import display_path
 from app.formats.results.calibration import CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
 from app.messages.message import Text, message
-from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.points import ScanCalibration
 from app.store.calibrations import CalibrationRecord
 from app.workflows.compatibility import check_serials
 

@@ -13,7 +13,7 @@ from app.errors import OperationError
 from app.messages.message import message
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
-from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from hardware.registry import arm_driver

@@ -17,7 +17,7 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import extract_stripe
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
-from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from hardware.interfaces import Button, ButtonEvent

@@ -20,7 +20,7 @@ from app.metrology.transforms import rigid, rotation_from_vector
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.scan import storage as scan_folders
-from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult, ScanState
 from app.station.view3d.scene import Scene

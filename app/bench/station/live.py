@@ -33,7 +33,7 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.operations.context import Context
 from app.progress import Progress, no_progress
-from app.station.scan.pipeline import ScanCalibration
+from app.station.scan.points import ScanCalibration
 from hardware.simulator.devices.fast_simulator import (
     JOINTS,
     REACH_MM,

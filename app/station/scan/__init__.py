@@ -1,5 +1,5 @@
 """Scanning: from frames to a recording and a cloud.
 
 ``scanner`` starts and stops; ``pipeline`` takes frames, extracts stripes (``extraction``),
-records them (``recorder``) and makes points; ``storage`` has the folders of scans.
+records them (``recorder``) and makes points (``points``); ``storage`` has the folders of scans.
 """

@@ -6,7 +6,8 @@ from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.messages.message import Text, message, quantity
 from app.station.devices.rig import Rig
-from app.station.scan.pipeline import ScanCalibration, ScanPipeline
+from app.station.scan.pipeline import ScanPipeline
+from app.station.scan.points import ScanCalibration
 
 # Below these shares there is no finding: a frame now and then does no harm.
 REPORT_SHARE = 0.01
@@ -112,7 +113,7 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
         found.append(Finding("bad", rig.sensor.link().text, message("scan-goes-when-back")))
     elif not rig.sensor.laser_on:
         found.append(Finding("attention", message("laser-off-2"), message("switch-stop-scan")))
-    elif pipeline.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
+    elif pipeline.points.distance_mm is None and pipeline.counts.frames > SOME_FRAMES:
         remedy = message("bring-part-into-sensors-range-if")
         found.append(Finding("neutral", message("no-line-seen-2"), remedy))
     found += _speed_findings(pipeline)

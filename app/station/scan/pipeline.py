@@ -1,37 +1,28 @@
 """A running scan: frames to stripes, stripes to the recording, to points, to the display."""
 
 import logging
-import math
 import os
 import queue
 import threading
 import time
-from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.formats.clouds.files import CloudWriter, cloud_writer, pack_points
-from app.formats.clouds.points import Points
+from app.formats.clouds.files import CloudWriter, cloud_writer
 from app.formats.io_errors import error_from_os
 from app.formats.recording.reader import ARM_DELAY, EXTRACTION, SCAN_CALIBRATION
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm, flange_poses
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import scan_points
-from app.metrology.stripe import Stripe
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats
 from app.station.devices.arm_device import LATE_S, StationArm
 from app.station.devices.sensor_device import StationSensor
 from app.station.scan.extraction import extraction_by
+from app.station.scan.points import PointMaker, ScanCalibration, Show
 from app.station.scan.recorder import Recorder, StripeFrame
 from app.station.scan.scan_speed import ScanSpeed
 from app.station.scan.storage import CLOUD, RECORDING
@@ -48,26 +39,6 @@ WAITING_BYTES = 1 << 28
 FEWEST_WAITING, MOST_WAITING = 32, 1024
 POINTS_QUEUE = 64
 POLL_S = 0.1
-RATE_WINDOW_S = 1.0
-DISTANCE_AGE_S = 0.5
-Show = Callable[[Points], None]
-Numbers = NDArray[np.int64]
-
-
-@dataclass(frozen=True)
-class ScanCalibration:
-    """What a scan needs of a calibration, and whose it is."""
-
-    id: str
-    name: str
-    arm: Arm
-    camera: Camera
-    plane: LaserPlane
-    T_flange_sensor: Floats
-    stripe_axis: Literal["u", "v"]
-    arm_serial: str
-    sensor_serial: str
-    depth_range_mm: tuple[float, float]
 
 
 @dataclass(slots=True)
@@ -108,9 +79,6 @@ class ScanPipeline:
         self._sensor = sensor
         self._calibration = calibration
         self._cloud_path = folder / CLOUD
-        self._show = show
-        self._made: deque[tuple[float, int]] = deque()
-        self._distance = (-math.inf, 0.0)
         self._extracting: queue.Queue[Future[list[StripeFrame]] | None] = queue.Queue(2 * CORES)
         self._stripes: queue.Queue[list[StripeFrame] | None] = queue.Queue(POINTS_QUEUE)
         self._ended = False
@@ -119,6 +87,7 @@ class ScanPipeline:
         self._settings = settings
         self._extraction = extraction_by(settings, calibration.stripe_axis)
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
+        self.points = PointMaker(calibration, show)
         joint_names = tuple(joint.name for joint in calibration.arm.joints)
         self._recorder = Recorder(folder / RECORDING, joint_names, self._metadata(), arm)
         self._tap = sensor.frames.tap(_queue_length(sensor))
@@ -150,18 +119,6 @@ class ScanPipeline:
     def backlog(self) -> float:
         """How far the slowest stage is behind, 0 to 1 (frames are lost beyond)."""
         return max(self._recorder.backlog, self._stripes.qsize() / POINTS_QUEUE)
-
-    @property
-    def rate_points_s(self) -> float:
-        """Points of the last second."""
-        now = time.monotonic()
-        return sum(count for at, count in tuple(self._made) if now - at <= RATE_WINDOW_S)
-
-    @property
-    def distance_mm(self) -> float | None:
-        """Of the newest stripe from the camera; None where none was seen just now."""
-        at_s, distance_mm = self._distance
-        return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
 
     @property
     def trouble(self) -> OperationError | None:
@@ -291,7 +248,8 @@ class ScanPipeline:
             self.counts.frames_without_joints += len(frames) - len(placed)
             if q_rad is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
-                self._add_points(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self.points.add(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self.counts.points = cloud.points
                 self._judge_speed(frames[placed[-1]], q_rad[placed[-1]], len(frames))
             number += len(frames)
 
@@ -302,61 +260,15 @@ class ScanPipeline:
         self._ended = True
         return None
 
-    def _add_points(
-        self, cloud: CloudWriter, stripes: Sequence[Stripe], q_rad: Floats, numbers: Numbers
-    ) -> None:
-        """Points of some frames, to the cloud and to the display (Eq. 9)."""
-        use = self._calibration
-        count = np.array([len(stripe.u) for stripe in stripes])
-        columns = [
-            np.concatenate([getattr(stripe, name) for stripe in stripes])
-            for name in ("u", "v", "intensity", "sigma_px")
-        ]
-        u, v, intensity, sigma_px = columns
-        T_arm_sensor = flange_poses(use.arm, q_rad) @ use.T_flange_sensor
-        points, spread = scan_points(
-            use.camera, use.plane, u, v, sigma_px, use.stripe_axis, count, T_arm_sensor
-        )
-        records = pack_points(points, intensity, spread, np.repeat(numbers, count))
-        cloud.append(records)
-        self.counts.points = cloud.points
-        self._count_points(len(points))
-        self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
-        self._show(records)
-
     def _judge_speed(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
         """Of the last of some frames: how fast the sensor went."""
-        use, stamp_ns = self._calibration, frame.stamp_ns + self._delay_ns
+        stamp_ns = frame.stamp_ns + self._delay_ns
         before_rad = self.speed.joints_before(stamp_ns)
         if before_rad is None or not len(frame.stripe.u):
             return
-        before, at = flange_poses(use.arm, np.stack([before_rad, q_rad])) @ use.T_flange_sensor
-        stripe = frame.stripe
-        stripe_mm, spread = scan_points(
-            use.camera,
-            use.plane,
-            stripe.u,
-            stripe.v,
-            stripe.sigma_px,
-            use.stripe_axis,
-            np.array([len(stripe.u)]),
-            np.eye(4)[None],
-        )
+        before, at = self._calibration.sensor_poses(np.stack([before_rad, q_rad]))
+        stripe_mm, spread = self._calibration.points([frame.stripe], np.eye(4)[None])
         self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
-
-    def _count_points(self, count: int) -> None:
-        now = time.monotonic()
-        self._made.append((now, count))
-        while self._made and now - self._made[0][0] > RATE_WINDOW_S:
-            self._made.popleft()
-
-    def _note_distance(self, stripe_mm: Floats, T_arm_sensor: Floats) -> None:
-        """Of the last frame's points (N, 3) of the arm frame."""
-        camera_mm = apply(T_arm_sensor, self._calibration.camera.centre_mm[None])[0]
-        distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
-        distances = distances[np.isfinite(distances)]
-        if len(distances):
-            self._distance = (time.monotonic(), float(np.median(distances)))
 
 
 def _failure_error(error: Exception) -> OperationError:

@@ -14,7 +14,8 @@ from app.messages.message import Text, message
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
 from app.station.scan.messages import end_reason, scan_findings, start_error
-from app.station.scan.pipeline import ScanCalibration, ScanPipeline
+from app.station.scan.pipeline import ScanPipeline
+from app.station.scan.points import ScanCalibration
 from app.station.scan.state import NO_SCAN, ScanLoad, ScanResult, ScanState, State
 from app.station.scan.storage import ScanFolders, make_scan_folder, recording_size
 from app.station.view3d.scene import Scene
@@ -113,7 +114,7 @@ class Scanner:
             scan = self._scan
         if scan is None or scan.ended_s is not None:
             return None
-        found_mm = scan.pipeline.distance_mm
+        found_mm = scan.pipeline.points.distance_mm
         return (
             None
             if found_mm is None
@@ -259,7 +260,7 @@ class Scanner:
             scan_id=scan.id,
             points=counts.points,
             points_shown=self._scene.points_shown,
-            rate_points_s=scan.pipeline.rate_points_s if running else 0.0,
+            rate_points_s=scan.pipeline.points.rate_per_s if running else 0.0,
             frames=counts.frames,
             lost_frames=scan.pipeline.lost_frames,
             frames_without_joints=counts.frames_without_joints,

@@ -1,0 +1,112 @@
+"""The points of a scan: made of stripes by a calibration, to the cloud and to the display."""
+
+import math
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.formats.clouds.files import CloudWriter, pack_points
+from app.formats.clouds.points import Points
+from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.sensor.camera import Camera
+from app.metrology.sensor.laser_plane import LaserPlane
+from app.metrology.sensor.triangulation import scan_points
+from app.metrology.stripe import Stripe
+from app.metrology.transforms import Floats, apply
+
+RATE_WINDOW_S = 1.0
+DISTANCE_AGE_S = 0.5
+Show = Callable[[Points], None]
+
+
+@dataclass(frozen=True)
+class ScanCalibration:
+    """What a scan needs of a calibration, and whose it is."""
+
+    id: str
+    name: str
+    arm: Arm
+    camera: Camera
+    plane: LaserPlane
+    T_flange_sensor: Floats
+    stripe_axis: Literal["u", "v"]
+    arm_serial: str
+    sensor_serial: str
+    depth_range_mm: tuple[float, float]
+
+    def sensor_poses(self, q_rad: Floats) -> Floats:
+        """(N, 4, 4) ``T_arm_sensor`` at joint angles (N, n)."""
+        return flange_poses(self.arm, q_rad) @ self.T_flange_sensor
+
+    def points(self, stripes: Sequence[Stripe], poses: Floats) -> tuple[Floats, Floats]:
+        """Points (N, 3) of stripes by the sensor's poses (Eq. 9), and how well each is known."""
+        u, v, sigma_px = (
+            np.concatenate([getattr(stripe, name) for stripe in stripes])
+            for name in ("u", "v", "sigma_px")
+        )
+        count = np.array([len(stripe.u) for stripe in stripes])
+        return scan_points(self.camera, self.plane, u, v, sigma_px, self.stripe_axis, count, poses)
+
+
+class PointMaker:
+    """Makes points, and knows how many and how far away the newest ones are."""
+
+    def __init__(self, calibration: ScanCalibration, show: Show) -> None:
+        self._calibration = calibration
+        self._show = show
+        self._made: deque[tuple[float, int]] = deque()
+        self._distance = (-math.inf, 0.0)
+
+    @property
+    def rate_per_s(self) -> float:
+        """Points of the last second."""
+        now = time.monotonic()
+        return sum(count for at, count in tuple(self._made) if now - at <= RATE_WINDOW_S)
+
+    @property
+    def distance_mm(self) -> float | None:
+        """Of the newest stripe from the camera; None where none was seen just now."""
+        at_s, distance_mm = self._distance
+        return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
+
+    def add(
+        self,
+        cloud: CloudWriter,
+        stripes: Sequence[Stripe],
+        q_rad: Floats,
+        numbers: NDArray[np.int64],
+    ) -> None:
+        """Points of some frames, to the cloud and to the display.
+
+        Args:
+            q_rad: (K, n) joint angles at the K frames.
+            numbers: (K,) of the frames in the scan.
+        """
+        T_arm_sensor = self._calibration.sensor_poses(q_rad)
+        points, spread = self._calibration.points(stripes, T_arm_sensor)
+        count = [len(stripe.u) for stripe in stripes]
+        intensity = np.concatenate([stripe.intensity for stripe in stripes])
+        records = pack_points(points, intensity, spread, np.repeat(numbers, count))
+        cloud.append(records)
+        self._count_points(len(points))
+        self._note_distance(points[len(points) - count[-1] :], T_arm_sensor[-1])
+        self._show(records)
+
+    def _count_points(self, count: int) -> None:
+        now = time.monotonic()
+        self._made.append((now, count))
+        while self._made and now - self._made[0][0] > RATE_WINDOW_S:
+            self._made.popleft()
+
+    def _note_distance(self, stripe_mm: Floats, T_arm_sensor: Floats) -> None:
+        """Of the last frame's points (N, 3) of the arm frame."""
+        camera_mm = apply(T_arm_sensor, self._calibration.camera.centre_mm[None])[0]
+        distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
+        distances = distances[np.isfinite(distances)]
+        if len(distances):
+            self._distance = (time.monotonic(), float(np.median(distances)))
