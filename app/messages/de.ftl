@@ -2061,7 +2061,6 @@ sensor-now-sends-pictures-pixels = der Sensor sendet jetzt Bilder von { $size } 
 sensor-only-went-one-way-delay = der Sensor fuhr nur in einer Richtung; ein Verzug sieht dann aus wie eine andere Lage der Ebene
 sensor-reports-laser-other-state = der Sensor meldet den Laser im anderen Zustand
 sensor-turned-most-between-poses-wanted = Der Sensor drehte sich zwischen den Posen um höchstens { $turn } (gewünscht: { $alike_deg } und mehr), sodass sie kaum mehr bestimmen als eine.
-sensor-turned-most-between-poses-wanted-2 = Der Sensor drehte sich zwischen den Posen um höchstens { $turn } (gewünscht: { $alike_deg } und mehr).
 sensor-went = der Sensor fuhr mit { $speed }; { $known }
 sensor-went-along-plane-across-along = der Sensor fuhr mit { $along } entlang der Ebene und mit { $across } quer dazu; entlang der Ebene ändert ein Verzug nichts
 sensors-image-has-pixels = das Bild des Sensors hat { $width } × { $height } Pixel

@@ -2052,7 +2052,6 @@ sensor-now-sends-pictures-pixels = the sensor now sends pictures of { $size } pi
 sensor-only-went-one-way-delay = the sensor only went one way; a delay then looks like another place of the plane
 sensor-reports-laser-other-state = the sensor reports the laser in its other state
 sensor-turned-most-between-poses-wanted = The sensor turned by { $turn } at most between the poses (wanted: { $alike_deg } and more), so that they determine little more than one.
-sensor-turned-most-between-poses-wanted-2 = The sensor turned by { $turn } at most between the poses (wanted: { $alike_deg } and more).
 sensor-went = the sensor went at { $speed }; { $known }
 sensor-went-along-plane-across-along = the sensor went at { $along } along the plane and at { $across } across it; along it a delay changes nothing
 sensors-image-has-pixels = the sensor's image has { $width } × { $height } pixels

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import sentence
 from app.messages.message import Text, message, quantity
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
 from app.metrology.adjustment.core.variance_components import Scales
 from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
+from app.metrology.adjustment.results.findings import alike_findings, joint_rms, picture_findings
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration.findings import (
     AGREEING,
@@ -28,14 +28,11 @@ from app.metrology.calibration.findings import (
 from app.metrology.limits import Limits
 from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats, inverse, vector_from_rotation
 
 # Ratio of the arm's reading noise to its datasheet from which it is reported.
 NOISY = 2.5
 # Ratio of a pose's edge residuals to those of all poses from which it is reported.
 WORST_POSE = 1.5
-# Poses that are turned by less than this determine little more than one pose.
-ALIKE_DEG = 8.0
 
 
 @dataclass(frozen=True)
@@ -111,31 +108,7 @@ def _pose_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             pose=furthest.number,
         )
     )
-    turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
-    if turn < ALIKE_DEG:
-        findings.append(
-            CalibrationFinding(
-                "attention",
-                "poses-alike",
-                message(
-                    "sensor-turned-most-between-poses-wanted",
-                    turn=quantity(turn, "°", 1),
-                    alike_deg=quantity(ALIKE_DEG, "°"),
-                ),
-                message("take-poses-tilted-left-right-front"),
-            )
-        )
-    return findings
-
-
-def largest_turn_deg(T_arm_flange: Floats) -> float:
-    """The largest angle between any two of P poses (P, 4, 4)."""
-    turns = [
-        float(np.linalg.norm(vector_from_rotation((inverse(a) @ b)[:3, :3])))
-        for i, a in enumerate(T_arm_flange)
-        for b in T_arm_flange[i + 1 :]
-    ]
-    return float(np.degrees(max(turns, default=0.0)))
+    return [*findings, *alike_findings(evidence.result.problem.motion.T_arm_flange)]
 
 
 def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
@@ -178,11 +151,10 @@ def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
 def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     points = sum(pose.edge_points for pose in used)
-    square = sum(pose.edges_rms_px**2 * pose.edge_points for pose in used) / max(points, 1)
+    rms_px = joint_rms((pose.edges_rms_px, pose.edge_points) for pose in used)
     worst = max(used, key=lambda pose: pose.edges_rms_px)
-    rms_px = float(np.sqrt(square))
     good = rms_px <= EDGE_RMS_PX and worst.edges_rms_px <= WORST_POSE * EDGE_RMS_PX
-    findings = [
+    return [
         CalibrationFinding(
             "good" if good else "attention",
             "edges",
@@ -196,20 +168,9 @@ def _image_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
             ),
             "" if good else message("clean-blocks-edges-check-focus-lighting"),
             worst.number,
-        )
+        ),
+        *picture_findings((pose.number, pose.image_findings) for pose in evidence.observations),
     ]
-    reported: set[str] = set()
-    for pose in evidence.observations:
-        for item in pose.image_findings:
-            if item.code not in reported:
-                reported.add(item.code)
-                text = message("pose-2", number=pose.number, reason=item.text)
-                findings.append(
-                    CalibrationFinding(
-                        "attention", item.code, text, sentence(item.remedy), pose.number
-                    )
-                )
-    return findings
 
 
 def _line_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
@@ -248,10 +209,10 @@ def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
         if pose.used and pose.number not in evidence.excluded_lines_mm
     ]
     points = sum(pose.stripe_points for pose in used)
-    square = sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1)
     numbers = {pose.number for pose in used}
     extracted = sum(len(pose.stripe.u) for pose in evidence.observations if pose.number in numbers)
-    share, rms_px = points / max(extracted, 1), float(np.sqrt(square))
+    rms_px = joint_rms((pose.stripe_rms_px, pose.stripe_points) for pose in used)
+    share = points / max(extracted, 1)
     remedy: Text = ""
     if rms_px > STRIPE_RMS_PX:
         remedy = message("check-each-laser-picture-own-pose")

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.errors import sentence
 from app.messages.message import message, quantity
-from app.metrology.adjustment.block.findings import ALIKE_DEG, largest_turn_deg
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
 from app.metrology.adjustment.board.surface import coordinate_groups, evaluate_surface
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.uncertainty import CalibrationUncertainty
 from app.metrology.adjustment.outliers.fault_hypotheses import board_fault_findings
+from app.metrology.adjustment.results.findings import alike_findings, joint_rms, picture_findings
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration.findings import (
     CalibrationFinding,
@@ -74,7 +73,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
         _bend_finding(evidence),
         *_pose_findings(evidence),
         *_rocking_findings(result),
-        *_image_findings(evidence.observations),
+        *picture_findings((pose.number, pose.image_findings) for pose in evidence.observations),
         *pixel_aspect_findings(result.state.camera, result.covariance[:2, :2]),
         *_line_findings(evidence),
         _stripe_finding(evidence),
@@ -191,21 +190,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
             message("take-more-pictures-tilted-all-sides-2") if len(used) < FEW_POSES else "",
         )
     )
-    turn = largest_turn_deg(evidence.result.problem.motion.T_arm_flange)
-    if turn < ALIKE_DEG:
-        findings.append(
-            CalibrationFinding(
-                "attention",
-                "poses-alike",
-                message(
-                    "sensor-turned-most-between-poses-wanted-2",
-                    turn=quantity(turn, "°", 1),
-                    alike_deg=quantity(ALIKE_DEG, "°"),
-                ),
-                message("take-poses-tilted-left-right-front"),
-            )
-        )
-    return findings
+    return [*findings, *alike_findings(evidence.result.problem.motion.T_arm_flange)]
 
 
 def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
@@ -227,24 +212,6 @@ def _rocking_findings(result: AdjustmentResult) -> list[CalibrationFinding]:
             ),
             message("fix-board-so-cannot-rock-warp"),
         )
-    ]
-
-
-def _image_findings(observations: Sequence[BoardObservation]) -> list[CalibrationFinding]:
-    """Problems of single pictures, each kind once, for the first pose that shows it."""
-    first = {
-        item.code: (pose.number, item)
-        for pose in reversed(observations)
-        for item in pose.image_findings
-    }
-    return [
-        CalibrationFinding(
-            "attention",
-            code,
-            message("pose-2", number=number, reason=item.text),
-            sentence(item.remedy),
-        )
-        for code, (number, item) in first.items()
     ]
 
 
@@ -277,13 +244,13 @@ def _stripe_finding(evidence: BoardEvidence) -> CalibrationFinding:
     used = [pose for pose in evidence.poses if pose.used]
     points = sum(pose.stripe_points for pose in used)
     without = [pose.number for pose in used if not pose.stripe_points]
-    rms = np.sqrt(sum(pose.stripe_rms_px**2 * pose.stripe_points for pose in used) / max(points, 1))
-    text = message("points-lasers-line-lie-board-rms", points=points, rms=quantity(rms, "px", 2))
+    rms = quantity(joint_rms((pose.stripe_rms_px, pose.stripe_points) for pose in used), "px", 2)
+    text = message("points-lasers-line-lie-board-rms", points=points, rms=rms)
     if without:
         text = message(
             "points-lasers-line-lie-board-but-poses",
             points=points,
-            rms=quantity(rms, "px", 2),
+            rms=rms,
             count=len(without),
             poses=_join_numbers(without),
         )
