@@ -21,13 +21,15 @@ from app.errors import OperationError
 from app.formats.file_names import escape_unprintable
 from app.formats.open_file import check_ordinary, read_bounded
 from app.messages.catalogue import Render
-from app.messages.message import Message, Text, join, message
-from app.messages.stored import encode_data, restore_text
+from app.messages.message import Message, Text, join, message, text_to_json
+from app.messages.stored import restore_text
 from app.monitoring.log_text import RepeatFilter
 
 FOLDER, FILE = "logs", "station.jsonl"
 FILE_BYTES, FILES = 2_000_000, 5
 LONGEST_TEXT, LONGEST_TRACE = 1000, 4000
+LONGEST_LINE = 10_000
+"""Longer lines have their text in English alone."""
 STATION_LOGGERS = ("app", "hardware")
 """Loggers that write from ``info`` on; all others write from ``warning`` on."""
 
@@ -211,10 +213,13 @@ class _JsonLine(logging.Formatter):
             "thread": record.threadName or "",
             "text": escape_unprintable(str(record.msg)[:LONGEST_TEXT], "\n\t"),
         }
-        if (data := encode_data(record.msg)) is not None:
-            line["text_message"] = _escape_texts(json.loads(data))
         if record.exc_text:
             line["trace"] = escape_unprintable(record.exc_text[-LONGEST_TRACE:], "\n\t")
+        if not isinstance(record.msg, str):
+            data = _escape_texts(text_to_json(record.msg))
+            whole = json.dumps({**line, "text_message": data}, ensure_ascii=False)
+            if len(whole) <= LONGEST_LINE:
+                return whole
         return json.dumps(line, ensure_ascii=False)
 
 

@@ -11,6 +11,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from app.native.sources import (
@@ -144,21 +146,31 @@ def _run_all(commands: list[tuple[str, ...]], environment: dict[str, str]) -> No
     Raises:
         BuildError: one of them failed.
     """
-    out, err = subprocess.PIPE, subprocess.STDOUT
-    running = []
-    for command in commands:
-        try:
-            running.append(
-                subprocess.Popen(command, env=environment, stdout=out, stderr=err, text=True)
-            )
-        except OSError as error:
-            raise BuildError(f"The compiler {command[0]} cannot be run: {error}") from None
-    printed = [process.communicate()[0] for process in running]
+    with ExitStack() as stack:
+        running = [stack.enter_context(_process(command, environment)) for command in commands]
+        printed = [process.communicate()[0] for process in running]
     for command, process, text in zip(commands, running, printed, strict=True):
         if process.returncode:
             raise BuildError(f"The compiler failed: {shlex.join(command)}\n{text}")
         if text.strip():
             print(text.rstrip(), file=sys.stderr)
+
+
+@contextmanager
+def _process(
+    command: tuple[str, ...], environment: dict[str, str]
+) -> Iterator[subprocess.Popen[str]]:
+    """A command that runs, and does not outlive its use; raises ``BuildError``."""
+    out, err = subprocess.PIPE, subprocess.STDOUT
+    try:
+        process = subprocess.Popen(command, env=environment, stdout=out, stderr=err, text=True)
+    except OSError as error:
+        raise BuildError(f"The compiler {command[0]} cannot be run: {error}") from None
+    with process:
+        try:
+            yield process
+        finally:
+            process.kill()  # of one that has ended, nothing
 
 
 def _parse_target(text: str) -> BuildTarget:
