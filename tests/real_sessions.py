@@ -7,14 +7,13 @@ import cv2
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.formats.datasheets.arm import write_arm
-from app.formats.datasheets.sensor import SensorDatasheet, write_sensor
-from app.formats.datasheets.target import write_object
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.images import GreyImage, write_png
 from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.arm.kinematics import RobotArm
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats, rigid
+from tests.datasheets import write_arm, write_object
 
 # Printed on paper; its squares were not measured more closely than a ruler does.
 BOARD = Chessboard("printed chessboard", "", (7, 6), 10.0, 0.05)
@@ -30,7 +29,7 @@ def write_real_session(recording: Path, folder: Path) -> Path:
     write_object(folder / "object.json", BOARD)
     document = {"name": "camera and laser", "serial_number": "", "stripe_axis": "v"}
     sensor = SensorDatasheet.model_validate({**document, "width_px": width, "height_px": height})
-    write_sensor(folder / "sensor.json", sensor)
+    sensor.write(folder / "sensor.json")
     rows = []
     for frame in frames:
         number = frame.stem.removeprefix("frame")

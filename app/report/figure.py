@@ -14,7 +14,7 @@ Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
 
 INK, SOFT, FAINT, LINE = "#12161b", "#434d59", "#7c8794", "#b9c1cc"
-BLUE, RED, ORANGE, GREEN = "#1d5bd0", "#c8232a", "#b45309", "#17794a"
+BLUE, RED, ORANGE = "#1d5bd0", "#c8232a", "#b45309"
 WHITE, GROUND = "#ffffff", "#f2f4f7"
 
 

@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 
 from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import write_arm
-from app.formats.datasheets.sensor import SensorDatasheet, write_sensor
-from app.formats.datasheets.target import write_object
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.formats.images import write_png
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import CalibrationFile, read_calibration
@@ -26,6 +24,7 @@ from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply, inverse, rigid
 from app.report.reports import render_report
 from tests.cli.test_cli import crenel, names_in, refused
+from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text
 from tests.metrology.boards import (
     BOARD,
@@ -57,7 +56,7 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write_object(folder / "object.json", BOARD)
     document = {"name": "camera and laser", "serial_number": "S-7", "stripe_axis": "v"}
     document |= {"width_px": str(SIZE[0]), "height_px": str(SIZE[1])}
-    write_sensor(folder / "sensor.json", SensorDatasheet.model_validate(document, strict=False))
+    SensorDatasheet.model_validate(document, strict=False).write(folder / "sensor.json")
     (folder / "images").mkdir()
     for k, T in enumerate(POSES):
         write_png(folder / f"images/{k + 1}.png", picture(T, Look(), k))

@@ -60,7 +60,7 @@ def stripe_picture(tmp_path: Path) -> Path:
 @pytest.fixture
 def scan(tmp_path: Path) -> dict[str, Path]:
     """A recording, its calibration and its arm."""
-    from app.formats.datasheets.arm import write_arm
+    from tests.datasheets import write_arm
 
     paths = {name: tmp_path / name for name in ("scan.mcap", "calibration.json", "arm.json")}
     with RecordingWriter(paths["scan.mcap"], NAMES) as writer:

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from app.formats.datasheets.arm import read_arm
-from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from tests.cli.test_cli import crenel, names_in, refused
+from tests.simulated_arm_sessions import ArmSessionPlan, render_arm_session
 
 pytestmark = pytest.mark.slow
 

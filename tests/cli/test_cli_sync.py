@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import write_arm
 from app.formats.recording.reader import ARM_DELAY
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
@@ -16,6 +15,7 @@ from app.metrology.sensor.camera import project
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
 from tests.cli.test_cli import crenel, names_in, refused
+from tests.datasheets import write_arm
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES

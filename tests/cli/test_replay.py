@@ -11,13 +11,13 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.points import Points
-from app.formats.datasheets.arm import write_arm
 from app.formats.recording.writer import RecordingWriter
 from app.server.live_replay import Replay
 from app.station.bus import Bus
 from app.wire.schema import ReplayState
 from hardware.clock import now_ns
 from hardware.interfaces import JointSample
+from tests.datasheets import write_arm
 from tests.entering import client
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.formats.test_documents import calibration_file

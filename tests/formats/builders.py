@@ -62,8 +62,7 @@ POSE_DEG = (-51.5, 26.25, -84.5, 129.0, 26.0, -79.75)
 
 def write_session(folder: Path) -> Path:
     """A well-formed session of three contacts and one pose, with black pictures."""
-    from app.formats.datasheets.arm import write_arm
-    from app.formats.datasheets.target import write_object
+    from tests.datasheets import write_arm, write_object
 
     (folder / "images").mkdir(parents=True)
     write_arm(folder / "arm.json", ARM)

@@ -14,8 +14,8 @@ from app.formats.session.arm_session import read_identification_session
 from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table, report_rows, worst_verdict
 from app.workflows.identify_arm import identify_folder
-from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, render_arm_session
 from tests.metrology.arm_sessions import collect_observations, volumetric_error_um
+from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, render_arm_session
 
 pytestmark = pytest.mark.slow
 

@@ -8,8 +8,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm, write_arm
-from app.formats.datasheets.target import read_block, read_object, write_object
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.datasheets.target import read_block, read_object
 from app.formats.session.calibration_session import (
     BoardSession,
     ContactReadings,
@@ -21,6 +21,7 @@ from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.arm.kinematics import RobotArm, Tip
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import rigid
+from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text, write_session
 from tests.real_sessions import write_real_session
 

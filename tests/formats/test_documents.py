@@ -12,10 +12,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm, write_arm
+from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.datasheets.sensor import SensorDatasheet, read_sensor, write_sensor
-from app.formats.datasheets.target import read_object, write_object
+from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
+from app.formats.datasheets.target import read_object
 from app.formats.json_document import Document
 from app.formats.results.calibration import (
     CalibrationFile,
@@ -30,6 +30,7 @@ from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import rigid, rotation_from_vector
+from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, BLOCK, SENSOR, edit_json, little_calibration, write_session
 
 lengths = st.floats(-1e4, 1e4)
@@ -86,7 +87,7 @@ def test_a_sensor_reads_back_and_unknown_fields_are_ignored(tmp_path: Path) -> N
     document = read_sensor(path)
     assert isinstance(document, SensorDatasheet)
     assert (document.width_px, document.stripe_axis, document.focal_px) == (64, "u", 2800.0)
-    write_sensor(path, document)
+    document.write(path)
     assert read_sensor(path) == document
 
 

@@ -3,12 +3,12 @@
 import json
 from pathlib import Path
 
-from app.formats.datasheets.target import write_object
 from app.guide.calibration.session_datasheets import best_guess
 from app.guide.calibration.state import CalibrationState
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
+from tests.datasheets import write_object
 
 BOARD = Chessboard("board 7", "", (7, 6), 10.0, 0.05)
 

@@ -7,8 +7,8 @@ import numpy as np
 from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
 from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
 from app.metrology.transforms import Floats, apply, rigid_fit
-from hardware.simulator.arm_sessions import SimulatedArmSession
 from hardware.simulator.devices.kinematics import ArmModel, flange_poses
+from tests.simulated_arm_sessions import SimulatedArmSession
 
 
 def nominal_arm(model: ArmModel) -> Arm:

@@ -24,10 +24,10 @@ from app.metrology.arm.identification.parameters import (
     with_parameters,
 )
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
-from hardware.simulator.arm_sessions import ArmSessionPlan, draw_arm_session
 from hardware.simulator.devices.kinematics import ArmLink, ArmModel
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.builders import random_arm
+from tests.simulated_arm_sessions import ArmSessionPlan, draw_arm_session
 
 RIGHT = np.pi / 2
 

@@ -13,8 +13,8 @@ from app.metrology.arm.identification.articulation import (
     tip_spread_um,
 )
 from app.metrology.arm.kinematics import tip_centres
-from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
+from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 
 
 @pytest.fixture(scope="module")

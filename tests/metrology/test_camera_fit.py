@@ -1,6 +1,7 @@
 """The joint refinement against known cameras, and its covariance against scatter."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -166,18 +167,12 @@ def test_a_picture_without_edges_is_refused() -> None:
     stripe = simulate_stripe(camera, BLOCK, PLANE, np.random.default_rng(0), 0.1)
     levels = fit_laser_plane(camera, BLOCK, stripe)
     nothing = ImageObservations((), (), empty_stripe("u"), levels)
-    few = levels.used[:0]
-    empty = type(levels)(
-        levels.plane,
-        0.0,
-        few,
-        levels.level[:0],
-        levels.points_mm[:0],
-        np.zeros(0),
-        np.zeros(0),
-        1.0,
-        levels.covariance,
-        levels.centroid_mm,
+    empty = replace(
+        levels,
+        used=levels.used[:0],
+        level=levels.level[:0],
+        points_mm=levels.points_mm[:0],
+        residuals_mm=np.zeros(0),
     )
     with pytest.raises(OperationError, match="do not determine"):
         fit_camera(camera, BLOCK, ImageObservations((), (), nothing.stripe, empty))

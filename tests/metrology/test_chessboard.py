@@ -9,7 +9,7 @@ from app.errors import OperationError
 from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.stripe import extract_stripe
-from app.metrology.targets.chessboard import Chessboard, corner_points, numbering_count
+from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, apply
 from tests.metrology.boards import BOARD, K1, POSES, K, Look, camera_pose, picture
 
@@ -68,10 +68,8 @@ def test_a_board_that_reads_alike_both_ways_says_so() -> None:
     T = camera_pose(10, 30, 5, 240)
     found = detect_board(picture(T, Look(laser=False, board=square)), square)
     ways = (found.number, *found.other_numbers)
-    assert len(ways) == numbering_count(square) == 2
+    assert len(ways) == 2
     assert any(np.abs(found.uv_px - pixels(square, T)[way]).max() < 0.1 for way in ways)
-    assert numbering_count(Chessboard("", "", (6, 6), 10.0, 0.01)) == 4
-    assert numbering_count(BOARD) == 1
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,6 @@ from app.metrology.arm.identification.parameters import parameter_values
 from app.metrology.arm.identification.robust_solve import fit_arm
 from app.metrology.arm.kinematics import Arm, Tip, tip_covariances
 from app.metrology.transforms import Floats
-from hardware.simulator.arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 from tests.metrology.arm_sessions import (
     collect_observations,
     fresh_poses,
@@ -22,6 +21,7 @@ from tests.metrology.arm_sessions import (
     nominal_arm,
     volumetric_error_um,
 )
+from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session
 
 pytestmark = pytest.mark.slow
 

@@ -18,7 +18,7 @@ from app.metrology.calibration.one_pose import (
     probe_matrix,
 )
 from app.metrology.sensor.laser_plane import in_frame
-from app.metrology.sensor.triangulation import arm_points, sensor_points
+from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import Floats, apply, rigid, rigid_fit, rotation_from_vector
 from tests.pictures import read_picture
@@ -211,8 +211,10 @@ def test_any_other_sensor_frame_gives_the_same_points(
     T_arm_new = rigid_fit(apply(found.alignment.T_arm_obj, in_obj), apply(T_new_obj, in_obj))
     T_arm_flange = flange_pose(inputs.arm, inputs.pose_q_rad)
     uv = Truth(samples / "one-pose").uv_px
-    one = arm_points(found.camera, found.plane, found.T_flange_sensor, uv, T_arm_flange)
-    other = arm_points(camera, plane, probe_matrix(T_arm_flange, T_arm_new), uv, T_arm_flange)
+    T_arm_sensor = T_arm_flange @ found.T_flange_sensor
+    one = apply(T_arm_sensor, sensor_points(found.camera, found.plane, uv))
+    T_arm_other = T_arm_flange @ probe_matrix(T_arm_flange, T_arm_new)
+    other = apply(T_arm_other, sensor_points(camera, plane, uv))
     np.testing.assert_allclose(one, other, atol=1e-6)
 
 

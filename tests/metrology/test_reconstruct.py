@@ -7,7 +7,7 @@ import pytest
 from app.metrology.arm.kinematics import flange_poses
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import arm_points, frame_points, sensor_points
+from app.metrology.sensor.triangulation import frame_points, sensor_points
 from app.metrology.transforms import apply, inverse, rotation_from_vector
 from tests.metrology.builders import random_arm, random_pose
 
@@ -60,7 +60,8 @@ def test_a_scan_is_every_frame_in_its_own_pose() -> None:
     back = apply(inverse(T_arm_flange[frame] @ T_flange_sensor), found)
     np.testing.assert_allclose(back, in_sensor, atol=1e-6)
     for k in range(4):
-        one = arm_points(CAMERA, PLANE, T_flange_sensor, uv[frame == k], T_arm_flange[k])
+        own = sensor_points(CAMERA, PLANE, uv[frame == k])
+        one = apply(T_arm_flange[k] @ T_flange_sensor, own)
         np.testing.assert_allclose(one, found[frame == k], atol=1e-9)
 
 

@@ -16,7 +16,6 @@ from typer.testing import CliRunner
 
 from app.cli.main import cli
 from app.errors import OperationError
-from app.formats.datasheets.arm import write_arm
 from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
@@ -40,9 +39,10 @@ from app.report.translation import translate_report
 from app.workflows.calibrate import calibrate_session
 from app.workflows.identify_arm import IdentificationProvenance, identify_folder
 from app.workflows.measure_gauge import MAP, MapFile
-from hardware.simulator.arm_sessions import ArmSessionPlan, render_arm_session
 from hardware.simulator.session import SessionPlan, render_session
+from tests.datasheets import write_arm
 from tests.formats.builders import ARM
+from tests.simulated_arm_sessions import ArmSessionPlan, render_arm_session
 from tests.workflows.test_verification import RECORD
 
 pytestmark = pytest.mark.slow

@@ -144,7 +144,7 @@ def bound_adjustment(reference: Draw, scales: Scales) -> AdjustmentResult:
     free[np.arange(LENS.start, LENS.stop)] = state.camera.distortion[:4] != 0
     covariance = free_covariance(np.sum(list(parts.values()), axis=0), free)
     return AdjustmentResult(
-        linear, scales, free, covariance, parts, judgements, 0, scales_estimated=False
+        linear, scales, free, covariance, parts, judgements, scales_estimated=False
     )
 
 

@@ -98,16 +98,6 @@ def read_arm(path: Path) -> Arm:
     )
 
 
-def write_arm(path: Path, arm: Arm | RobotArm) -> None:
-    """Writes ``arm.json`` atomically."""
-    if isinstance(arm, Arm):
-        arm_document(arm).write(path)
-        return
-    tip = None if arm.tip is None else TipPart.model_validate(arm.tip, from_attributes=True)
-    name, number = arm.name, arm.serial_number
-    ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
-
-
 def arm_document(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
     """The file of an arm; of an identified one, with what its parameters rest on."""
     tip = arm.tip

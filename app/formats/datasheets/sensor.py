@@ -32,8 +32,3 @@ class SensorDatasheet(Document):
 def read_sensor(path: Path) -> SensorDatasheet:
     """Reads ``sensor.json``; raises ``OperationError`` naming the file and the field."""
     return SensorDatasheet.read(path)
-
-
-def write_sensor(path: Path, sensor: SensorDatasheet) -> None:
-    """Writes ``sensor.json`` atomically."""
-    sensor.write(path)

@@ -1,6 +1,5 @@
 """``object.json``: the certificate of the crenellated object, or of a flat chessboard."""
 
-from dataclasses import asdict
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, Self
@@ -136,11 +135,3 @@ def read_block(path: Path) -> Crenellated:
         message("contacts-stripe-several-levels-need-crenellated"),
         message("give-certificate-crenellated-object-calibrate-command"),
     )
-
-
-def write_object(path: Path, item: Crenellated | Chessboard) -> None:
-    """Writes ``object.json`` atomically."""
-    if isinstance(item, Crenellated):
-        ObjectFile.model_validate(item, from_attributes=True).write(path)
-    else:
-        ChessboardFile.model_validate({"kind": "chessboard", **asdict(item)}).write(path)

@@ -50,16 +50,10 @@ ROUNDS_OF_JUDGING = 6
 
 @dataclass(frozen=True)
 class GroupFit:
-    """The fit of one kind of observation: rms in px, and the rows (N,) that were kept.
-
-    ``inflation`` (N,) are the factors on their standard deviations, for rows that scatter by more
-    than stated or are correlated with adjacent ones.
-    """
+    """How well one kind of observation fits: rms in px, and which rows (N,) were kept."""
 
     rms_px: float
-    residuals_px: Floats
     inliers: NDArray[np.bool_]
-    inflation: Floats
 
 
 @dataclass(frozen=True)
@@ -157,7 +151,7 @@ def _adjust(
         step[free] = -_inverse(N[np.ix_(free, free)]) @ g[free]
         scene = scene.apply_step(step)
         if float(np.max(np.abs(step) * np.sqrt(np.diag(N)))) < 1e-3:
-            fits = [_group(*group) for group in zip(groups, kept, inflation, strict=True)]
+            fits = [_group(*group) for group in zip(groups, kept, strict=True)]
             return _result(scene, fits, [part for part, _ in parts], free)
     raise OperationError(
         "camera-fit-failed",
@@ -266,10 +260,10 @@ def _result(
     return CameraFit(scene, covariance, sources, C @ certificate[:, BLOCK], *fits)
 
 
-def _group(rows: Rows, kept: NDArray[np.bool_], inflation: Floats) -> GroupFit:
+def _group(rows: Rows, kept: NDArray[np.bool_]) -> GroupFit:
     residuals = rows.residuals[kept]
     rms = float(np.sqrt(np.mean(residuals**2))) if len(residuals) else 0.0
-    return GroupFit(rms, rows.residuals, kept, inflation)
+    return GroupFit(rms, kept)
 
 
 def _free_covariance(N: Floats, free: NDArray[np.bool_]) -> Floats:

@@ -9,8 +9,7 @@ from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.image import Image
 from app.metrology.sensor.camera import Camera, rays
-from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on, tangents
-from app.metrology.sensor.residual_correlation import neighbours_alike
+from app.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on
 from app.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.transforms import Floats
@@ -29,13 +28,10 @@ OUTLIER_SIGMAS = 4.0
 class LaserPlaneFit:
     """The plane, and the use of each stripe point (N,).
 
-    ``level`` is ``crest``, ``floor``, or empty if the point lies on neither; ``points_mm`` (N, 3)
-    are the intersections of the rays with the level, otherwise NaN; ``used`` marks the points of a
-    level that agree with the plane; ``residuals_mm`` are their signed distances from it and
-    ``sigma_mm`` the expected standard deviations, NaN off the levels; ``correlation`` is the number
-    of adjacent points that together have the weight of one (speckle). ``covariance`` (3, 3) is that
-    of a tilt of the normal along ``tangents(normal)`` (rad) and of the offset at ``centroid_mm``
-    (mm).
+    ``level`` is ``crest``, ``floor`` or empty where the point lies on neither, and
+    ``points_mm`` (N, 3) is where on the level its ray ends, NaN elsewhere;
+    ``used`` marks those of a level that agree with the plane; ``residuals_mm`` are
+    their signed distances from it, NaN off the levels.
     """
 
     plane: LaserPlane
@@ -44,10 +40,6 @@ class LaserPlaneFit:
     level: NDArray[np.str_]
     points_mm: Floats
     residuals_mm: Floats
-    sigma_mm: Floats
-    correlation: float
-    covariance: Floats
-    centroid_mm: Floats
 
 
 def classify_levels(
@@ -146,7 +138,7 @@ def fit_laser_plane(
             returned unchanged.
 
     Returns:
-        The plane in the object frame with its covariance (k = 1), and the residual of each point.
+        The plane in the object frame, and the residual of each point.
 
     Raises:
         OperationError: ``stripe-too-short``, ``laser-one-level`` or ``laser-through-camera``.
@@ -162,24 +154,17 @@ def fit_laser_plane(
     _require_both(own[kept], len(on))
     refuse_edge_on(plane, X[kept] - camera.centre_mm)
     residuals = X @ plane.normal - plane.offset_mm
-    sigma = np.abs(per_sigma @ plane.normal)
-    correlation = neighbours_alike(stripe.uv_px[on][kept], (residuals / sigma)[kept])
-    covariance, centroid = _covariance(plane, X[kept], sigma[kept] * np.sqrt(correlation))
     used = on.copy()
     used[on] = kept
-    over_all = np.full((2, len(on)), np.nan)
-    over_all[:, on] = residuals, sigma
+    over_all = np.full(len(on), np.nan)
+    over_all[on] = residuals
     return LaserPlaneFit(
         plane,
         float(np.sqrt(np.mean(residuals[kept] ** 2))),
         used,
         level,
         points,
-        over_all[0],
-        over_all[1],
-        correlation,
-        covariance,
-        centroid,
+        over_all,
     )
 
 
@@ -278,11 +263,3 @@ def _refine_plane(plane: LaserPlane, points: Floats, per_sigma: Floats) -> Laser
         normal *= np.sign(normal @ plane.normal)
         plane = LaserPlane(normal, float(normal @ centre))
     return plane
-
-
-def _covariance(plane: LaserPlane, points: Floats, sigma: Floats) -> tuple[Floats, Floats]:
-    """Covariance (3, 3) of tilts (rad) and offset (mm) about the centroid, and that (3,)."""
-    centroid = points.mean(axis=0)
-    tilts = (points - centroid) @ tangents(plane.normal).T
-    J = np.column_stack([tilts, -np.ones(len(points))]) / sigma[:, None]
-    return np.asarray(np.linalg.inv(J.T @ J)), np.asarray(centroid)

@@ -69,8 +69,6 @@ class Budget:
     names: tuple[str, ...]
     covariance: Floats
     pivot_mm: Floats
-    grid_mm: Floats  # (G, 3) points of the volume, flange frame
-    grid_um: Floats  # (G,) standard uncertainty of each
 
 
 @dataclass(frozen=True)
@@ -113,15 +111,13 @@ def compute_budget(fit: CameraFit, placed: Placement) -> Budget:
         BudgetContribution(source, 1e3 * float(np.sqrt(np.mean(square))))
         for source, square in squares.items()
     )
-    total = np.sqrt(np.sum(list(squares.values()), axis=0))
+    total = np.sum(list(squares.values()), axis=0)
     return Budget(
         rows,
-        1e3 * float(np.sqrt(np.mean(total**2))),
+        1e3 * float(np.sqrt(np.mean(total))),
         fit.scene.names[:SENSOR] + PROBE_NAMES,
         np.sum(list(covariances.values()), axis=0),
         pivot,
-        grid,
-        1e3 * total,
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats
 
 
 @dataclass(frozen=True)
@@ -102,10 +102,3 @@ def rays(camera: Camera, uv_px: Floats) -> tuple[Floats, Floats]:
     """
     xy = undistort_pixels(camera, uv_px)
     return camera.centre_mm, np.column_stack([xy, np.ones(len(xy))]) @ camera.rotation
-
-
-def in_camera(camera: Camera, points_mm: Floats) -> Floats:
-    """Points (N, 3) of the sensor frame in the camera frame."""
-    T_cam_sensor = np.eye(4)
-    T_cam_sensor[:3, :3], T_cam_sensor[:3, 3] = camera.rotation, camera.translation_mm
-    return apply(T_cam_sensor, points_mm)

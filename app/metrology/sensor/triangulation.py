@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.transforms import Floats, apply
+from app.metrology.transforms import Floats
 from app.native.arguments import F64, I64, Array, Function
 from app.native.library import CRENEL
 
@@ -47,33 +47,8 @@ def sensor_points(camera: Camera, plane: LaserPlane, uv_px: Floats) -> Floats:
         >>> sensor_points(camera, plane, np.array([[330.0, 256.0]])).round(9).tolist()
         [[1.2, 0.0, 20.0]]
     """
-    return _in_one_pose(camera, plane, uv_px, np.eye(4))
-
-
-def arm_points(
-    camera: Camera,
-    plane: LaserPlane,
-    T_flange_sensor: Floats,
-    uv_px: Floats,
-    T_arm_flange: Floats,
-) -> Floats:
-    """Points of the stripe in the arm frame.
-
-    Args:
-        T_flange_sensor: (4, 4), the probe matrix (Eq. 8).
-        uv_px: (N, 2) distorted pixels.
-        T_arm_flange: (4, 4) pose of the arm at mid-exposure, or (N, 4, 4), one per pixel.
-
-    Returns:
-        (N, 3) mm; NaN as in ``sensor_points``.
-
-    Source:
-        Eq. 9 of the article.
-    """
-    if np.ndim(T_arm_flange) == 2:
-        return _in_one_pose(camera, plane, uv_px, np.asarray(T_arm_flange @ T_flange_sensor))
-    in_flange = apply(T_flange_sensor, sensor_points(camera, plane, uv_px))
-    return apply(T_arm_flange, in_flange)
+    uv = np.asarray(uv_px, dtype=np.float64).reshape(-1, 2)
+    return frame_points(camera, plane, uv[:, 0], uv[:, 1], np.array([len(uv)]), np.eye(4)[None])
 
 
 def frame_points(
@@ -142,11 +117,6 @@ def scan_points(
     fit = (_contiguous(sigma_px), axis, spread_um)
     _fill(camera, plane, u_px, v_px, count, T_arm_sensor, points_mm, *fit)
     return points_mm, spread_um
-
-
-def _in_one_pose(camera: Camera, plane: LaserPlane, uv_px: Floats, T: Floats) -> Floats:
-    uv = np.asarray(uv_px, dtype=np.float64).reshape(-1, 2)
-    return frame_points(camera, plane, uv[:, 0], uv[:, 1], np.array([len(uv)]), T[None])
 
 
 def _fill(

@@ -1,8 +1,8 @@
 """The flat chessboard from its certificate.
 
-The origin of its frame is the first inner corner, X runs along the rows, Z out of the board towards
-the camera. The first corner is the one whose outermost square is black; if the colours are
-ambiguous (``numbering_count``), every choice is equally good as long as all pictures share it.
+Its frame lies at the first inner corner, X along the rows, Z out of the board towards the
+camera. First is the corner whose outermost square is black; where the colours leave a
+choice, every choice is as good as long as all pictures share it.
 """
 
 from dataclasses import dataclass
@@ -71,11 +71,3 @@ def pattern_centre(board: Chessboard) -> Floats:
         (3,) mm in the frame of the board.
     """
     return np.array([*(board.extent_mm / 2), 0.0])
-
-
-def numbering_count(board: Chessboard) -> int:
-    """The number of orientations (1, 2 or 4) in which the colours of the board look the same."""
-    columns, rows = board.inner_corners
-    if (columns + rows) % 2:
-        return 1
-    return 4 if columns == rows and columns % 2 == 0 else 2

@@ -21,6 +21,7 @@ from app.report.figure import (
     ORANGE,
     RED,
     SOFT,
+    WHITE,
     Dot,
     Figure,
     Photo,
@@ -139,7 +140,7 @@ def _view(
             continue
         colour = BLUE if residuals_um[i] >= 0 else ORANGE
         figure.line(a, b, stroke=colour, width=1.4)
-        figure.items.append(Dot(a, 1.7, colour, "#ffffff", 0.4))
+        figure.items.append(Dot(a, 1.7, colour, WHITE, 0.4))
 
 
 def image_figure(

@@ -10,7 +10,19 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats
-from app.report.figure import BLUE, FAINT, GROUND, INK, LINE, RED, SOFT, Figure, Point, Polyline
+from app.report.figure import (
+    BLUE,
+    FAINT,
+    GROUND,
+    INK,
+    LINE,
+    RED,
+    SOFT,
+    WHITE,
+    Figure,
+    Point,
+    Polyline,
+)
 from app.report.formatting import micrometres, millimetres
 
 SCALE = ("#d6e8fb", "#a9cff6", "#74b0ee", "#3f8be0", "#1f66bd", "#114688")
@@ -47,7 +59,7 @@ def volume_figure(
         figure.face(*place(flat[cell]), fill=colour, stroke=colour, width=0.3)
         if not inside[cell]:
             a, _, c, _ = place(flat[cell])
-            figure.line(a, c, stroke="#ffffff", width=0.5)
+            figure.line(a, c, stroke=WHITE, width=0.5)
     _axes(figure, frame, low_mm, high_mm, scale)
     _legend(figure, (430.0, 30.0), low, high)
     near, far = uncertainty.depth_range_mm

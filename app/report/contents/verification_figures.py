@@ -13,6 +13,7 @@ from app.report.figure import (
     ORANGE,
     RED,
     SOFT,
+    WHITE,
     Dot,
     Figure,
     Polyline,
@@ -50,7 +51,7 @@ def limit_figure(document: VerificationFile) -> tuple[Figure[Text], Text]:
         for value in one.clouds:
             figure.items.append(Dot((zero + value / one.limit * scale, y), 1.8, "", FAINT, 0.7))
         figure.line((at - u, y), (at + u, y), stroke=colour, width=2)
-        figure.items.append(Dot((at, y), 3, colour, "#ffffff", 0.6))
+        figure.items.append(Dot((at, y), 3, colour, WHITE, 0.6))
         figure.label((left - 8, y + 3), one.title, 7.5, SOFT, "end")
         figure.label((left + width + 8, y + 3), error_value(one.value, one.unit), 8, INK)
     bottom = 24.0 * len(limited) + 4

@@ -48,7 +48,6 @@ class Counts:
     frames: int = 0
     points: int = 0
     frames_without_joints: int = 0
-    frames_without_laser: int = 0
     frames_without_stripe: int = 0
 
 
@@ -162,7 +161,6 @@ class ScanPipeline:
                 time.sleep(GATHER_S)
                 taken = self._tap.get(BATCH_FRAMES, POLL_S)
                 frames = [frame for frame in taken if frame.laser_on]
-                self.counts.frames_without_laser += len(taken) - len(frames)
                 if self._settings.record_pictures:
                     for frame in frames:
                         self._recorder.offer_picture(frame)

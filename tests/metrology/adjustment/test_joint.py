@@ -14,7 +14,7 @@ from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate
 from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
-from app.metrology.adjustment.planning.next_touches import next_touches, placement_uncertainty_um
+from app.metrology.adjustment.planning.next_touches import next_touches
 from app.metrology.limits import Limits
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import apply, rigid_fit
@@ -166,7 +166,7 @@ def test_the_advised_pose_helps_more_than_the_same_again(
 def test_touches_are_asked_for_until_the_target_is_reached(
     inputs: BlockInputs, found: BlockCalibration
 ) -> None:
-    now = placement_uncertainty_um(found.alignment, inputs.features, inputs.block)
+    now = next_touches(found.alignment, inputs.features, inputs.block, np.inf).now_um
     advice = next_touches(found.alignment, inputs.features, inputs.block, 0.8 * now)
     assert advice.reaches
     assert advice.now_um == pytest.approx(now)

@@ -64,7 +64,6 @@ class AdjustmentResult:
     covariance: Floats
     parts: dict[str, Floats]
     weights: PoseWeights
-    rounds: int
     scales_estimated: bool
 
     @property
@@ -227,7 +226,7 @@ def _iterate(
         if largest < CONVERGED and turn > 0:
             scales_estimated = rounds_of_scales > 0
             return AdjustmentResult(
-                linear, scales, free, covariance, parts, judgements, turn + 1, scales_estimated
+                linear, scales, free, covariance, parts, judgements, scales_estimated
             )
         linear = linearise(linear.problem, at, linear.state.apply_step(step, at))
     raise no_convergence_error()

@@ -85,7 +85,6 @@ class CalibrationUncertainty:
     rows: tuple[BudgetContribution, ...]
     total_um: float
     volume: Volume
-    volume_um: Floats  # (G,)
     map: UncertaintyMap
     plane: PlaneUncertainty
     covariance: Floats
@@ -118,7 +117,6 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
         rows,
         1e3 * float(np.sqrt(np.mean(total))),
         volume,
-        1e3 * np.sqrt(total),
         uncertainty_map(found, T_cam_sensor),
         plane_uncertainty(found, volume),
         _covariance_by_name(found, T_cam_sensor, pivot),

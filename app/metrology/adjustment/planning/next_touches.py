@@ -42,21 +42,6 @@ class TouchAdvice:
         )
 
 
-def placement_uncertainty_um(
-    alignment: Alignment, features: Sequence[str], block: Crenellated
-) -> float:
-    """Standard uncertainty of a point of the block in the arm frame, from its contact points.
-
-    Args:
-        alignment: the result of ``align``.
-        features: the face of each of the N contact points.
-
-    Returns:
-        µm, rms over the corners of the block, k = 1.
-    """
-    return _point_uncertainty_um(_information(alignment, features, block), block)
-
-
 def next_touches(
     alignment: Alignment, features: Sequence[str], block: Crenellated, target_um: float
 ) -> TouchAdvice:
@@ -68,7 +53,8 @@ def next_touches(
     Args:
         alignment: the result of ``align`` for the contact points so far.
         features: the face of each of the N contact points.
-        target_um: target for ``placement_uncertainty_um``.
+        target_um: standard uncertainty of a point of the block in the arm frame, rms over its
+            corners, k = 1.
 
     Returns:
         Number of contact points by face, and the uncertainty before and after.

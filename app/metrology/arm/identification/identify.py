@@ -15,7 +15,6 @@ from app.metrology.arm.identification.cross_validation import (
     Validation,
     compare_arms,
     cross_validate,
-    fit_centres,
     without_points,
 )
 from app.metrology.arm.identification.input_checks import (
@@ -80,17 +79,6 @@ class Outlier:
 
 
 @dataclass(frozen=True)
-class PlaceFit:
-    """Agreement of the points of one place, rms in mm, with the given and with the identified
-    arm."""
-
-    place: Text
-    points: int
-    before_mm: float
-    after_mm: float
-
-
-@dataclass(frozen=True)
 class Identification:
     """The identified arm, and the data it is based on."""
 
@@ -108,7 +96,6 @@ class Identification:
     radius_excess_sd_mm: float | None
     """None without spheres."""
     outliers: tuple[Outlier, ...]
-    places: tuple[PlaceFit, ...]
     validation: Validation
     volume_before_mm: float
     """Rms difference of the tip over the arm's reach between the given and the identified arm."""
@@ -188,7 +175,6 @@ def identify(
         radius_excess_mm=fit.at.radius_excess_mm if on_spheres else 0.0,
         radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if on_spheres else None,
         outliers=_outliers(data, fit),
-        places=_places(arm, good.stacked, fit),
         validation=validation,
         volume_before_mm=volumetric_difference_mm(arm, fit.at.arm),
         volume_after_mm=volumetric_uncertainty_mm(fit.at.arm, fit.moved, fit.covariance),
@@ -264,23 +250,3 @@ def _outliers(data: StackedObservations, fit: ArmFit) -> tuple[Outlier, ...]:
         place = data.places[data.place_of[i]]
         found.append(Outlier(place.label, int(i) - place.rows.start + 1, float(off[i])))
     return tuple(found)
-
-
-def _places(arm: Arm, data: StackedObservations, fit: ArmFit) -> tuple[PlaceFit, ...]:
-    """``data`` without the outliers; each place by its own points alone."""
-    excess, scatter = fit.at.radius_excess_mm, fit.scatter_mm
-    before = residuals(data, fit_centres(arm, data, 0.0, scatter), scatter).distances_mm
-    after = residuals(data, fit_centres(fit.at.arm, data, excess, scatter), scatter).distances_mm
-
-    def rms(offs: Floats) -> float:
-        return float(np.sqrt(np.mean(offs**2)))
-
-    return tuple(
-        PlaceFit(
-            place.label,
-            place.rows.stop - place.rows.start,
-            rms(before[place.rows]),
-            rms(after[place.rows]),
-        )
-        for place in data.places
-    )

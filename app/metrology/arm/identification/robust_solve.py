@@ -57,8 +57,7 @@ class ArmFit:
     scatter_mm: float
     """Scatter of the points per coordinate, beyond what the encoders explain."""
     inliers: NDArray[np.bool_]
-    """(N,) points that are not outliers."""
-    freedom: int
+    """(N,) points that are no outliers."""
 
 
 def fit_arm(
@@ -98,7 +97,6 @@ def fit_arm(
         covariance[:others, :others],
         scatter,
         kept,
-        _freedom(data, kept, len(columns) + others),
     )
 
 

@@ -1,0 +1,28 @@
+"""Datasheets that the tests write: the program itself only reads them."""
+
+from dataclasses import asdict
+from pathlib import Path
+
+from app.formats.datasheets.arm import ArmFile, TipPart, arm_document
+from app.formats.datasheets.target import ChessboardFile, ObjectFile
+from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.crenellated_block import Crenellated
+
+
+def write_arm(path: Path, arm: Arm | RobotArm) -> None:
+    """Writes ``arm.json``."""
+    if isinstance(arm, Arm):
+        arm_document(arm).write(path)
+        return
+    tip = None if arm.tip is None else TipPart.model_validate(arm.tip, from_attributes=True)
+    name, number = arm.name, arm.serial_number
+    ArmFile(name=name, serial_number=number, convention="pose", tip=tip).write(path)
+
+
+def write_object(path: Path, item: Crenellated | Chessboard) -> None:
+    """Writes ``object.json``."""
+    if isinstance(item, Crenellated):
+        ObjectFile.model_validate(item, from_attributes=True).write(path)
+    else:
+        ChessboardFile.model_validate({"kind": "chessboard", **asdict(item)}).write(path)
