@@ -16,11 +16,11 @@ from hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
     flange_pose,
-    flange_poses,
     perturb_arm,
     rigid_fit,
     rotation_about,
     solve_joints,
+    tip_centres,
     translation,
 )
 from hardware.simulator.devices.motion import Motion
@@ -266,9 +266,4 @@ def _model_frame(rig: SimulatedRig, home: Floats, rng: np.random.Generator) -> F
     this their nominals would be off by what no calibration of the sensor can mend.
     """
     q = home + rng.uniform(-0.25, 0.25, (300, len(home)))
-    tip = np.array(rig.arm.tip_mm)
-    model, true = (
-        T[:, :3, :3] @ tip + T[:, :3, 3]
-        for T in (flange_poses(rig.nominal_arm, q), flange_poses(rig.arm, q))
-    )
-    return rigid_fit(model, true)
+    return rigid_fit(tip_centres(rig.nominal_arm, q), tip_centres(rig.arm, q))

@@ -5,7 +5,7 @@ import pytest
 
 from hardware.simulator.devices.kinematics import Floats, translation
 from hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_degraded_image
-from hardware.simulator.rendering.noise import NOISELESS
+from hardware.simulator.rendering.noise import Detector
 from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.scene.camera import (
     Optics,
@@ -25,6 +25,7 @@ OPTICS = Optics(
     (0.0,) * 5,
     camera_looking_at(np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0),
 )
+NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
 SLAB = Box((-200.0, -200.0, -10.0), (200.0, 200.0, 0.0))
 LAMP = (80.0, 0.0, 100.0)
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.rendering.noise import NOISELESS, Detector, speckle_tile
+from hardware.simulator.rendering.noise import Detector, speckle_tile
 from hardware.simulator.rendering.render import SMEARED, Renderer
 from hardware.simulator.scene.camera import Optics, sight_lines, to_pixels
 from hardware.simulator.scene.random_scenes import draw_sensor
@@ -23,6 +23,7 @@ from hardware.simulator.scene.world import (
 
 BLOCK = CrenellatedBlock()
 PLAIN = Light(texture=0.0)
+NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
 EXACT = Detector(
     read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0, bits=16, stripe_dn=120.0, crest_dn=100.0
 )

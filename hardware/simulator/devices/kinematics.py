@@ -134,8 +134,13 @@ def flange_poses(arm: ArmModel, q_rad: Floats) -> Floats:
 
 def tip_centre(arm: ArmModel, q_rad: Floats) -> Floats:
     """(3,) true centre of the probe's sphere in the arm frame."""
-    T = flange_pose(arm, q_rad)
-    return np.asarray(T[:3, :3] @ np.array(arm.tip_mm) + T[:3, 3])
+    return np.asarray(tip_centres(arm, q_rad[None])[0])
+
+
+def tip_centres(arm: ArmModel, q_rad: Floats) -> Floats:
+    """(N, 3) the same for encoder angles (N, n)."""
+    T = flange_poses(arm, q_rad)
+    return np.asarray(T[:, :3, :3] @ np.array(arm.tip_mm) + T[:, :3, 3])
 
 
 def follow_poses(arm: ArmModel, targets: Floats, start_rad: Floats) -> Floats:
@@ -231,11 +236,7 @@ def perturb_arm(
             links.append(replace(link, error_mm_rad=(x, y, z, rx, ry, rz)))
         return replace(arm, links=tuple(links))
 
-    def tips(model: ArmModel) -> Floats:
-        T = flange_poses(model, probe)
-        return np.asarray(T[:, :3, :3] @ np.array(arm.tip_mm) + T[:, :3, 3])
-
-    ideal, off = tips(arm), tips(with_errors(1.0))
+    ideal, off = tip_centres(arm, probe), tip_centres(with_errors(1.0), probe)
     T = rigid_fit(ideal, off)
     left = ideal @ T[:3, :3].T + T[:3, 3] - off
     return with_errors(rms_um * 1e-3 / float(np.sqrt(np.mean(np.sum(left**2, axis=1)))))

@@ -11,6 +11,7 @@ from hardware.simulator.devices.kinematics import (
     flange_pose,
     rotation_about,
     solve_joints,
+    tip_centre,
     translation,
 )
 from hardware.simulator.devices.motion import JointPath, min_jerk_progress, plan_approach, plan_path
@@ -243,7 +244,7 @@ def swing_path(
         UnreachableError: it goes nowhere without flipping over.
     """
     start = flange_pose(arm, q_rad)
-    tip = start[:3, :3] @ np.array(arm.tip_mm) + start[:3, 3]
+    tip = tip_centre(arm, q_rad)
     turn = 2 * np.pi * np.linspace(0.0, 1.0, KNOTS)
     # sets out and comes back at rest
     gently = min_jerk_progress(np.minimum(1.0, np.minimum(turn, turn[::-1]) / (np.pi / 3)))

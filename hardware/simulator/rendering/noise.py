@@ -41,10 +41,6 @@ class Detector:
     nominal_exposure_us: float = 5000.0
 
 
-NOISELESS = Detector(read_dn=0.0, shot_dn=0.0, speckle_contrast=0.0)
-"""No noise of any kind; the optics stay."""
-
-
 def empty_image(height: int, width: int, detector: Detector) -> RawImage:
     """An image to be filled, of the detector's kind of digits."""
     if detector.bits <= 8:
