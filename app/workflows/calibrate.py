@@ -144,14 +144,13 @@ def joint_inputs(
     Poses that show nothing usable are kept with the reason; ``OperationError`` if a file is
     damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
-
-    def look(pose: Pose) -> BlockObservation | OperationError:
-        before = known.get(pose.number)
-        if isinstance(before, BlockObservation | OperationError):
-            return before
-        return _detect_one(observe_block, session.block, session, pose)
-
-    seen, unseen = _detect_all(session.poses, look, progress)
+    seen, unseen = _detect_all(
+        session.poses,
+        BlockObservation,
+        known,
+        lambda pose: _detect_one(observe_block, session.block, session, pose),
+        progress,
+    )
     return BlockInputs(
         arm=session.arm,
         block=session.block,
@@ -171,14 +170,13 @@ def board_inputs(
     known: Mapping[int, AnyDetection | OperationError] = NO_DETECTIONS,
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
-
-    def look(pose: Pose) -> BoardObservation | OperationError:
-        before = known.get(pose.number)
-        if isinstance(before, BoardObservation | OperationError):
-            return before
-        return _detect_one(observe_board, session.board, session, pose)
-
-    seen, unseen = _detect_all(session.poses, look, progress)
+    seen, unseen = _detect_all(
+        session.poses,
+        BoardObservation,
+        known,
+        lambda pose: _detect_one(observe_board, session.board, session, pose),
+        progress,
+    )
     return BoardInputs(
         arm=session.arm,
         board=session.board,
@@ -192,9 +190,18 @@ def board_inputs(
 
 
 def _detect_all(
-    poses: Sequence[Pose], look: Callable[[Pose], DetectionT | OperationError], progress: Progress
+    poses: Sequence[Pose],
+    kind: type[DetectionT],
+    known: Mapping[int, AnyDetection | OperationError],
+    see: Callable[[Pose], DetectionT | OperationError],
+    progress: Progress,
 ) -> tuple[list[tuple[Pose, DetectionT]], tuple[FailedPose, ...]]:
     """What the poses' pictures show, on all cores, and those that show nothing usable."""
+
+    def look(pose: Pose) -> DetectionT | OperationError:
+        before = known.get(pose.number)
+        return before if isinstance(before, (kind, OperationError)) else see(pose)
+
     seen: list[tuple[Pose, DetectionT]] = []
     unseen: list[FailedPose] = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as looking:

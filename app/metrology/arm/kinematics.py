@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from app.errors import OperationError
+from app.messages.message import Text, message
 from app.metrology.transforms import Floats
 
 
@@ -80,6 +82,19 @@ class RobotArm:
     serial_number: str
     tip: Tip | None = None
     """The tip, if one is mounted for probing."""
+
+
+def refuse_other_angles(arm: Arm, q_rad: Floats, name: Text) -> None:
+    """Raises ``OperationError`` where angles cannot be this arm's: ``name`` says of what."""
+    if q_rad.ndim != 2 or q_rad.shape[1] != arm.joint_count:
+        raise OperationError(
+            "joint-count",
+            message("joint-angles", name=name, count=q_rad.shape[-1]),
+            message("arm-has-joints", arm=arm.name, count=arm.joint_count),
+            message("check-session-taken-arm"),
+        )
+    if not np.isfinite(q_rad).all():
+        raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
 
 
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:

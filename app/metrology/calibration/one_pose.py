@@ -10,7 +10,13 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm, flange_pose, tip_centres, tip_covariances
+from app.metrology.arm.kinematics import (
+    Arm,
+    flange_pose,
+    refuse_other_angles,
+    tip_centres,
+    tip_covariances,
+)
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
 from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.calibration.laser_plane_fit import (
@@ -293,21 +299,9 @@ def _depth_range(fit: CameraFit, block: Crenellated) -> tuple[float, float]:
 
 def _check(inputs: OnePoseInputs) -> None:
     """Refuses inputs that do not belong together."""
-    joints = inputs.arm.joint_count
-    angles = (
-        (message("calibration-pose"), np.atleast_2d(inputs.pose_q_rad)),
-        (message("contacts"), inputs.contact_q_rad),
-    )
-    for name, q in angles:
-        if q.ndim != 2 or q.shape[1] != joints:
-            raise OperationError(
-                "joint-count",
-                message("joint-angles", name=name, count=q.shape[-1]),
-                message("arm-has-joints", arm=inputs.arm.name, count=joints),
-                message("check-session-taken-arm"),
-            )
-        if not np.isfinite(q).all():
-            raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
+    pose_q_rad = np.atleast_2d(inputs.pose_q_rad)
+    refuse_other_angles(inputs.arm, pose_q_rad, message("calibration-pose"))
+    refuse_other_angles(inputs.arm, inputs.contact_q_rad, message("contacts"))
     if len(inputs.features) != len(inputs.contact_q_rad):
         raise OperationError(
             "contacts-malformed",

@@ -22,7 +22,12 @@ from app.metrology.adjustment.core.observations import (
     require_observations,
 )
 from app.metrology.adjustment.core.parameters import AdjustmentState
-from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from app.metrology.arm.kinematics import (
+    Arm,
+    refuse_other_angles,
+    tip_centres,
+    tip_covariances,
+)
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
 from app.metrology.sensor.camera import Camera
@@ -65,17 +70,8 @@ class BlockStart:
 def refuse_unusable(inputs: BlockInputs) -> None:
     """Raises ``OperationError`` where the inputs do not belong together."""
     require_observations(inputs.observations, inputs.failed_poses, "object")
-    joints = inputs.arm.joint_count
-    for name, q in ((message("poses"), inputs.q_rad), (message("contacts"), inputs.contact_q_rad)):
-        if q.ndim != 2 or q.shape[1] != joints:
-            raise OperationError(
-                "joint-count",
-                message("joint-angles", name=name, count=q.shape[-1]),
-                message("arm-has-joints", arm=inputs.arm.name, count=joints),
-                message("check-session-taken-arm"),
-            )
-        if not np.isfinite(q).all():
-            raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
+    refuse_other_angles(inputs.arm, inputs.q_rad, message("poses"))
+    refuse_other_angles(inputs.arm, inputs.contact_q_rad, message("contacts"))
     sizes = {
         (p.detection.camera.width_px, p.detection.camera.height_px) for p in inputs.observations
     }
