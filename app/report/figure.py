@@ -15,7 +15,7 @@ Anchor = Literal["start", "middle", "end"]
 
 INK, SOFT, FAINT, LINE = "#12161b", "#434d59", "#7c8794", "#b9c1cc"
 BLUE, RED, ORANGE = "#1d5bd0", "#c8232a", "#b45309"
-WHITE, GROUND = "#ffffff", "#f2f4f7"
+WHITE, PANEL, GROUND = "#ffffff", "#f7f8fa", "#f2f4f7"
 
 
 @dataclass(frozen=True)

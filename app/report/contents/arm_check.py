@@ -21,17 +21,13 @@ from app.report.content import (
     Verdict,
     signatures,
 )
-from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Polyline
+from app.report.contents.arm_report import arm_facts, arm_report
+from app.report.figure import BLUE, FAINT, LINE, PANEL, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
-    UNKNOWN,
     at_most,
     ball_diameter,
     device_name,
-    format_moment,
     in_both_units,
-    simulation_notes,
-    software_name,
-    temperature,
 )
 from app.report.provenance import inputs_section
 
@@ -54,23 +50,15 @@ def arm_check_report(folder: Path) -> Report[Text]:
     arm = read_arm(folder / ARM)
     seat = read_seats(folder / ARTICULATION, arm)[-1]
     sections: list[Section[Text]] = [
-        Section(message("what-checked"), [Facts(_check_facts(check, arm))]),
+        Section(message("what-checked"), [_facts(check, arm)]),
         Section(message("results"), [_table(check), *_rule()]),
         signatures(check.operator),
         Section(message("tips-places"), [Pictures([_places(arm, seat.q_rad, check.limit_um)])]),
         Section(message("how-arm-swung"), [_swing(arm, seat.q_rad)]),
         inputs_section(folder, check.inputs, ARM_CHECK),
     ]
-    notes = simulation_notes(check.simulated)
-    return Report(
-        title=message("arm-check"),
-        number=folder.resolve().name,
-        station=check.station or message("measuring-arm"),
-        date=format_moment(check.checked_at),
-        verdict=Verdict(check.verdict, WORDS[check.verdict], _sentence(check)),
-        sections=sections,
-        notes=notes,
-    )
+    verdict = Verdict(check.verdict, WORDS[check.verdict], _sentence(check))
+    return arm_report(folder, message("arm-check"), check, check.checked_at, verdict, sections)
 
 
 def _sentence(check: ArmCheckFile) -> Message:
@@ -81,17 +69,14 @@ def _sentence(check: ArmCheckFile) -> Message:
     return message("tip-in-seat-moved-limit", worst=worst, limit=limit)
 
 
-def _check_facts(check: ArmCheckFile, arm: Arm) -> list[tuple[Text, Text]]:
-    return [
-        (message("operator-2"), check.operator or UNKNOWN),
-        (message("checked"), format_moment(check.checked_at)),
-        (message("temperature"), temperature(check.temperature_c)),
+def _facts(check: ArmCheckFile, arm: Arm) -> Facts[Text]:
+    rows: list[tuple[Text, Text]] = [
         (message("arm-4"), device_name(check.arm_name, check.arm_serial)),
         (message("axes"), str(arm.joint_count)),
         (message("tip"), ball_diameter(2 * arm.tip.radius_mm)),
         (message("points-5"), str(check.points)),
-        (message("software"), software_name(check.software.version)),
     ]
+    return arm_facts(check, (message("checked"), check.checked_at), rows)
 
 
 def _table(check: ArmCheckFile) -> ReportTable[Text]:
@@ -127,7 +112,7 @@ def _places(arm: Arm, q_rad: Floats, limit_um: float | None) -> tuple[Figure[Tex
         left, top, size = 70.0 + 240.0 * number, 6.0, 200.0
         scale = size / (2 * reach)
         middle = (left + size / 2, top + size / 2)
-        figure.box((left, top), size, size, "#f7f8fa", LINE)
+        figure.box((left, top), size, size, PANEL, LINE)
         figure.line((left, middle[1]), (left + size, middle[1]))
         figure.line((middle[0], top), (middle[0], top + size))
         if limit_um is not None:

@@ -23,18 +23,14 @@ from app.report.content import (
     Verdict,
     signatures,
 )
+from app.report.contents.arm_report import arm_facts, arm_report
 from app.report.figure import BLUE, FAINT, GROUND, INK, SOFT, Figure
 from app.report.formatting import (
     NONE,
-    UNKNOWN,
     ball_diameter,
     device_name,
-    format_moment,
     in_both_units,
     micrometres,
-    simulation_notes,
-    software_name,
-    temperature,
 )
 from app.report.provenance import inputs_section
 
@@ -60,22 +56,16 @@ def identification_report(folder: Path) -> Report[Text]:
             message("identify-arm-folders-again", arm=ARM),
         )
     inputs = [Input(file=one.file, sha256=one.sha256) for one in found.inputs]
-    return Report(
-        title=message("identification-arm"),
-        number=folder.resolve().name,
-        station=found.station or message("measuring-arm"),
-        date=format_moment(found.created_at),
-        verdict=_verdict(found),
-        sections=[
-            Section(message("what-identified"), [Facts(_facts(folder, document, found))]),
-            Section(message("results"), [_results(found), *_explanation(found)]),
-            signatures(found.operator),
-            Section(message("before-after"), [Pictures([_before_and_after(_pairs(found))])]),
-            Section(message("arms-parameters"), _parameters(found), together=False),
-            inputs_section(folder, inputs, IDENTIFIED),
-        ],
-        notes=simulation_notes(found.simulated),
-    )
+    sections: list[Section[Text]] = [
+        Section(message("what-identified"), [_facts(folder, document, found)]),
+        Section(message("results"), [_results(found), *_explanation(found)]),
+        signatures(found.operator),
+        Section(message("before-after"), [Pictures([_before_and_after(_pairs(found))])]),
+        Section(message("arms-parameters"), _parameters(found), together=False),
+        inputs_section(folder, inputs, IDENTIFIED),
+    ]
+    title = message("identification-arm")
+    return arm_report(folder, title, found, found.created_at, _verdict(found), sections)
 
 
 def _verdict(found: IdentificationPart) -> Verdict[Text]:
@@ -88,17 +78,14 @@ def _verdict(found: IdentificationPart) -> Verdict[Text]:
     return Verdict("attention" if found.warnings else "good", message("identified"), text)
 
 
-def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> list[tuple[Text, Text]]:
-    return [
-        (message("operator-2"), found.operator or UNKNOWN),
-        (message("identified"), format_moment(found.created_at)),
-        (message("temperature"), temperature(found.temperature_c)),
+def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> Facts[Text]:
+    rows: list[tuple[Text, Text]] = [
         (message("arm-4"), device_name(document.name, document.serial_number)),
         (message("axes"), str(len(document.joints))),
         (message("tip"), "" if document.tip is None else ball_diameter(document.tip.diameter_mm)),
         *_observation_facts(read_identification_session(folder).observations),
-        (message("software"), software_name(found.software.version)),
     ]
+    return arm_facts(found, (message("identified"), found.created_at), rows)
 
 
 def _observation_facts(observed: ArmObservations) -> list[tuple[Text, Text]]:

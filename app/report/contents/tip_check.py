@@ -21,19 +21,15 @@ from app.report.content import (
     Verdict,
     signatures,
 )
+from app.report.contents.arm_report import arm_facts, arm_report
 from app.report.contents.verification import QUALITIES, WORDS
-from app.report.figure import BLUE, FAINT, LINE, RED, SOFT, Dot, Figure, Polyline
+from app.report.figure import BLUE, FAINT, LINE, PANEL, RED, SOFT, Dot, Figure, Polyline
 from app.report.formatting import (
-    UNKNOWN,
     at_most,
     device_name,
-    format_moment,
     in_both_units,
     micrometres,
     plus_minus,
-    simulation_notes,
-    software_name,
-    temperature,
 )
 from app.report.provenance import inputs_section
 
@@ -47,33 +43,24 @@ def tip_check_report(folder: Path) -> Report[Text]:
     check = TipCheckFile.read(folder / TIP_CHECK)
     arm = read_arm(folder / ARM)
     tips = tip_centres(arm, read_spheres(folder / SPHERES, arm)[-1].q_rad)
-    return Report(
-        title=message("tip-check"),
-        number=folder.resolve().name,
-        station=check.station or message("measuring-arm"),
-        date=format_moment(check.checked_at),
-        verdict=Verdict(QUALITIES[check.decision], WORDS[check.decision], check.words),
-        sections=[
-            Section(message("what-checked"), [Facts(_facts(check))]),
-            Section(message("results"), [_table(check), *_rule()]),
-            signatures(check.operator),
-            Section(message("touches-3"), [Pictures([_contact_figure(tips, check.limit_um)])]),
-            inputs_section(folder, check.inputs, TIP_CHECK),
-        ],
-        notes=simulation_notes(check.simulated),
-    )
+    verdict = Verdict(QUALITIES[check.decision], WORDS[check.decision], check.words)
+    sections: list[Section[Text]] = [
+        Section(message("what-checked"), [_facts(check)]),
+        Section(message("results"), [_table(check), *_rule()]),
+        signatures(check.operator),
+        Section(message("touches-3"), [Pictures([_contact_figure(tips, check.limit_um)])]),
+        inputs_section(folder, check.inputs, TIP_CHECK),
+    ]
+    return arm_report(folder, message("tip-check"), check, check.checked_at, verdict, sections)
 
 
-def _facts(check: TipCheckFile) -> list[tuple[Text, Text]]:
-    return [
-        (message("operator-2"), check.operator or UNKNOWN),
-        (message("checked"), format_moment(check.checked_at)),
-        (message("temperature"), temperature(check.temperature_c)),
+def _facts(check: TipCheckFile) -> Facts[Text]:
+    rows: list[tuple[Text, Text]] = [
         (message("arm-4"), device_name(check.arm_name, check.arm_serial)),
         (message("sphere"), _sphere(check)),
         (message("touches-2"), str(check.touches)),
-        (message("software"), software_name(check.software.version)),
     ]
+    return arm_facts(check, (message("checked"), check.checked_at), rows)
 
 
 def _sphere(check: TipCheckFile) -> Text:
@@ -116,7 +103,7 @@ def _contact_figure(tips_mm: Floats, limit_um: float | None) -> tuple[Figure[Tex
     end = 1.2 * max(float(np.abs(off_um).max()), limit_um or 0.0, 1.0)
     figure = Figure[Text](520, 150, message("each-touchs-distance-sphere"))
     left, width, top, height = 50.0, 455.0, 6.0, 120.0
-    figure.box((left, top), width, height, "#f7f8fa", LINE)
+    figure.box((left, top), width, height, PANEL, LINE)
     middle, scale = top + height / 2, height / (2 * end)
     figure.line((left, middle), (left + width, middle), stroke=FAINT)
     for sign in (-1, 1):

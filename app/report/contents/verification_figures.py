@@ -11,6 +11,7 @@ from app.report.figure import (
     INK,
     LINE,
     ORANGE,
+    PANEL,
     RED,
     SOFT,
     WHITE,
@@ -76,7 +77,7 @@ def cloud_plot(document: VerificationFile, name: str, title: Text) -> tuple[Figu
     span = max(high - low, 1e-9) * 1.15
     figure = Figure[Text](250, 120, title)
     left, width, bottom, height = 34.0, 208.0, 100.0, 88.0
-    figure.box((left, bottom - height), width, height, "#f7f8fa", LINE)
+    figure.box((left, bottom - height), width, height, PANEL, LINE)
 
     def y(value: float) -> float:
         return bottom - 4 - (value - low) / span * (height - 8)
