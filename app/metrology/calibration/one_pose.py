@@ -14,7 +14,6 @@ from app.metrology.arm.kinematics import (
     Arm,
     flange_pose,
     refuse_other_angles,
-    tip_centres,
     tip_covariances,
 )
 from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
@@ -38,7 +37,7 @@ from app.metrology.calibration.uncertainty_budget import (
 )
 from app.metrology.detection.detect_block import ObjectDetection, detect_object, image_findings
 from app.metrology.image import Image
-from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.probing.alignment import Alignment, align_contacts
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -140,7 +139,7 @@ def calibrate_one_pose(
     """
     _check(inputs)
     progress(0.0, message("fitting-contact-points"))
-    alignment = align_contacts(inputs)
+    alignment = align_contacts(inputs.arm, inputs.block, inputs.features, inputs.contact_q_rad)
     lit = inputs.ambient if inputs.laser is None else inputs.laser
     progress(0.1, message("finding-objects-edges"))
     in_the_way = None if inputs.laser is not None else extract_stripe(lit, inputs.stripe_axis)
@@ -162,20 +161,6 @@ def calibrate_one_pose(
     result = _assemble_calibration(inputs, alignment, detection, faugeras, fit, stripe, laser)
     progress(1.0, message("done"))
     return result
-
-
-def align_contacts(inputs: OnePoseInputs) -> Alignment:
-    """``T_arm_obj`` from the contact points, weighted by the noise of the encoders.
-
-    Raises:
-        OperationError: as ``align`` and ``refuse_wrong_faces``.
-    """
-    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
-    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
-    known = noise if np.any(noise) else None
-    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, known)
-    refuse_wrong_faces(alignment, inputs.features, inputs.block)
-    return alignment
 
 
 def refine_camera(

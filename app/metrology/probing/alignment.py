@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import join, message, quantity, word
+from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from app.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
 from app.metrology.probing.contacts import (
     FACE_SLACK_MM,
@@ -132,6 +133,21 @@ def align(
         points_obj_mm=points_obj,
         tips_obj_mm=points_obj + tip_radius_mm * contacts.normals,
     )
+
+
+def align_contacts(
+    arm: Arm, block: Crenellated, features: Sequence[str], contact_q_rad: Floats
+) -> Alignment:
+    """``align`` of contact points by the arm's angles (N, n), weighted by its encoders' noise.
+
+    Raises:
+        OperationError: as ``align`` and ``refuse_wrong_faces``.
+    """
+    noise = tip_covariances(arm, contact_q_rad)
+    known = noise if np.any(noise) else None
+    alignment = align(features, tip_centres(arm, contact_q_rad), arm.tip.radius_mm, block, known)
+    refuse_wrong_faces(alignment, features, block)
+    return alignment
 
 
 def refuse_wrong_faces(alignment: Alignment, features: Sequence[str], block: Crenellated) -> None:

@@ -10,7 +10,6 @@ from app.metrology.adjustment.block.findings import BlockEvidence, block_finding
 from app.metrology.adjustment.block.laser_lines import remove_outlier_lines
 from app.metrology.adjustment.block.problem import (
     BlockInputs,
-    align_contacts,
     block_problem,
     refuse_unusable,
 )
@@ -46,7 +45,7 @@ from app.metrology.calibration.laser_plane_fit import stripe_on_levels
 from app.metrology.detection.detect_block import detect_object
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
-from app.metrology.probing.alignment import Alignment
+from app.metrology.probing.alignment import Alignment, align_contacts
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import extract_stripe
@@ -132,7 +131,7 @@ def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> Bl
     """
     refuse_unusable(inputs)
     progress(0.0, message("fitting-contact-points"))
-    alignment = align_contacts(inputs)
+    alignment = align_contacts(inputs.arm, inputs.block, inputs.features, inputs.contact_q_rad)
     progress(0.1, message("finding-start"))
     start = block_problem(inputs, alignment)
     progress(0.3, message("adjusting-all-poses-together"))

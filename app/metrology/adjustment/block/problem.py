@@ -25,11 +25,9 @@ from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.arm.kinematics import (
     Arm,
     refuse_other_angles,
-    tip_centres,
-    tip_covariances,
 )
 from app.metrology.limits import LIMITS, Limits
-from app.metrology.probing.alignment import Alignment, align, refuse_wrong_faces
+from app.metrology.probing.alignment import Alignment
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame
 from app.metrology.targets.crenellated_block import Crenellated
@@ -85,16 +83,6 @@ def refuse_unusable(inputs: BlockInputs) -> None:
             message("they-come-more-than-one-camera"),
             message("use-full-pictures-one-sensor"),
         )
-
-
-def align_contacts(inputs: BlockInputs) -> Alignment:
-    """Where the contact points have the block; raises as ``align`` and ``refuse_wrong_faces``."""
-    tips = tip_centres(inputs.arm, inputs.contact_q_rad)
-    noise = tip_covariances(inputs.arm, inputs.contact_q_rad)
-    weighed = noise if np.any(noise) else None
-    alignment = align(inputs.features, tips, inputs.arm.tip.radius_mm, inputs.block, weighed)
-    refuse_wrong_faces(alignment, inputs.features, inputs.block)
-    return alignment
 
 
 def block_problem(inputs: BlockInputs, alignment: Alignment) -> BlockStart:
