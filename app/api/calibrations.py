@@ -16,7 +16,7 @@ from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import calibration_summary
 from app.store.calibrations import CalibrationRecord
-from app.wire.json_response import encode_json
+from app.wire.json_response import json_response
 from app.wire.schema import CalibrationPoint, RecordedCalibration
 from app.workflows.calibration_history import HistoryEntry, read_history
 
@@ -51,7 +51,7 @@ def calibration(calibration_id: CalibrationId, context: TheContext) -> Response:
         picture=picture,
         findings=findings,
     )
-    return Response(encode_json(shown), media_type="application/json")
+    return json_response(shown)
 
 
 @router.get("/calibrations/{calibration_id}/image/{name}")

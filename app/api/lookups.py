@@ -11,6 +11,7 @@ from app.messages.message import Text, message
 from app.operations.context import Context
 from app.store.calibrations import CalibrationRecord
 from app.store.scans import ScanRecord
+from app.store.verifications import VerificationRecord
 
 
 def find_calibration(context: Context, calibration_id: str) -> CalibrationRecord:
@@ -27,6 +28,14 @@ def find_scan(context: Context, scan_id: str) -> ScanRecord:
     if scan is None:
         raise NotFoundError(message("there-no-scan", scan_id=scan_id))
     return scan
+
+
+def find_verification(context: Context, verification_id: str) -> VerificationRecord:
+    """An accepted verification; raises ``NotFoundError`` where there is none of this id."""
+    record = context.store.verifications.get(verification_id)
+    if record is None:
+        raise NotFoundError(message("there-no-verification", record_id=verification_id))
+    return record
 
 
 def send_file(

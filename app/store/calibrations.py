@@ -11,8 +11,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, TypeAdapter
 
 from app.store.database import Database
-from app.store.journal import Check, JournalRow, accept_any, append_row
-from app.timestamps import parse_moment, utc_now
+from app.store.journal import Check, JournalRow, accept_any, append_row, close_session
+from app.timestamps import parse_moment
 
 MOST_UM = 1e9
 """One kilometre: larger than for any calibration."""
@@ -94,9 +94,7 @@ class CalibrationStore:
                     json.dumps(asdict(kept), allow_nan=False),
                 ),
             )
-            connection.execute(
-                "UPDATE session SET ended_at = ? WHERE id = ?", (utc_now(), session_id)
-            )
+            close_session(connection, session_id)
         return row
 
     def active(self) -> CalibrationRecord | None:

@@ -64,10 +64,7 @@ class JournalStore:
     def end_session(self, session_id: str) -> None:
         """Marks a session as closed; idempotent."""
         with self._database.transaction() as connection:
-            connection.execute(
-                "UPDATE session SET ended_at = ? WHERE id = ? AND ended_at IS NULL",
-                (utc_now(), session_id),
-            )
+            close_session(connection, session_id)
 
     def latest_session(self, kind: str) -> SessionRecord | None:
         """The newest session of a kind, open or closed."""
@@ -162,6 +159,14 @@ def _readable(rows: Sequence[sqlite3.Row]) -> list[JournalRow]:
         with suppress(ValueError):
             found.append(_row(row))
     return found
+
+
+def close_session(connection: sqlite3.Connection, session_id: str) -> None:
+    """Marks a session as closed, within a transaction that the caller has open; idempotent."""
+    connection.execute(
+        "UPDATE session SET ended_at = ? WHERE id = ? AND ended_at IS NULL",
+        (utc_now(), session_id),
+    )
 
 
 def append_row(

@@ -13,8 +13,8 @@ from pydantic import TypeAdapter
 from app.messages.message import Text, text_to_json
 from app.messages.stored import SUFFIX, restore_texts
 from app.store.database import Database
-from app.store.journal import Check, JournalRow, accept_any, append_row
-from app.timestamps import parse_moment, utc_now
+from app.store.journal import Check, JournalRow, accept_any, append_row, close_session
+from app.timestamps import parse_moment
 
 COLUMNS = "id, calibration_id, folder, accepted_at, figures"
 
@@ -83,9 +83,7 @@ class VerificationStore:
                     _encode(listed),
                 ),
             )
-            connection.execute(
-                "UPDATE session SET ended_at = ? WHERE id = ?", (utc_now(), session_id)
-            )
+            close_session(connection, session_id)
         return row
 
     def get(self, verification_id: str) -> VerificationRecord | None:

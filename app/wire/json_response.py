@@ -25,6 +25,11 @@ def encode_json(value: object) -> bytes:
         return to_json(_valid(plain), inf_nan_mode="null")
 
 
+def json_response(value: object) -> Response:
+    """The response of a value that is not to be checked against its model again."""
+    return Response(encode_json(value), media_type="application/json")
+
+
 def _valid(value: object) -> object:
     """Plain values with valid texts only."""
     if isinstance(value, str):

@@ -6,8 +6,7 @@ from fastapi import APIRouter, Path
 from starlette.responses import Response
 
 from app.api.access.authorization import TheVisitor
-from app.api.lookups import send_file
-from app.api.problems import NotFoundError
+from app.api.lookups import find_verification, send_file
 from app.api.sessions.routes import add_session_routes, view_response
 from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
@@ -72,7 +71,7 @@ def verification_summary(record: VerificationRecord, calibration: str) -> Verifi
 @router.get("/verifications/{verification_id}")
 def verification(verification_id: str, context: TheContext) -> Response:
     """The record of a verification, as stored in its file."""
-    path = _record(verification_id, context).folder / VERIFICATION
+    path = find_verification(context, verification_id).folder / VERIFICATION
     missing = message("record-data-folder-any-more")
     return send_file(path, missing, "application/json", f"verification-{verification_id}.json")
 
@@ -84,7 +83,7 @@ def cloud_map(verification_id: str, number: CloudNumber, context: TheContext) ->
     if guide.running and guide.state.session_id == verification_id:
         folder = guide.folder
     else:
-        folder = _record(verification_id, context).folder
+        folder = find_verification(context, verification_id).folder
     path = folder / f"cloud-{number}" / MAP
     return send_file(path, message("there-no-map-cloud", number=number), "application/json")
 
@@ -98,7 +97,7 @@ def study(verification_id: str, context: TheContext) -> StudyState:
 @router.post("/verifications/{verification_id}/study")
 def make_study(verification_id: str, context: TheContext) -> StudyState:
     """Rebuilds the clouds with every accepted calibration, in the background."""
-    record = _record(verification_id, context)
+    record = find_verification(context, verification_id)
     sources = [
         AcceptedCalibration(calibration.id, calibration.name, calibration.file.parent)
         for calibration in reversed(context.store.calibrations.all())
@@ -119,7 +118,7 @@ def make_study(verification_id: str, context: TheContext) -> StudyState:
 
 
 def _study_state(verification_id: str, context: Context) -> StudyState:
-    record = _record(verification_id, context)
+    record = find_verification(context, verification_id)
     job = context.jobs.current
     running = job is not None and job.title == STUDY_TITLE
     path = record.folder / STUDY
@@ -132,10 +131,3 @@ def _study_state(verification_id: str, context: Context) -> StudyState:
         return StudyState(running, text, fraction, accepted, StudyFile.read(path))
     except OperationError:
         return StudyState(running, text, fraction, accepted, None)
-
-
-def _record(verification_id: str, context: Context) -> VerificationRecord:
-    record = context.store.verifications.get(verification_id)
-    if record is None:
-        raise NotFoundError(message("there-no-verification", record_id=verification_id))
-    return record
