@@ -29,7 +29,7 @@ from app.metrology.arm.identification.observations import ArmObservations, Seat,
 from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
 from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import BARS
-from app.report.contents.verification import LABELS
+from app.report.contents.verification_figures import LABELS
 from app.report.figure import Figure, magnification
 from app.report.formatting import format_moment, join_units
 from app.report.html import html_page
