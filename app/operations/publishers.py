@@ -28,6 +28,8 @@ STATIONS_S = 1.0
 HEALTH_S = 3.0
 TEMPERATURE_S = 5.0
 END_S = 1.5
+TOPICS = {"devices", "report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
+"""What browsers want, and the passing on of events does not."""
 DueKey = tuple[str, str | None]
 """Id and time of a check that is due."""
 
@@ -140,17 +142,13 @@ async def _stations(context: Context) -> None:
 
 
 async def _events(context: Context) -> None:
-    with context.bus.subscribe(without=_topics(context)) as subscription:
+    with context.bus.subscribe(without=TOPICS) as subscription:
         while True:
             updates = await subscription.next()
             for topic in updates.topics:
                 subscription.want(topic, False)
             for event in updates.events:
                 _pass_on(context, event)
-
-
-def _topics(context: Context) -> set[str]:
-    return {"devices", "report", "stations", "flow", "scan", "preview", "view", "home", "arm"}
 
 
 def _pass_on(context: Context, event: Event) -> None:

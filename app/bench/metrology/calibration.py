@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
+from app.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from app.metrology.adjustment.core.gauss_newton import (
     AdjustmentResult,
     free_covariance,
@@ -125,7 +125,7 @@ def run(
             except Exception as refusal:  # counted, with what it was
                 failed += 1
                 progress((i + trial / solves) / len(setups), f"{setup.name}: {refusal}")
-        results.append(_summarise(setup, station, exact, volume, done, failed))
+        results.append(_summarise(setup, exact, volume, done, failed))
     return results
 
 
@@ -185,7 +185,6 @@ def _flange_points(state: AdjustmentState, volume: Volume) -> Floats:
 
 def _summarise(
     setup: SetUp,
-    station: SimulatedSetup,
     exact: AdjustmentResult,
     volume: Volume,
     done: list[_Solve],

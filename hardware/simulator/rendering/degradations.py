@@ -84,7 +84,7 @@ def draw_degraded_image(seed: int) -> DegradedImage:
     size = SENSORS_PX[int(rng.choice(len(SENSORS_PX), p=SENSOR_SHARES))]
     while True:
         optics = _optics(made, size, spoilt, rng)
-        scene = SimulatedScene(_draw_objects(made, spoilt, rng), _light(made, spoilt, rng))
+        scene = SimulatedScene(_draw_objects(made, spoilt, rng), _light(spoilt, rng))
         share = visible_edge_share(scene, optics)
         if share >= USABLE and (share < 0.97 or "cut-off" not in spoilt):
             break
@@ -197,7 +197,7 @@ def _light_direction(spoilt: frozenset[str], rng: np.random.Generator) -> Floats
     return np.asarray(found / np.linalg.norm(found))
 
 
-def _light(comb: CrenellatedBlock, spoilt: frozenset[str], rng: np.random.Generator) -> Light:
+def _light(spoilt: frozenset[str], rng: np.random.Generator) -> Light:
     towards = _light_direction(spoilt, rng)
     light = Light(
         (float(towards[0]), float(towards[1]), float(towards[2])),

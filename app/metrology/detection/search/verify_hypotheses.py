@@ -158,7 +158,7 @@ class _HypothesisVerifier:
         self._blur_px = blur_px if np.isfinite(blur_px) else _USUAL_BLUR_PX
         self._masked = np.where(hidden, np.nan, grey)
         self._smooth = smooth_for_search(grey, self._coarse_px)
-        self._scale, self._block, self._declined = scale, block, declined
+        self._block, self._declined = block, declined
         self._others: list[tuple[CoarsePose, float]] = []
         self.good: list[tuple[CoarsePose, EdgeMeasurements]] = []
         self.rejected: list[tuple[EdgeMeasurements, RejectionReason]] = []
@@ -167,7 +167,7 @@ class _HypothesisVerifier:
         """Measures a hypothesis, unless it was measured before."""
         block, reverse = self._block, rival.mirrored
         known = [CameraHypothesis(found.camera, located.mirrored) for located, found in self.good]
-        start = _scale_camera(rival.camera, self._scale, self._masked.shape)
+        start = _scale_camera(rival.camera, self._masked.shape)
         if _find_same(start, reverse, known, block, _SAME):
             return
         form = wireframe(mirror_block(block) if reverse else block)
@@ -235,8 +235,8 @@ def _find_same(
     return None
 
 
-def _scale_camera(camera: Camera, scale: float, shape: tuple[int, ...]) -> Camera:
-    """The camera of the reduced picture for the full one; pixel centres are integers."""
+def _scale_camera(camera: Camera, shape: tuple[int, ...]) -> Camera:
+    """The camera of the small picture for the full one; pixels' centres are whole numbers."""
     height, width = shape[:2]
     K = camera.matrix.copy()
     across, down = width / camera.width_px, height / camera.height_px
