@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardware.interfaces import Button, SensorInfo
-from hardware.simulator.devices.arm_device import ArmDevice, Encoders
-from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
 from hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
@@ -32,6 +31,7 @@ from hardware.simulator.rendering.render import Renderer
 from hardware.simulator.rendering.sensor import (
     EXPOSURE_RANGE_US,
     LONGEST_GAP_S,
+    CameraFaults,
     Lighting,
     SharedRenderer,
     SimulatedSensor,
@@ -102,7 +102,7 @@ class SimulatedStation:
 
     def __init__(self, config: SimulationConfig | None = None) -> None:
         self.config = config or SimulationConfig()
-        self.faults = Faults()
+        self.arm_faults, self.camera_faults = ArmFaults(), CameraFaults()
         self.lighting = Lighting()
         rng = np.random.default_rng(self.config.seed)
         self._rig, self._home = _build(self.config, rng)
@@ -115,7 +115,11 @@ class SimulatedStation:
         tremor_rad = self.config.tremor_um * 1e-3 / 600.0
         self._motion = Motion(self._home, tremor_rad, self.config.seed)
         self.shared_renderer = SharedRenderer(
-            self._renderer, self.sensor_pose, self._motion.is_resting, self.lighting, self.faults
+            self._renderer,
+            self.sensor_pose,
+            self._motion.is_resting,
+            self.lighting,
+            self.camera_faults,
         )
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
@@ -157,10 +161,15 @@ class SimulatedStation:
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
             )
             self._device = ArmDevice(
-                self._motion, self._line, encoders, self.faults, self.config.seed
+                self._motion, self._line, encoders, self.arm_faults, self.config.seed
             )
             self._device.start()
         return self
+
+    def clear_faults(self) -> None:
+        """Everything works again."""
+        self.arm_faults.clear()
+        self.camera_faults.lost, self.camera_faults.drop_rate = False, 0.0
 
     def stop(self) -> None:
         """Ends the arm and the simulated operator's move."""

@@ -18,7 +18,7 @@ def serve(data: Path) -> None:
     with SimulatedStation(SimulationConfig(laser_switch=False)) as simulation:
 
         def turn(*_: object) -> None:
-            simulation.faults.camera_lost = not simulation.faults.camera_lost
+            simulation.camera_faults.lost = not simulation.camera_faults.lost
 
         signal.signal(signal.SIGUSR1, turn)
         parts = station_parts(simulation, data)

@@ -10,8 +10,13 @@ import pytest
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
 from hardware.interfaces import ArmDriver, Button
-from hardware.simulator.devices.arm_device import ArmDevice, Encoders, hello_packet, sample_packet
-from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.arm_device import (
+    ArmDevice,
+    ArmFaults,
+    Encoders,
+    hello_packet,
+    sample_packet,
+)
 from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from tests.hardware.conformance import (
@@ -30,7 +35,7 @@ REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 class SimulatedArmBench(ArmBench):
     def __init__(self, line: DevicePort, rate_hz: float = 500.0) -> None:
-        self.line, self.faults = line, Faults()
+        self.line, self.faults = line, ArmFaults()
         self.motion = Motion(REST)
         self.encoders = Encoders(rate_hz)
         self.device = ArmDevice(self.motion, line, self.encoders, self.faults)

@@ -40,10 +40,10 @@ class SimulatedSensorBench(SensorBench):
         return self._simulation.sensor()
 
     def unplug(self) -> None:
-        self._simulation.faults.camera_lost = True
+        self._simulation.camera_faults.lost = True
 
     def plug_in(self) -> None:
-        self._simulation.faults.camera_lost = False
+        self._simulation.camera_faults.lost = False
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +54,7 @@ def station() -> Iterator[SimulatedStation]:
 
 @pytest.fixture
 def simulation(station: SimulatedStation) -> SimulatedStation:
-    station.faults.clear()
+    station.clear_faults()
     station.lighting.room, station.lighting.room_with_laser = 1.0, False
     return station
 
@@ -236,7 +236,7 @@ def test_a_cancelled_move_ends_soon_and_the_next_one_works(simulation: Simulated
 def test_lost_frames_are_counted_and_leave_a_gap(simulation: SimulatedStation) -> None:
     driver = simulation.sensor()
     driver.open()
-    simulation.faults.frame_drop_rate = 0.5
+    simulation.camera_faults.drop_rate = 0.5
     sequence = [next_frame(driver).sequence for _ in range(12)]
     assert driver.health.lost == sequence[-1] - len(sequence) + 1 > 0
     driver.close()

@@ -17,25 +17,25 @@ from app.station.scan.points import ScanCalibration
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
 from hardware.registry import arm_driver
-from hardware.simulator.devices.faults import Faults
+from hardware.simulator.devices.arm_device import ArmFaults
 from hardware.simulator.station import SimulatedStation
 from tests.station.conftest import until
 from tests.station.test_on_simulation import CONFIG, true_calibration
 
 pytestmark = pytest.mark.slow
 
-Lie = Callable[[Faults], None]
+Lie = Callable[[ArmFaults], None]
 
 
-def frozen(faults: Faults) -> None:
+def frozen(faults: ArmFaults) -> None:
     faults.frozen_joint = 3
 
 
-def three_turns_on(faults: Faults) -> None:
+def three_turns_on(faults: ArmFaults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
 
 
-def one_wrong_reading(faults: Faults) -> None:
+def one_wrong_reading(faults: ArmFaults) -> None:
     faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
 
 
@@ -63,14 +63,14 @@ def rig(
     rig.start()
     until(lambda: rig.arm.stillness().still and rig.sensor.fresh, 240)
     yield rig
-    simulation.faults.clear()
+    simulation.arm_faults.clear()
     rig.stop()
 
 
 def begin(lie: Lie, simulation: SimulatedStation, rig: Rig) -> float:
     """Seconds until the lie is reported."""
     started_s = time.monotonic()
-    lie(simulation.faults)
+    lie(simulation.arm_faults)
     until(lambda: rig.devices().arm.state == "lost", 5.0)
     return time.monotonic() - started_s
 
@@ -89,7 +89,7 @@ def test_nothing_is_taken_and_the_joint_is_named(
     assert str(refused.value.what)[1:] in str(rig.arm.link().text)
     with pytest.raises(OperationError, match=f"joint {joint} reads"):
         rig.capture_pair()
-    simulation.faults.clear()
+    simulation.arm_faults.clear()
     until(lambda: rig.arm.stillness().still)
     assert rig.arm.average().samples > 100
 
@@ -129,7 +129,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         assert scanner.stop() is not None
         assert any("could not be true" in str(one.text) for one in scanner.state().findings)
     finally:
-        simulation.faults.clear()
+        simulation.arm_faults.clear()
         scanner.close()
         scene.close()
 

@@ -76,7 +76,7 @@ def rig(simulation: SimulatedStation, bus: Bus, tmp_path: Path) -> Iterator[Rig]
     until(lambda: rig.arm.fresh and rig.sensor.fresh, 240)
     yield rig
     rig.stop()
-    simulation.faults.clear()
+    simulation.clear_faults()
 
 
 def test_the_sphere_is_scanned_to_its_size(
@@ -139,7 +139,7 @@ def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(
 def test_garbage_and_lost_packets_are_counted_and_harmless(
     simulation: SimulatedStation, rig: Rig
 ) -> None:
-    faults = simulation.faults
+    faults = simulation.arm_faults
     faults.corrupt_rate = faults.garbage_rate = faults.drop_rate = 0.02
     until(lambda: rig.arm.link().lost > 20 and rig.arm.link().corrupt > 20)
     assert rig.arm.link().state == "connected"
@@ -150,17 +150,17 @@ def test_garbage_and_lost_packets_are_counted_and_harmless(
 def test_an_unplugged_arm_and_a_lost_camera_come_back(
     simulation: SimulatedStation, rig: Rig
 ) -> None:
-    simulation.faults.unplugged = simulation.faults.camera_lost = True
+    simulation.arm_faults.unplugged = simulation.camera_faults.lost = True
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "lost", 3)
     with pytest.raises(OperationError):
         rig.capture_pair()
-    simulation.faults.unplugged = simulation.faults.camera_lost = False
+    simulation.arm_faults.unplugged = simulation.camera_faults.lost = False
     until(lambda: rig.arm.link().state == rig.sensor.link().state == "connected", 20)
     assert rig.arm.info is not None
 
 
 def test_an_arm_that_stalls_is_lost_and_found(simulation: SimulatedStation, rig: Rig) -> None:
-    simulation.faults.stalled = True
+    simulation.arm_faults.stalled = True
     until(lambda: rig.arm.link().state == "lost", 2)
-    simulation.faults.stalled = False
+    simulation.arm_faults.stalled = False
     until(lambda: rig.arm.link().state == "connected", 20)

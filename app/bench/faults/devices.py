@@ -29,7 +29,6 @@ from app.bench.station.subprocess_station import (
 )
 from app.progress import Progress, no_progress
 from app.server.demo import station_parts
-from hardware.simulator.devices.faults import Faults
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 View = dict[str, Any]
@@ -47,30 +46,32 @@ class Failure:
 
     name: str
     device: str
-    begin: Callable[[Faults], None]
+    begin: Callable[[SimulatedStation], None]
 
 
-def _unplug(faults: Faults) -> None:
-    faults.unplugged = True
+def _unplug(station: SimulatedStation) -> None:
+    station.arm_faults.unplugged = True
 
 
-def _spoil(faults: Faults) -> None:
-    faults.corrupt_rate = faults.garbage_rate = 1.0
+def _spoil(station: SimulatedStation) -> None:
+    station.arm_faults.corrupt_rate = station.arm_faults.garbage_rate = 1.0
 
 
-def _lose_camera(faults: Faults) -> None:
-    faults.camera_lost = True
+def _lose_camera(station: SimulatedStation) -> None:
+    station.camera_faults.lost = True
 
 
-def _freeze(faults: Faults) -> None:
-    faults.frozen_joint = 3
+def _freeze(station: SimulatedStation) -> None:
+    station.arm_faults.frozen_joint = 3
 
 
-def _turn_on(faults: Faults) -> None:
+def _turn_on(station: SimulatedStation) -> None:
+    faults = station.arm_faults
     faults.odd_rad, faults.odd_every, faults.odd_joint = 6 * math.pi, 1, 0
 
 
-def _offset_readings(faults: Faults) -> None:
+def _offset_readings(station: SimulatedStation) -> None:
+    faults = station.arm_faults
     faults.odd_rad, faults.odd_every, faults.odd_joint = math.pi / 2, 211, 2
 
 
@@ -223,9 +224,9 @@ class _StationClient:
             before = taken()
             self._monitor.when(failure.device, True)
             failed_s = time.monotonic()
-            failure.begin(self._simulation.faults)
+            failure.begin(self._simulation)
             said_s = self._monitor.when(failure.device, False) - failed_s
-            self._simulation.faults.clear()
+            self._simulation.clear_faults()
             mended_s = time.monotonic()
             back_s = self._monitor.when(failure.device, True) - mended_s
             yield DeviceFaultRow(step, failure.name, said_s, back_s, before == taken())

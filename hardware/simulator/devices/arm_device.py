@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from hardware.clock import now_ns
 from hardware.interfaces import Button
-from hardware.simulator.devices.faults import Faults
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort
 
@@ -41,6 +40,39 @@ class Encoders:
     name: str = "Simulated arm"
     serial_number: str = "TWIN-A1"
     firmware: str = "1.0.0"
+
+
+@dataclass
+class ArmFaults:
+    """What goes wrong with the arm on purpose; set at any time, from any thread.
+
+    Rates are shares of packets, 0 to 1.
+    """
+
+    drop_rate: float = 0.0
+    """Samples taken and never sent."""
+    corrupt_rate: float = 0.0
+    """Samples sent with a wrong byte."""
+    garbage_rate: float = 0.0
+    """Samples with random bytes before them."""
+    late_rate: float = 0.0
+    """Samples that hold up the line for ``late_s``; what follows waits behind them."""
+    late_s: float = 0.1
+    stalled: bool = False
+    """The arm goes on measuring, and sends nothing."""
+    unplugged: bool = False
+    """The arm's line is gone; it comes back at the same address."""
+    frozen_joint: int | None = None
+    """Its encoder says what it said when this was set, again and again."""
+    odd_joint: int | None = None
+    """Its encoder is off by ``odd_rad`` in one of every ``odd_every`` samples."""
+    odd_rad: float = 0.0
+    odd_every: int = 1
+
+    def clear(self) -> None:
+        """Everything works again."""
+        for name, value in ArmFaults().__dict__.items():
+            setattr(self, name, value)
 
 
 def packet(kind: int, payload: bytes) -> bytes:
@@ -74,7 +106,7 @@ class ArmDevice:
     """
 
     def __init__(
-        self, motion: Motion, line: DevicePort, encoders: Encoders, faults: Faults, seed: int = 0
+        self, motion: Motion, line: DevicePort, encoders: Encoders, faults: ArmFaults, seed: int = 0
     ) -> None:
         self.requests = 0
         self._motion, self._line, self._encoders, self._faults = motion, line, encoders, faults

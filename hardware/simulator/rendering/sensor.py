@@ -17,7 +17,6 @@ from app.messages.message import message
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, LinkHealth, SensorInfo
-from hardware.simulator.devices.faults import Faults
 from hardware.simulator.devices.kinematics import Floats
 from hardware.simulator.rendering.noise import RawImage
 from hardware.simulator.rendering.render import QUICK, SMEARED, Renderer
@@ -51,6 +50,15 @@ class Lighting:
     pictures); True: pictures with the laser show both."""
 
 
+@dataclass
+class CameraFaults:
+    """What goes wrong with the camera on purpose; set at any time, from any thread."""
+
+    lost: bool = False
+    drop_rate: float = 0.0
+    """Share of frames that are taken and never delivered, 0 to 1."""
+
+
 class SharedRenderer:
     """The one renderer of a station, and where its sensor is; drivers take turns."""
 
@@ -60,7 +68,7 @@ class SharedRenderer:
         sensor_pose: Callable[[int], Floats],
         resting: Callable[[int], bool],
         lamps: Lighting,
-        faults: Faults,
+        faults: CameraFaults,
     ) -> None:
         self._make, self._sensor_pose, self._is_resting = make, sensor_pose, resting
         self.lighting, self.faults = lamps, faults
@@ -158,7 +166,7 @@ class SimulatedSensor:
                 late_ns = now_ns() - mid_ns - exposure_us * 500 - READOUT_NS - self._period_ns
                 wait_ns = max(self._period_ns + max(0.0, late_ns), cost_ns + _rest_ns(cost_ns))
                 self._due_ns = max(self._due_ns, mid_ns + wait_ns)
-                if self._rng.random() < self._shared_renderer.faults.frame_drop_rate:
+                if self._rng.random() < self._shared_renderer.faults.drop_rate:
                     self._health.lost += 1
                     continue
                 self._health.received += 1
@@ -202,7 +210,7 @@ class SimulatedSensor:
             self._state.notify_all()
 
     def _check_camera(self) -> None:
-        if self._shared_renderer.faults.camera_lost:
+        if self._shared_renderer.faults.lost:
             self._open = False
             raise DeviceError(
                 message("simulated-camera-is-lost"), message("turn-fault-switch-camera-lost-off")
