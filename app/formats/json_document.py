@@ -59,14 +59,14 @@ class Software(DocumentPart):
     version: str
 
 
-def _installed_version() -> str:
+def _own_version() -> str:
     try:
         return metadata.version("crenel")
     except metadata.PackageNotFoundError:  # run from a source tree that was not installed
         return "uninstalled"
 
 
-SOFTWARE = Software(name="crenel", version=_installed_version())
+SOFTWARE = Software(name="crenel", version=_own_version())
 
 
 class Document(DocumentPart):

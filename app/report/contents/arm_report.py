@@ -16,7 +16,7 @@ from app.report.formatting import (
 )
 
 
-class ArmRecord(Protocol):
+class ArmSessionResult(Protocol):
     """A check or an identification of the arm, as its file has it."""
 
     @property
@@ -32,7 +32,7 @@ class ArmRecord(Protocol):
 
 
 def arm_facts(
-    record: ArmRecord, made: tuple[Text, str], rows: Sequence[tuple[Text, Text]]
+    record: ArmSessionResult, made: tuple[Text, str], rows: Sequence[tuple[Text, Text]]
 ) -> Facts[Text]:
     """What was looked at: ``made`` is what was done and when, ``rows`` are of this report alone."""
     done, at = made
@@ -50,7 +50,7 @@ def arm_facts(
 def arm_report(
     folder: Path,
     title: Text,
-    record: ArmRecord,
+    record: ArmSessionResult,
     at: str,
     verdict: Verdict[Text],
     sections: Sequence[Section[Text]],
