@@ -29,6 +29,8 @@ from app.formats.results.calibration import (
 from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty
+from app.metrology.adjustment.results.calibration import AdjustedCalibration
+from app.metrology.adjustment.results.findings import joint_rms
 from app.metrology.calibration.findings import CalibrationFinding
 from app.metrology.calibration.one_pose import OnePoseCalibration
 from app.metrology.calibration.uncertainty_budget import BudgetContribution
@@ -172,7 +174,7 @@ def board_document(result: BoardCalibration, origin: Origin) -> CalibrationFile:
 
 
 def _multi_pose_document(
-    result: BlockCalibration | BoardCalibration, origin: Origin, contacts: Mapping[str, object]
+    result: AdjustedCalibration, origin: Origin, contacts: Mapping[str, object]
 ) -> CalibrationFile:
     """``contacts`` are those fields of the residuals."""
     scales = result.adjustment.scales
@@ -238,14 +240,13 @@ def _uncertainty(known: CalibrationUncertainty, depth_range_mm: tuple[float, flo
 
 
 def _multi_pose_residuals(
-    result: BlockCalibration | BoardCalibration, contacts: Mapping[str, object]
+    result: AdjustedCalibration, contacts: Mapping[str, object]
 ) -> ResidualsPart:
     used = [pose for pose in result.poses if pose.used]
-    edges = np.array([[pose.edges_rms_px, pose.edge_points] for pose in used])
     return ResidualsPart.model_validate(
         {
-            "reprojection_rms_px": float(
-                np.sqrt((edges[:, 0] ** 2 @ edges[:, 1]) / max(edges[:, 1].sum(), 1))
+            "reprojection_rms_px": joint_rms(
+                (pose.edges_rms_px, pose.edge_points) for pose in used
             ),
             "laser_plane_rms_um": result.stripe_rms_um,
             "stripe_points": sum(pose.stripe_points for pose in used),

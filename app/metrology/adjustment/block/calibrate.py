@@ -22,11 +22,11 @@ from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import AdjustmentProblem, BlockObservation
 from app.metrology.adjustment.core.parameters import AdjustmentState
 from app.metrology.adjustment.core.uncertainty import (
-    CalibrationUncertainty,
     estimate_uncertainty,
     express_in_sensor_frame,
 )
 from app.metrology.adjustment.outliers.poses import remove_outlier_poses
+from app.metrology.adjustment.results.calibration import AdjustedCalibration, first_view
 from app.metrology.adjustment.results.poses import (
     NO_LINE,
     PoseResult,
@@ -40,43 +40,24 @@ from app.metrology.adjustment.results.stripes import (
     reclassify_stripes,
     stripe_rms_mm,
 )
-from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.calibration.laser_plane_fit import stripe_on_levels
 from app.metrology.detection.detect_block import detect_object
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.probing.alignment import Alignment, align_contacts
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats, inverse
 from app.progress import Progress, no_progress
 
 # Larger values are treated as unknown.
 HOPELESS_UM = 1e6
 
 
-@dataclass(frozen=True)
-class BlockCalibration:
-    """A calibration and the data it is based on.
+@dataclass(frozen=True, kw_only=True)
+class BlockCalibration(AdjustedCalibration):
+    """On a block, and where the contacts have that."""
 
-    The sensor frame is the object frame as the first used pose saw it (Eq. 6). This choice makes
-    one pose give the same frame as the article.
-    """
-
-    adjustment: AdjustmentResult
     alignment: Alignment
-    camera: Camera
-    plane: LaserPlane
-    T_flange_sensor: Floats
-    T_arm_obj: Floats
-    poses: tuple[PoseResult, ...]
-    uncertainty: CalibrationUncertainty
-    stripe_rms_um: float  # of the stripe points to the laser plane
-    depth_range_mm: tuple[float, float]
-    findings: tuple[CalibrationFinding, ...]
-    worst: tuple[WorstResidual, ...]
 
 
 def observe_block(
@@ -165,8 +146,7 @@ def _assemble_result(
     lines_out: dict[int, float],
 ) -> BlockCalibration:
     state = found.state
-    T_arm_flange = found.problem.motion.T_arm_flange[0]
-    T_cam_sensor = inverse(T_arm_flange @ state.T_flange_cam) @ state.T_arm_obj
+    T_cam_sensor = first_view(found)
     worth = estimate_uncertainty(found, T_cam_sensor)
     if not worth.total_um < HOPELESS_UM:
         raise no_convergence_error()
@@ -190,18 +170,18 @@ def _assemble_result(
         inputs.limits,
     )
     return BlockCalibration(
-        found,
-        alignment,
-        camera,
-        plane,
-        T_flange_sensor,
-        state.T_arm_obj,
-        poses,
-        worth,
-        1e3 * stripe_rms_mm(found),
-        depth_range_mm(found),
-        block_findings(evidence),
-        block_worst_points(found, alignment, inputs.features, used),
+        adjustment=found,
+        alignment=alignment,
+        camera=camera,
+        plane=plane,
+        T_flange_sensor=T_flange_sensor,
+        T_arm_obj=state.T_arm_obj,
+        poses=poses,
+        uncertainty=worth,
+        stripe_rms_um=1e3 * stripe_rms_mm(found),
+        depth_range_mm=depth_range_mm(found),
+        findings=block_findings(evidence),
+        worst=block_worst_points(found, alignment, inputs.features, used),
     )
 
 

@@ -33,6 +33,7 @@ from app.metrology.adjustment.core.uncertainty import (
 )
 from app.metrology.adjustment.outliers.contacts import remove_outlier_contacts
 from app.metrology.adjustment.outliers.poses import remove_outlier_poses
+from app.metrology.adjustment.results.calibration import AdjustedCalibration, first_view
 from app.metrology.adjustment.results.poses import (
     PoseResult,
     Readings,
@@ -45,41 +46,27 @@ from app.metrology.adjustment.results.stripes import (
     stripe_rms_mm,
 )
 from app.metrology.arm.kinematics import Arm, RobotArm
-from app.metrology.calibration.findings import CalibrationFinding, WorstResidual
 from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
-from app.metrology.sensor.camera import Camera, rays
-from app.metrology.sensor.laser_plane import LaserPlane, refuse_edge_on
+from app.metrology.sensor.camera import rays
+from app.metrology.sensor.laser_plane import refuse_edge_on
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats, inverse
+from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 
 # The offset of whole lines from their plane is estimated until it changes by less than this factor.
 SCATTER_CONVERGED, SCATTER_ROUNDS = 1.2, 5
 
 
-@dataclass(frozen=True)
-class BoardCalibration:
-    """A calibration and the data it is based on.
+@dataclass(frozen=True, kw_only=True)
+class BoardCalibration(AdjustedCalibration):
+    """On a chessboard, and how that truly is."""
 
-    The sensor frame is the board frame as the first used pose saw it.
-    """
-
-    adjustment: AdjustmentResult
-    camera: Camera
-    plane: LaserPlane
-    T_flange_sensor: Floats
-    T_arm_obj: Floats
-    corners_mm: Floats  # (N, 3) estimated positions in the board frame
-    poses: tuple[PoseResult, ...]
-    uncertainty: CalibrationUncertainty
+    corners_mm: Floats
+    """(N, 3) where they truly are, in the board's frame."""
     contacts: BoardContacts | None
-    stripe_rms_um: float  # of the line's points to the laser plane
-    depth_range_mm: tuple[float, float]
-    findings: tuple[CalibrationFinding, ...]
-    worst: tuple[WorstResidual, ...]
 
 
 def observe_board(
@@ -168,8 +155,7 @@ def _assemble_result(
     state = found.state
     stripes = np.concatenate([view.stripe_px() for view in found.problem.views])
     refuse_edge_on(state.plane, rays(state.camera, stripes)[1])
-    T_cam_sensor = inverse(found.problem.motion.T_arm_flange[0] @ state.T_flange_cam)
-    T_cam_sensor = T_cam_sensor @ state.T_arm_obj
+    T_cam_sensor = first_view(found)
     worth = _uncertainty_budget(inputs, estimate_uncertainty(found, T_cam_sensor))
     camera, plane, T_flange_sensor = express_in_sensor_frame(state, T_cam_sensor)
     poses = _pose_results(inputs, found, start)
@@ -186,19 +172,19 @@ def _assemble_result(
         contacts,
     )
     return BoardCalibration(
-        found,
-        camera,
-        plane,
-        T_flange_sensor,
-        state.T_arm_obj,
-        corners_at(inputs.board, state.coordinates),
-        poses,
-        worth,
-        contacts,
-        1e3 * stripe_rms_mm(found),
-        depth_range_mm(found),
-        board_findings(evidence),
-        board_worst_points(found, poses, contacts),
+        adjustment=found,
+        camera=camera,
+        plane=plane,
+        T_flange_sensor=T_flange_sensor,
+        T_arm_obj=state.T_arm_obj,
+        corners_mm=corners_at(inputs.board, state.coordinates),
+        poses=poses,
+        uncertainty=worth,
+        contacts=contacts,
+        stripe_rms_um=1e3 * stripe_rms_mm(found),
+        depth_range_mm=depth_range_mm(found),
+        findings=board_findings(evidence),
+        worst=board_worst_points(found, poses, contacts),
     )
 
 

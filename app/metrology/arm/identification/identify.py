@@ -189,26 +189,19 @@ def identify(
 
 def _no_improvement_error(validation: Validation) -> OperationError:
     before, after = validation.before.normalised, validation.after.normalised
-    if before < 1.3:
-        return OperationError(
-            "identification-no-better",
-            message(
-                "places-held-out-arms-errors-go",
-                before=quantity(before, "", 2),
-                after=quantity(after, "", 2),
-            ),
-            message("arms-parameters-already-explain-points-well"),
-            message("keep-arm-json-use"),
-        )
+    explained = before < 1.3
+    decimals = 2 if explained else 1
     return OperationError(
         "identification-no-better",
         message(
             "places-held-out-arms-errors-go",
-            before=quantity(before, "", 1),
-            after=quantity(after, "", 1),
+            before=quantity(before, "", decimals),
+            after=quantity(after, "", decimals),
         ),
-        message("fit-follows-these-points-arm"),
-        message("take-more-places-all-over-reach"),
+        message("arms-parameters-already-explain-points-well")
+        if explained
+        else message("fit-follows-these-points-arm"),
+        message("keep-arm-json-use") if explained else message("take-more-places-all-over-reach"),
     )
 
 
