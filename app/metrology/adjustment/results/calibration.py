@@ -23,7 +23,9 @@ class AdjustedCalibration:
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
+    """The probe matrix (Eq. 8)."""
     T_arm_obj: Floats
+    """Where the target stands."""
     poses: tuple[PoseResult, ...]
     uncertainty: CalibrationUncertainty
     stripe_rms_um: float
