@@ -3,7 +3,7 @@
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.sessions.routes import add_session_routes, view_response
+from app.api.sessions.routes import add_session_routes
 from app.guide.arm.commands import COMMANDS
 from app.guide.arm.view import (
     ArmCheckSummary,
@@ -12,6 +12,7 @@ from app.guide.arm.view import (
     TipCheckSummary,
 )
 from app.operations.context import TheContext
+from app.wire.json_response import json_response
 from app.wire.schema import ArmStart
 
 router = APIRouter(prefix="/api/arm")
@@ -39,4 +40,4 @@ def identifications(context: TheContext) -> list[IdentificationSummary]:
 @router.post("/start", response_model=ArmView)
 def start(asked: ArmStart, context: TheContext) -> Response:
     """Begins a check or an identification, or resumes the open session."""
-    return view_response(context.arm_guide.start(asked.purpose))
+    return json_response(context.arm_guide.start(asked.purpose))

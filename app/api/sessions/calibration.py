@@ -6,11 +6,12 @@ from fastapi import APIRouter
 from starlette.responses import Response
 
 from app.api.lookups import send_file
-from app.api.sessions.routes import add_session_routes, view_response
+from app.api.sessions.routes import add_session_routes
 from app.guide.calibration.commands import COMMANDS
 from app.guide.common.view import FlowView
 from app.messages.message import message
 from app.operations.context import TheContext
+from app.wire.json_response import json_response
 
 router = APIRouter(prefix="/api/flow")
 add_session_routes(router, "", FlowView, lambda context: context.guide, COMMANDS)
@@ -19,7 +20,7 @@ add_session_routes(router, "", FlowView, lambda context: context.guide, COMMANDS
 @router.post("/start", response_model=FlowView)
 def start(context: TheContext) -> Response:
     """Begins a calibration, or resumes the open one."""
-    return view_response(context.guide.start())
+    return json_response(context.guide.start())
 
 
 @router.get("/image/{name}")

@@ -10,13 +10,8 @@ from app.guide.common.audit_labels import audit_label
 from app.guide.common.commands import Commands
 from app.guide.common.guided_session import GuidedSession
 from app.operations.context import Context, TheContext
-from app.wire.json_response import encode_json
+from app.wire.json_response import json_response
 from app.wire.schema import FlowCommand
-
-
-def view_response(view: object) -> Response:
-    """A session's view."""
-    return Response(encode_json(view), media_type="application/json")
 
 
 def add_session_routes(
@@ -31,11 +26,11 @@ def add_session_routes(
     @router.get(path, response_model=view)
     def present_view(context: TheContext) -> Response:
         """The present view."""
-        return view_response(guide_of(context).view())
+        return json_response(guide_of(context).view())
 
     @router.post(path + "/command", response_model=view)
     def run_command(asked: FlowCommand, request: Request, context: TheContext) -> Response:
         """One of the view's actions; once for each key, and only on the present view."""
         request.state.detail = audit_label(asked.name)
         guide = guide_of(context)
-        return view_response(commands.run(guide, asked.name, asked.args, asked.rev, asked.key))
+        return json_response(commands.run(guide, asked.name, asked.args, asked.rev, asked.key))

@@ -7,7 +7,7 @@ from starlette.responses import Response
 
 from app.api.access.authorization import TheVisitor
 from app.api.lookups import find_verification, send_file
-from app.api.sessions.routes import add_session_routes, view_response
+from app.api.sessions.routes import add_session_routes
 from app.errors import OperationError
 from app.formats.results.verification import STUDY, VERIFICATION
 from app.guide.verify.commands import COMMANDS
@@ -16,6 +16,7 @@ from app.messages.message import message
 from app.operations.context import Context, TheContext
 from app.station.jobs import Job, Progress
 from app.store.verifications import VerificationRecord
+from app.wire.json_response import json_response
 from app.wire.schema import NewTemperature, StudyState, VerificationSummary
 from app.workflows.measure_gauge import MAP
 from app.workflows.verification_study import AcceptedCalibration, StudyFile, study_verification
@@ -31,7 +32,7 @@ add_session_routes(router, "/verify", VerifyView, lambda context: context.verify
 @router.post("/verify/start", response_model=VerifyView)
 def start(context: TheContext) -> Response:
     """Begins a verification, or resumes the open one."""
-    return view_response(context.verify_guide.start())
+    return json_response(context.verify_guide.start())
 
 
 @router.post("/temperature")

@@ -53,8 +53,8 @@ CONTACTS_OFF_MM, CONTACT_OUTLIER_MM = 3.0, 1.0
 class BoardInputs:
     """The input of a calibration over P poses of one board that has not moved.
 
-    ``readings`` (P, ...) belong to ``observations``, ``contact_readings`` (N, ...) to contact points
-    on the plane of the board; both are as in ``arm_readings.py``.
+    ``readings`` (P, ...) belong to ``observations``, ``contact_readings`` (N, ...) to contact
+    points on the plane of the board; both are as in ``arm_readings.py``.
     """
 
     arm: Arm | RobotArm
