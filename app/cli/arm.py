@@ -26,13 +26,13 @@ Limit = Annotated[
 def identify(
     folder: Annotated[
         Path,
-        typer.Argument(help="arm.json with articulation.csv, spheres.csv, ballbars.csv or some."),
+        typer.Argument(
+            help="Folder of arm.json and articulation.csv, spheres.csv or ballbars.csv."
+        ),
     ],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
-        "arm.json"
-    ),
+    output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path("arm.json"),
     check: Annotated[
-        Path | None, typer.Option(help="A folder of places that the fit must not see.")
+        Path | None, typer.Option(help="Folder of places that check the fit and do not enter it.")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -56,21 +56,21 @@ def identify(
         return
     print_figures(f"Arm of {folder}", identification_summary(result))
     columns = ("parameter", "before", "after", "change", "uncertainty (k = 1)")
-    print_table("Moved", columns, parameter_rows(result))
+    print_table("Changed parameters", columns, parameter_rows(result))
     if pairs := correlation_figures(result):
-        print_figures("Correlated (known together, each alone less well)", pairs)
-    print_figures("Held", list_fixed_parameters(result))
+        print_figures("Correlated (well determined together, less well each alone)", pairs)
+    print_figures("Unchanged parameters", list_fixed_parameters(result))
     print(f"{output} written in {seconds:.2f} s")
-    print("The flange's frame is now this arm's: calibrate its sensors again with it.")
+    print("The flange frame is now that of this arm: calibrate the arm's sensors again.")
 
 
 @report_errors
 def articulation(
     place: Annotated[
-        Path, typer.Argument(metavar="FOLDER|CSV", help="articulation.csv, or its folder.")
+        Path, typer.Argument(metavar="FOLDER|CSV", help="articulation.csv or its folder.")
     ],
     arm: Annotated[
-        Path | None, typer.Option(help="The arm's arm.json; the one beside the table by default.")
+        Path | None, typer.Option(help="The arm's arm.json. Default: beside the table.")
     ] = None,
     limit_um: Limit = None,
     limit_two_sigma_um: Annotated[
@@ -80,7 +80,7 @@ def articulation(
 ) -> None:
     """Check an arm by single-point articulation: (max − min)/2 and 2σ of each axis, in µm.
 
-    Ends with status 1 where a limit is exceeded.
+    Exits with status 1 if a limit is exceeded.
     """
     from app.metrology.arm.identification.articulation import ArticulationLimits
     from app.workflows.check_articulation import (
@@ -102,5 +102,5 @@ def articulation(
         fail(
             f"{place}: set {worst.name} scatters by {worst.check.half_range_um.max():.0f} µm "
             f"((max − min)/2) and {worst.check.two_sigma_um.max():.0f} µm (2σ): beyond the limit. "
-            "Check seat, stylus and clamping, and repeat; if it stays, identify the arm again."
+            "Check seat, stylus and clamping, and repeat. If it persists, identify the arm again."
         )

@@ -20,7 +20,7 @@ from app.messages.message import Text
 from app.progress import Progress
 
 bench = typer.Typer(
-    help="Measure the figures of docs/accuracy.md here.",
+    help="Measure the figures of docs/accuracy.md on this machine.",
     cls=FullHelpGroup,
     rich_markup_mode=None,
     no_args_is_help=True,
@@ -60,10 +60,10 @@ def _measure(
 @bench.command()
 @report_errors
 def calibration(
-    solves: Annotated[int, typer.Option(min=20, help="Noisy solves of each set-up.")] = 200,
+    solves: Annotated[int, typer.Option(min=20, help="Simulated solves of each set-up.")] = 200,
     as_json: AsJson = False,
 ) -> None:
-    """Error against the Cramér-Rao bound, and against what each solve claims (Monte Carlo)."""
+    """Compare the error with the Cramér-Rao bound and the stated uncertainty (Monte Carlo)."""
     from app.bench.metrology.calibration import COLUMNS, run, table
 
     shown = Shown("Solving", "Calibration against its bound (k = 1, flange frame)", "set_ups")
@@ -73,10 +73,12 @@ def calibration(
 @bench.command()
 @report_errors
 def paper(
-    arms: Annotated[int, typer.Option(min=1, help="Simulated arms, 250 µm off their models.")] = 5,
+    arms: Annotated[
+        int, typer.Option(min=1, help="Simulated arms, each 250 µm off its model.")
+    ] = 5,
     as_json: AsJson = False,
 ) -> None:
-    """The article's test: one plane's clouds rebuilt with ten calibrations by each method."""
+    """Repeat the article's test: one plane, rebuilt with ten calibrations by each method."""
     from app.bench.metrology.repeatability import COLUMNS, run, table
 
     shown = Shown("Calibrating", "A gauge plane over ten calibrations of one arm", "methods")
@@ -87,9 +89,9 @@ def paper(
 @report_errors
 def detection(
     images: Annotated[int, typer.Option(min=1, help="Pictures to render and search.")] = 300,
-    seed: Annotated[int, typer.Option(help="Of the first picture.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the first picture.")] = 0,
 ) -> None:
-    """Is the object found: right, refused or wrong, over everything that spoils pictures."""
+    """Test the detection of the object in spoilt pictures: right, refused or wrong."""
     from app.bench.metrology.detection import run
 
     with progress_bar("Searching", True) as progress:
@@ -100,24 +102,28 @@ def detection(
 @bench.command()
 @report_errors
 def extraction(
-    frames: Annotated[int, typer.Option(min=4, help="Frames of each kind for the errors.")] = 12,
+    frames: Annotated[
+        int, typer.Option(min=4, help="Frames of each kind to measure errors on.")
+    ] = 12,
     real: Annotated[
         list[Path] | None,
-        typer.Option(help="Folder of real pictures, too: the line's local noise. May be repeated."),
+        typer.Option(
+            help="Folder of real pictures to measure the line's local noise in. Repeatable."
+        ),
     ] = None,
     variants: Annotated[
-        bool, typer.Option(help="Plain frames by every processor variant, instead.")
+        bool, typer.Option(help="Measure plain frames with every processor variant instead.")
     ] = False,
     against: Annotated[
         Path | None,
-        typer.Option(exists=True, help="Python of another checkout: its rates beside these."),
+        typer.Option(exists=True, help="Python of another checkout to compare rates with."),
     ] = None,
     clipped: Annotated[
-        bool, typer.Option(help="Frames whose line is clipped in places, instead.")
+        bool, typer.Option(help="Measure frames whose line is partly clipped instead.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Stripe extraction: speed and error over the Cramér-Rao bound, beside OpenCV and numpy."""
+    """Measure stripe extraction: speed and error, with OpenCV and numpy for comparison."""
     if variants or against is not None:
         _extraction_paired(against, as_json)
         return
@@ -153,12 +159,12 @@ def _extraction_clipped(as_json: bool) -> None:
 @bench.command()
 @report_errors
 def live(
-    seconds: Annotated[float, typer.Option(min=1.0, help="How long it scans.")] = 60.0,
-    profiles_hz: Annotated[float, typer.Option(min=1.0, help="Frames a second.")] = 600.0,
-    points: Annotated[int, typer.Option(min=100, help="Points a frame.")] = 2000,
+    seconds: Annotated[float, typer.Option(min=1.0, help="Duration of the scan.")] = 60.0,
+    profiles_hz: Annotated[float, typer.Option(min=1.0, help="Frames per second.")] = 600.0,
+    points: Annotated[int, typer.Option(min=100, help="Points per frame.")] = 2000,
     as_json: AsJson = False,
 ) -> None:
-    """The whole station on a swift simulated sensor: recording on, viewers watching."""
+    """Run the whole station on a fast simulated sensor, recording and watched by viewers."""
     from app.bench.station.live import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
@@ -170,10 +176,10 @@ def live(
 @bench.command()
 @report_errors
 def view(
-    million_points: Annotated[float, typer.Option(min=0.1, help="Points that are scanned.")] = 50.0,
+    million_points: Annotated[float, typer.Option(min=0.1, help="Millions of points.")] = 50.0,
     as_json: AsJson = False,
 ) -> None:
-    """The 3D view after a long scan: a second viewer joins, and the colours are changed."""
+    """Measure the 3D view after a long scan: a second viewer joins, and the colours change."""
     from app.bench.station.view import COLUMNS, run, table
 
     shown = Shown("Showing", "The 3D view after a long scan")
@@ -183,11 +189,11 @@ def view(
 @bench.command()
 @report_errors
 def viewers(
-    number: Annotated[int, typer.Option(min=2, help="Browsers that look on.")] = 20,
-    seconds: Annotated[float, typer.Option(min=4.0, help="How long they do.")] = 30.0,
+    number: Annotated[int, typer.Option(min=2, help="Number of browsers that watch.")] = 20,
+    seconds: Annotated[float, typer.Option(min=4.0, help="Duration of the scan.")] = 30.0,
     as_json: AsJson = False,
 ) -> None:
-    """Many browsers on one station while it scans, one of them slow: how old their state is."""
+    """Measure the age of the state in many browsers during a scan, one of them slow."""
     from app.bench.station.viewers import COLUMNS, run, table
     from hardware.simulator.devices.fast_simulator import FastStationConfig
 
@@ -201,12 +207,12 @@ def viewers(
 def faults(
     only: Annotated[
         list[str] | None,
-        typer.Option(help="kills, disk, damage, floods or devices alone. May be repeated."),
+        typer.Option(help="Only kills, disk, damage, floods or devices. Repeatable."),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of what is tried at random.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the random tests.")] = 0,
     as_json: AsJson = False,
 ) -> None:
-    """The station killed, its disk full, its files damaged, its devices failing: what is lost."""
+    """Test what is lost when processes are killed, the disk is full, or files or devices fail."""
     from app.bench.faults import devices, everything, row
 
     kinds = [name for name in only or () if name != devices.KIND]
@@ -228,20 +234,18 @@ def faults(
 def start(
     against: Annotated[
         Path | None,
-        typer.Option(help="Another copy, beside this: its crenel, or a checkout with a .venv."),
+        typer.Option(help="Another copy to compare with: its crenel, or a checkout with a .venv."),
     ] = None,
     session: Annotated[
         Path | None,
-        typer.Option(help="Folder of a calibration session, with a recording to rebuild."),
+        typer.Option(help="Folder of a calibration session with a recording to rebuild."),
     ] = None,
     cold: Annotated[int, typer.Option(min=0, help="Rounds with empty caches.")] = 1,
     warm: Annotated[int, typer.Option(min=0, help="Rounds with filled caches.")] = 3,
-    busy: Annotated[
-        int, typer.Option(min=0, help="The same with a restless process on every core.")
-    ] = 3,
+    busy: Annotated[int, typer.Option(min=0, help="Rounds with a busy process on every core.")] = 3,
     as_json: AsJson = False,
 ) -> None:
-    """How soon the program is there: first page, calibration, commands; memory and size."""
+    """Measure the start: first page, calibration, commands; memory and size."""
     from app.bench.station.start import Rounds, columns, run, table
     from app.bench.station.started import find_copy, running_copy
 

@@ -54,7 +54,8 @@ def _residual_figures(residuals: ResidualsPart) -> list[tuple[str, str]]:
     if residuals.contacts_um:
         left_out = len(residuals.contacts_left_out)
         contacts = f"{residuals.contacts_rms_um:.1f} µm rms of {len(residuals.contacts_um)}"
-        figures.append(("contacts", contacts + (f", {left_out} left out" if left_out else "")))
+        excluded = f", {left_out} excluded" if left_out else ""
+        figures.append(("contact points", contacts + excluded))
     for face in residuals.faces:
         form = f"{face.rms_um:6.1f} µm rms, form {face.form_um:.1f} µm, {face.points} points"
         figures.append((f"  {face.face}", form))
@@ -68,7 +69,7 @@ def _rms_px(residuals: ResidualsPart) -> float:
 
 def _pose_figure(pose: PosePart) -> tuple[str, str]:
     if not pose.used:
-        return f"  pose {pose.number}", f"left out: {pose.reason!s}"
+        return f"  pose {pose.number}", f"excluded: {pose.reason!s}"
     stripe = f"stripe {pose.stripe_rms_px:.3f} px" if pose.stripe_points else "no stripe"
     fits = f"edges {pose.edges_rms_px:.3f} px, {stripe}, object off by {pose.off_um:.0f} µm"
     return f"  pose {pose.number}", fits + (f"; {pose.reason!s}" if pose.reason else "")

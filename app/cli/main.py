@@ -36,10 +36,10 @@ cli = typer.Typer(
 )
 
 Host = Annotated[str, typer.Option(help="Address to listen on.")]
-Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0 takes a free one.")]
+Port = Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on; 0: a free one.")]
 Open = Annotated[bool, typer.Option("--open/--no-open", help="Open the browser.")]
 DataFolder = Annotated[
-    Path | None, typer.Option("--data", help="Folder of the station's records.", file_okay=False)
+    Path | None, typer.Option("--data", help="Data folder of the station.", file_okay=False)
 ]
 
 
@@ -97,7 +97,7 @@ def demo(
     port: Port = 8000,
     open_browser: Open = True,
 ) -> None:
-    """The whole station on simulated hardware, in the browser."""
+    """Run the whole station on simulated hardware, in the browser."""
     from app.server.startup import demo as run_demo
 
     run_demo(data, host, port, open_browser)
@@ -107,14 +107,14 @@ def demo(
 @report_errors
 def serve(
     config: Annotated[
-        Path | None, typer.Option("--config", help="station.toml: which drivers, which data.")
+        Path | None, typer.Option("--config", help="station.toml: drivers and settings.")
     ] = None,
     data: DataFolder = None,
     host: Host = "127.0.0.1",
     port: Port = 8000,
     open_browser: Open = False,
 ) -> None:
-    """The station on real hardware."""
+    """Run the station on real hardware."""
     from app.server.startup import serve as run_serve
 
     run_serve(config, data, host, port, open_browser)
@@ -126,15 +126,15 @@ cli.command()(calibrate)
 @cli.command()
 @report_errors
 def verify(
-    shape: Annotated[ShapeOption, typer.Argument(help="What the gauge is.")],
+    shape: Annotated[ShapeOption, typer.Argument(help="Shape of the gauge.")],
     clouds: Annotated[
-        list[Path], typer.Argument(help="Clouds of the gauge, in any format written here.")
+        list[Path], typer.Argument(help="Clouds of the gauge, in any format that crenel writes.")
     ],
     nominal: Annotated[
-        Path | None, typer.Option(help="nominal.json: where the gauge truly is.")
+        Path | None, typer.Option(help="nominal.json: the true position of the gauge.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Write the report here, too.")
+        Path | None, typer.Option("-o", "--output", help="Also write the report to this file.")
     ] = None,
     unit: Annotated[UnitOption, typer.Option(help="Of the clouds' coordinates.")] = UnitOption.MM,
     as_json: AsJson = False,

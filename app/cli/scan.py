@@ -25,21 +25,19 @@ def reconstruct(
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
     output: Annotated[
         Path,
-        typer.Option(
-            "-o", "--output", help="The cloud: .ply, .pcd, .e57, .xyz, .las or .laz by its name."
-        ),
+        typer.Option("-o", "--output", help="Output file: .ply, .pcd, .e57, .xyz, .las or .laz."),
     ] = Path("cloud.ply"),
     delay_ms: Annotated[
         float | None,
         typer.Option(
             min=-1000.0,
             max=1000.0,
-            help="By how much the arm's stamps are later than the camera's; by default as the "
-            "station applied it.",
+            help="Delay of the arm's time stamps behind the camera's. Default: as applied by the "
+            "station.",
         ),
     ] = None,
     sync: Annotated[
-        Path | None, typer.Option(help="The same, from the sync.json that crenel sync wrote.")
+        Path | None, typer.Option(help="Take the delay from a sync.json that crenel sync wrote.")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -53,7 +51,7 @@ def reconstruct(
             param_hint="'-o'",
         )
     if delay_ms is not None and sync is not None:
-        raise typer.BadParameter("give one of the two", param_hint="'--delay-ms', '--sync'")
+        raise typer.BadParameter("give only one of the two", param_hint="'--delay-ms', '--sync'")
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
     from app.formats.results.calibration import read_calibration
@@ -95,19 +93,19 @@ def sync(
         Path,
         typer.Argument(
             metavar="SCAN.mcap",
-            help="A pass over a plane: nearer and away again, several times, as it goes over it.",
+            help="A pass over a plane, moving nearer and away again several times.",
         ),
     ],
     calibration: Annotated[Path, typer.Option(help="The sensor's calibration.json.")],
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+    output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path(
         "sync.json"
     ),
     as_json: AsJson = False,
 ) -> None:
-    """Find the constant delay between arm and camera, with its uncertainty.
+    """Determine the constant delay between arm and camera, with its uncertainty.
 
-    For crenel reconstruct --sync; the station finds and applies it on its Settings page.
+    For crenel reconstruct --sync. The Settings page of a station determines and applies it, too.
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
@@ -116,14 +114,14 @@ def sync(
 
     check_output_path(output, (recording, calibration, arm))
     sensor, arm_model = read_calibration(calibration), read_arm(arm)
-    with progress_bar("Looking for the delay", not as_json) as progress:
+    with progress_bar("Determining the delay", not as_json) as progress:
         document = run(recording, sensor, arm_model, progress)
         document.write(output)
     if as_json:
         print_json({**document.fields(), "file": str(output)})
         return
     figures = (
-        ("the arm's stamps are later by", f"{document.delay_ms:.3f} ms"),
+        ("delay of the arm's time stamps", f"{document.delay_ms:.3f} ms"),
         ("standard uncertainty", f"{document.standard_uncertainty_ms:.3f} ms (k = 1)"),
         (
             "pass",
@@ -145,25 +143,27 @@ def study(
         list[Path],
         typer.Argument(
             metavar="RECORDING...",
-            help="Scans of one plane; calibrations (.json) among them are taken as such.",
+            help="Scans of one plane; .json files among them are calibrations.",
         ),
     ],
     arm: Annotated[Path, typer.Option(help="The arm's arm.json.")],
     calibrations: Annotated[
         list[Path] | None,
-        typer.Option("--calibrations", metavar="CALIBRATION...", help="Of the sensor."),
+        typer.Option(
+            "--calibrations", metavar="CALIBRATION...", help="Calibrations of the sensor."
+        ),
     ] = None,
     nominal: Annotated[
-        Path | None, typer.Option(help="nominal.json: where the plane truly is.")
+        Path | None, typer.Option(help="nominal.json: the true position of the plane.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Write the table here, as CSV.")
+        Path | None, typer.Option("-o", "--output", help="Write the table to this CSV file.")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """The article's study: clouds of one plane, each rebuilt with each calibration.
+    """Repeat the article's study: clouds of one plane, each rebuilt with each calibration.
 
-    How far the plane turns and shifts between calibrations, and between clouds.
+    Reports how far the plane rotates and shifts between calibrations, and between clouds.
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.arm import read_arm
@@ -206,7 +206,7 @@ def study(
     columns = ("cloud", "calibration", "points", "rms µm", "angle ″", "offset µm")
     print_table(f"Plane against {nominal or 'the mean of all'}", columns, rows)
     columns = ("range", "angle, mean", "largest", "offset, mean", "largest", "the article")
-    print_table("How far it turns and shifts", columns, range_rows(done))
+    print_table("Rotation and shift of the plane", columns, range_rows(done))
     if output is not None:
         print(f"{output} written")
 
@@ -216,13 +216,13 @@ def replay(
     recording: Annotated[Path, typer.Argument(metavar="SCAN.mcap", help="A scan recording.")],
     calibration: Annotated[
         Path | None,
-        typer.Option(help="The sensor's calibration.json; by default beside the recording."),
+        typer.Option(help="The sensor's calibration.json; default: beside the recording."),
     ] = None,
     arm: Annotated[
-        Path | None, typer.Option(help="The arm's arm.json; by default beside the recording.")
+        Path | None, typer.Option(help="The arm's arm.json; default: beside the recording.")
     ] = None,
     speed: Annotated[
-        float, typer.Option(min=0.0, help="1 as it was taken; 0 as fast as it can be read.")
+        float, typer.Option(min=0.0, help="1: original speed; 0: as fast as the file can be read.")
     ] = 1.0,
     host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(min=0, max=65535, help="Port to listen on.")] = 8000,
@@ -230,7 +230,7 @@ def replay(
         bool, typer.Option("--open/--no-open", help="Open the browser.")
     ] = True,
 ) -> None:
-    """The live display fed from a recording, with any calibration."""
+    """Show a recording in the live display, with any calibration."""
     from app.formats.datasheets.arm import read_arm
     from app.formats.results.calibration import read_calibration
     from app.server.live_replay import Replay

@@ -15,7 +15,7 @@ def backup(
     output: Annotated[Path, typer.Option("-o", "--output", help="The new folder of the copy.")],
     as_json: AsJson = False,
 ) -> None:
-    """Copy a station's data folder, also while it runs; start from the copy with --data."""
+    """Copy a station's data folder, even while the station runs. To use it, start with --data."""
     from dataclasses import asdict
 
     from app.store.backup import backup as copy_all
@@ -31,9 +31,9 @@ def backup(
 @report_errors
 def password(
     data: Annotated[Path, typer.Argument(help="The station's data folder; it may be running.")],
-    name: Annotated[str, typer.Argument(help="Of the account.")],
+    name: Annotated[str, typer.Argument(help="Name of the account.")],
 ) -> None:
-    """Give an account a new password, where no administrator can; asked for, or read from stdin."""
+    """Set a new password for an account; it is prompted for, or read from stdin."""
     from app.errors import OperationError
     from app.store.accounts import AccountStore
     from app.store.audit import AuditLog
@@ -48,7 +48,7 @@ def password(
         account = accounts.get(name)
         if account is None:
             known = ", ".join(one.name for one in accounts.all()) or "none yet"
-            raise OperationError("no-account", f"There is no account {name}", f"there are: {known}")
+            raise OperationError("no-account", f"There is no account {name}", f"accounts: {known}")
         if sys.stdin.isatty():
             new = typer.prompt("New password", hide_input=True, confirmation_prompt=True)
         else:
@@ -58,12 +58,12 @@ def password(
         AuditLog(database).note("", "console", f"changed an account: {account.name}, new password")
     finally:
         database.close()
-    print(f"{account.name} has a new password, and is signed out everywhere.")
+    print(f"{account.name} has a new password and is signed out everywhere.")
 
 
 @report_errors
 def mqtt_schema() -> None:
-    """The JSON schema of what stations publish over MQTT."""
+    """Print the JSON schema of the messages that stations publish over MQTT."""
     from app.supervision.messages import schema
 
     print_json(schema())

@@ -121,34 +121,34 @@ def outlier_text(outlier: Outlier) -> Text:
 def identification_summary(result: Identification) -> list[tuple[str, str]]:
     """What an operator wants to know of an identification: names and values to print."""
     before, after = result.validation.before, result.validation.after
-    kind = "a separate set" if result.validation.separate else "held out in turn"
+    kind = "of a separate set" if result.validation.separate else "left out in turn"
     figures = [
         (
             "tip over the reach",
-            f"was off by {result.volume_before_mm * 1e3:.0f} µm rms, now known to "
+            f"error {result.volume_before_mm * 1e3:.0f} µm rms before; standard uncertainty now "
             f"{result.volume_after_mm * 1e3:.1f} µm (k = 1)"
-            + ("" if result.size_known else ", apart from the arm's size"),
+            + ("" if result.size_known else ", without the arm's scale"),
         ),
         (f"on {result.validation.places} places {kind}", "before       after"),
     ]
     for title, was, now in (
         ("  seats", before.seats_um, after.seats_um),
         ("  spheres", before.spheres_um, after.spheres_um),
-        ("  ball bars' lengths", before.lengths_um, after.lengths_um),
+        ("  lengths of ball bars", before.lengths_um, after.lengths_um),
     ):
         if was is not None and now is not None:
             figures.append((title, f"{was:8.1f} µm {now:8.1f} µm rms"))
     figures += [
         ("  in standard deviations", f"{before.normalised:8.1f}    {after.normalised:8.2f}"),
-        ("scatter beyond the encoders", f"{result.scatter_mm * 1e3:.1f} µm a coordinate"),
+        ("scatter beyond the encoders", f"{result.scatter_mm * 1e3:.1f} µm per coordinate"),
     ]
     if result.radius_excess_sd_mm is not None:
         sd_um = 2e3 * result.radius_excess_sd_mm
         figures.append(
-            ("spheres' diameters seen", f"{2e3 * result.radius_excess_mm:+.1f} ± {sd_um:.1f} µm")
+            ("measured sphere diameters", f"{2e3 * result.radius_excess_mm:+.1f} ± {sd_um:.1f} µm")
         )
     for k, outlier in enumerate(result.outliers):
-        figures.append(("left out" if k == 0 else "", str(outlier_text(outlier))))
+        figures.append(("excluded" if k == 0 else "", str(outlier_text(outlier))))
     return figures
 
 

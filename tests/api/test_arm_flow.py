@@ -189,7 +189,7 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert identified["volume_after_um"] == result["volume_after_um"]
     report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
     assert "Operator: Demo" in report
-    assert "Every file has the content that the result was made from." in report
+    assert "Every file has the content that the result was computed from." in report
     arms, true = server.data / "arms", server.simulation._rig.arm
     was = volumetric_error_um(true, read_arm(arms / "simulated.json"))
     before = (arms / "simulated.json").read_bytes()
@@ -242,7 +242,7 @@ def test_a_tip_is_checked_on_a_sphere_and_home_knows_of_it(
     newest, *others = server.http.get("/api/arm/tips").json()
     report = server.http.get(f"/api/arm/tips/{newest['id']}/report.html").text
     assert "Operator: Demo" in report
-    assert "Every file has the content that the result was made from." in report
+    assert "Every file has the content that the result was computed from." in report
     assert len(others) == before + 1
     assert newest["text"] == view["findings"][-1]["text"]
     home = server.http.get("/api/home").json()

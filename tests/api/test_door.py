@@ -107,7 +107,7 @@ def test_a_plain_address_is_answered(server: Server, host: str) -> None:
 def test_a_person_at_a_wrong_name_reads_plain_words(server: Server) -> None:
     answer = server.http.get("/", headers={"host": "evil.example", "accept": "text/html"})
     assert answer.status_code == 403
-    assert answer.text.startswith("This station does not answer to the name 'evil.example'.")
+    assert answer.text.startswith("This station does not respond to the name 'evil.example'.")
 
 
 def test_what_a_stranger_sends_is_small(server: Server) -> None:
@@ -192,7 +192,7 @@ def test_a_full_disk_is_reported_and_keeps_nobody_from_stop(server: Server) -> N
                 break
             answer = server.http.post("/api/kiosk-links", json={"name": "w" * 60})
         assert answer.status_code == 507
-        assert answer.json()["detail"] == "This was not saved: the station's disk is full."
+        assert answer.json()["detail"] == "The change was not saved: the station's disk is full."
         for _ in range(300):  # small rows still fit for a while
             answer = server.http.post("/api/flow/start")
             if answer.status_code == 200:

@@ -53,7 +53,7 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         assert scan["name"] == "Bracket"
         assert english(scan["note"]).startswith("The station ended during this scan.")
         (scan,) = until(http, "/api/scans", lambda scans: scans[0]["points"] > 0)
-        assert english(scan["note"]).endswith("What was recorded is kept.")
+        assert english(scan["note"]).endswith("All recorded data is kept.")
         # what was shown less than half a second before may be lost
         assert scan["frames"] > 0.5 * before["frames"]
         cloud = read_cloud(folder / "cloud.ply")
@@ -64,7 +64,7 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(
         assert health(http, "recordings")["quality"] == "good"
         whole = (folder / "scan.mcap").read_bytes()
         (folder / "scan.mcap").write_bytes(whole[:-1])
-        assert "is cut off" in english(http.get("/api/scans").json()[0]["note"])
+        assert "is incomplete" in english(http.get("/api/scans").json()[0]["note"])
         (folder / "scan.mcap").unlink()
         assert "is missing" in english(http.get("/api/scans").json()[0]["note"])
     (folder / "scan.mcap").write_bytes(b"")
@@ -94,7 +94,7 @@ def test_recordings_that_open_to_gigabytes_hold_up_no_start(tmp_path: Path) -> N
             http,
             "/api/scans",
             lambda scans: all(
-                "No points can be made of it" in english(scan["note"]) for scan in scans
+                "Its points cannot be computed" in english(scan["note"]) for scan in scans
             ),
         )
         status = Path(f"/proc/{pid}/status").read_text()

@@ -154,7 +154,7 @@ def test_control_is_taken_by_acting_and_seen_by_all(server: Server, people: None
         with browser(server) as admin:
             admin.cookies = server.http.cookies
             acts = [english(entry["act"]) for entry in admin.get("/api/audit").json()]
-        assert "took control over: Ben is at lunch" in acts
+        assert "took over control: Ben is at lunch" in acts
         anna.delete("/api/session").raise_for_status()
         assert ben.post("/api/exposure", json={"exposure_us": 3000}).status_code == 200
 

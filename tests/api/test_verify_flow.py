@@ -196,7 +196,7 @@ def test_a_cloud_that_stop_ends_is_measured_and_another_thing_is_named(desk: Des
         lambda view: view["busy"] is None and view["picture"]["clouds"][0]["state"] == "refused"
     )
     assert "no sphere of 25.40 mm" in english(view["picture"]["clouds"][0]["text"])
-    assert "No cloud shows the gauge" in refusal(desk.command("confirm_clouds"))
+    assert "No cloud covers the gauge" in refusal(desk.command("confirm_clouds"))
     view = desk.cloud("sphere")
     assert view["picture"]["clouds"][1]["state"] == "good"
     assert abs(view["picture"]["clouds"][1]["radius_error_um"]) < 100
@@ -239,9 +239,9 @@ def test_another_calibration_meanwhile_is_reported_in_one_sentence(desk: Desk) -
     desk.do("skip_touch")
     use_truth(desk.server, f"meanwhile-{uuid.uuid4().hex[:6]}")
     view = desk.view()
-    assert any("Another calibration came into use" in english(f["text"]) for f in view["findings"])
+    assert any("The calibration in use has changed" in english(f["text"]) for f in view["findings"])
     assert [action["name"] for action in view["actions"]] == ["again", "abandon"]
-    assert "Another calibration" in refusal(desk.command("begin_cloud"))
+    assert "calibration in use has changed" in refusal(desk.command("begin_cloud"))
     view = desk.do("again")
     assert view["step"] == "gauge"
     assert enabled(view, "confirm_gauge")

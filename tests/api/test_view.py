@@ -112,7 +112,7 @@ def test_a_rectangle_of_a_page_is_fitted_by_where_that_page_looks_from(
             time.sleep(0.05)
     (fitted,) = wait(server, lambda view: bool(view["fits"]))["fits"]
     figures = {english(figure["label"]): figure for figure in fitted["figures"]}
-    offset = figures["From the arm's zero"]
+    offset = figures["Distance from the arm's origin"]
     assert fitted["every"]
     assert offset["value"] == pytest.approx(5.0, abs=0.002)
     assert 0 < offset["uncertainty"] < 5.0

@@ -26,7 +26,7 @@ def test_real_lines_are_below_the_limit(real: Path) -> None:
 
 
 def test_a_folder_without_pictures_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(OperationError, match="holds no pictures"):
+    with pytest.raises(OperationError, match="contains no pictures"):
         run(tmp_path)
     with pytest.raises(OperationError, match="no such file"):
         run(tmp_path / "nowhere")

@@ -129,7 +129,7 @@ def test_a_robots_session_gives_the_same_file_as_any_other(
     shown = crenel("calibrate", robot_session, "-o", out)
     assert shown.exit_code == 0, shown.output
     assert "robot's poses" in shown.stdout
-    assert "12 contacts lie on the board" in shown.stdout
+    assert "12 contact points fit the board" in shown.stdout
     document = CalibrationFile.read(out)
     assert document.method == "joint"
     assert document.serial_numbers.sensor == "S-7"
@@ -166,7 +166,7 @@ def test_limits_of_the_user_decide(robot_session: Path, tmp_path: Path) -> None:
 def test_one_pose_is_refused_on_a_board(robot_session: Path, tmp_path: Path) -> None:
     out = tmp_path / "c.json"
     said = refused("calibrate", robot_session, "-o", out, "--method", "one-pose")
-    assert "one pose is not enough on rendered board" in said
+    assert "one pose is not sufficient on rendered board" in said
     assert "--method joint" in said
     assert names_in(tmp_path) == []
 
@@ -237,7 +237,7 @@ def findings_of(session: Path) -> dict[str, str]:
     [
         ({"inner_corners": [8, 6]}, "7 × 6 inner corners was found: rendered board has 8 × 6"),
         ({"inner_corners": [6, 5]}, "Give the certificate of the board in the picture"),
-        ({"square_mm": 12.0}, "wide: its certificate says 12 mm"),
+        ({"square_mm": 12.0}, "wide: its certificate states 12 mm"),
         ({"square_mm": 0.01}, "is it in metres?"),
     ],
 )
@@ -250,7 +250,8 @@ def test_another_boards_certificate_is_refused(
 
 def test_a_size_slightly_wrong_is_flagged(spoilt: Path) -> None:
     edit_json(spoilt / "object.json", lambda document: document.update(square_mm=10.2))
-    assert findings_of(spoilt)["board-size"].startswith("bad: By the arm's motion the squares are")
+    finding = findings_of(spoilt)["board-size"]
+    assert finding.startswith("bad: According to the arm's motion, the squares are")
 
 
 def test_pictures_of_nothing_are_left_out_and_named(spoilt: Path) -> None:
@@ -267,7 +268,7 @@ def test_pictures_without_the_laser_are_refused(spoilt: Path) -> None:
     for k, T in enumerate(POSES):
         write_png(spoilt / f"images/{k + 1}.png", picture(T, Look(laser=False), k))
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
-    assert "the laser's line lies on the board in 0 of 8 pictures" in said
+    assert "the laser line lies on the board in 0 of 8 pictures" in said
     assert not (spoilt / "c.json").exists()
 
 
@@ -287,7 +288,7 @@ def test_poses_that_are_all_one_are_refused(spoilt: Path) -> None:
     alike = [",".join([*row.split(",")[:3], *pose]) for row in rows]
     (spoilt / "images.csv").write_text("\n".join([first, *alike]) + "\n")
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
-    assert "poses that are all alike do not determine where the sensor sits" in said
+    assert "poses that are all alike do not determine the sensor's position" in said
 
 
 def test_poses_in_metres_are_refused(spoilt: Path) -> None:
@@ -298,13 +299,13 @@ def test_poses_in_metres_are_refused(spoilt: Path) -> None:
         for row in cells
     ]
     (spoilt / "images.csv").write_text("\n".join([first, *metres]) + "\n")
-    assert "metres where millimetres" in refused("calibrate", spoilt, "-o", spoilt / "c.json")
+    assert "metres, but millimetres" in refused("calibrate", spoilt, "-o", spoilt / "c.json")
 
 
 def test_touches_without_a_tip_are_refused(spoilt: Path) -> None:
     edit_json(spoilt / "arm.json", lambda document: document.pop("tip"))
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
-    assert "12 contacts, and the arm robot has no tip" in said
+    assert "12 contact points, but the arm robot has no tip" in said
 
 
 def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:
@@ -328,4 +329,4 @@ def test_recorded_pictures(real: Path, tmp_path: Path, name: str, scatter_mm: fl
     codes = {finding.code for finding in document.verdict.findings}
     assert ("laser-moved" in codes) == (name == "calib1")
     assert ("board-rocks" in codes) == (name == "calib1")
-    assert "more pictures" in shown.stdout or "come to rest" in shown.stdout
+    assert "more pictures" in shown.stdout or "Let the laser settle" in shown.stdout

@@ -158,7 +158,7 @@ def test_reconstruct_writes_a_cloud(tmp_path: Path, scan: dict[str, Path]) -> No
     result = crenel(*reconstruct_arguments(scan), "-o", out)
     assert result.exit_code == 0, result.output
     assert len(read_cloud(out).points_mm) == 50
-    assert "1 of 3 frames left out: no joints" in result.stderr
+    assert "1 of 3 frames excluded: no joint samples" in result.stderr
     assert str(out) in result.stdout
 
 
@@ -186,7 +186,7 @@ def test_reconstruct_of_a_cut_recording_says_so(tmp_path: Path, scan: dict[str, 
     path.write_bytes(whole[: int(len(whole) * 0.7)])
     result = crenel(*reconstruct_arguments(scan), "-o", tmp_path / "cloud.ply")
     assert result.exit_code == 0, result.output
-    assert "cut off" in result.stderr
+    assert "incomplete" in result.stderr
     assert len(read_cloud(tmp_path / "cloud.ply").points_mm) > 1000
 
 
@@ -202,7 +202,7 @@ def test_reconstruct_refuses_what_does_not_fit(tmp_path: Path, scan: dict[str, P
     assert "arm.json" in refused(*arguments)
     scan["arm.json"].write_text(whole)
     scan["scan.mcap"].write_text("not a recording")
-    assert "no MCAP" in refused(*arguments)
+    assert "not an MCAP" in refused(*arguments)
     assert names_in(tmp_path) == before
 
 
@@ -344,11 +344,11 @@ def test_a_result_never_replaces_what_it_is_made_from(
     files = [stripe_picture, cloud, session / "arm.json", session / "images/l.png"]
     before = [path.read_bytes() for path in files]
     given = ("--calibration", scan["calibration.json"], "--arm", scan["arm.json"])
-    assert "made from" in refused("extract", stripe_picture, "-o", stripe_picture)
-    assert "made from" in refused("reconstruct", cloud, *given, "-o", cloud)
-    assert "made from" in refused("verify", "plane", cloud, "-o", cloud)
+    assert "computed from" in refused("extract", stripe_picture, "-o", stripe_picture)
+    assert "computed from" in refused("reconstruct", cloud, *given, "-o", cloud)
+    assert "computed from" in refused("verify", "plane", cloud, "-o", cloud)
     for name in ("arm.json", "images/../images/l.png"):
-        assert "made from" in refused("calibrate", session, "-o", session / name)
+        assert "computed from" in refused("calibrate", session, "-o", session / name)
     assert [path.read_bytes() for path in files] == before
 
 

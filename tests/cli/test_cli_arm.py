@@ -30,7 +30,7 @@ def test_identify_writes_the_arm_and_shows_before_and_after(tmp_path: Path, fold
         "before",
         "after",
         "J2.theta_deg",
-        "Held",
+        "Unchanged parameters",
         "µm",
         str(out),
         "calibrate its sensors",
@@ -46,7 +46,7 @@ def test_identify_writes_the_arm_and_shows_before_and_after(tmp_path: Path, fold
 def test_identify_refuses_on_one_line_and_writes_nothing(tmp_path: Path, folder: Path) -> None:
     before = names_in(tmp_path)
     assert "no such folder" in refused("identify", tmp_path / "none")
-    assert "made from" in refused("identify", folder, "-o", folder / "arm.json")
+    assert "computed from" in refused("identify", folder, "-o", folder / "arm.json")
     lines = (folder / "articulation.csv").read_text().splitlines()
     (folder / "articulation.csv").write_text("\n".join(lines[:3]) + "\n")
     assert "seat S1" in refused("identify", folder, "-o", tmp_path / "new.json")

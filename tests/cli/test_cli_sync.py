@@ -103,8 +103,8 @@ def test_what_does_not_show_the_delay_is_refused_and_nothing_written(folder: Pat
     before = names_in(folder)
     assert "no frames" in refused("sync", folder / "one-way.mcap", *given(folder))
     here = folder / "calibration.json"
-    assert "would replace" in refused("sync", folder / "scan.mcap", *given(folder), "-o", here)
-    assert "no MCAP" in refused("sync", here, *given(folder), "-o", folder / "sync.json")
+    assert "would overwrite" in refused("sync", folder / "scan.mcap", *given(folder), "-o", here)
+    assert "not an MCAP" in refused("sync", here, *given(folder), "-o", folder / "sync.json")
     assert names_in(folder) == before
 
 

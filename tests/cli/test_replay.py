@@ -129,7 +129,7 @@ def test_a_cut_recording_has_no_length_and_is_reported_as_cut(tmp_path: Path) ->
     shown(path, 0.0, bus)
     assert bus.reported[0].length_s is None
     assert bus.reported[-1].state == "ended"
-    assert "is cut off" in str(bus.reported[-1].text)
+    assert "is incomplete" in str(bus.reported[-1].text)
 
 
 def test_a_replay_that_fails_says_why(tmp_path: Path) -> None:

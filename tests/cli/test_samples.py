@@ -172,7 +172,7 @@ def keep_faces(*faces: str) -> Callable[[Path], None]:
         (every_picture(lambda grey: blur(grey, 25)), "blurred"),
         (mirror_object, "mirrored"),
         (other_object, "does not match the certificate"),
-        (swap_faces, "contacts lie beside the face"),
+        (swap_faces, "contact points miss the face"),
         (keep_faces("crest"), "Touch 3 more on the front or the back face"),
         (keep_faces("crest", "front"), "Touch 3 more on the left or the right face"),
     ],

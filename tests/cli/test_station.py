@@ -20,7 +20,7 @@ def test_a_folder_in_use_is_backed_up_and_can_be_opened(tmp_path: Path) -> None:
     assert json.loads(done.stdout)["files"] == 2
     again = CliRunner().invoke(cli, words)
     assert again.exit_code == 1
-    assert "is there already" in again.output
+    assert "already exists" in again.output
     copy = Store(tmp_path / "copy")
     assert (copy.folder / "arms/arm.json").read_text() == "{}"
     copy.close()
@@ -37,8 +37,8 @@ def test_a_forgotten_password_is_replaced_beside_a_station_that_runs(tmp_path: P
         return CliRunner().invoke(cli, words, input=f"{password}\n")
 
     assert give("Eve", "three unrelated words").exit_code == 1
-    assert "there are: Ada" in give("Eve", "three unrelated words").output
-    assert "10 to 200 are wanted" in give("ada", "short").output
+    assert "accounts: Ada" in give("Eve", "three unrelated words").output
+    assert "10 to 200 are required" in give("ada", "short").output
     done = give("ada", "three unrelated words")
     assert (done.exit_code, "Ada has a new password" in done.output) == (0, True)
     assert store.accounts.authenticate("Ada", "three unrelated words")
@@ -46,7 +46,7 @@ def test_a_forgotten_password_is_replaced_beside_a_station_that_runs(tmp_path: P
     assert store.audit.newest(1)[0].act == "changed an account: Ada, new password"
     store.close()
     nowhere = CliRunner().invoke(cli, ["password", str(tmp_path / "none"), "Ada"])
-    assert "no station's data folder" in nowhere.output
+    assert "not the data folder of a station" in nowhere.output
 
 
 def test_the_schema_is_printed() -> None:

@@ -174,19 +174,19 @@ def verify(visit: Visit) -> None:
 def set_aside_and_back(visit: Visit) -> None:
     """In the table of poses: the result is of before until it is solved again, or undone."""
     page = visit.page
-    page.get_by_role("button", name="Set aside").first.click()
-    expect(page.get_by_role("button", name="Solve again")).to_be_visible()
+    page.get_by_role("button", name="Exclude").first.click()
+    expect(page.get_by_role("button", name="Compute again")).to_be_visible()
     page.wait_for_timeout(500)
     visit.look("set-aside")
     assert visit.ask("/api/flow")["picture"]["stale"]
-    page.get_by_role("button", name="Solve again").click()
+    page.get_by_role("button", name="Compute again").click()
     visit.wait_until("solving again", "/api/flow", lambda view: not view["picture"]["stale"])
     visit.wait_until("the review", "/api/flow", lambda view: view["busy"] is None)
     states = [pose["state"] for pose in visit.ask("/api/flow")["picture"]["poses"]]
     assert states[0] == "aside"
-    page.get_by_role("button", name="Take it back").click()
+    page.get_by_role("button", name="Include").click()
     page.wait_for_timeout(500)
-    page.get_by_role("button", name="Solve again").click()
+    page.get_by_role("button", name="Compute again").click()
     visit.wait_until("solving again", "/api/flow", lambda view: not view["picture"]["stale"])
     page.get_by_role("button", name="Show pose").first.click()
     expect(page.get_by_role("group", name="Poses")).to_be_visible()

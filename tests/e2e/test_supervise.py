@@ -106,7 +106,7 @@ def test_a_kiosk_shows_every_station_and_which_is_lost(
 
 def test_the_health_page(admin: Page, pictures: Path) -> None:
     admin.get_by_role("link", name="Health").click()
-    expect(admin.get_by_text("It is whole")).to_be_visible()
+    expect(admin.get_by_text("It is intact")).to_be_visible()
     admin.get_by_role("button", name="Back up now").click()
     expect(admin.get_by_text("It is on the same disk as the data.")).to_be_visible(timeout=20_000)
     admin.screenshot(path=pictures / "health-1.png")

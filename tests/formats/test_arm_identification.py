@@ -91,7 +91,7 @@ def test_the_result_never_replaces_what_it_is_made_from(
     tmp_path: Path, session: SimulatedArmSession
 ) -> None:
     before = (tmp_path / "s/arm.json").read_bytes()
-    with pytest.raises(OperationError, match="made from"):
+    with pytest.raises(OperationError, match="computed from"):
         identify_folder(tmp_path / "s", tmp_path / "s/arm.json")
     assert (tmp_path / "s/arm.json").read_bytes() == before
 

@@ -273,7 +273,7 @@ def test_documents_are_written_for_readers_too(tmp_path: Path) -> None:
         (lambda c: c["camera"]["projection_matrix"][0].__setitem__(3, 7.0), "projection_matrix"),
         (lambda c: c["camera"]["rotation"][0].__setitem__(0, 0.9), "rotation"),
         (lambda c: c["camera"].update(distortion=[0, 0, 0, 0]), "distortion"),
-        (lambda c: c["camera"].update(distortion=[-5, 0, 0, 0, 0]), "cannot be undone"),
+        (lambda c: c["camera"].update(distortion=[-5, 0, 0, 0, 0]), "not invertible"),
         (lambda c: c["camera"].pop("matrix"), "camera.matrix is missing"),
         (lambda c: c["laser_plane"].update(normal=[0, 0, 1.1]), "unit length"),
         (lambda c: c["probe_matrix"][3].__setitem__(0, 0.1), "last row"),
@@ -290,7 +290,10 @@ def test_a_spoilt_calibration_is_refused(tmp_path: Path, spoil: Any, said: str) 
         read_calibration(path)
 
 
-ENGLISH = "A scanned point is known to 23 µm (k = 1) in the flange frame; up to 50 µm is good."
+ENGLISH = (
+    "Standard uncertainty of a scanned point in the flange frame: 23 µm (k = 1); "
+    "up to 50 µm is good."
+)
 
 
 def judged_file() -> CalibrationFile:
@@ -341,7 +344,7 @@ def test_a_list_of_sentences_has_a_list_of_messages() -> None:
     cut = message("file-cut-off")
     record = Record(verdict=VerificationVerdict(result="fail", text="No", reasons=("a", cut)))
     verdict = record.fields()["verdict"]
-    assert verdict["reasons"] == ["a", "the file was cut off"]
+    assert verdict["reasons"] == ["a", "the file is incomplete"]
     assert verdict["reasons_message"] == ["a", {"message_id": "file-cut-off", "values": {}}]
     assert "text_message" not in verdict
 

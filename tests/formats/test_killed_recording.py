@@ -80,7 +80,7 @@ def test_a_killed_recording_loses_at_most_its_last_second(tmp_path: Path, after_
         killed_ns = time.monotonic_ns()
     recording = open_recording(path)
     records = list(recording.records())
-    assert "cut off" in str(recording.cut)
+    assert "incomplete" in str(recording.cut)
     stamps = [record.stamp_ns for record in records if isinstance(record, StripeRecord)]
     joints = [record.stamp_ns for record in records if isinstance(record, JointRecord)]
     assert killed_ns - max(stamps) < 1e9
@@ -100,13 +100,13 @@ def test_a_full_disk_ends_the_recording_and_keeps_what_is_there(tmp_path: Path) 
     with writing(path, largest=5_000_000) as process:
         said, errors = process.communicate(timeout=60)
     assert said.splitlines()[1:] == [
-        f"{path}: the disk's largest file size is reached. Choose another."
+        f"{path}: the largest file size of the disk is reached. Choose another."
     ]
     assert errors == ""
     assert path.stat().st_size <= 5_000_000
     recording = open_recording(path)
     stamps = [one.stamp_ns for one in recording.records() if isinstance(one, StripeRecord)]
-    assert "cut off" in str(recording.cut)
+    assert "incomplete" in str(recording.cut)
     assert recording.bytes_read > 3_900_000  # all but the last chunk
     result = reconstruct_cloud(path, little_calibration(), ARM, tmp_path / "cloud.ply")
     assert result.frames >= len(stamps) - 1 > 80

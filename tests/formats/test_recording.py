@@ -111,7 +111,7 @@ def test_a_recording_still_being_written_reads_up_to_its_last_chunk(tmp_path: Pa
     recording, records = read(path)
     writer.close()
     assert sum(isinstance(record, ImageRecord) for record in records) >= 6
-    assert "is cut off" in str(recording.cut)
+    assert "is incomplete" in str(recording.cut)
     assert read(path)[0].cut == ""
     writer.close()
 
@@ -266,7 +266,7 @@ def test_rows_with_padding_are_read(tmp_path: Path) -> None:
         (RawImage(width=4, height=3, encoding="mono8", step=4, data=bytes(11)), "11 bytes"),
         (RawImage(width=4, height=3, encoding="mono16", step=4, data=bytes(99)), "4 a row"),
         (RawImage(width=0, height=3, encoding="mono8", step=0, data=b""), "0 × 3"),
-        (CompressedImage(format="png", data=b"\x89PNG\r\n\x1a\n...."), "cut off"),
+        (CompressedImage(format="png", data=b"\x89PNG\r\n\x1a\n...."), "incomplete"),
         (CompressedImage(format="jpeg", data=b""), "empty"),
     ],
 )

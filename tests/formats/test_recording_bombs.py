@@ -108,7 +108,7 @@ def test_a_bomb_is_damage_to_both_readers(
     assert list(slow.records()) == []
     with ThreadPoolExecutor(2) as pool:
         assert all(not block.frames for block in read_blocks(fast, pool, 4))
-    assert all("is cut off or damaged" in str(recording.cut) for recording in (slow, fast))
+    assert all("is incomplete or damaged" in str(recording.cut) for recording in (slow, fast))
     assert open_recording(path).station_metadata() == {"scan_name": "Bracket"}
     assert last_stamp_ns(path) is None
 

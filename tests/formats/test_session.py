@@ -174,7 +174,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (rewrite("probing.csv", ",-84.5", ""), "row-length", "line 2: 6 cells"),
         (rewrite("probing.csv", "-84.5", "-184.5"), "joint-outside-limits", "q3_deg is −184.5"),
         (seven_joints, "joint-count", "7 joint columns"),
-        (radians("probing.csv"), "joints-in-radians", "radians where degrees"),
+        (radians("probing.csv"), "joints-in-radians", "radians, but degrees"),
         (radians("images.csv"), "joints-in-radians", "images.csv"),
         (picture(np.zeros((HEIGHT, WIDTH + 1), np.uint8)), "image-size", "65 × 48"),
         (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "no PNG"),

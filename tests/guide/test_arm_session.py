@@ -153,7 +153,7 @@ def test_commands_belong_to_their_step(arm: Arm) -> None:
     assert "simulated operator" in str(rejection_reason(state, live, "run_simulation", {}))
     assert rejection_reason(state, live, "set_limit", {"limit_um": 40}) == ""
     for wrong in (0, -3, "40", True):
-        assert "number of micrometres" in str(
+        assert "must be 1 to 100 000 micrometres" in str(
             rejection_reason(state, live, "set_limit", {"limit_um": wrong})
         )
     closed = state_after(started(), ("ended", {}))

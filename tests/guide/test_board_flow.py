@@ -109,7 +109,7 @@ def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
         assert plan_view(state.listed) == view
         expected = str(view.words) if taken else "straight above"
         assert expected in str(shown.instruction)
-        assert any("laser's line must cross" in str(one.text) for one in shown.findings)
+        assert any("laser line must cross" in str(one.text) for one in shown.findings)
     assert len(outlines) == len(VIEWS)
     assert plan_view(at("place", *pictures(len(VIEWS), SEEN)).listed) is None
 

@@ -103,7 +103,7 @@ def test_every_step_says_what_to_do_and_why_not(
     state = states(contacts)[step]
     live = make_live(state, arm, block, latest_outcome=outcome() if step == "review" else None)
     if not connected:
-        lost = replace(CONNECTED, state="lost", text="The arm was lost; reconnecting.")
+        lost = replace(CONNECTED, state="lost", text="The arm was lost.")
         live = replace(live, arm_link=lost)
     if not still:
         live = replace(live, stillness=Stillness(False, 800.0, 90.0, "Moved 0.8 mm"))
@@ -201,7 +201,7 @@ def test_the_live_picture_is_described_once_and_in_sentences(arm: Arm, block: Cr
     (hint,) = build_view(state, replace(live, laser_on=True)).findings
     assert "laser is on" in str(hint.text)
     (found,) = build_view(state, make_live(state, arm, block, corners_detected=20)).findings
-    assert str(found.text) == "20 corners of the object are found."
+    assert str(found.text) == "20 corners of the object are detected."
     assert build_view(state, replace(live, corners_detected=20)).findings == view.findings
 
 
@@ -249,7 +249,7 @@ def test_a_bad_calibration_cannot_be_accepted(
     state = solved_state(contacts)
     view = build_view(state, make_live(state, arm, block, latest_outcome=outcome("bad")))
     assert isinstance(view.picture, ResultPicture)
-    assert str(action(view, "accept").why_not) == "It should not be used: the findings say why."
+    assert str(action(view, "accept").why_not) == "Do not use it: the findings state why."
     assert action(view, "repeat").primary
     live = make_live(state, arm, block, latest_outcome=outcome("attention"))
     assert action(build_view(state, live), "accept").enabled
@@ -343,7 +343,7 @@ def test_with_few_points_it_is_shown_how_many_more_help(
     assert view.number is not None
     assert view.number.value == pytest.approx(known)
     reported = view.findings[-1]
-    expected = r"Object known to \d+ µm \(k = 1\); \d+ more on the \w+ face.* brings? \d+ µm\."
+    expected = r"Unc.*: \d+ µm \(k = 1\); \d+ more on the \w+ face.* reduces? it to \d+ µm\."
     assert re.fullmatch(expected, str(reported.text))
 
 
@@ -416,7 +416,7 @@ def test_a_pose_used_without_its_laser_line_says_so(
 ) -> None:
     there = outcome()
     assert there.result is not None
-    row = PoseRow(1, True, "its laser line was left out, 2.1 mm off", 0.1, None, 3.0)
+    row = PoseRow(1, True, "its laser line was excluded, 2.1 mm off", 0.1, None, 3.0)
     there = replace(there, result=replace(there.result, poses=[row]))
     state = solved_state(contacts)
     picture = build_view(state, make_live(state, arm, block, latest_outcome=there)).picture

@@ -53,11 +53,11 @@ def test_where_all_is_in_order_the_next_step_is_to_scan() -> None:
 
 def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None:
     assert after(NOTHING).page == "calibrate"
-    assert str(after(NOTHING, calibrating=True).label) == "Go on calibrating"
+    assert str(after(NOTHING, calibrating=True).label) == "Continue calibration"
     calibrated = replace(NOTHING, calibration=done(0))
     assert after(calibrated).page == "verify"
     assert lines(calibrated)["verification"].quality == "attention"
-    assert str(after(calibrated, verifying=True).label) == "Go on verifying"
+    assert str(after(calibrated, verifying=True).label) == "Continue verification"
     assert after(replace(calibrated, verification=done(0))).page == "scan"
 
 
@@ -74,7 +74,7 @@ def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None
             "verify",
             "failed",
         ),
-        ({"verification": done(1, "unsure", "Not known.")}, "verify", "not decided"),
+        ({"verification": done(1, "unsure", "Not known.")}, "verify", "was undecided"),
         ({"tip": done(0.1, "failed", "The tip is worn.")}, "arm", "worn"),
         ({"arm": done(1, "failed", "400 µm, limit 250 µm.")}, "arm", "400 µm"),
     ],
@@ -120,5 +120,5 @@ def test_the_state_of_the_tip_is_shown_before_touching() -> None:
     assert tip_finding(lines(ALL)["tip"]).quality == "good"
     assert (tip_finding(worn).quality, "worn" in str(tip_finding(worn).text)) == ("bad", True)
     never = tip_finding(lines(NOTHING)["tip"])
-    assert (never.quality, str(never.text)) == ("neutral", "The tip was never checked.")
+    assert (never.quality, str(never.text)) == ("neutral", "The tip has never been checked.")
     assert never.remedy

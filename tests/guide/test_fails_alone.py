@@ -87,7 +87,7 @@ def test_a_check_that_fails_is_a_finding_and_the_others_are_made(
     monkeypatch.setattr("app.operations.health_checks.list_unreadable", broken)
     monkeypatch.setattr(type(context.store), "check", refused)
     items = {item.id: item for item in HealthChecker(context).look().items}
-    assert str(items["not-made-records"].what) == "The check records cannot be made: IndexError."
+    assert str(items["not-made-records"].what) == "The check records could not run: IndexError."
     assert items["not-made-database"].quality == "attention"
     assert "The database cannot be read" in str(items["not-made-database"].what)
     assert whole - set(items) == {"records", "database"}

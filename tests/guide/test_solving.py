@@ -86,11 +86,11 @@ def test_what_is_graver_than_the_uncertainty_is_pointed_to(
     solved = solve(SessionFolder(tmp_path / "slipped"), None, quiet, {}, LIMITS, range(45))
     assert solved.result is not None
     assert solved.result.verdict == "attention"
-    assert "1 of 27 contacts disagree" in str(solved.findings[0].text)
+    assert "1 of 27 contact points contradicts" in str(solved.findings[0].text)
     texts = [str(one.text) for one in solved.findings]
-    (known,) = (text for text in texts if text.startswith("A scanned point is known"))
+    (known,) = (text for text in texts if text.startswith("Standard uncertainty of a"))
     assert str(solved.result.verdict_text).startswith(known)
-    assert str(solved.result.verdict_text).endswith("But what is marked below needs attention.")
+    assert str(solved.result.verdict_text).endswith("the items marked below need attention.")
 
 
 def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:

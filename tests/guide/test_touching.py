@@ -127,7 +127,7 @@ def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenel
     wrong = replace(contacts[3], q_rad=q_rad)
     report = touch_report([*contacts[:3], wrong, *contacts[4:]], arm, block, 15.0)
     assert report.questionable[0] == 3
-    assert "Point 4 cannot be true: joint" in str(report.findings[0].text)
+    assert "Point 4 is implausible: " in str(report.findings[0].text)
     assert report.alignment is not None
 
 

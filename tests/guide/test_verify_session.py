@@ -136,7 +136,7 @@ def test_while_a_cloud_is_scanned_it_is_ended_or_dropped_first() -> None:
 @pytest.mark.parametrize(
     ("changes", "name", "said"),
     [
-        ({"active_id": "c2"}, "begin_cloud", "Another calibration"),
+        ({"active_id": "c2"}, "begin_cloud", "calibration in use has changed"),
         ({"active_id": ""}, "begin_cloud", "no calibration"),
         ({"scan_why_not": "The arm sends nothing."}, "begin_cloud", "sends nothing"),
         ({}, "confirm_clouds", "No cloud"),

@@ -288,7 +288,7 @@ def test_an_empty_or_missing_source_is_named(tmp_path: Path) -> None:
 def test_a_size_is_not_set_of_a_file(tmp_path: Path) -> None:
     write_video(tmp_path / "v.avi", "FFV1")
     driver = opencv_camera.from_options({"source": str(tmp_path / "v.avi"), "width_px": 640})
-    with pytest.raises(DeviceError, match="width_px cannot be set of a video file"):
+    with pytest.raises(DeviceError, match="width_px cannot be set for a video file"):
         driver.open()
 
 
@@ -298,7 +298,7 @@ def test_a_size_that_the_camera_has_not_is_refused() -> None:
     with pytest.raises(DeviceError, match="cannot do width_px = 640; it offers 160"):
         driver.open()
     driver = opencv_camera.from_options({"source": server.url, "exposure_us": 2000.0})
-    with pytest.raises(DeviceError, match="does not take an exposure"):
+    with pytest.raises(DeviceError, match="does not accept an exposure"):
         driver.open()
     server.unplug()
 

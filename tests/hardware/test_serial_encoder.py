@@ -244,7 +244,7 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
     arm.silent = True
     assert "sends its hello (Bench arm) but no samples" in open_error({"url": url})
     arm.greets = False
-    assert "Nothing came from" in open_error({"url": url})
+    assert "No data arrived from" in open_error({"url": url})
     arm.silent = False
     assert "sends samples but no hello" in open_error({"url": url})
     arm.silent, arm.chatter = True, b"$GPGGA,123519\r\n"
@@ -257,8 +257,8 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
 
 def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
     url = arm.line.url
-    assert "asks for joint_count = 7" in open_error({"url": url, "joint_count": 7})
-    assert "3 counts_per_revolution, the arm has 6" in open_error(
+    assert "station.toml states joint_count = 7" in open_error({"url": url, "joint_count": 7})
+    assert "3 counts_per_revolution, but the arm has 6" in open_error(
         {"url": url, "counts_per_revolution": [1, 2, 3]}
     )
     arm.counts = 0
@@ -282,7 +282,7 @@ def test_a_port_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
     free = socket.create_server(("127.0.0.1", 0))
     port = free.getsockname()[1]
     free.close()
-    assert "Nothing listens at" in open_error({"url": f"socket://127.0.0.1:{port}"})
+    assert "No program listens at" in open_error({"url": f"socket://127.0.0.1:{port}"})
     assert "is not known" in open_error({"url": "socket://no-such-host.invalid:1"})
 
 

@@ -81,7 +81,7 @@ def test_texts_within_texts() -> None:
     assert ENGLISH(board) == "8 × 5 inner corners, 12.5 mm apart, known to 2.5 µm (k = 1)"
     assert GERMAN(board) == "8 × 5 innere Ecken, Abstand 12,5 mm, bekannt auf 2,5 µm (k = 1)"
     left_out = message("left-out-3", text=message("arm-model-arm", serial_number="A7"))
-    assert ENGLISH(left_out) == "Left out: the arm model is of arm A7."
+    assert ENGLISH(left_out) == "Excluded: the arm model belongs to arm A7."
 
 
 def test_lists_join_texts() -> None:
@@ -94,8 +94,8 @@ def test_lists_join_texts() -> None:
 
 def test_a_text_as_a_sentence_and_with_a_capital() -> None:
     half = message("arm-still")
-    assert ENGLISH(message("capital", text=half)) == "The arm was not still"
-    assert ENGLISH(message("sentence", text=half)) == "The arm was not still."
+    assert ENGLISH(message("capital", text=half)) == "The arm was not held still"
+    assert ENGLISH(message("sentence", text=half)) == "The arm was not held still."
     assert ENGLISH(message("sentence", text="it is over.")) == "It is over."
     file = "gauges/plate.json: is cut off"
     assert ENGLISH(message("sentence", text=file)) == f"{file}."
@@ -162,7 +162,8 @@ def test_a_text_in_an_f_string_is_an_error() -> None:
     for text in (message("arm-still"), quantity(1, "mm"), join([])):
         with pytest.raises(TypeError, match="value of a message"):
             f"{text}"
-    assert str(message("arm-still")) == in_english(message("arm-still")) == "the arm was not still"
+    moved = message("arm-still")
+    assert str(moved) == in_english(moved) == "the arm was not held still"
 
 
 @pytest.mark.parametrize(

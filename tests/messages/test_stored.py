@@ -52,7 +52,7 @@ def test_a_plain_text_and_one_of_great_length_have_no_data() -> None:
 def test_texts_of_an_object_are_restored_wherever_they_are() -> None:
     cut = {"message_id": "file-cut-off", "values": {}}
     fields: dict[str, Any] = {
-        "text": "the file was cut off",
+        "text": "the file is incomplete",
         "text_message": cut,
         "rows": [{"text": "b", "text_message": cut}, {"text": "c"}],
         "notes": ["d", "e", "f"],

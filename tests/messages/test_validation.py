@@ -75,7 +75,7 @@ class Values(BaseModel):
         ({"axis": "w"}, "it must be one of 'u', 'v'"),
         ({"only": "two"}, "it must be 'one'"),
         ({"colour": "green"}, "it must be one of 'red', 'blue'"),
-        ({"other": 1}, "it is not known"),
+        ({"other": 1}, "it is unknown"),
         ({"checked": "a.ply"}, "Name it a.ply"),
     ],
 )
@@ -91,7 +91,7 @@ def test_every_usual_error_has_a_message(values: dict[str, Any], english: str) -
 def test_what_is_no_json_says_where() -> None:
     with pytest.raises(ValidationError) as caught:
         Values.model_validate_json("{")
-    assert "it is not JSON, or was cut off: EOF" in str(validation_text(caught.value.errors()[0]))
+    assert "it is not JSON, or is incomplete: EOF" in str(validation_text(caught.value.errors()[0]))
 
 
 def test_what_is_not_known_is_in_pydantics_words() -> None:

@@ -112,7 +112,7 @@ def test_an_arm_that_measures_wrongly_is_not_put_on_one_contact(by_wrong_arm: Fl
 def test_a_whole_face_mislabelled_is_refused(swap: dict[str, str]) -> None:
     rng = np.random.default_rng(8)
     features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
-    with pytest.raises(OperationError, match=r"labelled|not fix"):
+    with pytest.raises(OperationError, match=r"labelled|not determine"):
         align([swap.get(face, face) for face in features], tips, TIP_RADIUS_MM, BLOCK)
 
 

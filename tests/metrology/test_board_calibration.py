@@ -153,7 +153,7 @@ def test_contacts_off_the_board_are_refused(given: BoardInputs) -> None:
 def test_a_wrong_square_size_is_refused(given: BoardInputs) -> None:
     wrong = replace(BOARD, square_mm=12.0)
     with pytest.raises(
-        OperationError, match=r"(9\.9|10\.0)\d* mm wide: its certificate says 12 mm"
+        OperationError, match=r"(9\.9|10\.0)\d* mm wide: its certificate states 12 mm"
     ):
         calibrate_board(replace(given, board=wrong))
 

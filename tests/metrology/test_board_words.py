@@ -84,7 +84,7 @@ def test_what_helps_against_a_poor_robot_is_said(given: BoardInputs) -> None:
     assert "more pictures" in str(reported.remedy)
     assert "--usable-um" in str(reported.remedy)
     nearer = calibrate_board(replace(poor, limits=Limits(20.0, 150.0))).findings[0]
-    assert "like these, in all, would do" in str(nearer.remedy)
+    assert "like these are sufficient in total" in str(nearer.remedy)
     assert isinstance(nearer.remedy, Message)
     easy = calibrate_board(replace(given, limits=Limits(1000.0, 2000.0))).findings[0]
     assert easy.quality == "good"
@@ -103,8 +103,8 @@ def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> Non
     proud = replace(PAPER_BOARD, standard_uncertainty_mm=0.001, flatness_mm=0.01)
     found = calibrate_board(replace(given, board=proud))
     said = {one.code: str(one.text) for one in found.findings}
-    assert "by the certificate 1 µm" in said["board-print"]
-    assert "flat to 0.01 mm was expected" in said["board-bent"]
+    assert "the certificate states 1 µm" in said["board-print"]
+    assert "a flatness of 0.01 mm" in said["board-bent"]
     assert error_um(found) < 3 * found.uncertainty.total_um
 
 
@@ -120,7 +120,7 @@ def test_a_board_that_was_tilted_after_it_was_touched_is_seen(given: BoardInputs
     tips = readings[:, :3, :3] @ TIP.centre_mm + readings[:, :3, 3]
     readings[:, :3, 3] += (tips - T_ARM_OBJ[:3, 3]) @ turn.T + T_ARM_OBJ[:3, 3] - tips
     moved = finding(replace(given, contact_readings=readings), "object-moved")
-    assert "turned by 0.9" in str(moved.text) or "turned by 1.0" in str(moved.text)
+    assert "rotated by 0.9" in str(moved.text) or "rotated by 1.0" in str(moved.text)
 
 
 def slipped(rows: tuple[int, ...], by_mm: float) -> Floats:
@@ -137,7 +137,7 @@ def test_contacts_that_slipped_are_left_out_and_named(
 ) -> None:
     found = calibrate_board(replace(given, contact_readings=slipped(rows, 0.6)))
     reported = {one.code: str(one.text) for one in found.findings}
-    assert f"{12 - len(rows)} contacts lie on the board" in reported["contacts"]
+    assert f"{12 - len(rows)} contact points fit the board" in reported["contacts"]
     for row in rows:
         assert f" {row + 1} (board, +" in reported["contact-outliers"]
     assert found.contacts is not None
@@ -156,7 +156,7 @@ def test_contacts_that_only_scatter_are_all_kept(given: BoardInputs) -> None:
 def test_contacts_of_which_a_quarter_slipped_are_not_called_good(given: BoardInputs) -> None:
     said = finding(replace(given, contact_readings=slipped((0, 5, 10), 0.6)), "contacts")
     assert said.quality == "attention"
-    assert "stood firm" in str(said.remedy)
+    assert "fixed firmly" in str(said.remedy)
 
 
 def test_swapped_poses_are_named_with_one_another(given: BoardInputs) -> None:
@@ -202,14 +202,14 @@ def test_a_laser_that_moved_at_the_end_is_nowhere_for_sure() -> None:
     moved = finding(session(4, BoardErrors(drift_mm=(*(0.0,) * 6, 2.5, 3.0))), "laser-moved")
     assert moved.quality == "bad"
     assert "poses 7, 8 lie" in str(moved.text)
-    assert "all lines count" in str(moved.text)
+    assert "all lines are used" in str(moved.text)
 
 
 def test_one_line_that_contradicts_is_left_out() -> None:
     found = calibrate_board(session(4, BoardErrors(drift_mm=(3.0,))))
     (left_out,) = (pose for pose in found.poses if pose.reason)
     assert left_out.number == 1
-    assert "laser line was left out" in str(left_out.reason)
+    assert "laser line was excluded" in str(left_out.reason)
     assert left_out.stripe_points == 0
     assert error_um(found) < 3 * found.uncertainty.total_um
 

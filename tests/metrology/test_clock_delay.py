@@ -156,5 +156,5 @@ def test_a_pass_that_does_not_show_the_delay_is_refused_in_words(
 
 def test_without_the_arm_around_the_frames_it_is_refused() -> None:
     lost = replace(passed(Setting()), poses_at=lambda at_ns: np.full((len(at_ns), 4, 4), np.nan))
-    with pytest.raises(OperationError, match="the arm's position is not known"):
+    with pytest.raises(OperationError, match="the arm's position is unknown"):
         estimate_delay(lost)

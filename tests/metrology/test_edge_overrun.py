@@ -37,7 +37,7 @@ def test_a_block_longer_than_its_certificate_is_reported(
     shorter = replace(shown.block, edges_x_mm=shown.block.edges_x_mm[kept])
     against = runs_on(shown, shorter, noise)
     assert against is not None
-    assert "goes on beyond its" in str(against.text)
+    assert "continues beyond its" in str(against.text)
 
 
 @pytest.mark.parametrize("noise", [0.0, 15.0, 22.0])

@@ -85,10 +85,10 @@ def test_a_face_seen_edge_on_is_not_measured(
 @pytest.mark.parametrize(
     ("edge", "words"),
     [
-        ("crest:1:L", "the left edge of merlon 2's crest"),
-        ("floor:0:front", "the front edge of groove 1's floor"),
-        ("wall:0:R:back", "the upright back edge on merlon 1's right"),
-        ("base:front", "the base's front edge"),
+        ("crest:1:L", "the left edge of the crest of merlon 2"),
+        ("floor:0:front", "the front edge of the floor of groove 1"),
+        ("wall:0:R:back", "the upright back edge on the right of merlon 1"),
+        ("base:front", "the front edge of the base"),
     ],
 )
 def test_edges_are_named_in_words(edge: str, words: str) -> None:

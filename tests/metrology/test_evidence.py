@@ -106,7 +106,7 @@ def test_straight_edges_are_shown_where_there_is_no_block(plain: RenderedBlock) 
 def test_a_single_edge_elsewhere_is_not_called_another_object(plain: RenderedBlock) -> None:
     """A shadow along a crest is like a merlon of another width."""
     against = RejectionReason(
-        "the left edge of merlon 3's crest lies 90 µm off", True, (1,), True, 1.4
+        "the left edge of the crest of merlon 3 lies 90 µm off", True, (1,), True, 1.4
     )
     refusal = contradiction_error(plain.block, against, [], 0.7)
     assert refusal.code == "object-unclear"
@@ -125,7 +125,7 @@ def test_no_wrong_size_is_reported_from_a_placing_that_hardly_shows() -> None:
     """A bar, noise and tool marks: what is placed is not quite the block."""
     refusal = refused_shot(6023)
     assert refusal.code == "object-unclear"
-    assert "of its visible edges show" in str(refusal.why)
+    assert "of its visible edges appear" in str(refusal.why)
 
 
 def test_floors_and_base_in_shadow_are_not_called_another_object() -> None:
@@ -148,7 +148,8 @@ SOFT = ImageFinding("image-soft", "soft", "focus the camera", 3.0, 2.0)
 def test_a_soft_picture_shows_no_size_to_less_than_its_edges_are_wide(
     plain: RenderedBlock, off_px: float, findings: list[ImageFinding], code: str
 ) -> None:
-    against = RejectionReason("the base's front edge lies 90 µm off", True, (1,), off_px=off_px)
+    edge = "the front edge of the base lies 90 µm off"
+    against = RejectionReason(edge, True, (1,), off_px=off_px)
     refusal = contradiction_error(plain.block, against, findings, 3.0)
     assert refusal.code == code
     assert ("focus the camera" in str(refusal.remedy)) == (code == "object-unclear")

@@ -51,7 +51,7 @@ def test_an_encoder_that_slipped_is_refused_until_the_arm_connects_again(
         assert judge.newest is not None
         said = f"joint J3 jumped by {degrees:.1f}° and stayed there"
         assert str(judge.newest.error.what) == said
-        assert "reference and switch the arm off and on" in str(judge.newest.error.remedy)
+        assert "reference position and switch the arm off and on" in str(judge.newest.error.remedy)
         judge.forget_place()
         assert len(judge.filter(readings[again:])) + len(judge.flush()) == len(q) - again
 

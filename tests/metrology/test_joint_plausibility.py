@@ -56,7 +56,7 @@ def test_a_frozen_encoder_is_found_and_nothing_of_it_passes() -> None:
     assert judge.newest is not None
     assert judge.first is not None
     assert (judge.first.kind, judge.first.joint) == ("frozen", "J5")
-    assert f"{EQUAL_FROZEN} readings in a row" in judge.newest.error.line
+    assert f"{EQUAL_FROZEN} consecutive readings" in judge.newest.error.line
     assert judge.impossible == 0
     assert not set(passed) & set(range(2001, 3000))
     assert passed[-1] == 3999
@@ -91,7 +91,7 @@ def test_one_wrong_reading_is_left_out_alone() -> None:
     assert judge.impossible == len(wrong)
     assert not set(passed) & set(wrong.tolist())
     assert judge.first is not None
-    assert "90.0° from where it can be" in judge.first.error.line
+    assert "90.0° away from where it can be" in judge.first.error.line
 
 
 def test_readings_outside_the_limits_are_left_out_and_named() -> None:
@@ -111,7 +111,7 @@ def test_no_number_is_no_reading() -> None:
     q[50, 5] = np.nan
     judge, passed = judged(samples(q), None)
     assert judge.newest is not None
-    assert str(judge.newest.error.what) == "joint J6 reads no number"
+    assert str(judge.newest.error.what) == "the reading of joint J6 is not a number"
     assert len(passed) == 99
 
 

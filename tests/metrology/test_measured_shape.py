@@ -91,7 +91,7 @@ def test_the_jacobian_is_the_change_of_the_distances() -> None:
 def test_what_is_no_cylinder_is_refused() -> None:
     rng = np.random.default_rng(3)
     flat = np.column_stack([rng.uniform(-20, 20, (500, 2)), np.zeros(500)])
-    with pytest.raises(OperationError, match="fix no cylinder"):
+    with pytest.raises(OperationError, match="do not determine a cylinder"):
         fit_cylinder(flat)
     with pytest.raises(OperationError, match="at least 5"):
         fit_cylinder(flat[:4])

@@ -156,7 +156,7 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             "4.2 µm",
             "Operator: Anna",
             "Approved",
-            "Every file has the content that the result was made from.",
+            "Every file has the content that the result was computed from.",
         ):
             assert reported in text, reported
     assert all(one.sha256 in shown and one.file in shown for one in record.inputs)
@@ -170,7 +170,7 @@ def test_a_pose_without_its_laser_line_is_marked(folder: Path, tmp_path: Path) -
     copy = tmp_path / "copy"
     shutil.copytree(folder, copy)
     calibration = json.loads((copy / "calibration.json").read_text())
-    reason = "its laser line was left out, 2 mm off the plane of the others"
+    reason = "its laser line was excluded, 2 mm off the plane of the others"
     pose = calibration["poses"][0]
     pose.update(reason=reason, stripe_rms_px=0.0, stripe_points=0, stripe_off_px=[])
     (copy / "calibration.json").write_text(json.dumps(calibration))
@@ -184,7 +184,7 @@ def test_a_pose_without_its_laser_line_is_marked(folder: Path, tmp_path: Path) -
 def test_its_pictures_are_in_both_forms(folder: Path) -> None:
     shown = render_report(folder, ".html").decode()
     for title in (
-        "Residuals of the contacts on the object",
+        "Residuals of the contact points on the object",
         "Residuals of pose 0 in its image",
         "Residuals of pose 1 in its image",
         "Uncertainty over the measuring volume",
@@ -229,7 +229,7 @@ def test_changed_inputs_are_marked(folder: Path, tmp_path: Path) -> None:
     with open(own / "probing.csv", "a") as table:
         table.write("\n")
     shown = english_page(own).decode()
-    assert "1 of these files is not what the result was made from" in shown
+    assert "1 of these files differs from what the result was computed from" in shown
     (own / ACCEPTANCE).unlink()
     assert "was not accepted at a station" in english_page(own).decode()
 
@@ -264,7 +264,7 @@ def test_an_arm_checks_report(tmp_path: Path) -> None:
         "0.0710 mm",
         "≤ 60 µm",
         "Ben",
-        "Not to standard",
+        "Not according to a standard",
     ):
         assert reported in printed, reported
     assert render_report(tmp_path, ".pdf") == render_report(tmp_path, ".pdf")
@@ -344,7 +344,7 @@ def test_an_identifications_report(tmp_path: Path) -> None:
     )
     assert "changed" in text_of(render_report(tmp_path, ".pdf"))
     write_arm(identified, ARM)
-    with pytest.raises(OperationError, match="has no identification"):
+    with pytest.raises(OperationError, match="contains no identification"):
         folder_report(tmp_path)
 
 
@@ -357,7 +357,7 @@ def test_a_verifications_report(tmp_path: Path) -> None:
     )
     printed = text_of(render_report(tmp_path, ".pdf"))
     shown = html.unescape(render_report(tmp_path, ".html").decode())
-    for reported in ("Pass", "Error of the radius", "−20.0 µm", "± 6.0 µm", "Not to standard"):
+    for reported in ("Pass", "Radius error", "−20.0 µm", "± 6.0 µm", "Not according to a standard"):
         assert reported in printed, reported
     assert "Verification on a gauge sphere" in shown
     assert "cloud by cloud" in shown
@@ -366,7 +366,7 @@ def test_a_verifications_report(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_a_record_has_no_report(tmp_path: Path) -> None:
-    with pytest.raises(OperationError, match="has no record"):
+    with pytest.raises(OperationError, match="contains no record"):
         render_report(tmp_path, ".pdf")
     with pytest.raises(OperationError, match="no such folder"):
         render_report(tmp_path / "nowhere", ".pdf")

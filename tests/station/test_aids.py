@@ -54,7 +54,7 @@ def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
     soft = focus_aid(measure_image_quality(picture(180, blur_px=3.0)))
     assert soft is not None
     assert soft.quality == "attention"
-    assert "wanted" in str(soft.words)
+    assert "allowed" in str(soft.words)
     # the aid and the finding report the same width
     (finding,) = image_findings(picture(180, blur_px=3.0))
     assert f"{soft.value:.0f} px wide" in str(finding.text)
@@ -63,9 +63,9 @@ def test_too_bright_too_dark_and_out_of_focus_say_by_how_much() -> None:
 @pytest.mark.parametrize(
     ("outline", "words"),
     [
-        ([(220, 160, 420, 300)], "Come nearer"),
-        ([(2, 2, 638, 478)], "Go further"),
-        ([(20, 100, 320, 380)], "too far left"),
+        ([(220, 160, 420, 300)], "Move closer"),
+        ([(2, 2, 638, 478)], "Move further"),
+        ([(20, 100, 320, 380)], "too far to the left"),
         ([(160, 100, 480, 380)], ""),
     ],
 )

@@ -102,7 +102,7 @@ def test_a_message_is_logged_with_its_data_and_searched_in_the_readers_language(
     assert book.read("info", "programm", 10) == []
     assert book.read("error", "programm", 10, german) == []
     warning = json.loads((book.folder / FILE).read_text().splitlines()[0])
-    assert warning["text"] == "the whole program stood still for 1.5 s"
+    assert warning["text"] == "the whole program was suspended for 1.5 s"
     assert warning["text_message"]["message_id"] == "log-program-stood-still"
 
 
@@ -120,7 +120,7 @@ def test_a_repeated_message_keeps_its_data(book: LogStore) -> None:
         log.warning(message("log-program-stood-still", duration=quantity(1.5, "s", 1)))
     written(book, 4)
     newest = book.read("info", "", 1)[0].text
-    assert str(newest).startswith("the whole program stood still for 1.5 s (10 of these since ")
+    assert str(newest).startswith("the whole program was suspended for 1.5 s (10 of these since ")
     assert isinstance(newest, MessageList)
 
 
@@ -247,6 +247,7 @@ def test_readings_that_cannot_be_true_are_reported_with_a_remedy() -> None:
     )
     reported = health.readings(3, refusal, 5.0)
     assert reported.quality == "bad"
-    assert str(reported.what) == "3 could not be true, the last 5 s ago: joint J1 reads 1083.0°."
+    expected = "Implausible readings: 3, the last 5 s ago: joint J1 reads 1083.0°."
+    assert str(reported.what) == expected
     assert str(reported.remedy) == "Check its cable."
     assert health.readings(3, refusal, 3600.0).quality == "attention"

@@ -11,7 +11,8 @@ def test_what_was_not_read_is_reported_with_its_reason_for_an_hour() -> None:
     (reported,) = messages(counts, 5.0)
     assert reported.quality == "attention"
     assert str(reported.what) == (
-        "15 messages on the broker were not read: 3 too long, 12 of more stations than are shown."
+        "15 messages on the broker were not read: 3 too long, "
+        "12 from more stations than are displayed."
     )
     assert reported.remedy
 

@@ -64,7 +64,7 @@ def test_a_late_beat_does_not_bring_it_back() -> None:
 def test_only_the_holder_answers_and_lets_go() -> None:
     lease, _, _ = leased()
     lease.act(ANNA)
-    with pytest.raises(OperationError, match="Nobody asks"):
+    with pytest.raises(OperationError, match="Nobody requests"):
         lease.answer(ANNA, give=True)
     lease.ask(BEN)
     for act in (partial(lease.answer, BEN, give=True), partial(lease.release, BEN)):

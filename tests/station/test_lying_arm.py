@@ -127,7 +127,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         true_rad = simulation.joints(window.stamps_ns)
         assert np.abs(window.q_rad - true_rad).max() < np.radians(0.2)
         assert scanner.stop() is not None
-        assert any("could not be true" in str(one.text) for one in scanner.state().findings)
+        assert any("implausible" in str(one.text) for one in scanner.state().findings)
     finally:
         simulation.arm_faults.clear()
         scanner.close()

@@ -51,7 +51,7 @@ def test_dark_and_bright_pictures_give_no_points_and_say_so(
 ) -> None:
     scanner.start("blind")
     bench.picture = np.full((HEIGHT, WIDTH), level, np.uint8)
-    until(lambda: any("No line is seen" in str(one.text) for one in scanner.state().findings))
+    until(lambda: any("No laser line" in str(one.text) for one in scanner.state().findings))
     points = scanner.state().points
     bench.picture = None
     until(lambda: scanner.state().points > points)

@@ -137,7 +137,7 @@ def test_the_exposure_is_set_and_found_from_the_line(
     assert operator.view().exposure_us == kept.settings.exposure_us
     bench.picture = np.full((HEIGHT, WIDTH), 3, np.uint8)
     held = bench.exposure_us
-    with pytest.raises(OperationError, match="no line is seen"):
+    with pytest.raises(OperationError, match="no laser line is visible"):
         operator.expose_by_the_line()
     assert bench.exposure_us == held
     rig.sensor.set_laser(False)
@@ -233,7 +233,7 @@ def test_a_delay_that_is_applied_already_stays(
 def test_a_delay_that_cannot_be_found_is_said(
     operator: OperatorSettings, bus: Bus, tmp_path: Path
 ) -> None:
-    with pytest.raises(OperationError, match="No delay was found"):
+    with pytest.raises(OperationError, match="No delay has been determined"):
         operator.use_delay(True)
     nowhere = tmp_path / "nothing"
 

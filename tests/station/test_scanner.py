@@ -188,14 +188,14 @@ def test_what_forbids_a_scan_is_said(scanner: Scanner, bench: Bench, rig: Rig) -
     scanner.set_calibration(calibration())
     bench.arm_plugged = False
     until(lambda: not rig.arm.fresh)
-    with pytest.raises(OperationError, match="the arm sends nothing"):
+    with pytest.raises(OperationError, match="the arm sends no data"):
         scanner.start("no")
     assert not bench.laser_on
 
 
 def test_one_scan_at_a_time(scanner: Scanner) -> None:
     scanner.start("one")
-    with pytest.raises(OperationError, match="a scan is running already"):
+    with pytest.raises(OperationError, match="a scan is already running"):
         scanner.start("two")
     assert scanner.stop() is not None
     assert scanner.stop() is None

@@ -185,11 +185,11 @@ def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(
     (fitted,) = view_bench.viewing.state().fits
     assert not fitted.every
     figures = {str(figure.label): figure for figure in fitted.figures}
-    assert figures["Tilt from level"].value == pytest.approx(0, abs=0.02)
-    assert figures["From the arm's zero"].value == pytest.approx(0, abs=0.05)
+    assert figures["Tilt from horizontal"].value == pytest.approx(0, abs=0.02)
+    assert figures["Distance from the arm's origin"].value == pytest.approx(0, abs=0.05)
     assert figures["Normal Z"].value == pytest.approx(1)
     # one batch of points is one moment: too little for an uncertainty
-    assert figures["From the arm's zero"].uncertainty is None
+    assert figures["Distance from the arm's origin"].uncertainty is None
 
 
 def test_deviations_are_from_the_last_fit_and_end_with_it(view_bench: ViewBench) -> None:
@@ -262,7 +262,7 @@ def test_a_cloud_that_is_gone_or_spoilt_is_said_and_leaves_nothing(view_bench: V
     file.write_bytes(file.read_bytes()[:-20_000])
     view_bench.viewing.show(scan)
     until(lambda: bool(view_bench.reported()))
-    assert "Ball cannot be shown" in view_bench.reported()[-1]
+    assert "Ball cannot be displayed" in view_bench.reported()[-1]
     assert not view_bench.viewing.state().scans
     file.unlink()
     with pytest.raises(OperationError, match="not in the data folder"):

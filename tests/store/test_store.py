@@ -176,7 +176,7 @@ def test_another_programs_database_is_left_alone(tmp_path: Path, version: int) -
 
 def test_a_folder_in_the_databases_place_is_named(tmp_path: Path) -> None:
     (tmp_path / "station.db").mkdir()
-    with pytest.raises(OperationError, match="cannot be read as a station's database"):
+    with pytest.raises(OperationError, match="cannot be read as a station database"):
         Store(tmp_path)
 
 

@@ -68,7 +68,7 @@ def test_a_verdict_is_english_with_its_message_next_to_it(tmp_path: Path) -> Non
     database = sqlite3.connect(tmp_path / "station.db")
     ((figures,),) = database.execute("SELECT figures FROM verification").fetchall()
     database.close()
-    assert json.loads(figures)["text"] == "the file was cut off"
+    assert json.loads(figures)["text"] == "the file is incomplete"
 
 
 def test_a_key_that_was_used_keeps_nothing_twice(tmp_path: Path) -> None:

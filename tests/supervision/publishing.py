@@ -27,7 +27,7 @@ DEVICE = DeviceReport(
 )
 IDLE = ActivityReport(
     kind="idle",
-    title="Nothing runs",
+    title="Nothing is running",
     step=0,
     steps=0,
     progress="",

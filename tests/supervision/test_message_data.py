@@ -114,7 +114,7 @@ def test_reports_are_shown_with_messages_and_published_with_both() -> None:
     fleet.take("a", "report", payload, False)
     view = fleet.stations()[0].model_dump(mode="json")["report"]
     assert view["devices"][0]["text"] == message_data(SILENT)
-    assert view["activity"]["title"] == "Nothing runs"
+    assert view["activity"]["title"] == "Nothing is running"
     assert "_message" not in json.dumps(dict.fromkeys(_names(view)))
 
 

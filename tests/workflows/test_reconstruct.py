@@ -113,7 +113,7 @@ def test_frames_without_joints_are_counted_and_named(tmp_path: Path) -> None:
     result, points = rebuilt(tmp_path)
     assert (result.frames, result.frames_without_joints) == (2, 3)
     assert result.first_without_joints_s == pytest.approx(0.15)
-    assert "3 of 5 frames left out" in str(result.warnings[0])
+    assert "3 of 5 frames excluded" in str(result.warnings[0])
     np.testing.assert_allclose(points, expected([50 * MS, 350 * MS]), atol=1e-8)
 
 
@@ -137,7 +137,7 @@ def test_readings_that_cannot_be_true_are_left_out_and_reported(tmp_path: Path) 
         record_stripe(writer, 102 * MS)
     result, points = rebuilt(tmp_path)
     assert len(result.warnings) == 1
-    assert "1 joint sample left out that cannot be true, 0.102 s" in str(result.warnings[0])
+    assert "1 implausible joint sample excluded, 0.102 s" in str(result.warnings[0])
     assert "oint J1 reads" in str(result.warnings[0])
     np.testing.assert_allclose(points, expected([102 * MS]), atol=1e-8)
 
@@ -161,7 +161,7 @@ def test_a_cut_recording_gives_the_points_before_the_cut(tmp_path: Path) -> None
     whole = (tmp_path / "whole.mcap").read_bytes()
     (tmp_path / "scan.mcap").write_bytes(whole[: len(whole) * 2 // 3])
     result, points = rebuilt(tmp_path)
-    assert "is cut off" in str(result.cut)
+    assert "is incomplete" in str(result.cut)
     assert result.cut in result.warnings
     assert 60 < result.frames < 199
     np.testing.assert_allclose(points, expected(stamps[: result.frames]), atol=1e-8)
@@ -182,7 +182,7 @@ def test_no_joints_around_any_frame_is_refused(tmp_path: Path) -> None:
     with RecordingWriter(tmp_path / "scan.mcap", NAMES) as writer:
         joints_every(writer, 0, 100 * MS, 4 * MS)
         record_stripe(writer, 500 * MS)
-    assert "no joints around any frame's stamp" in refusal_of(tmp_path).line
+    assert "no joint samples around the time stamp of any frame" in refusal_of(tmp_path).line
 
 
 def test_a_recording_that_lacks_something_is_refused(tmp_path: Path) -> None:
@@ -234,7 +234,7 @@ def test_files_that_do_not_belong_together_are_refused(
     [
         (NAMES[:5], [0.0] * 5, "5 joints"),
         (("J1", "J2", "J3", "J4", "J5", "wrist"), [0.0] * 6, "wrist"),
-        (NAMES, np.rad2deg(q_at(0)), "degrees where radians"),
+        (NAMES, np.rad2deg(q_at(0)), "degrees, but radians"),
         (NAMES, [0, 0, 0, 3.2, 0, 0], "joint J4"),
     ],
 )
@@ -259,9 +259,9 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
     assert (result.frame_holes, result.clock_jumps) == (1, 1)
     assert result.frames_without_joints == 7
     said = " ".join(map(str, result.warnings))
-    assert "7 of 57 frames left out" in said
+    assert "7 of 57 frames excluded" in said
     assert "0 before the first or after the last sample, 7 in gaps" in said
-    assert "about 3 frames are missing in 1 place, the longest 32.0 ms, 0.172 s" in said
+    assert "about 3 frames are missing in 1 gap, the longest 32.0 ms, 0.172 s" in said
     assert "the clock of the joint samples jumps once, 0.100 s" in said
 
 

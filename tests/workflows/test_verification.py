@@ -46,7 +46,7 @@ RECORD: dict[str, Any] = {
     "figures": [
         {
             "name": "radius_error",
-            "title": "Error of the radius",
+            "title": "Radius error",
             "unit": "µm",
             "value": -20.0,
             "expanded_uncertainty": 6.0,

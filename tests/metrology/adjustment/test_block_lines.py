@@ -63,7 +63,7 @@ def test_one_line_off_the_others_plane_is_named_and_left_out(
     assert (said.quality, said.pose) == ("attention", inputs.observations[place].number)
     of_pose = next(pose for pose in result.poses if pose.number == said.pose)
     assert of_pose.used
-    assert "its laser line was left out" in str(of_pose.reason)
+    assert "its laser line was excluded" in str(of_pose.reason)
     assert of_pose.stripe_points == 0
     assert apart_um(result, found) < found.uncertainty.total_um
     assert about(result, "laser-plane")[0].quality == "good"
@@ -109,7 +109,7 @@ def test_lines_in_two_planes_are_refused(inputs: BlockInputs) -> None:
     with pytest.raises(OperationError) as caught:
         calibrate_block(shifted(inputs, {4, 5, 6, 7}, 30.0))
     assert caught.value.code == "lines-contradict"
-    assert "each laser picture is of its own pose" in str(caught.value.remedy)
+    assert "each laser picture belongs to its pose" in str(caught.value.remedy)
 
 
 def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: BlockInputs) -> None:
@@ -119,4 +119,4 @@ def test_a_laser_that_drifts_is_said_not_to_lie_in_one_plane(inputs: BlockInputs
     ]
     result = calibrate_block(replace(inputs, observations=tuple(seen)))
     assert about(result, "laser-plane")[0].quality == "attention"
-    assert "the laser sits firmly" in str(about(result, "laser-plane")[0].remedy)
+    assert "the laser is mounted firmly" in str(about(result, "laser-plane")[0].remedy)

@@ -136,7 +136,7 @@ def test_an_object_moved_after_it_was_touched_is_distinguished_from_the_tip(
     assert (
         f"object {shift_mm:.1f}" in str(reported.text)
         if shift_mm
-        else "object turned by" in str(reported.text)
+        else "object is rotated by" in str(reported.text)
     )
 
 

@@ -160,7 +160,7 @@ def test_the_advised_pose_helps_more_than_the_same_again(
     move = pose_delta(advice[0].T_obj_cam, advice[-1].T_obj_cam, inputs.block)
     assert "°" in str(move.words)
     none = pose_delta(advice[0].T_obj_cam, advice[0].T_obj_cam, inputs.block)
-    assert str(none.words) == "hold as it is"
+    assert str(none.words) == "keep this pose"
 
 
 def test_touches_are_asked_for_until_the_target_is_reached(
