@@ -68,7 +68,7 @@ def report_errors(command: Callable[P, None]) -> Callable[P, None]:
         except Exception as error:
             if sys.flags.dev_mode:
                 raise
-            fail(f"a fault of the program: {type(error).__name__}: {error}. Please report it.")
+            fail(f"internal error: {type(error).__name__}: {error}. Please report it.")
 
     return guarded
 

@@ -79,9 +79,9 @@ def _build_part(redactor: Redactor, make: Callable[[], str]) -> str:
     try:
         return make()
     except Exception as error:
-        log.warning("a part of the support bundle cannot be made", exc_info=error)
+        log.warning("a part of the support bundle could not be created", exc_info=error)
         text = "".join(traceback.format_exception(error))
-        return redactor.text(f"This part cannot be made.\n{text[-LONGEST_ERROR:]}")
+        return redactor.text(f"This part could not be created.\n{text[-LONGEST_ERROR:]}")
 
 
 def _health(context: Context) -> Health:

@@ -498,8 +498,8 @@ cloud-holds-usable-points =
 cloud-name-proposal = Name it { $name }
 cloud-no-points-lie-rms-off =
     { $shape ->
-        [sphere] The cloud is not a sphere: its points deviate by { $rms } rms
-       *[plane] The cloud is not a plane: its points deviate by { $rms } rms
+        [sphere] The cloud is not a sphere (its points deviate by { $rms } rms)
+       *[plane] The cloud is not a plane (its points deviate by { $rms } rms)
     }
 cloud-no-use = Cloud { $number } cannot be used.
 cloud-not-as-scan-wrote-it = { $path } is not in the form that a scan writes
@@ -1488,7 +1488,7 @@ no-position-block-brings-them-onto = no position of this block puts them on it
 no-readable-figures = { $name } has no readable figures
 no-reason-given = No reason is stated
 no-seat-taken-yet = No place has been measured yet.
-no-seated-tip-does-points-another = a seated tip does not do that: points of another place are among them, or the file belongs to another arm
+no-seated-tip-does-points-another = a seated tip does not; points of another place are among them, or the file belongs to another arm
 no-serial-port-named = There is no serial port { $url }
 no-serial-port-plugged = No serial port is connected.
 no-single-contact-fault = no single contact point is the cause
@@ -2145,7 +2145,7 @@ sphere-named = sphere { $name }
 sphere-of-unknown-uncertainty = Ø { $diameter }, uncertainty not stated
 spheres = Spheres
 spheres-held-out = Spheres, cross-validated
-spheres-seen-against-their-diameters-tips = with a tip of { $diameter }, the spheres measure { $excess } (± { $uncertainty }) relative to their stated diameters
+spheres-seen-against-their-diameters-tips = with a tip of { $diameter }, the spheres differ from their stated diameters by { $excess } (± { $uncertainty })
 spheres-seen-than-stated-tips-diameter =
     { $sign ->
         [larger] the spheres measure { $excess } larger than stated: the tip's diameter may be { $diameter }

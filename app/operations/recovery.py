@@ -83,7 +83,7 @@ class Recovery:
         try:
             found = sorted(self._scans.iterdir())
         except OSError as error:
-            log.warning("scans are not looked through: %s", error)
+            log.warning("scans are not searched: %s", error)
             return
         for folder in found:
             try:

@@ -39,15 +39,15 @@ PORT_REMEDIES: dict[int | None, str] = {
     errno.EACCES: "Choose a port from 1024 on with --port",
 }
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
-ELSEWHERE = "Other machines reach it by its address, or by a name that hosts in station.toml has."
+ELSEWHERE = "Other machines reach it by its address, or by a name in hosts of station.toml."
 NETWORK_WORDS: dict[Network, list[str]] = {
     "here": [],
     "encrypted": [ELSEWHERE],
     "proxied": [],
     "open": [
         ELSEWHERE,
-        "Nothing is encrypted: whoever is on the network can read passwords. Name tls_certificate "
-        "and tls_key in station.toml, or put a proxy before it and name that in proxies.",
+        "Nothing is encrypted: anyone on the network can read passwords. Set tls_certificate "
+        "and tls_key in station.toml, or put a proxy in front and name it in proxies.",
     ],
 }
 
@@ -66,7 +66,7 @@ def listen(host: str, port: int, tries: int) -> socket.socket:
             reason, number = error.strerror or str(error), error.errno
             continue
         if offset:
-            print(f"Port {port} is in use; taking {port + offset}.", file=sys.stderr)
+            print(f"Port {port} is in use; using {port + offset}.", file=sys.stderr)
         return listening
     raise OperationError(
         "port",
@@ -141,9 +141,9 @@ def make_server(app: ASGIApp, serving: Serving = LOCAL) -> "StationServer":
         raise OperationError(
             "tls",
             f"{serving.tls_certificate} and {serving.tls_key} cannot be used",
-            "they are no certificate with its key in PEM format"
+            "they are not a certificate and its key in PEM format"
             + (f" ({error.reason})" if error.reason else ""),
-            "Give the certificate, with those that vouch for it, and its own key",
+            "Give the certificate with its chain, and its own key",
         ) from error
     return StationServer(config)
 
@@ -158,8 +158,8 @@ def _check_key(serving: Serving) -> None:
             raise OperationError(
                 "tls",
                 f"{file} cannot be used",
-                "it is locked by a password, and nobody is there to give it",
-                "Give the key without one, readable by the station alone",
+                "it is encrypted, and there is nobody to enter its password",
+                "Give the key without a password, readable only by the station",
             )
 
 

@@ -225,7 +225,7 @@ def run(
         print(f"Ready after {seconds:.1f} s.", flush=True)
         if context.authenticator.first_start:
             print(
-                f"Nobody can sign in yet. The code {code} makes the first administrator there.",
+                f"Nobody can sign in yet. The code {code} creates the first administrator there.",
                 flush=True,
             )
         on_ready(context)

@@ -24,7 +24,7 @@ WORDS = {
 }
 """Of what does not fit; the rest says it well enough."""
 PATTERN_WORDS = {
-    "address": "it must begin with http:// or https:// and name a machine",
+    "address": "it must begin with http:// or https:// and name a host",
     "prefix": "it must be words with / between them, without spaces, # and +",
     "station": "it must be small letters, digits and hyphens, 40 at most",
 }
@@ -42,7 +42,7 @@ def read_settings(path: Path | None) -> Settings:
         raise OperationError(
             "settings-missing",
             f"{path}: there is no such file",
-            "it says which arm and which sensor are connected",
+            "it states which arm and which sensor are connected",
             "Write one as docs/operating.md shows, name another with --config, or try crenel demo",
         )
     with convert_io_errors(path):
@@ -66,7 +66,7 @@ def _invalid(path: Path, error: ValidationError) -> OperationError:
         return OperationError("settings-key-missing", f"{named} is missing", remedy=remedy)
     if first["type"] == "extra_forbidden":
         return OperationError(
-            "settings-key-unknown", f"{named} is not known", remedy="Correct its name"
+            "settings-key-unknown", f"{named} is unknown", remedy="Correct its name"
         )
     words = WORDS.get(first["type"])
     if first["type"] == "string_pattern_mismatch":

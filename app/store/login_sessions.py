@@ -63,7 +63,7 @@ class LoginSessionStore:
         except OperationError as error:  # a full disk keeps nobody out; the next start does
             if error.code != NOT_SAVED:
                 raise
-            log.warning("a sign-in is kept in memory alone: %s", error.why)
+            log.warning("a sign-in is kept only in memory: %s", error.why)
             self._in_memory[token_digest(token)] = account, now
         return token
 

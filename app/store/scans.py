@@ -51,7 +51,7 @@ class ScanStore:
         except OperationError as error:
             if error.code != NOT_SAVED:
                 raise
-            log.warning("scan %s waits to be listed: %s", scan.id, error.why)
+            log.warning("scan %s is not listed yet: %s", scan.id, error.why)
             with self._lock:
                 self._waiting[scan.id] = scan
 

@@ -193,7 +193,7 @@ def test_a_station_over_tls(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("keys", "reported"),
     [
-        ('tls_certificate = "none.pem"', "tls_certificate is given alone"),
+        ('tls_certificate = "none.pem"', "tls_certificate is given without the other"),
         ('tls_certificate = "none.pem"\ntls_key = "none.pem"', "there is no such file"),
         ('tls_certificate = "picture.png"\ntls_key = "picture.png"', "no certificate"),
     ],

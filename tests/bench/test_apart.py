@@ -22,7 +22,7 @@ def _silent(pipe: Connection) -> None:
 
 def test_a_station_that_ends_is_reported() -> None:
     with (
-        pytest.raises(OperationError, match="the station under test does not answer"),
+        pytest.raises(OperationError, match="the station under test does not respond"),
         apart.run_in_process(_gone) as (pipe, _),
     ):
         list(iter(pipe.recv, None))

@@ -101,7 +101,7 @@ def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
 
     monkeypatch.setattr("app.api.support.build_report", broken)
     files = bundled(context)
-    assert files["report.json"].startswith("This part cannot be made.\n")
+    assert files["report.json"].startswith("This part could not be created.\n")
     assert "IndexError: in DATA" in files["report.json"]
     assert json.loads(files["health.json"])["items"]
     assert len(files) >= 9

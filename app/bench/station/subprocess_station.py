@@ -30,21 +30,21 @@ def stuck_error(what: str, patience_s: float = PATIENCE_S) -> OperationError:
         "bench-stuck",
         f"Nothing was measured: {what}",
         f"nothing came of it in {patience_s:.0f} s",
-        "run it again when the machine has less to do",
+        "run it again when the machine is less busy",
     )
 
 
 @contextlib.contextmanager
 def convert_connection_errors() -> Iterator[None]:
-    """Says so where the station under test does not answer, or has gone."""
+    """Says so where the station under test does not respond, or has gone."""
     try:
         yield
     except (httpx.TransportError, ConnectionClosed, EOFError, BrokenPipeError) as error:
         raise OperationError(
             "bench-broken",
-            "Nothing was measured: the station under test does not answer",
+            "Nothing was measured: the station under test does not respond",
             str(error) or type(error).__name__,
-            "run it again when the machine has less to do",
+            "run it again when the machine is less busy",
         ) from error
 
 

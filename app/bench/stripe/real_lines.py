@@ -65,12 +65,12 @@ def _pictures(folder: Path) -> list[Grey]:
     for path in files:
         image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
         if image is None or image.dtype != np.uint8:
-            raise OperationError("image-unreadable", str(path), "it is no picture of 8 bits")
+            raise OperationError("image-unreadable", str(path), "it is not a picture of 8 bits")
         if image.ndim == 3:
             if np.ptp(image[..., :3].astype(np.int16), axis=2).any():
                 raise OperationError("image-not-grey", str(path), "it is in colour")
             image = image[..., 0]
         pictures.append(np.ascontiguousarray(image, dtype=np.uint8))
     if not pictures:
-        raise OperationError("folder-without-pictures", str(folder), "it holds no pictures")
+        raise OperationError("folder-without-pictures", str(folder), "it contains no pictures")
     return pictures

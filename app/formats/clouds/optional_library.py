@@ -20,9 +20,9 @@ def load_library(path: Path, name: str) -> ModuleType:
         raise OperationError(
             "extra-missing",
             display_path(path),
-            f"{path.suffix.upper().lstrip('.')} files need the package {name}, "
+            f"{path.suffix.upper().lstrip('.')} files require the package {name}, "
             "which is not installed",
-            "Install it with: pip install 'crenel[clouds]'; or take PLY, PCD or XYZ",
+            "Install it with: pip install 'crenel[clouds]'; or use PLY, PCD or XYZ",
         ) from error
 
 
@@ -36,8 +36,8 @@ def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:
         raise OperationError(
             "cloud-not-written",
             display_path(path),
-            f"the disk took no more of it ({first_line(error)})",
-            "Free some space, or choose another place",
+            f"the disk accepts no more data ({first_line(error)})",
+            "Free some space, or choose another location",
         ) from error
 
 

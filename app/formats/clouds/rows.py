@@ -54,6 +54,6 @@ def truncation_error(path: Path, found: int, announced: int) -> OperationError:
     return OperationError(
         "cloud-cut-off",
         f"{display_path(path)} holds {found} of {announced} points",
-        "the file was cut off",
+        "the file is incomplete",
         "Export the cloud again",
     )

@@ -130,7 +130,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
         """The station works with what the session chose."""
 
     def _skip_session(self, session_id: str, error: Exception) -> None:
-        log.warning("session %s cannot be gone on with", session_id, exc_info=error)
+        log.warning("session %s cannot be continued", session_id, exc_info=error)
         self.unreadable_reason = message(
             "session-cannot-read-set-aside", session_id=session_id, error=error
         )

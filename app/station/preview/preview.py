@@ -193,7 +193,7 @@ class Preview:
             try:
                 self._latest = self._picture(frame, sequence)
             except Exception:  # one odd picture must not end the preview
-                log.exception("a preview could not be made")
+                log.exception("a preview could not be created")
                 continue
             self._bus.publish(TOPIC, self._latest)
             time.sleep(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - started_s)))

@@ -229,7 +229,7 @@ class ScanPipeline:
         except OSError as error:
             self.failure = self.failure or error_from_os(error, self._cloud_path)
         except Exception as error:  # the scan ends with a reason, the station lives
-            log.exception("the points of a scan could not be made")
+            log.exception("the points of a scan could not be computed")
             self.failure = _failure_error(error)
         # the stage before ends only when its queue takes all
         while self._next_stripes() is not None:

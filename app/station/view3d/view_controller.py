@@ -244,7 +244,7 @@ class ViewController:
                 "refused", message("cannot-shown", name=scan.name, error=refusal.text), "bad"
             )
         except Exception:
-            log.exception("a cloud could not be shown")
+            log.exception("a cloud could not be displayed")
             self.hide(scan.id)
             self._bus.event("refused", message("cannot-shown-2", name=scan.name), "bad")
         finally:

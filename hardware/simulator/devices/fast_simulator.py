@@ -140,7 +140,7 @@ class FastSensor:
         """It has one exposure only."""
 
     def set_laser(self, on: bool) -> None:
-        raise DeviceError("The swift sensor's laser is always on")
+        raise DeviceError("The fast sensor's laser is always on")
 
     def close(self) -> None:
         """Nothing is held."""
