@@ -185,8 +185,8 @@ def test_its_pictures_are_in_both_forms(folder: Path) -> None:
     shown = render_report(folder, ".html").decode()
     for title in (
         "Residuals of the contact points on the object",
-        "Residuals of pose 0 in its image",
-        "Residuals of pose 1 in its image",
+        "Residuals of pose 0 in its picture",
+        "Residuals of pose 1 in its picture",
         "Uncertainty over the measuring volume",
         "Error budget",
     ):

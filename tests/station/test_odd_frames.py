@@ -21,7 +21,7 @@ __all__ = ["scanner", "scene"]  # fixtures
     ("picture", "words"),
     [
         (np.zeros((HEIGHT // 2, WIDTH), np.uint8), "pictures of 320 × 120 pixels"),
-        (np.zeros((HEIGHT, WIDTH), np.float32), "grey images of 8 to 16 bits"),
+        (np.zeros((HEIGHT, WIDTH), np.float32), "grey pictures of 8 to 16 bits"),
         (np.zeros((HEIGHT, WIDTH, 3), np.uint8), "pictures of 3 × 320 × 240"),
     ],
 )

@@ -220,7 +220,7 @@ def test_a_capture_is_refused_while_the_arm_moves(rig: Rig, bench: Bench) -> Non
     with pytest.raises(OperationError) as refused:
         rig.capture_pair()
     assert refused.value.code == "arm-moving"
-    assert "hold it still" in refused.value.line.lower()
+    assert "hold the arm still" in refused.value.line.lower()
 
 
 def test_a_capture_is_refused_when_the_arm_moved_meanwhile(rig: Rig, bench: Bench) -> None:
