@@ -93,7 +93,7 @@ class _StationCollector(Collector):
         load = self._context.scanner.load()
         running = load is not None
         now = (scan.points, scan.frames, scan.lost_frames) if running else (0, 0, 0)
-        yield _gauge("scan_running", "Whether a scan runs", running)
+        yield _gauge("scan_running", "Whether a scan is running", running)
         yield _counter("scans", "Scans that have ended", watch.scans)
         yield _counter("scan_points", "Points scanned", watch.points + now[0])
         yield _counter("scan_frames", "Frames taken into scans", watch.frames + now[1])
@@ -137,9 +137,15 @@ class _StationCollector(Collector):
         stalls = watch.watchdog.stalls
         yield _gauge("disk_free_bytes", "Free on the disk of the data folder", disk.free)
         yield _gauge("disk_size_bytes", "Size of the disk of the data folder", disk.total)
-        yield _counter("event_loop_stalls", "Times that the event loop was held up", stalls.count)
-        yield _gauge("event_loop_stall_longest_seconds", "The longest of them", stalls.longest_s)
-        yield _counter("program_pauses", "Times that the whole program stood", stalls.pauses)
+        yield _counter("event_loop_stalls", "Times that the event loop was blocked", stalls.count)
+        yield _gauge(
+            "event_loop_stall_longest_seconds",
+            "The longest blocking of the event loop",
+            stalls.longest_s,
+        )
+        yield _counter(
+            "program_pauses", "Times that the whole program was suspended", stalls.pauses
+        )
         yield _counter("events", "Events sent to the browsers", watch.events)
         clients = _family(GaugeMetricFamily, "clients", "Open connections of browsers", "kind")
         clients.add_metric(["live"], watch.tabs)
@@ -168,12 +174,12 @@ class _StationCollector(Collector):
         watch = self._context.monitoring
         celsius = watch.temperature.now.celsius
         if celsius is not None:
-            yield _gauge("temperature_celsius", "Of the room", celsius)
+            yield _gauge("temperature_celsius", "Temperature of the room", celsius)
         if watch.broker is not None:
             connected = watch.broker.state.connected
-            yield _gauge("broker_connected", "Whether the MQTT broker is there", connected)
-        yield _counter("notifications_sent", "Notifications received", watch.webhook.sent)
-        yield _counter("notifications_failed", "Notifications given up", watch.webhook.failed)
+            yield _gauge("broker_connected", "Whether the MQTT broker is connected", connected)
+        yield _counter("notifications_sent", "Notifications delivered", watch.webhook.sent)
+        yield _counter("notifications_failed", "Notifications not delivered", watch.webhook.failed)
         yield _gauge("notifications_waiting", "Notifications not sent yet", watch.webhook.waiting)
 
 

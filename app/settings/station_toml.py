@@ -26,7 +26,7 @@ WORDS = {
 PATTERN_WORDS = {
     "address": "it must begin with http:// or https:// and name a host",
     "prefix": "it must be words with / between them, without spaces, # and +",
-    "station": "it must be small letters, digits and hyphens, 40 at most",
+    "station": "it must be lower-case letters, digits and hyphens, 40 at most",
 }
 
 

@@ -120,7 +120,7 @@ def test_what_a_stranger_sends_is_small(server: Server) -> None:
     with httpx.Client(base_url=server.address, timeout=20.0) as nobody:
         answer = nobody.post("/api/session", content=much(), headers=headers)
     assert answer.status_code == 413
-    assert answer.json()["detail"] == "More than 256 kB were sent."
+    assert answer.json()["detail"] == "The request is larger than 256 kB."
 
 
 def test_what_is_sent_comes_soon(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:

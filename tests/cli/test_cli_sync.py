@@ -114,6 +114,6 @@ def test_a_delay_of_other_devices_is_refused(folder: Path) -> None:
     document = json.loads(output.read_text())
     output.write_text(json.dumps({**document, "arm_serial": "A-2"}))
     line = refused("reconstruct", folder / "scan.mcap", *given(folder), "--sync", output)
-    assert "is of arm A-2" in line
+    assert "belongs to arm A-2" in line
     both = ("--sync", output, "--delay-ms", "1")
     assert crenel("reconstruct", folder / "scan.mcap", *given(folder), *both).exit_code == 2

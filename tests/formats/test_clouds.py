@@ -117,7 +117,7 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
         (b"1 2\n3 4\n", "x y z"),
         (b"1 2 3\n4 5 hello\n", "hello"),
         (b"1 2 3\n4 5e200 6\n", "5e\\+200 mm"),
-        (b"\x00\x01\x02", "no cloud that is known"),
+        (b"\x00\x01\x02", "not a cloud of a known format"),
         (b"ply\nformat ascii 1.0\n", "does not end"),
         (b"ply\nformat morse 1.0\nend_header\n", "format"),
         (b"ply\nformat ascii 1.0\nend_header\n", "no element vertex"),
@@ -127,7 +127,7 @@ def test_xyz_text_is_read(tmp_path: Path, separator: str, head: str) -> None:
         (
             b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n"
             b"end_header\n1 2\n",
-            "two properties of one name",
+            "two properties with the same name",
         ),
         (
             b"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int i\n"

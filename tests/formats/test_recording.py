@@ -264,7 +264,7 @@ def test_rows_with_padding_are_read(tmp_path: Path) -> None:
     [
         (RawImage(width=4, height=3, encoding="rgb8", step=12, data=bytes(36)), "rgb8"),
         (RawImage(width=4, height=3, encoding="mono8", step=4, data=bytes(11)), "11 bytes"),
-        (RawImage(width=4, height=3, encoding="mono16", step=4, data=bytes(99)), "4 a row"),
+        (RawImage(width=4, height=3, encoding="mono16", step=4, data=bytes(99)), "4 per row"),
         (RawImage(width=0, height=3, encoding="mono8", step=0, data=b""), "0 × 3"),
         (CompressedImage(format="png", data=b"\x89PNG\r\n\x1a\n...."), "incomplete"),
         (CompressedImage(format="jpeg", data=b""), "empty"),

@@ -215,7 +215,7 @@ def test_angles_outside_the_limits_are_refused_but_not_at_the_stop(tmp_path: Pat
     edit_text(path, "-84.5", str(np.rad2deg(-3.0) - 0.4))
     assert len(read_contacts(path, ARM).features) == 3
     edit_text(path, str(np.rad2deg(-3.0) - 0.4), str(np.rad2deg(-3.0) - 0.6))
-    with pytest.raises(OperationError, match="turns from −171"):
+    with pytest.raises(OperationError, match="is −171"):
         read_contacts(path, ARM)
 
 

@@ -54,7 +54,7 @@ def bundled(context: Context) -> dict[str, str]:
 
 
 def are_made(files: dict[str, str]) -> bool:
-    return not any(text.startswith("This part cannot be made") for text in files.values())
+    return not any(text.startswith("This part could not be created") for text in files.values())
 
 
 @pytest.mark.parametrize("url", ADDRESSES)

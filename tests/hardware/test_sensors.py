@@ -265,7 +265,7 @@ def test_a_folder_says_which_picture_is_wrong(tmp_path: Path) -> None:
         driver.read(5.0)
     (tmp_path / "g").mkdir()
     cv2.imwrite(str(tmp_path / "g" / "0.tif"), picture(0).astype(np.float32))
-    with pytest.raises(DeviceError, match=r"0\.tif is of float32 numbers"):
+    with pytest.raises(DeviceError, match=r"0\.tif contains float32 numbers"):
         folder.from_options({"path": str(tmp_path / "g")}).open()
 
 

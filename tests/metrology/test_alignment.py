@@ -84,7 +84,7 @@ def test_a_contact_on_a_wrong_face_is_refused_by_name() -> None:
     features, tips = contacts_on(rng, random_pose(rng), noise_mm=0.005)
     features[20] = "crest"  # it was taken on the front face
     found = align(features, tips, TIP_RADIUS_MM, BLOCK)
-    with pytest.raises(OperationError, match=r"contact 21 is labelled crest.*front"):
+    with pytest.raises(OperationError, match=r"contact point 21 is labelled crest.*front"):
         refuse_wrong_faces(found, features, BLOCK)
 
 

@@ -110,7 +110,7 @@ def test_a_single_edge_elsewhere_is_not_called_another_object(plain: RenderedBlo
     )
     refusal = contradiction_error(plain.block, against, [], 0.7)
     assert refusal.code == "object-unclear"
-    assert "merlon 3's crest" in str(refusal.why)
+    assert "the crest of merlon 3" in str(refusal.why)
     assert "shadow" in str(refusal.why)
 
 

@@ -138,7 +138,7 @@ def test_the_distance_of_a_line() -> None:
     assert at_mm.state == "in"
     aid = distance_aid(classify_distance(120.0, (95.0, 108.0)))
     assert aid.quality == "attention"
-    assert str(aid.words) == "Too far: 120 mm, 95 mm to 108 mm wanted"
+    assert str(aid.words) == "Too far: 120 mm, 95 mm to 108 mm required"
 
 
 @pytest.mark.parametrize("upright", [True, False])

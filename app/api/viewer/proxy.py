@@ -126,7 +126,7 @@ async def socket(browser: WebSocket, key: str = "") -> None:
         )
     except (OSError, InvalidHandshake, TimeoutError):
         await browser.accept()
-        await browser.close(TRY_AGAIN_LATER, "the 3D view does not answer")
+        await browser.close(TRY_AGAIN_LATER, "the 3D view does not respond")
         return
 
     known = KEY.fullmatch(key)

@@ -119,7 +119,7 @@ def read_e57(path: Path) -> Cloud:
         with pye57.E57(str(path)) as file:
             scans = [_read_scan(path, pye57.libe57, file, i) for i in range(file.scan_count)]
     except pye57.libe57.E57Exception as error:
-        raise format_error(path, f"it is no whole E57 ({first_line(error)})") from error
+        raise format_error(path, f"it is not a complete E57 file ({first_line(error)})") from error
     if not scans:
         return cloud_from_columns({axis: np.zeros(0) for axis in "xyz"})
     kept = set.intersection(*(set(scan) for scan in scans))

@@ -86,7 +86,7 @@ def read_las(path: Path, file: BinaryIO) -> Cloud:
     except OSError:
         raise
     except Exception as error:  # both libraries and the Rust behind them raise their own
-        why = f"it is no whole LAS or LAZ ({str(error) or type(error).__name__})"
+        why = f"it is not a complete LAS or LAZ file ({str(error) or type(error).__name__})"
         raise format_error(path, why) from error
     columns = {
         name: np.concatenate([piece[name] for piece in pieces]) for name in (pieces or [{}])[0]
@@ -107,7 +107,7 @@ def _check_counts(path: Path, file: BinaryIO) -> None:
         int.from_bytes(head[243:247], "little") * EXTENDED_HEADER if head[25:26] > b"\3" else 0
     )
     if max(records, extended) > size:
-        raise format_error(path, "its header announces more than the file holds")
+        raise format_error(path, "its header announces more than the file contains")
     file.seek(0)
 
 

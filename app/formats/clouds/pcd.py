@@ -93,7 +93,7 @@ def read_pcd(path: Path, file: BinaryIO) -> Cloud:
         count = int(fields["POINTS"][0])
         data = fields["DATA"][0]
     except (KeyError, ValueError, TypeError, IndexError) as error:
-        raise format_error(path, f"its header cannot be understood ({error})") from error
+        raise format_error(path, f"its header is invalid ({error})") from error
     if missing := [axis for axis in "xyz" if axis not in names]:
         raise format_error(path, f"its points have no {', '.join(missing)}")
     if data == "binary":

@@ -74,14 +74,14 @@ def find_vertices(path: Path, file: BinaryIO) -> Vertices:
     words = [line.split() for line in _header_lines(path, file)]
     formats = [line[1] for line in words if line[:1] == ["format"] and len(line) > 1]
     if not formats or formats[0] not in ORDERS:
-        raise format_error(path, "its header names no format that PLY knows")
+        raise format_error(path, "its header names no valid PLY format")
     order = ORDERS[formats[0]]
     bytes_before = lines_before = 0
     for name, count, properties in _elements(path, words):
         if any(kind == "list" for kind, _ in properties):
-            raise format_error(path, f"element {name} before the vertices holds lists")
+            raise format_error(path, f"element {name} before the vertices contains lists")
         if len({field for _, field in properties}) < len(properties):
-            raise format_error(path, f"element {name} has two properties of one name")
+            raise format_error(path, f"element {name} has two properties with the same name")
         layout = np.dtype([(field, order + TYPES[kind]) for kind, field in properties])
         if name == "vertex":
             missing = [axis for axis in "xyz" if axis not in (layout.names or ())]
@@ -134,12 +134,12 @@ def _elements(path: Path, words: list[list[str]]) -> list[tuple[str, int, list[t
     for line in words:
         if line[:1] == ["element"]:
             if len(line) != 3 or not line[2].isdecimal():
-                raise format_error(path, f"its header holds {' '.join(line)!r}")
+                raise format_error(path, f"its header contains {' '.join(line)!r}")
             elements.append((line[1], int(line[2]), []))
         elif line[:1] == ["property"]:
             known = len(line) >= 3 and (line[1] in TYPES or line[1] == "list")
             if not elements or not known:
-                raise format_error(path, f"its header holds {' '.join(line)!r}")
+                raise format_error(path, f"its header contains {' '.join(line)!r}")
             elements[-1][2].append((line[1], line[-1]))
     return elements
 

@@ -53,7 +53,7 @@ def truncation_error(path: Path, found: int, announced: int) -> OperationError:
     """A file that holds fewer points than its header says."""
     return OperationError(
         "cloud-cut-off",
-        f"{display_path(path)} holds {found} of {announced} points",
+        f"{display_path(path)} contains {found} of {announced} points",
         "the file is incomplete",
         "Export the cloud again",
     )

@@ -71,7 +71,7 @@ def _read(path: Path, text: TextIO) -> Cloud:
     text.seek(0)
     lines = [line for line in start.splitlines() if line.strip() and line[0] not in "#/"]
     if not lines or "\0" in start:
-        why = "it is no cloud that is known here" if lines else "it is empty"
+        why = "it is not a cloud of a known format" if lines else "it is empty"
         raise OperationError(
             "cloud-unreadable",
             display_path(path),

@@ -147,7 +147,7 @@ def decompress(chunk: Chunk) -> bytes:
     else:
         raise McapError(f"compression {chunk.compression}")
     if len(data) > announced:
-        raise McapError(f"a chunk of {announced} bytes opens to more")
+        raise McapError(f"a chunk of {announced} bytes decompresses to more")
     if chunk.uncompressed_crc:
         found = zlib.crc32(data)
         if found != chunk.uncompressed_crc:
@@ -158,7 +158,7 @@ def decompress(chunk: Chunk) -> bytes:
 def _unpack_zstd(data: bytes, announced: int) -> bytes:
     stated = zstandard.get_frame_parameters(data).content_size
     if stated not in (announced, zstandard.CONTENTSIZE_UNKNOWN):
-        raise McapError(f"a chunk of {announced} bytes opens to {stated}")
+        raise McapError(f"a chunk of {announced} bytes decompresses to {stated}")
     opener = zstandard.ZstdDecompressor(max_window_size=LARGEST_WINDOW)
     return opener.decompress(data, max_output_size=announced)
 
@@ -167,7 +167,7 @@ def _unpack_lz4(data: bytes, announced: int) -> bytes:
     opener = lz4.frame.LZ4FrameDecompressor()
     opened: bytes = opener.decompress(data, max_length=announced + 1)  # the end mark is behind it
     if not opener.eof:
-        raise McapError(f"a chunk of {announced} bytes is cut off, or opens to more")
+        raise McapError(f"a chunk of {announced} bytes is incomplete, or decompresses to more")
     return opened
 
 

@@ -156,7 +156,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
             try:
                 states.append(self._flow.after(self.state, row))
             except Exception as error:
-                log.exception("a row %s cannot be folded", row.kind)
+                log.exception("a row %s cannot be applied", row.kind)
                 raise OperationError(
                     "not-readable",
                     message("not-saved"),
