@@ -2304,8 +2304,8 @@ temperature = Temperature
 text-has-half-character = one of its texts contains an incomplete character
 than-when-made-beyond-c-due =
     { $how ->
-        [warmer] The temperature is { $difference } higher than when it was made; due beyond { $limit }.
-       *[colder] The temperature is { $difference } lower than when it was made; due beyond { $limit }.
+        [warmer] The temperature is { $difference } higher than at the calibration; due beyond { $limit }.
+       *[colder] The temperature is { $difference } lower than at the calibration; due beyond { $limit }.
     }
 the-is-for =
     { $device ->

@@ -203,7 +203,7 @@ def test_a_topic_of_another_type_is_refused(tmp_path: Path) -> None:
     context = Context()
     with open_mcap(path, context=context):
         RawImageChannel("/arm/joints", context=context).log(RawImage(width=1, height=1))
-    with pytest.raises(OperationError, match=r"/arm/joints holds foxglove\.RawImage"):
+    with pytest.raises(OperationError, match=r"/arm/joints contains foxglove\.RawImage"):
         read(path)
 
 
@@ -212,7 +212,7 @@ def test_json_joints_are_refused(tmp_path: Path) -> None:
     context = Context()
     with open_mcap(path, context=context):
         Channel("/arm/joints", context=context).log({"joints": []})
-    with pytest.raises(OperationError, match="/arm/joints holds"):
+    with pytest.raises(OperationError, match="/arm/joints contains"):
         read(path)
 
 

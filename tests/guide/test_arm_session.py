@@ -215,7 +215,7 @@ def test_a_sphere_is_touched_by_the_button_and_fitted_by_its_distances(arm: Arm)
     assert rejection_reason(state, live, "touch", {}) == ""
     assert rejection_reason(state, live, "finish", {}) == ""
     few = state_after(*rows[:-1], points(q[:5]))
-    assert "at least 8 points" in str(rejection_reason(few, live, "finish", {}))
+    assert "of at least 8" in str(rejection_reason(few, live, "finish", {}))
     view = build_view(state, live)
     assert action_of(view, "touch").primary
     off_um = np.linalg.norm(view.picture.tips_um, axis=1)
@@ -228,7 +228,7 @@ def test_a_sphere_is_touched_by_the_button_and_fitted_by_its_distances(arm: Arm)
 def test_an_artefact_needs_its_size(arm: Arm) -> None:
     live = live_of(arm)
     state = state_after(started("identify"), ("artefact_chosen", {"kind": "bar"}))
-    assert "bar's length" in str(rejection_reason(state, live, "begin", {}))
+    assert "bar's certificate" in str(rejection_reason(state, live, "begin", {}))
     for wrong in ({"size_mm": 1}, {"size_mm": True}, {"standard_uncertainty_mm": 2}):
         assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", **wrong})
     assert rejection_reason(state, live, "choose_artefact", {"kind": "bar", "size_mm": 300}) == ""
@@ -249,7 +249,7 @@ def test_the_view_shows_each_axis_against_the_limit(arm: Arm) -> None:
     assert view.picture.half_range_um == pytest.approx(np.ptp(tips_um, axis=0) / 2)
     assert view.number is not None
     assert view.number.quality == "bad"
-    assert any("7 mm from the seat" in str(finding.text) for finding in view.findings)
+    assert any("7 mm away from the seat" in str(finding.text) for finding in view.findings)
     assert [step.state for step in view.steps] == ["done", "current", "todo"]
     assert len(view.picture.tips_um) == 60
     assert view.picture.joints[5].highest_deg is not None

@@ -287,9 +287,9 @@ def test_a_pose_set_aside_in_the_review_makes_the_result_of_before(
     view, picture = shown(("pose_voided", {"number": 1}))
     assert picture.stale
     assert [pose.state for pose in picture.poses] == ["aside", "used"]
-    assert [str(pose.note) for pose in picture.poses] == ["Set aside", ""]
+    assert [str(pose.note) for pose in picture.poses] == ["Excluded", ""]
     assert [pose.edges_rms_px for pose in picture.poses] == [None, 0.1]
-    assert str(view.findings[0].text).startswith("Pose 1 is set aside")
+    assert str(view.findings[0].text).startswith("Pose 1 is excluded")
     assert action(view, "solve").primary
     assert action(view, "solve").enabled
     assert not [a for a in view.actions if a.name == "accept"]

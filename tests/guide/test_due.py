@@ -65,8 +65,8 @@ def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None
     ("change", "page", "said"),
     [
         ({"calibration": done(31)}, "calibrate", "31 days old"),
-        ({"warmer_c": 3.4}, "calibrate", "3.4 °C warmer"),
-        ({"warmer_c": -5.0}, "calibrate", "5.0 °C colder"),
+        ({"warmer_c": 3.4}, "calibrate", "3.4 °C higher"),
+        ({"warmer_c": -5.0}, "calibrate", "5.0 °C lower"),
         ({"verification": None}, "verify", "older than this calibration"),
         ({"verification": done(8)}, "verify", "8 days old"),
         (

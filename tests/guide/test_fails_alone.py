@@ -141,6 +141,6 @@ def test_figures_that_no_calibration_has_are_set_aside(
         connection.execute("UPDATE calibration SET figures = ?", (figures,))
     assert context.store.calibrations.all() == []
     assert [one.id for one in context.store.calibrations.unreadable()] == [record.id]
-    assert any("cannot be read" in str(text) for text in list_unreadable(context))
+    assert any("is unreadable" in str(text) for text in list_unreadable(context))
     assert build_report(context).calibration is None
     assert all(not item.id.startswith("not-made") for item in HealthChecker(context).look().items)

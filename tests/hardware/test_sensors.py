@@ -295,7 +295,7 @@ def test_a_size_is_not_set_of_a_file(tmp_path: Path) -> None:
 def test_a_size_that_the_camera_has_not_is_refused() -> None:
     server = MjpegServer()
     driver = opencv_camera.from_options({"source": server.url, "width_px": 640})
-    with pytest.raises(DeviceError, match="cannot do width_px = 640; it offers 160"):
+    with pytest.raises(DeviceError, match="does not support width_px = 640; it offers 160"):
         driver.open()
     driver = opencv_camera.from_options({"source": server.url, "exposure_us": 2000.0})
     with pytest.raises(DeviceError, match="does not accept an exposure"):

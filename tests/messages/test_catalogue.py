@@ -88,7 +88,7 @@ def test_lists_join_texts() -> None:
     texts = join([word("front"), quantity(0.5, "mm", 1), "J2.alpha"], "; ")
     assert ENGLISH(texts) == "front; 0.5 mm; J2.alpha"
     assert GERMAN(texts).endswith("; 0,5 mm; J2.alpha")
-    assert ENGLISH(message("take-one", languages=join(["en", "de"]))) == "Take one of en, de"
+    assert ENGLISH(message("take-one", languages=join(["en", "de"]))) == "Choose one of en, de"
     assert ENGLISH(join([])) == ""
 
 
