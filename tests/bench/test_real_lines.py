@@ -36,5 +36,5 @@ def test_a_folder_without_pictures_is_refused(tmp_path: Path) -> None:
     with pytest.raises(OperationError, match="in colour"):
         run(tmp_path)
     (tmp_path / "a.png").write_bytes(b"no picture")
-    with pytest.raises(OperationError, match="no picture of 8 bits"):
+    with pytest.raises(OperationError, match="not a picture of 8 bits"):
         run(tmp_path)

@@ -150,7 +150,7 @@ def test_a_strip_is_too_little_of_a_plane_and_a_bowl_is_none() -> None:
     assert fit_gauge_plane(flat, frame).used > 3900
     with pytest.raises(OperationError, match="strip"):
         fit_gauge_plane(flat * [1.0, 0.05, 1.0], frame)
-    with pytest.raises(OperationError, match="no plane"):
+    with pytest.raises(OperationError, match="not a plane"):
         fit_gauge_plane(np.column_stack([x, y, 0.02 * (x**2 + y**2)]), frame)
 
 
