@@ -33,7 +33,7 @@ def test_identify_writes_the_arm_and_shows_before_and_after(tmp_path: Path, fold
         "Unchanged parameters",
         "µm",
         str(out),
-        "calibrate its sensors",
+        "calibrate the arm's sensors",
     ):
         assert word in result.stdout
     assert read_arm(out) != read_arm(folder / "arm.json")

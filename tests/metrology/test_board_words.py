@@ -180,9 +180,9 @@ def test_the_lines_before_a_laser_moved_are_named_and_left_out() -> None:
     (moved,) = (one for one in found.findings if one.code == "laser-moved")
     assert moved.quality == "attention"
     assert "poses 1, 2 lie" in str(moved.text)
-    assert "left out" in str(moved.text)
+    assert "excluded" in str(moved.text)
     assert "warm up" in str(moved.remedy)
-    assert [pose.number for pose in found.poses if "left out" in str(pose.reason)] == [1, 2]
+    assert [pose.number for pose in found.poses if "excluded" in str(pose.reason)] == [1, 2]
     assert error_um(found) < 3 * found.uncertainty.total_um < 900
 
 
