@@ -96,7 +96,7 @@ def test_a_size_that_is_slightly_wrong_is_flagged(given: BoardInputs, contacts: 
     wrong = replace(PAPER_BOARD, square_mm=10.2)
     size = finding(replace(given, board=wrong, contact_readings=touched), "board-size")
     assert size.quality == "bad"
-    assert "the certificate 10.2 mm" in str(size.text)
+    assert "the certificate states 10.2 mm" in str(size.text)
 
 
 def test_a_certificate_that_promises_too_much_is_seen(given: BoardInputs) -> None:
