@@ -1,318 +1,318 @@
 abandon = Abbrechen
-abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die Kalibrierung in Gebrauch bleibt, wie sie ist.
-abandoned = sie abgebrochen
+abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die verwendete Kalibrierung bleibt unverändert.
+abandoned = Sitzung abgebrochen
 about-missing-places-longest-start =
     { $stream ->
         [joints]
-            etwa { $missing } Gelenkwerte fehlen an { $holes ->
+            es fehlen etwa { $missing } Gelenkwerte an { $holes ->
                 [one] { $holes } Stelle
                *[other] { $holes } Stellen
-            }, die längste { $longest }, { $at } nach dem Beginn
+            }, die längste { $longest } lang, { $at } nach Beginn
        *[frames]
-            etwa { $missing } Bilder fehlen an { $holes ->
+            es fehlen etwa { $missing } Bilder an { $holes ->
                 [one] { $holes } Stelle
                *[other] { $holes } Stellen
-            }, die längste { $longest }, { $at } nach dem Beginn
+            }, die längste { $longest } lang, { $at } nach Beginn
     }
-accept-calibration = Kalibrierung annehmen
+accept-calibration = Diese Kalibrierung annehmen
 accept-verification = Diese Verifizierung annehmen
 accepted = Angenommen
-accepted-result = das Ergebnis angenommen
+accepted-result = Ergebnis angenommen
 account-has-no-name = Das Konto hat keinen Namen
-account-name-length = 1 bis { $most } Buchstaben, Ziffern und Zeichen
-account-taken = Ein Konto { $name } gibt es schon
+account-name-length = Zulässig sind 1 bis { $most } Buchstaben, Ziffern und Zeichen
+account-taken = Das Konto { $name } gibt es bereits
 across-mm = quer, mm
-act-failed = gescheitert
+act-failed = fehlgeschlagen
 act-with-detail = { $act }: { $detail }
-add-exposure-us-line = Eine Zeile exposure_us = … hinzufügen
-add-line = Eine Zeile { $key } = … hinzufügen
-add-picture-delete-pose = Das Bild ergänzen oder die Pose löschen
-add-pictures-turned-about-another-axis = Bilder hinzufügen, die um eine andere Achse gedreht sind
-added-account = ein Konto angelegt
+add-exposure-us-line = Zeile exposure_us = … hinzufügen
+add-line = Zeile { $key } = … hinzufügen
+add-picture-delete-pose = Bild ergänzen oder Pose löschen
+add-pictures-turned-about-another-axis = Bilder aufnehmen, die um eine andere Achse gedreht sind
+added-account = Konto angelegt
 address-none-message-can-sent = An diese Adresse lässt sich keine Nachricht senden
 adjusting-all-poses-together = Alle Posen werden gemeinsam ausgeglichen
 after = Nachher
 after-advised-pose = { $then } nach der empfohlenen Pose
-after-few-more-touches = nach einigen weiteren Antastungen
+after-few-more-touches = nach einigen weiteren Antastpunkten
 after-mark = nachher
 after-three-points-three-faces = nach drei Punkten auf drei Flächen
-against-limits = Gegen die Grenzen
-against-use-before-points-measuring-volume = Gegen { $name }, vorher in Gebrauch: Punkte des Messvolumens wanderten um { $rms } ({ $rms_mm }) rms, höchstens um { $largest } ({ $largest_mm }).
-ages-calibrations-order-records-go-measuring = Das Alter von Kalibrierungen und die Ordnung im Archiv richten sich danach; das Messen nicht.
-all-corners-lie-one-level-z = alle { $points } Ecken liegen auf einer Ebene, z = { $z }
+against-limits = Vergleich mit den Grenzwerten
+against-use-before-points-measuring-volume = Gegenüber der zuvor verwendeten { $name }: Punkte im Messvolumen haben sich um { $rms } ({ $rms_mm }) rms verschoben, höchstens um { $largest } ({ $largest_mm }).
+ages-calibrations-order-records-go-measuring = Nach der Uhr richten sich das Alter der Kalibrierungen und die Reihenfolge im Archiv, nicht aber das Messen.
+all-corners-lie-one-level-z = alle { $points } Ecken liegen auf einer Höhenstufe, z = { $z }
 all-corners-lie-one-plane-normal = alle { $points } Ecken liegen in einer Ebene mit der Normalen ({ $normal })
-all-corners-were-given-same-pixel = alle Ecken haben denselben Pixel
-all-kept-can-read = Alles Aufbewahrte ist lesbar.
+all-corners-were-given-same-pixel = alle Ecken haben dieselben Pixelkoordinaten
+all-kept-can-read = Alles Gespeicherte ist lesbar.
 all-pictures-one-sensor-must-have = Alle Bilder eines Sensors müssen gleich groß sein.
 all-points-there-go-add =
     { $more ->
-        [yes] Alle Punkte sind da. Weitermachen oder mehr antasten, wie unten angegeben.
-       *[no] Alle Punkte sind da. Weitermachen oder einige mehr antasten.
+        [yes] Alle Punkte sind aufgenommen. Fortfahren oder weitere antasten, wie unten angegeben.
+       *[no] Alle Punkte sind aufgenommen. Fortfahren oder weitere antasten.
     }
-all-points-there-go-pictures = Alle Punkte sind da. Weiter zu den Bildern.
-all-poses-turn-flange-about-one = alle { $count } Posen drehen den Flansch um eine Achse, ({ $x } { $y } { $z }) in seinem eigenen Koordinatensystem
-all-there-they-were-recorded = Alle sind da, wie sie aufgezeichnet wurden.
+all-points-there-go-pictures = Alle Punkte sind aufgenommen. Weiter zu den Bildern.
+all-poses-turn-flange-about-one = alle { $count } Posen drehen den Flansch um dieselbe Achse, ({ $x } { $y } { $z }) im Flanschsystem
+all-there-they-were-recorded = Alle Aufzeichnungen sind vorhanden und unverändert.
 and-more-records = Und { $count } weitere.
 angle = Winkel, ″
-angle-between-clouds = Winkel zwischen Wolken
+angle-between-clouds = Winkel zwischen den Punktwolken
 angle-touched-plane = Winkel zur angetasteten Ebene
-another-arm-answers = An { $url } antwortet ein anderer Messarm: { $name } { $serial_number } ({ $joints } Gelenke) statt { $expected_name } { $expected_serial_number }
-another-calibration-came-into-use-meanwhile = Inzwischen kam eine andere Kalibrierung in Gebrauch. Mit ihr neu beginnen.
+another-arm-answers = Unter { $url } antwortet ein anderer Messarm: { $name } { $serial_number } ({ $joints } Gelenke) statt { $expected_name } { $expected_serial_number }
+another-calibration-came-into-use-meanwhile = Inzwischen wird eine andere Kalibrierung verwendet. Mit dieser neu beginnen.
 another-programs-database = { $path } ist die Datenbank eines anderen Programms
-another-station-publishes-under-ones-name = Eine andere Station veröffentlicht unter dem Namen dieser.
-another-tip-mounted-another-sphere-touched = Die Tastkugel hat anscheinend { $diameter }, nach dem Datenblatt des Messarms { $expected }: Ein anderer Taster ist montiert, oder eine andere Kugel wurde angetastet.
-answered-who-asked-control = auf die Bitte um die Bedienung geantwortet
+another-station-publishes-under-ones-name = Eine andere Station veröffentlicht unter dem Namen dieser Station.
+another-tip-mounted-another-sphere-touched = Der Durchmesser der Tastkugel beträgt anscheinend { $diameter }, laut Datenblatt des Messarms { $expected }: Es ist ein anderer Taster montiert, oder es wurde eine andere Kugel angetastet.
+answered-who-asked-control = Anfrage nach der Bedienung beantwortet
 answers-browsers = Antworten an Browser
-applied-dropped-arms-delay = den Verzug des Messarms angewandt oder verworfen
+applied-dropped-arms-delay = Zeitversatz des Messarms übernommen oder verworfen
 approved = Freigegeben
 arm-2 = Der Messarm: { $text }
-arm-3 = Der Messarm ist, wie er war.
+arm-3 = Der Messarm ist unverändert.
 arm-4 = Messarm
-arm-before = Der Messarm ist wieder wie vorher.
-arm-before-arms-put-back-hand = der Messarm von vorher liegt in arms/{ $replaced }/{ $name }; ihn von Hand zurücklegen
-arm-by-its-datasheet = es ist ein Messarm nach seinem Datenblatt
+arm-before = Der vorherige Messarm wird wieder verwendet.
+arm-before-arms-put-back-hand = die vorige Armdatei liegt in arms/{ $replaced }/{ $name }; von Hand zurücklegen
+arm-by-its-datasheet = der Messarm entspricht seinem Datenblatt
 arm-check = Armprüfung
 arm-check-2 = Armprüfung
-arm-check-no-limit = { $half_range }, keine Grenze war gesetzt.
-arm-check-with-limit = { $half_range }, Grenze { $limit }.
+arm-check-no-limit = { $half_range }, kein Grenzwert festgelegt.
+arm-check-with-limit = { $half_range }, Grenzwert { $limit }.
 arm-checked = Der Messarm ist geprüft: { $worst }.
-arm-chosen-cannot-read-any-more = Der gewählte Messarm lässt sich nicht mehr lesen
-arm-closed-while-opening = Der Messarm an { $url } wurde beim Öffnen geschlossen
-arm-encoders = Messgeber des Arms
-arm-geometry = Geometrie des Arms
-arm-has-joint-number = der Messarm { $arm } hat { $count }
+arm-chosen-cannot-read-any-more = Die Datei des gewählten Messarms ist nicht mehr lesbar
+arm-closed-while-opening = Der Messarm unter { $url } wurde beim Öffnen geschlossen
+arm-encoders = Winkelgeber des Messarms
+arm-geometry = Geometrie des Messarms
+arm-has-joint-number = der Messarm { $arm } hat { $count } Gelenke
 arm-has-joints = der Messarm { $arm } hat { $count } Gelenke
-arm-has-joints-station-toml-asks = Der Messarm an { $url } ({ $name } { $serial_number }) hat { $joints } Gelenke, und station.toml verlangt joint_count = { $joint_count }
+arm-has-joints-station-toml-asks = Der Messarm unter { $url } ({ $name } { $serial_number }) hat { $joints } Gelenke, station.toml verlangt joint_count = { $joint_count }
 arm-identified = Der Messarm ist identifiziert.
-arm-json-names-joints = arm.json nennt sie { $names }
-arm-json-tip-goes-far-while = nach dieser arm.json wandert die Tastkugel weit, während sie in einer Pfanne sitzt: { $far } von der Mitte der Pfanne { $name }
+arm-json-names-joints = in arm.json heißen sie { $names }
+arm-json-tip-goes-far-while = nach dieser arm.json wandert die Tastkugel weit, obwohl sie in einer Pfanne sitzt: { $far } von der Mitte der Pfanne { $name }
 arm-json-tip-goes-fro = { $label }: Nach arm.json wandert die Tastkugel um { $distance } hin und her
-arm-measures-within = ein Messarm misst innerhalb von { $farthest }
+arm-measures-within = ein Messarm misst bis höchstens { $farthest }
 arm-model-arm = das Armmodell gehört zum Messarm { $serial_number }
-arm-not-open = Der Messarm an { $url } ist nicht offen
-arm-object-chosen-cannot-read-any = Der gewählte Messarm oder das gewählte Objekt lässt sich nicht mehr lesen.
+arm-not-open = Der Messarm unter { $url } ist nicht geöffnet
+arm-object-chosen-cannot-read-any = Die Datei des gewählten Messarms oder Objekts ist nicht mehr lesbar.
 arm-place-name =
     { $kind ->
-        [bar] Stab { $number }, Ende { $end }
+        [bar] Kugelstab { $number }, Ende { $end }
         [sphere] Kugel { $number }
        *[seat] Pfanne { $number }
     }
 arm-place-title =
     { $kind ->
-        [bar] Stab { $number }, Ende { $end }
+        [bar] Kugelstab { $number }, Ende { $end }
         [sphere] Kugel { $number }
        *[seat] Pfanne { $number }
     }
 arm-reports-joints =
-    Der Messarm an { $url } meldet { $joints ->
+    Der Messarm unter { $url } meldet { $joints ->
         [one] { $joints } Gelenk
        *[other] { $joints } Gelenke
     }
-arm-reports-no-counts-per-revolution = Der Messarm an { $url } meldet 0 Schritte je Umdrehung für Gelenk { $joint }
-arm-sees-bar-given = der Messarm sieht Stab { $bar } mit { $measured }, angegeben sind { $given }
-arm-sends-hello-but-no-samples = Der Messarm an { $url } meldet sich ({ $name }), sendet aber keine Werte
+arm-reports-no-counts-per-revolution = Der Messarm unter { $url } meldet für Gelenk { $joint } 0 Inkremente je Umdrehung
+arm-sees-bar-given = der Messarm misst Kugelstab { $bar } mit { $measured }, angegeben sind { $given }
+arm-sends-hello-but-no-samples = Der Messarm unter { $url } meldet sich ({ $name }), sendet aber keine Messwerte
 arm-sends-no-joint-angles = der Messarm sendet keine Gelenkwinkel
-arm-sends-other-joint-count = Der Messarm an { $url } hat { $expected } Gelenke angekündigt, sendet aber { $count }
-arm-sends-samples-but-no-hello = Der Messarm an { $url } sendet Werte, aber kein Hello
-arm-sent-too-little-arm-camera = der Messarm sendete zu wenig, oder Messarm und Kamera laufen nicht auf einer Uhr
-arm-speaks-version-protocol-driver-speaks = Der Messarm an { $url } spricht Version { $other_version } des Protokolls; dieser Treiber spricht Version 1
-arm-stays-shows-nothing-errors = ein Messarm, der bleibt, wie er ist, zeigt nichts von seinen Fehlern
-arm-still = der Messarm war nicht still
+arm-sends-other-joint-count = Der Messarm unter { $url } hat { $expected } Gelenke angekündigt, sendet aber { $count }
+arm-sends-samples-but-no-hello = Der Messarm unter { $url } sendet Messwerte, aber kein Hello
+arm-sent-too-little-arm-camera = der Messarm hat zu wenig gesendet, oder Messarm und Kamera haben nicht dieselbe Zeitbasis
+arm-speaks-version-protocol-driver-speaks = Der Messarm unter { $url } verwendet Version { $other_version } des Protokolls, dieser Treiber Version 1
+arm-stays-shows-nothing-errors = ein unbewegter Messarm zeigt nichts von seinen Fehlern
+arm-still = der Messarm war nicht in Ruhe
 arm-tip = Messarm und Tastkugel
 arm-url-cannot-be-opened = Die url { $url } des Messarms lässt sich nicht öffnen ({ $reason })
-arm-use-already = Dieser Messarm ist schon in Gebrauch.
-arm-with-joints-needed = hier wird ein Messarm gebraucht, der seine Gelenkwinkel meldet
-arms-6-7-joints-served = Messarme mit 6 oder 7 Gelenken werden bedient.
-arms-adapter-running = Läuft der Adapter des Messarms?
+arm-use-already = Dieser Messarm wird bereits verwendet.
+arm-with-joints-needed = dafür ist ein Messarm nötig, der seine Gelenkwinkel meldet
+arms-6-7-joints-served = Unterstützt werden Messarme mit 6 oder 7 Gelenken.
+arms-adapter-running = Prüfen, ob der Adapter des Messarms läuft.
 arms-data-has-gap-there = die Daten des Messarms haben dort eine Lücke
-arms-motion-moves-other-way-than = nach der Bewegung des Messarms bewegt sich „{ $name }“ andersherum als in den Bildern
+arms-motion-moves-other-way-than = nach der Bewegung des Messarms müsste sich „{ $name }“ andersherum bewegen als in den Bildern
 arms-motion-object-than-certificate-says =
     { $sign ->
-        [larger] Nach der Bewegung des Arms ist das Objekt { $share } (± { $uncertainty }) größer als laut Kalibrierschein: Alle Längen wären um ebenso viel falsch.
-       *[smaller] Nach der Bewegung des Arms ist das Objekt { $share } (± { $uncertainty }) kleiner als laut Kalibrierschein: Alle Längen wären um ebenso viel falsch.
+        [larger] Nach der Bewegung des Messarms ist das Objekt { $share } (± { $uncertainty }) größer als laut Kalibrierschein: Alle Längen würden im selben Verhältnis falsch.
+       *[smaller] Nach der Bewegung des Messarms ist das Objekt { $share } (± { $uncertainty }) kleiner als laut Kalibrierschein: Alle Längen würden im selben Verhältnis falsch.
     }
 arms-motion-squares-wide = nach der Bewegung des Messarms sind die Felder von „{ $name }“ { $width } breit
-arms-motion-squares-wide-certificate = Nach der Bewegung des Arms sind die Felder { $width } breit (± { $uncertainty }), laut Kalibrierschein { $nominal }: Alle Längen wären um ebenso viel falsch.
+arms-motion-squares-wide-certificate = Nach der Bewegung des Messarms sind die Felder { $width } breit (± { $uncertainty }), laut Kalibrierschein { $nominal }: Alle Längen würden im selben Verhältnis falsch.
 arms-parameters = Parameter des Messarms
-arms-parameters-already-explain-points-well = die Parameter des Messarms erklären die Punkte schon so gut, wie sie gemessen sind
-arms-position-known-around-most-pictures = die Lage des Messarms ist um die meisten Bilder herum nicht bekannt
-arms-zero = Vom Nullpunkt des Messarms
-ask-administrator-new-one = Einen Administrator um einen neuen bitten
-ask-control-take-over = Die Bedienung anfragen oder übernehmen
+arms-parameters-already-explain-points-well = die Parameter des Messarms erklären die Punkte bereits so gut, wie diese gemessen sind
+arms-position-known-around-most-pictures = die Stellung des Messarms ist für die meisten Bilder nicht bekannt
+arms-zero = Abstand vom Nullpunkt des Messarms
+ask-administrator-new-one = Einen Administrator um einen neuen Link bitten
+ask-control-take-over = Bedienung anfragen oder übernehmen
 ask-somebody-with-role =
     { $role ->
-        [admin] Einen Administrator fragen
-       *[operator] Einen Bediener fragen
+        [admin] An einen Administrator wenden
+       *[operator] An einen Bediener wenden
     }
-asked-control = um die Bedienung gebeten
+asked-control = Bedienung angefragt
 asks-control = { $name } bittet { $holder } um die Bedienung.
 at-least-limit = ≥ { $limit }
 at-most-limit = ≤ { $limit }
 attention = Achtung
-away = { $min } entfernt
+away = nur { $min } entfernt
 axes = Achsen
 axis-component = Achse { $axis }
 axis-level = Achse gegen die Waagerechte
 back = Zurück
 back-face = Rückseite
-back-places = Zurück zu den Orten
+back-places = Zurück zu den Positionen
 back-points = Zurück zu den Punkten
 backup = Sicherung
 backup-2 = Die Sicherung liegt in { $folder }.
-backup-being-made-already = Es wird schon eine Sicherung angelegt
-backup-needs = Die Sicherung braucht { $total }
-backup-replaces-nothing = eine Sicherung ersetzt nichts
+backup-being-made-already = Es läuft bereits eine Sicherung
+backup-needs = Die Sicherung benötigt { $total }
+backup-replaces-nothing = eine Sicherung überschreibt nichts
 bad = Schlecht
 ball-bars = Kugelstäbe
-ball-bars-lengths = Kugelstablängen
+ball-bars-lengths = Längen der Kugelstäbe
 ball-diameter = Ø { $diameter }
-bar-end-2 = Stab { $name } { $position }, Ende { $end }
+bar-end-2 = Kugelstab { $name } { $position }, Ende { $end }
 bar-has-two-ends = ein Kugelstab hat zwei Enden
 bar-named = Kugelstab { $name }
-bar-position-arm-json-ends-lie = Stab { $name }, Stellung { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
-bar-position-has-ends = { $path }: Kugelstab { $bar }, Position { $position } hat die Enden { $ends }
+bar-position-arm-json-ends-lie = Kugelstab { $name }, Lage { $position }: Nach arm.json liegen seine Enden { $measured } auseinander, angegeben sind { $length }
+bar-position-has-ends = { $path }: Kugelstab { $bar }, Lage { $position } hat die Enden { $ends }
 bars-end = Stabende { $value }
-bars-lengths-points-scatter-without-them = mit den Stablängen streuen die Punkte um { $scatter }, ohne sie um { $without }
+bars-lengths-points-scatter-without-them = mit den Längen der Kugelstäbe streuen die Punkte um { $scatter }, ohne sie um { $without }
 before = Vorher
 before-after = Vorher und nachher
 before-after-identification = Vor und nach der Identifikation
 before-mark = vorher
-before-poses-were-changed-since = Von vorher: Die Posen wurden seitdem geändert.
+before-poses-were-changed-since = Nicht mehr aktuell: Die Posen wurden geändert.
 began-again = neu begonnen
-began-backup = eine Sicherung begonnen
-began-cloud = eine Wolke begonnen
-began-resumed-arm-check = eine Armprüfung begonnen oder fortgesetzt
-began-resumed-calibration = eine Kalibrierung begonnen oder fortgesetzt
-began-resumed-verification = eine Verifizierung begonnen oder fortgesetzt
-began-seat = einen Sitz begonnen
+began-backup = Sicherung gestartet
+began-cloud = Punktwolke begonnen
+began-resumed-arm-check = Armprüfung begonnen oder fortgesetzt
+began-resumed-calibration = Kalibrierung begonnen oder fortgesetzt
+began-resumed-verification = Verifizierung begonnen oder fortgesetzt
+began-seat = Position begonnen
 begin-again = Neu beginnen
 begin-new-one = Eine neue beginnen
 begun = Begonnen
 behind = von hinten
-being-recorded = er wird gerade aufgezeichnet
+being-recorded = der Scan wird gerade aufgezeichnet
 belongs-another-step-calibration-stands =
     { $step ->
-        [devices] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Geräte“.
-        [setup] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Einrichten“.
-        [touch] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Antasten“.
-        [place] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Halten“.
-        [capture] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Aufnehmen“.
-        [solve] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Kalibrieren“.
-       *[review] Das gehört zu einem anderen Schritt; die Kalibrierung steht bei „Beurteilen“.
+        [devices] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Geräte“.
+        [setup] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Einrichten“.
+        [touch] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Antasten“.
+        [place] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Halten“.
+        [capture] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Aufnehmen“.
+        [solve] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Kalibrieren“.
+       *[review] Das gehört zu einem anderen Schritt; die Kalibrierung ist beim Schritt „Beurteilen“.
     }
 belongs-another-step-session-stands =
     { $step ->
-        [seat] Das gehört zu einem anderen Schritt; die Sitzung steht bei „Tastkugel einsetzen“.
-        [swing] Das gehört zu einem anderen Schritt; die Sitzung steht bei „Arm schwenken“.
-       *[result] Das gehört zu einem anderen Schritt; die Sitzung steht bei „Ergebnis“.
+        [seat] Das gehört zu einem anderen Schritt; die Sitzung ist beim Schritt „Tastkugel einsetzen“.
+        [swing] Das gehört zu einem anderen Schritt; die Sitzung ist beim Schritt „Messarm schwenken“.
+       *[result] Das gehört zu einem anderen Schritt; die Sitzung ist beim Schritt „Ergebnis“.
     }
 belongs-another-step-verification-stands =
     { $step ->
-        [gauge] Das gehört zu einem anderen Schritt; die Verifizierung steht bei „Prüfnormal wählen“.
-        [touch] Das gehört zu einem anderen Schritt; die Verifizierung steht bei „Prüfnormal antasten“.
-        [scan] Das gehört zu einem anderen Schritt; die Verifizierung steht bei „Prüfnormal scannen“.
-       *[review] Das gehört zu einem anderen Schritt; die Verifizierung steht bei „Ergebnis“.
+        [gauge] Das gehört zu einem anderen Schritt; die Verifizierung ist beim Schritt „Prüfnormal wählen“.
+        [touch] Das gehört zu einem anderen Schritt; die Verifizierung ist beim Schritt „Prüfnormal antasten“.
+        [scan] Das gehört zu einem anderen Schritt; die Verifizierung ist beim Schritt „Prüfnormal scannen“.
+       *[review] Das gehört zu einem anderen Schritt; die Verifizierung ist beim Schritt „Ergebnis“.
     }
-beyond-limit = Jenseits der Grenze
-bits-expected = 8 oder 16 Bit werden erwartet
+beyond-limit = Grenzwert überschritten
+bits-expected = erwartet werden 8 oder 16 Bit
 bits-per-pixel = { $bits } Bit je Pixel
 block-corner =
     { $level ->
         [crest] Zinne { $number }
         [floor] Nutgrund { $number }
-       *[base] Sockel
+       *[base] Grundfläche
     }, { $place ->
         [L-front] vorn links
         [R-front] vorn rechts
         [L-back] hinten links
        *[R-back] hinten rechts
     }
-board-bends-over-pattern-allowed = Das Blatt biegt sich über das Muster um { $bend }: berücksichtigt.
-board-bends-over-pattern-flat-expected = Das Blatt biegt sich über das Muster um { $bend }; erwartet war eine Ebenheit von { $flatness }.
+board-bends-over-pattern-allowed = Die Tafel ist über das Muster um { $bend } durchgebogen; das ist berücksichtigt.
+board-bends-over-pattern-flat-expected = Die Tafel ist über das Muster um { $bend } durchgebogen; erwartet wurde eine Ebenheit von { $flatness }.
 board-has-corners = „{ $name }“ hat { $columns } × { $rows }
-board-has-corners-outermost-missing = „{ $name }“ hat { $columns } × { $rows }; ohne die äußersten Ecken lassen sich die anderen nicht nummerieren
+board-has-corners-outermost-missing = „{ $name }“ hat { $columns } × { $rows }; ohne die äußersten Ecken lassen sich die übrigen nicht zuordnen
 board-printed-side = Tafel (bedruckte Seite)
-board-tilted-most-between-pictures = die Tafel ist zwischen den { $seen } Bildern höchstens um { $tilt } geneigt
-both-devices-answer-go = Beide Geräte antworten. Weitermachen.
+board-tilted-most-between-pictures = die Tafel ist in den { $seen } Bildern höchstens um { $tilt } gegeneinander geneigt
+both-devices-answer-go = Beide Geräte antworten. Fortfahren.
 brightness = Helligkeit
-bring-back-last-backup-delete-under = Aus der letzten Sicherung zurückholen oder unter Archiv löschen.
-bring-block-closer-so-fills-picture = Den Zinnenkörper näher bringen, sodass er das Bild füllt.
-bring-block-middle-stripe = Den Zinnenkörper in die Mitte der Laserlinie bringen.
-bring-front-back-edge-level-into = die vordere und die hintere Kante einer Ebene ins Bild bringen
-bring-joint-reference-switch-arm-off = Gelenk in seine Referenz bringen und den Messarm aus- und einschalten; bleibt es dabei, das Datenblatt dieses Messarms wählen
-bring-joint-reference-switch-arm-off-2 = das Gelenk auf seine Referenz bringen und den Messarm aus- und einschalten
+bring-back-last-backup-delete-under = Aus der letzten Sicherung wiederherstellen oder im Archiv löschen.
+bring-block-closer-so-fills-picture = Zinnenkörper näher heranbringen, sodass er das Bild füllt.
+bring-block-middle-stripe = Zinnenkörper in die Mitte der Laserlinie bringen.
+bring-front-back-edge-level-into = vordere und hintere Kante einer Höhenstufe ins Bild bringen
+bring-joint-reference-switch-arm-off = Gelenk auf seine Referenz bringen und den Messarm aus- und wieder einschalten; tritt es weiter auf, das Datenblatt dieses Messarms wählen
+bring-joint-reference-switch-arm-off-2 = Gelenk auf seine Referenz bringen und den Messarm aus- und wieder einschalten
 bring-more-object-into-picture = mehr vom Objekt ins Bild bringen
 bring-more-object-into-picture-sharp = mehr vom Objekt ins Bild bringen, scharf und gut beleuchtet
 bring-part-into-sensors-range = ein Teil in den Messbereich des Sensors bringen
-bring-part-into-sensors-range-if = Das Teil in den Messbereich des Sensors bringen; ist es dort, die Belichtung ansehen.
-bring-whole-board-into-picture-outermost = die ganze Tafel ins Bild bringen, ihre äußersten Ecken neben den Laser; hat die Tafel nicht mehr, ihren eigenen Kalibrierschein angeben
+bring-part-into-sensors-range-if = Das Teil in den Messbereich des Sensors bringen; liegt es darin, die Belichtung prüfen.
+bring-whole-board-into-picture-outermost = die ganze Tafel ins Bild bringen, ihre äußersten Ecken neben die Laserlinie; hat die Tafel nicht mehr Ecken, ihren eigenen Kalibrierschein angeben
 bring-whole-board-into-picture-sharp = die ganze Tafel ins Bild bringen, scharf und gleichmäßig beleuchtet
 bring-whole-object-into-view-front = das ganze Objekt ins Bild bringen, von vorn oben, und gleichmäßig beleuchten
 broker = Broker
-but-what-marked-below-needs-attention = Aber was unten markiert ist, braucht Aufmerksamkeit.
-byte-is-not-utf-8 = Byte { $byte } ist kein UTF-8-Text
+but-what-marked-below-needs-attention = Das unten Markierte ist aber zu beachten.
+byte-is-not-utf-8 = Byte { $byte } ist kein gültiger UTF-8-Text
 bytes-but-no-packet =
     { $count ->
-        [one] { $count } Byte kam von { $url }, aber kein Paket eines Messarms
-       *[other] { $count } Bytes kamen von { $url }, aber kein Paket eines Messarms
+        [one] { $count } Byte kam von { $url }, aber kein Paket eines Messarms mit Winkelgebern
+       *[other] { $count } Bytes kamen von { $url }, aber kein Paket eines Messarms mit Winkelgebern
     }
 calibrate = Kalibrieren
 calibrate-again = Neu kalibrieren
 calibrate-first = Zuerst kalibrieren
 calibrate-first-2 = zuerst kalibrieren
-calibrate-sensor-arm-touch-object-then = Den Sensor am Messarm kalibrieren: das Objekt antasten, dann einige Bilder aufnehmen.
-calibrate-sensors-again-their-place-belongs = Die Sensoren neu kalibrieren: Ihr Ort gehört zum Messarm, wie er war.
+calibrate-sensor-arm-touch-object-then = Sensor am Messarm kalibrieren: Objekt antasten, dann einige Bilder aufnehmen.
+calibrate-sensors-again-their-place-belongs = Die Sensoren neu kalibrieren: Ihre Lage wurde mit dem bisherigen Messarm bestimmt.
 calibrated = Kalibriert
 calibrated-distance-camera = Kalibrierter Abstand von der Kamera
 calibrating = Kalibrierung läuft
 calibration = Kalibrierung
-calibration-acceptance-test-no-characteristic-iso = Dies ist eine Kalibrierung, keine Annahmeprüfung: Keine Kenngröße nach ISO 10360-8 oder ISO 10360-12 wird behauptet. Eine Verifizierung an Prüfnormalen prüft den Scanner.
+calibration-acceptance-test-no-characteristic-iso = Dies ist eine Kalibrierung, keine Annahmeprüfung: Es werden keine Kenngrößen nach ISO 10360-8 oder ISO 10360-12 angegeben. Den Scanner prüft eine Verifizierung an Prüfnormalen.
 calibration-accepted-station = Diese Kalibrierung wurde nicht an einer Station angenommen.
-calibration-age-and-temperature = { $text }, { $ago } alt; die Frist beträgt { $limit }, der zulässige Temperaturunterschied { $change } (jetzt { $now }).
+calibration-age-and-temperature = { $text }, { $ago } alt; Frist { $limit }, zulässiger Temperaturunterschied { $change } (jetzt { $now }).
 calibration-arm = die Kalibrierung gilt für den Messarm { $known }
-calibration-cannot-read = Die Kalibrierung { $name } ist nicht zu lesen.
-calibration-cannot-shown = die Kalibrierung { $session_id } lässt sich nicht zeigen
-calibration-closed-start-new-one = Diese Kalibrierung ist geschlossen. Eine neue beginnen.
+calibration-cannot-read = Die Kalibrierung { $name } ist nicht lesbar.
+calibration-cannot-shown = die Kalibrierung { $session_id } lässt sich nicht anzeigen
+calibration-closed-start-new-one = Diese Kalibrierung ist abgeschlossen. Eine neue starten.
 calibration-computed = Die Kalibrierung ist berechnet.
 calibration-due = Die Kalibrierung ist fällig. { $text }
 calibration-has-no-picture = Diese Kalibrierung hat kein Bild { $name }.
-calibration-here-any-more = Die Kalibrierung von { $name } ist nicht mehr hier
-calibration-in-use-unreadable = Die Kalibrierung in Gebrauch ist nicht lesbar: { $error }
-calibration-is-for-joints = die Kalibrierung gilt für einen mit { $joints }
-calibration-is-for-pixels = die Kalibrierung gilt für { $width } × { $height }
+calibration-here-any-more = Die Kalibrierung von { $name } ist nicht mehr vorhanden
+calibration-in-use-unreadable = Die verwendete Kalibrierung ist nicht lesbar: { $error }
+calibration-is-for-joints = die Kalibrierung gilt für einen Messarm mit { $joints } Gelenken
+calibration-is-for-pixels = die Kalibrierung gilt für { $width } × { $height } Pixel
 calibration-is-for-serial-number = die Kalibrierung gilt für { $serial_number }
 calibration-known-here = ihre Kalibrierung ist hier nicht bekannt
 calibration-pose = die Kalibrierpose
 calibration-report = Kalibrierbericht
-calibration-should-used-findings-say-what = Diese Kalibrierung sollte nicht benutzt werden. Die Befunde sagen, was zu tun ist.
-calibration-under-way-go-where-stands = Eine Kalibrierung läuft. Dort weitermachen, wo sie steht.
-calibration-use = Die Kalibrierung ist in Gebrauch
-calibration-use-cannot-read = Die verwendete Kalibrierung lässt sich nicht lesen
+calibration-should-used-findings-say-what = Diese Kalibrierung sollte nicht verwendet werden. Die Befunde nennen die Abhilfe.
+calibration-under-way-go-where-stands = Eine Kalibrierung läuft. Beim aktuellen Schritt fortfahren.
+calibration-use = Die Kalibrierung wird verwendet
+calibration-use-cannot-read = Die verwendete Kalibrierung ist nicht lesbar
 calibration-utc = Kalibrierung { $now } UTC
 calibration-valid-verified-scan-part = Die Kalibrierung ist gültig und verifiziert. Das Teil scannen.
-calibration-verified-yet = Diese Kalibrierung wurde noch nicht verifiziert.
-calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren nicht mit den Bildern und Antastpunkten
+calibration-verified-yet = Diese Kalibrierung ist noch nicht verifiziert.
+calibrations-unknowns-did-settle-what-seen = die Unbekannten der Kalibrierung konvergieren mit diesen Bildern und Antastpunkten nicht
 camera = Die Kamera { $source }
-camera-cannot-do = { $title } kann { $key } = { $value } nicht; möglich ist { $given }
-camera-looks-along-laser-plane-deg = die Kamera blickt entlang der Laserebene, { $angle } daneben (Grenze { $limit })
-camera-must-look-stripe-side-check = die Kamera muss von der Seite auf die Laserlinie blicken: den Aufbau des Sensors prüfen
-camera-needs-two-levels-four-sides = eine Kamera braucht zwei Ebenen und vier Seiten der Zinnen
+camera-cannot-do = { $title } unterstützt { $key } = { $value } nicht; möglich ist { $given }
+camera-looks-along-laser-plane-deg = die Kamera blickt nahezu in der Laserebene, { $angle } Abweichung (Grenzwert { $limit })
+camera-must-look-stripe-side-check = die Kamera muss die Laserlinie von der Seite sehen: Aufbau des Sensors prüfen
+camera-needs-two-levels-four-sides = für eine Kamera sind zwei Höhenstufen und vier Seiten der Zinnen nötig
 cameras-are = Vorhandene Kameras: { $names }.
-cameras-matrix-needs-least-six-crests = die Kameramatrix braucht mindestens sechs, auf Zinnen und Nutgründen
-cameras-parameters-did-settle-pictures-edges = die Parameter der Kamera konvergieren nicht mit den Kanten des Bilds
-cameras-pixels-come-out-out-square = Die Pixel der Kamera weichen um { $difference } vom Quadrat ab; die heutiger Sensoren sind quadratisch (Grenze { $limit }).
-can-read-more-than-one-way = es lässt sich auf mehr als eine Art lesen
-can-written = Er lässt sich beschreiben.
+cameras-matrix-needs-least-six-crests = für die Kameramatrix sind mindestens sechs nötig, auf Zinnen und Nutgründen
+cameras-parameters-did-settle-pictures-edges = die Kameraparameter konvergieren mit den Kanten im Bild nicht
+cameras-pixels-come-out-out-square = Die Pixel der Kamera weichen um { $difference } von der quadratischen Form ab; bei heutigen Sensoren sind sie quadratisch (Grenzwert { $limit }).
+can-read-more-than-one-way = es ist nicht eindeutig
+can-written = Der Datenordner ist beschreibbar.
 cannot-be-copied = { $path } lässt sich nicht kopieren
 cannot-be-opened-for-writing = { $path } lässt sich nicht zum Schreiben öffnen
-cannot-deleted-now = Das lässt sich jetzt nicht löschen
-cannot-hidden-now = Das lässt sich jetzt nicht ausblenden
-cannot-read = Sie ist nicht zu lesen: { $text }
-cannot-read-2 = { $password_file } lässt sich nicht lesen
-cannot-shown = { $name } lässt sich nicht zeigen: { $error }
-cannot-shown-2 = { $name } lässt sich nicht zeigen.
-cannot-start = { $title }: kann nicht beginnen
-cannot-written = Er lässt sich nicht beschreiben: { CLAUSE($trouble) }.
+cannot-deleted-now = Löschen ist jetzt nicht möglich
+cannot-hidden-now = Ausblenden ist jetzt nicht möglich
+cannot-read = Die Kalibrierung ist nicht lesbar: { $text }
+cannot-read-2 = { $password_file } ist nicht lesbar
+cannot-shown = { $name } lässt sich nicht anzeigen: { $error }
+cannot-shown-2 = { $name } lässt sich nicht anzeigen.
+cannot-start = { $title }: Start nicht möglich
+cannot-written = Der Datenordner ist nicht beschreibbar: { CLAUSE($trouble) }.
 capital = { CAPITAL($text) }
 capture = Aufnehmen
 centre = Mittelpunkt { $axis }
@@ -321,153 +321,153 @@ centre-radius-cannot-be-separated = Mittelpunkt und Radius lassen sich nicht tre
 certificate = Kalibrierschein
 certificate-2 = Kalibrierschein { $certificate }
 certificate-says = laut Kalibrierschein { $square }
-certificate-trusted-here = seinem Zertifikat wird hier nicht vertraut
+certificate-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertraut
 change = Änderung
 change-one-them = eine von beiden ändern
-change-permissions-place = Die Rechte oder den Ort ändern
-change-place = Den Ort ändern
-changed-account = ein Konto geändert
+change-permissions-place = Zugriffsrechte oder Speicherort ändern
+change-place = Speicherort ändern
+changed-account = Konto geändert
 changed-after-session-had-written = { $name } wurde geändert, nachdem diese Sitzung die Datei geschrieben hatte
-changed-notifications = die Benachrichtigungen geändert
-changed-own-password = das eigene Passwort geändert
-changed-settings = die Einstellungen geändert
-check-address-below-try = Die Adresse unten prüfen und ausprobieren.
+changed-notifications = Benachrichtigungen geändert
+changed-own-password = eigenes Passwort geändert
+changed-settings = Einstellungen geändert
+check-address-below-try = Adresse unten prüfen und testen.
 check-address-network = Adresse und Netz prüfen.
-check-address-network-and-power = Adresse und Netz prüfen, und ob sie eingeschaltet ist.
+check-address-network-and-power = Adresse und Netz prüfen; sicherstellen, dass die Kamera eingeschaltet ist.
 check-again = Erneut prüfen
-check-ago-failed = Prüfung nicht bestanden, { $ago } her: { $text }
+check-ago-failed = Prüfung nicht bestanden ({ $ago } her): { $text }
 check-arm = Messarm prüfen
 check-arm-again = Messarm erneut prüfen
-check-arm-json-against-arm-signs = arm.json mit dem Messarm vergleichen: Vorzeichen, Einheiten, Längen, Reihenfolge der Gelenke; und die Punkte dieses Orts
-check-arm-play-tip-sensor-loose = Den Messarm auf Spiel, Tastkugel und Sensor auf festen Sitz prüfen; still halten.
-check-arm-tip-object-sensor-those = Prüfen, ob der Messarm mit seiner Tastkugel, das Objekt und der Sensor die sind, die in Gebrauch sind.
+check-arm-json-against-arm-signs = arm.json mit dem Messarm vergleichen: Vorzeichen, Einheiten, Längen, Reihenfolge der Gelenke; auch die Punkte dieser Position prüfen
+check-arm-play-tip-sensor-loose = Messarm auf Spiel, Tastkugel und Sensor auf festen Sitz prüfen; ruhig halten.
+check-arm-tip-object-sensor-those = Prüfen, ob Messarm, Tastkugel, Objekt und Sensor die verwendeten sind.
 check-arm-url = Die url des Messarms prüfen.
-check-arms-cable-then-switch-arm = Kabel des Messarms prüfen, dann den Messarm aus- und einschalten
-check-arms-file-lengths-angles-signs = Die Armdatei prüfen: Längen und Winkel, Vorzeichen und Reihenfolge der Gelenke und den Taster; dann, auf welcher Fläche jeder Punkt angetastet wurde, und den Kalibrierschein des Objekts
-check-baud-rate-arm-port-another = Die Baudrate prüfen, und ob an diesem Anschluss der Messarm hängt und kein anderes Gerät.
-check-board-how-exact-certificate-takes = Prüfen, ob dies die Tafel ist, und für wie genau ihr Kalibrierschein sie hält.
-check-broker-runs-user-password-right = Prüfen, ob der Broker läuft und Benutzer und Passwort stimmen. Es wird weiter versucht.
-check-cable-no-other-program-uses = Das Kabel prüfen, und ob ein anderes Programm es benutzt.
-check-cable-power = Kabel und Strom prüfen.
-check-cable-power-looked-again-itself = Kabel und Strom prüfen. Es wird von selbst wieder gesucht.
+check-arms-cable-then-switch-arm = Kabel des Messarms prüfen, dann den Messarm aus- und wieder einschalten
+check-arms-file-lengths-angles-signs = Armdatei prüfen: Längen und Winkel, Vorzeichen und Reihenfolge der Gelenke sowie die Tastkugel; dann prüfen, auf welcher Fläche jeder Punkt angetastet wurde, und den Kalibrierschein des Objekts
+check-baud-rate-arm-port-another = Baudrate prüfen; sicherstellen, dass an diesem Anschluss der Messarm und kein anderes Gerät hängt.
+check-board-how-exact-certificate-takes = Prüfen, ob es diese Tafel ist und welche Unsicherheit ihr Kalibrierschein angibt.
+check-broker-runs-user-password-right = Prüfen, ob der Broker läuft und Benutzer und Passwort stimmen. Die Verbindung wird erneut versucht.
+check-cable-no-other-program-uses = Kabel prüfen; sicherstellen, dass kein anderes Programm das Gerät verwendet.
+check-cable-power = Kabel und Stromversorgung prüfen.
+check-cable-power-looked-again-itself = Kabel und Stromversorgung prüfen. Das Gerät wird automatisch wieder gesucht.
 check-cannot-made = Die Prüfung { $name } ist nicht möglich: { CLAUSE($reason) }.
-check-chosen-gauge-tip-arms-own = Prüfen, ob dies das gewählte Prüfnormal ist und die Tastkugel die des Messarms.
-check-connection = Die Verbindung prüfen.
+check-chosen-gauge-tip-arms-own = Prüfen, ob dies das gewählte Prüfnormal ist und die Tastkugel zum Messarm gehört.
+check-connection = Verbindung prüfen.
 check-devices = Geräte prüfen
-check-diameter = { $finding }: ihren Durchmesser prüfen
-check-diameter-mm-spheres-take-sphere = diameter_mm der Kugeln prüfen; diese Kugel erneut aufnehmen oder ihre Zeilen löschen
-check-each-laser-picture-own-pose = Prüfen, ob jedes Laserbild zu seiner eigenen Pose gehört und ohne Bewegung des Sensors aufgenommen wurde und ob der Laser fest sitzt; dann seine Schärfe.
-check-each-laser-picture-own-pose-2 = prüfen, ob jedes Laserbild zu seiner eigenen Pose gehört, ob der Laser gegen die Kamera nicht bewegt wurde und ob die Linie im Bild seine eigene und keine Spiegelung ist
-check-encoder-swing-arm-so-every = Den Messgeber prüfen; den Arm so schwenken, dass jedes Gelenk dreht
-check-encoders-arm-json-how-points = Messgeber, arm.json und die Aufnahme der Punkte prüfen
-check-failed = Eine Prüfung, die fehlschlug
-check-first-page-arm-tip-takes = Zuerst prüfen, auf der Seite von Arm und Tastkugel; es dauert eine Minute.
-check-folders-owner-whether-disk-mounted = Den Eigentümer des Ordners prüfen, und ob der Datenträger eingehängt ist.
-check-joints-encoder-cable-then-bring = Messgeber und Kabel des Gelenks prüfen, dann den Messarm in seine Referenz bringen
-check-laser-board-camera-kept-still = Prüfen, ob Laser, Tafel und Kamera still blieben und Bild und Pose vom selben Augenblick sind.
+check-diameter = { $finding }: Durchmesser prüfen
+check-diameter-mm-spheres-take-sphere = diameter_mm der Kugeln prüfen; diese Kugel neu aufnehmen oder ihre Zeilen löschen
+check-each-laser-picture-own-pose = Prüfen, ob jedes Laserbild zu seiner Pose gehört und bei unbewegtem Sensor aufgenommen wurde und ob der Laser fest sitzt; dann den Fokus des Lasers.
+check-each-laser-picture-own-pose-2 = prüfen, ob jedes Laserbild zu seiner Pose gehört, ob der Laser gegenüber der Kamera verstellt wurde und ob die Linie im Bild die des Lasers und keine Reflexion ist
+check-encoder-swing-arm-so-every = Winkelgeber prüfen; den Messarm so schwenken, dass sich jedes Gelenk dreht
+check-encoders-arm-json-how-points = Winkelgeber, arm.json und die Aufnahme der Punkte prüfen
+check-failed = Fehlgeschlagene Prüfung
+check-first-page-arm-tip-takes = Zuerst auf der Seite „Messarm und Tastkugel“ prüfen; das dauert eine Minute.
+check-folders-owner-whether-disk-mounted = Prüfen, wem der Ordner gehört und ob der Datenträger eingehängt ist.
+check-joints-encoder-cable-then-bring = Winkelgeber und Kabel des Gelenks prüfen, dann den Messarm auf seine Referenz bringen
+check-laser-board-camera-kept-still = Prüfen, ob Laser, Tafel und Kamera in Ruhe waren und ob Bild und Pose vom selben Zeitpunkt stammen.
 check-laser-exposure-sensors-stripe-axis = Laser, Belichtung und stripe_axis des Sensors prüfen und die Laserlinie über die Mitte des Objekts führen
 check-laser-exposure-then-take-new = Laser und Belichtung prüfen, dann ein neues Bild aufnehmen.
-check-laser-line-crossed-object-exposure = Prüfen, ob der Laser an war und seine Linie das Objekt kreuzte, und die Belichtung; die Pose neu aufnehmen.
-check-laser-moved-against-camera-line = prüfen, ob der Laser gegen die Kamera verstellt wurde und ob die Linie im Bild seine eigene ist und keine Spiegelung
-check-laser-picture-pose-sensor-held = Prüfen, ob ihr Laserbild zu dieser Pose gehört, ob der Sensor zwischen ihren beiden Bildern stillgehalten wurde und ob der Laser fest sitzt; die Pose noch einmal aufnehmen.
+check-laser-line-crossed-object-exposure = Prüfen, ob der Laser eingeschaltet war, ob seine Linie das Objekt kreuzte und ob die Belichtung passt; die Pose neu aufnehmen.
+check-laser-moved-against-camera-line = prüfen, ob der Laser gegenüber der Kamera verstellt wurde und ob die Linie im Bild die des Lasers und keine Reflexion ist
+check-laser-picture-pose-sensor-held = Prüfen, ob das Laserbild zu dieser Pose gehört, ob der Sensor zwischen ihren beiden Bildern ruhig gehalten wurde und ob der Laser fest sitzt; die Pose neu aufnehmen.
 check-lasers-interlock-key-switch-capture = Verriegelung und Schlüsselschalter des Lasers prüfen und neu aufnehmen
-check-length-mm-bar-ends = length_mm des Stabs { $bar } und seine Enden prüfen
-check-length-unless-datasheet-is-as-far-off = { $finding }: seine Länge prüfen, sofern das Datenblatt des Messarms nicht ebenso weit abweicht
+check-length-mm-bar-ends = length_mm des Kugelstabs { $bar } und seine Enden prüfen
+check-length-unless-datasheet-is-as-far-off = { $finding }: Länge prüfen, sofern nicht das Datenblatt des Messarms ebenso weit abweicht
 check-moved-every-picture-has-arms =
     { $thing ->
-        [board] prüfen, ob die Tafel unbewegt blieb und ob jedes Bild die Messarmwerte seiner eigenen Pose hat
-       *[object] prüfen, ob das Objekt unbewegt blieb und ob jedes Bild die Messarmwerte seiner eigenen Pose hat
+        [board] prüfen, ob die Tafel unbewegt blieb und ob zu jedem Bild die Messarmwerte seiner Pose gehören
+       *[object] prüfen, ob das Objekt unbewegt blieb und ob zu jedem Bild die Messarmwerte seiner Pose gehören
     }
-check-object-certificate-lengths-mm = Prüfen, ob dies das Objekt des Kalibrierscheins ist, und seine Längen in mm.
+check-object-certificate-lengths-mm = Prüfen, ob dies das Objekt des Kalibrierscheins ist und ob seine Längen in mm angegeben sind.
 check-object-picture-take-picture-again = prüfen, ob dies das Objekt im Bild ist, und das Bild neu aufnehmen
-check-object-pictures-every-picture-belongs = prüfen, ob dies das Objekt in den Bildern ist und jedes Bild zu seiner Armpose gehört
-check-objects-certificate-cameras-flip-setting = den Kalibrierschein des Objekts und die Spiegelung der Kamera prüfen
-check-objects-certificate-which-sides-front = Den Kalibrierschein des Objekts prüfen, und welche Seite die Vorderseite ist
-check-one-seat = Dies ist die Prüfung einer einzigen Pfanne.
-check-owner-and-permissions = Eigentümer und Rechte prüfen, und ob der Datenträger nur lesbar eingehängt ist
-check-path = Den Pfad prüfen
-check-picture-joint-angles-one-moment = Prüfen, ob Bild und Gelenkwinkel vom selben Augenblick sind, oder die Pose neu aufnehmen.
-check-pictures-joint-angles-own = Prüfen, ob die Gelenkwinkel des Bilds die seinen sind.
-check-pictures-joint-angles-those-their = Prüfen, ob die Gelenkwinkel der Bilder die ihrer Posen sind.
-check-pictures-mirrored-poses-those-flange = prüfen, ob die Bilder gespiegelt sind und ob die Posen die des Flansches im Koordinatensystem des Arms sind, in mm, qw zuletzt, und nicht deren Umkehrung
-check-recorded-limit-set-before-next = Diese Prüfung ist mit ihrer Grenze aufgezeichnet. Die Grenze vor der nächsten setzen.
-check-sensor = Den Fühler prüfen.
+check-object-pictures-every-picture-belongs = prüfen, ob dies das Objekt in den Bildern ist und ob jedes Bild zu seiner Armpose gehört
+check-objects-certificate-cameras-flip-setting = Kalibrierschein des Objekts und Spiegelungseinstellung der Kamera prüfen
+check-objects-certificate-which-sides-front = Kalibrierschein des Objekts prüfen, ebenso die Lage seiner Vorderseite
+check-one-seat = Diese Prüfung gilt für eine einzige Pfanne.
+check-owner-and-permissions = Eigentümer und Zugriffsrechte prüfen; ebenso, ob der Datenträger schreibgeschützt eingehängt ist
+check-path = Pfad prüfen
+check-picture-joint-angles-one-moment = Prüfen, ob Bild und Gelenkwinkel vom selben Zeitpunkt stammen, oder die Pose neu aufnehmen.
+check-pictures-joint-angles-own = Prüfen, ob die Gelenkwinkel zu diesem Bild gehören.
+check-pictures-joint-angles-those-their = Prüfen, ob die Gelenkwinkel der Bilder zu ihren Posen gehören.
+check-pictures-mirrored-poses-those-flange = prüfen, ob die Bilder gespiegelt sind und ob die Posen den Flansch im Koordinatensystem des Messarms beschreiben, in mm, qw zuletzt, und nicht die inverse Transformation
+check-recorded-limit-set-before-next = Diese Prüfung ist mit ihrem Grenzwert aufgezeichnet. Den Grenzwert vor der nächsten festlegen.
+check-sensor = Temperaturfühler prüfen.
 check-sensor-path = { "[" }sensor] path prüfen.
 check-sensor-source = { "[" }sensor] source prüfen.
-check-sensors-cable-close-other-programs = Das Kabel des Sensors prüfen oder andere Programme schließen.
+check-sensors-cable-close-other-programs = Kabel des Sensors prüfen oder andere Programme schließen.
 check-session-taken-arm = prüfen, ob die Sitzung mit diesem Messarm aufgenommen wurde
 check-signs-lengths-joints-order = Vorzeichen, Längen und Reihenfolge der Gelenke in arm.json prüfen
-check-square-mm-tip-arm-json = square_mm, die Tastkugel in arm.json und den unveränderten Stand der Tafel prüfen
-check-station-disk = Sehen Sie nach der Platte der Station
-check-system-log-and-disk = Systemprotokoll und Datenträger prüfen; den Datenordner lassen, wie er ist
+check-square-mm-tip-arm-json = square_mm und die Tastkugel in arm.json prüfen; ebenso, ob die Tafel bewegt wurde
+check-station-disk = Datenträger der Station prüfen
+check-system-log-and-disk = Systemprotokoll und Datenträger prüfen; den Datenordner nicht verändern
 check-tip = Tastkugel prüfen
 check-tip-again = Tastkugel erneut prüfen
-check-tip-mounted-against-arms-file = Den montierten Taster mit der Armdatei vergleichen und prüfen, ob sich nichts bewegt hat; das Modell des Arms neu bestimmen lassen.
-check-tip-one-arms-file-block = Prüfen, ob der Taster der aus der Armdatei ist und ob Zinnenkörper und Arm fest standen; dann das Modell des Arms.
-check-tip-one-arms-file-board = Prüfen, ob die Tastkugel die der Armdatei ist und ob Tafel und Arm fest standen.
-check-tip-play-faces-dirt-have = Die Tastkugel auf Spiel, die Flächen auf Schmutz prüfen; das Armmodell prüfen lassen.
-check-tips-diameter-block-then-arms = Den Tastkugeldurchmesser prüfen, und ob dies der Zinnenkörper ist; dann das Armmodell.
+check-tip-mounted-against-arms-file = Die montierte Tastkugel mit der Armdatei vergleichen und prüfen, ob sich nichts bewegt hat; das Armmodell neu identifizieren lassen.
+check-tip-one-arms-file-block = Prüfen, ob die Tastkugel die der Armdatei ist und ob Zinnenkörper und Messarm fest standen; dann das Armmodell.
+check-tip-one-arms-file-board = Prüfen, ob die Tastkugel die der Armdatei ist und ob Tafel und Messarm fest standen.
+check-tip-play-faces-dirt-have = Tastkugel auf Spiel und Flächen auf Schmutz prüfen; das Armmodell prüfen lassen.
+check-tips-diameter-block-then-arms = Tastkugeldurchmesser prüfen; ebenso, ob dies der Zinnenkörper ist; dann das Armmodell.
 check-which-arm-plugged = Prüfen, welcher Messarm angeschlossen ist.
-check-which-face-each-contact-taken = Prüfen, auf welcher Fläche jeder Punkt angetastet wurde, dazu die Tastkugel und den Kalibrierschein des Objekts
-check-which-tip-mounted-diameter-length = Prüfen, welcher Taster montiert ist, seinen Durchmesser und seine Länge, und ob das Objekt nach dem Antasten bewegt wurde.
-check-which-tip-mounted-diameter-object = Prüfen, welcher Taster montiert ist, seinen Durchmesser, und ob das dieses Objekt ist.
-check-which-tip-mounted-stylus-straight = Prüfen, welcher Taster montiert ist und ob sein Schaft gerade ist und fest sitzt; seine Lage neu bestimmen lassen und das Objekt noch einmal antasten.
+check-which-face-each-contact-taken = Prüfen, auf welcher Fläche jeder Punkt angetastet wurde, außerdem die Tastkugel und den Kalibrierschein des Objekts
+check-which-tip-mounted-diameter-length = Montierten Taster prüfen, seinen Durchmesser und seine Länge; ebenso, ob das Objekt nach dem Antasten bewegt wurde.
+check-which-tip-mounted-diameter-object = Montierten Taster und seinen Durchmesser prüfen; ebenso, ob dies das gewählte Objekt ist.
+check-which-tip-mounted-stylus-straight = Prüfen, welcher Taster montiert ist und ob sein Schaft gerade ist und fest sitzt; seine Lage neu bestimmen lassen und das Objekt neu antasten.
 checked = Geprüft
-checked-ago = Geprüft, { $ago } her: { $text }
-checked-ago-after-check-due = Geprüft, { $ago } her; die Frist beträgt { $limit }.
-checking-places-held-out = Prüfung an zurückgehaltenen Orten
+checked-ago = Geprüft ({ $ago } her): { $text }
+checked-ago-after-check-due = Zuletzt geprüft: { $ago } her; Frist { $limit }. Eine Prüfung ist fällig.
+checking-places-held-out = Kreuzvalidierung der Positionen
 checksum-wrong-at-byte = { $name }: Die Prüfsumme bei Byte { $byte } ist falsch
 chessboard-inner-corners-squares-mm = Schachbrett, { $columns } × { $rows } innere Ecken, Felder von { $square }
-chessboard-seen-several-sides-take-more = Ein Schachbrett wird von mehreren Seiten gesehen: { $more } Bilder mehr aufnehmen.
-chessboard-seen-several-sides-take-one = Ein Schachbrett wird von mehreren Seiten gesehen: ein Bild mehr aufnehmen.
-chessboard-x-inner-corners-found = ein Schachbrett mit { $columns } × { $rows } inneren Ecken wurde gefunden
-choice-needs-field-id = Eine Wahl braucht ein Feld und eine Kennung.
+chessboard-seen-several-sides-take-more = Ein Schachbrett muss von mehreren Seiten zu sehen sein: noch { $more } Bilder aufnehmen.
+chessboard-seen-several-sides-take-one = Ein Schachbrett muss von mehreren Seiten zu sehen sein: noch ein Bild aufnehmen.
+chessboard-x-inner-corners-found = es wurde ein Schachbrett mit { $columns } × { $rows } inneren Ecken gefunden
+choice-needs-field-id = Eine Auswahl braucht ein Feld und eine Kennung.
 choose-another = Einen anderen wählen
 choose-another-name = Einen anderen Namen wählen
-choose-another-place = Einen anderen Ort wählen
+choose-another-place = Einen anderen Speicherort wählen
 choose-arm-first = Zuerst den Messarm wählen.
 choose-arm-first-2 = zuerst den Messarm wählen
-choose-datasheet-connect-other = Das Datenblatt für diesen { $name } wählen oder den anderen { $name } anschließen.
+choose-datasheet-connect-other = Datenblatt dieses Geräts ({ $name }) wählen oder das andere Gerät anschließen.
 choose-first = Zuerst wählen: { $things }.
-choose-folder-elsewhere-best-another-disk = Einen Ordner anderswo wählen, am besten auf einem anderen Datenträger
+choose-folder-elsewhere-best-another-disk = Einen anderen Ordner wählen, am besten auf einem anderen Datenträger
 choose-gauge = Prüfnormal wählen
 choose-gauge-first = Zuerst das Prüfnormal wählen.
-choose-gauge-scanned = Das Prüfnormal wählen, das gescannt wird
-choose-object-before-camera-if-one = das Objekt wählen, das vor der Kamera liegt; ist es dieses, nachsehen, ob seine Kanten sauber und unbeschädigt sind
-choose-shorter-one = Einen kürzeren wählen
-choose-what-use = Wählen, was in Gebrauch ist
-chose-arm = den Messarm gewählt
-chose-artefact = das Normal gewählt
-chose-face = eine Fläche gewählt
-chose-gauge = das Prüfnormal gewählt
-chose-what-use = gewählt, was benutzt wird
+choose-gauge-scanned = Das gescannte Prüfnormal wählen
+choose-object-before-camera-if-one = das Objekt wählen, das vor der Kamera liegt; ist es dieses, prüfen, ob seine Kanten sauber und unbeschädigt sind
+choose-shorter-one = Einen kürzeren Namen wählen
+choose-what-use = Ausrüstung wählen
+chose-arm = Messarm gewählt
+chose-artefact = Prüfkörper gewählt
+chose-face = Fläche gewählt
+chose-gauge = Prüfnormal gewählt
+chose-what-use = Ausrüstung gewählt
 chosen-gauge-has = das gewählte Prüfnormal hat { $diameter }
-clamp-bar-firmly-reach-put-tip = Den Stab im Arbeitsraum festspannen, { $where }, und die Tastkugel in ein Ende setzen.
-clamp-cone-ball-seat-about-two = Die Kegel- oder Kugelpfanne bei etwa zwei Dritteln der Reichweite festspannen und die Tastkugel hineinsetzen.
-clamp-firmly-reach = Im Arbeitsraum festspannen, { $where }.
-clamp-firmly-within-arms-reach-sphere = Fest in Reichweite des Messarms aufspannen. Eine Kugel zeigt am meisten; eine Ebene geht schneller.
-clamp-seat-firmly-reach-put-tip = Die Pfanne im Arbeitsraum festspannen, { $where }, und die Tastkugel hineinsetzen.
-clamp-seat-take-place-again-delete = Die Pfanne festspannen und diesen Ort neu aufnehmen oder seine Zeilen löschen
+clamp-bar-firmly-reach-put-tip = Kugelstab in Reichweite fest einspannen, { $where }, und die Tastkugel in ein Ende setzen.
+clamp-cone-ball-seat-about-two = Kegel- oder Kugelpfanne bei etwa zwei Dritteln der Reichweite festspannen und die Tastkugel hineinsetzen.
+clamp-firmly-reach = In Reichweite fest aufspannen, { $where }.
+clamp-firmly-within-arms-reach-sphere = In Reichweite des Messarms fest aufspannen. Eine Kugel ist am aussagekräftigsten, eine Ebene geht schneller.
+clamp-seat-firmly-reach-put-tip = Pfanne in Reichweite fest aufspannen, { $where }, und die Tastkugel hineinsetzen.
+clamp-seat-take-place-again-delete = Pfanne festspannen und diese Position neu aufnehmen oder ihre Zeilen löschen
 clamp-sphere = Kugel festspannen
-clean-blocks-edges-check-focus-lighting = Die Kanten des Zinnenkörpers reinigen; Schärfe, Licht und Kalibrierschein prüfen.
+clean-blocks-edges-check-focus-lighting = Kanten des Zinnenkörpers reinigen; Schärfe, Beleuchtung und Kalibrierschein prüfen.
 clean-both-check-again = Beide reinigen und erneut prüfen.
-clean-gauge-tip-check-clamps-verify = Prüfnormal und Tastkugel reinigen, die Spannung prüfen und erneut verifizieren; dann neu kalibrieren.
+clean-gauge-tip-check-clamps-verify = Prüfnormal und Tastkugel reinigen, Aufspannung prüfen und erneut verifizieren; dann neu kalibrieren.
 clean-tip-clamp-sphere = Tastkugel reinigen und die Kugel festspannen
-clean-tip-seat-check-clamps-repeat = Tastkugel und Pfanne reinigen, die Spannung prüfen und wiederholen. Bleibt es so, den Messarm identifizieren.
+clean-tip-seat-check-clamps-repeat = Tastkugel und Pfanne reinigen, Aufspannung prüfen und wiederholen. Bleibt es dabei, den Messarm identifizieren.
 clear-them-draw-them-again = Löschen und neu zeichnen.
 clock = Uhr
 clock-jumps-times-first-start-points =
     { $stream ->
         [joints]
             die Uhr der Gelenkwerte springt { $jumps ->
-                [one] einmal, { $first } nach dem Beginn
-               *[other] { $jumps }-mal, zuerst { $first } nach dem Beginn
-            }; Punkte um einen Sprung können falsch liegen
+                [one] einmal, { $first } nach Beginn
+               *[other] { $jumps }-mal, zuerst { $first } nach Beginn
+            }; Punkte nahe einem Sprung können falsch liegen
        *[frames]
             die Uhr der Bilder springt { $jumps ->
-                [one] einmal, { $first } nach dem Beginn
-               *[other] { $jumps }-mal, zuerst { $first } nach dem Beginn
-            }; Punkte um einen Sprung können falsch liegen
+                [one] einmal, { $first } nach Beginn
+               *[other] { $jumps }-mal, zuerst { $first } nach Beginn
+            }; Punkte nahe einem Sprung können falsch liegen
     }
 clock-set-since-start-last =
     { $count ->
@@ -475,42 +475,42 @@ clock-set-since-start-last =
        *[other] Die Uhr wurde seit dem Start { $count }-mal verstellt, zuletzt um { $last_jump }.
     }
 close-other-programs-restart-station-between = Andere Programme schließen oder die Station zwischen zwei Scans neu starten.
-close-program-second-station-same-port = Jenes Programm oder eine zweite Station am selben Anschluss schließen.
-close-what-else-uses-machine = Schließen, was den Rechner sonst beansprucht.
+close-program-second-station-same-port = Das andere Programm oder eine zweite Station am selben Anschluss schließen.
+close-what-else-uses-machine = Andere Programme auf diesem Rechner schließen.
 cloud-of-another-shape = { $file }: Die Punkte liegen { $rms } (rms) um die { $shape ->
         [plane] Ebene
        *[sphere] Kugel
     }: Sie gehören kaum zu einer. Nur die Punktwolke des Normals angeben
 cloud-of-odd-size = { $file } ist { $size } groß, wenn die Einheit { $unit } ist. Die Einheit mit --unit m, mm oder inch angeben
-cloud = Wolke
-cloud-being-scanned-already = Eine Wolke wird schon gescannt.
-cloud-cloud = { $title }, Wolke für Wolke.
-cloud-data-folder = Die Wolke von { $name } ist nicht im Datenordner
+cloud = Punktwolke
+cloud-being-scanned-already = Es wird bereits eine Punktwolke gescannt.
+cloud-cloud = { $title }, je Punktwolke.
+cloud-data-folder = Die Punktwolke von { $name } ist nicht im Datenordner
 cloud-formats = Punktwolken werden als { $suffixes } geschrieben
 cloud-has-no-points = sie enthält keine Punkte
-cloud-has-points = Die Wolke hat { $points } Punkte
+cloud-has-points = Die Punktwolke hat { $points } Punkte
 cloud-has-points-of = { $path } enthält { $count } von { $announced } Punkten
 cloud-holds-usable-points =
     { $points ->
-        [one] die Wolke enthält { $points } brauchbaren Punkt
-       *[other] die Wolke enthält { $points } brauchbare Punkte
+        [one] die Punktwolke enthält { $points } brauchbaren Punkt
+       *[other] die Punktwolke enthält { $points } brauchbare Punkte
     }
-cloud-name-proposal = Sie { $name } nennen
+cloud-name-proposal = { $name } als Namen verwenden
 cloud-no-points-lie-rms-off =
     { $shape ->
-        [sphere] Die Wolke ist keine Kugel: Ihre Punkte liegen { $rms } rms neben einer
-       *[plane] Die Wolke ist keine Ebene: Ihre Punkte liegen { $rms } rms neben einer
+        [sphere] Die Punktwolke ist keine Kugel: Ihre Punkte weichen um { $rms } rms ab
+       *[plane] Die Punktwolke ist keine Ebene: Ihre Punkte weichen um { $rms } rms ab
     }
-cloud-no-use = Wolke { $number } ist unbrauchbar.
-cloud-not-as-scan-wrote-it = { $path } ist nicht so, wie ein Scan sie hinterlässt
-cloud-plane = { $left_out } von Wolke { $number } gehören nicht zur Ebene.
-cloud-rms-about-gauge = Wolke { $number }: { $rms } rms um das Prüfnormal.
-cloud-shows-cap-sphere = Die Wolke zeigt eine Kappe von { $angle } der Kugel
-cloud-strip-wide = Die Wolke ist ein { $width } breiter Streifen
-clouds = { $done } von { $clouds_wanted } Wolken
-clouds-2 = Wolken
-clouds-enough = { $clouds_most } Wolken genügen.
-clouds-rebuilt-every-calibration = Die Wolken sind mit jeder Kalibrierung neu berechnet.
+cloud-no-use = Punktwolke { $number } ist nicht brauchbar.
+cloud-not-as-scan-wrote-it = { $path } ist nicht so, wie ein Scan die Datei hinterlässt
+cloud-plane = { $left_out } der Punkte von Punktwolke { $number } gehören nicht zur Ebene.
+cloud-rms-about-gauge = Punktwolke { $number }: { $rms } rms Abweichung vom Prüfnormal.
+cloud-shows-cap-sphere = Die Punktwolke zeigt eine Kugelkappe von { $angle }
+cloud-strip-wide = Die Punktwolke ist ein { $width } breiter Streifen
+clouds = { $done } von { $clouds_wanted } Punktwolken
+clouds-2 = Punktwolken
+clouds-enough = { $clouds_most } Punktwolken genügen.
+clouds-rebuilt-every-calibration = Die Punktwolken sind mit jeder Kalibrierung neu berechnet.
 code-wrong = Der Code ist falsch.
 coefficient = Koeffizient
 column-cell-is = { $place }: Spalte { $column } ist { $value }
@@ -518,19 +518,19 @@ column-empty = { $place }: Spalte { $column } ist leer
 column-is = { $place }: { $column } ist { $value }
 column-stands-there-twice = { $path }: Spalte { $names } kommt zweimal vor
 columns-not-separated-by-commas = die Spalten sind nicht durch Kommas getrennt
-come-nearer-object-fills-wanted = Näher kommen: Das Objekt füllt { $fills }, gewünscht { $least }
-comes-after-calibration = Sie kommt nach der Kalibrierung.
+come-nearer-object-fills-wanted = Näher heran: Das Objekt füllt { $fills }, Soll { $least }
+comes-after-calibration = Zuerst kalibrieren, dann verifizieren.
 compare-blocks-depth-heights-certificate = Tiefe und Höhen des Zinnenkörpers mit dem Kalibrierschein vergleichen.
-complete-delete-row = Die Zeile ergänzen oder löschen
-complete-or-delete-rows-of-position = Die Zeilen dieser Position ergänzen oder löschen
-compute-calibration-take-another-pose = { $taken } Die Kalibrierung berechnen oder eine weitere Pose aufnehmen.
+complete-delete-row = Zeile ergänzen oder löschen
+complete-or-delete-rows-of-position = Zeilen dieser Lage ergänzen oder löschen
+compute-calibration-take-another-pose = { $taken } Kalibrierung berechnen oder eine weitere Pose aufnehmen.
 computer-behind-queue-full = Der Rechner kommt nicht nach: Seine Warteschlange ist zu { $share } voll
-confirmed-devices = die Geräte bestätigt
-confirmed-gauge = das Prüfnormal bestätigt
-confirmed-object-picture = bestätigt, dass das Objekt im Bild ist
-confirmed-touches = die Antastungen bestätigt
-confirmed-what-use = bestätigt, was benutzt wird
-connect-arm-calibrate-one = diesen Messarm anschließen oder mit dem jetzigen kalibrieren
+confirmed-devices = Geräte bestätigt
+confirmed-gauge = Prüfnormal bestätigt
+confirmed-object-picture = Objekt im Bild bestätigt
+confirmed-touches = Antastpunkte bestätigt
+confirmed-what-use = Ausrüstung bestätigt
+connect-arm-calibrate-one = den passenden Messarm anschließen oder mit diesem kalibrieren
 connect-calibrate-one =
     { $device ->
         [arm] den passenden Messarm anschließen oder mit diesem kalibrieren
@@ -538,7 +538,7 @@ connect-calibrate-one =
     }
 connected = Verbunden mit { $host }.
 connected-2 = Seit { $duration } nicht mit { $host } verbunden: { CLAUSE($reason) }.
-connected-3 = Verbunden: { $title }
+connected-3 = { $title } verbunden
 connected-arm-has-joints = der angeschlossene Messarm hat { $joints } Gelenke
 connected-arm-has-joints-has-choose = Der angeschlossene Messarm hat { $connected_joints } Gelenke, { $name } hat { $joint_count }. Den angeschlossenen Messarm wählen.
 connected-has-serial-number =
@@ -546,144 +546,144 @@ connected-has-serial-number =
         [arm] der angeschlossene Messarm hat die Seriennummer { $serial_number }
        *[sensor] der angeschlossene Sensor hat die Seriennummer { $serial_number }
     }
-connected-has-serial-number-chosen-datasheet = Der angeschlossene { $name } hat die Seriennummer { $serial_number }, das gewählte Datenblatt ist für { $serial_number2 }.
-connected-sensors-picture-has-pixels-choose = Das Bild des angeschlossenen Sensors hat { $width_px } × { $height_px }, { $name } hat { $size } × { $size2 } Pixel. Den angeschlossenen Sensor wählen.
+connected-has-serial-number-chosen-datasheet = Das angeschlossene Gerät ({ $name }) hat die Seriennummer { $serial_number }, das gewählte Datenblatt gilt für { $serial_number2 }.
+connected-sensors-picture-has-pixels-choose = Das Bild des angeschlossenen Sensors hat { $width_px } × { $height_px } Pixel, das von { $name } { $size } × { $size2 }. Den angeschlossenen Sensor wählen.
 connected-yet = noch nicht verbunden
-connecting = Wird verbunden: { $title }
-contact-labelled-but-misses-face = Antastpunkt { $number } ist als „{ $face }“ bezeichnet, verfehlt diese Fläche aber um { $distance }
+connecting = { $title } wird verbunden
+contact-labelled-but-misses-face = Antastpunkt { $number } ist der Fläche „{ $face }“ zugeordnet, verfehlt sie aber um { $distance }
 contact-off-by = { $number } ({ $face }, { $off })
 contact-points = Antastpunkte
-contact-unknown-face = Antastpunkt { $number } liegt auf einer unbekannten Fläche „{ $face }“
+contact-unknown-face = Antastpunkt { $number } liegt auf der unbekannten Fläche „{ $face }“
 contacts = die Antastpunkte
-contacts-agree-blocks-size-tips-diameter = Die Antastpunkte stimmen mit Größe des Zinnenkörpers und Tastkugeldurchmesser überein: { $checked }.
-contacts-arm-has-no-tip = { $readings } Antastpunkte, und der Messarm { $name } hat keine Tastkugel
+contacts-agree-blocks-size-tips-diameter = Die Antastpunkte stimmen mit der Größe des Zinnenkörpers und dem Tastkugeldurchmesser überein: { $checked }.
+contacts-arm-has-no-tip = { $readings } Antastpunkte, aber der Messarm { $name } hat keine Tastkugel
 contacts-disagree-others-were-left-out =
     { $left_out ->
-        [one] { $left_out } von { $count } Antastpunkten widerspricht den anderen und wurde ausgelassen: { $named }.
-       *[other] { $left_out } von { $count } Antastpunkten widersprechen den anderen und wurden ausgelassen: { $named }.
+        [one] { $left_out } von { $count } Antastpunkten widerspricht den anderen und wurde ausgeschlossen: { $named }.
+       *[other] { $left_out } von { $count } Antastpunkten widersprechen den anderen und wurden ausgeschlossen: { $named }.
     }
 contacts-do-fix-objects-position = { $count } Antastpunkte legen die Lage des Objekts nicht fest
 contacts-face-lie-one-line = die { $count } Antastpunkte { $where } liegen auf einer Geraden
-contacts-fit-block-rms = { $count } Antastpunkte passen auf { $rms } rms zum Zinnenkörper.
-contacts-fit-block-rms-only-all = die Antastpunkte passen nur auf { $rms } rms zum Zinnenkörper, { $beside } von { $count } gar nicht
-contacts-fit-block-rms-up-good = { $count } Antastpunkte passen auf { $rms } rms zum Zinnenkörper; bis { $good } ist gut.
+contacts-fit-block-rms = { $count } Antastpunkte passen zum Zinnenkörper mit { $rms } rms.
+contacts-fit-block-rms-only-all = die Antastpunkte passen zum Zinnenkörper nur mit { $rms } rms, { $beside } von { $count } gar nicht
+contacts-fit-block-rms-up-good = { $count } Antastpunkte passen zum Zinnenkörper mit { $rms } rms; gut ist bis { $good }.
 contacts-lie-beside-crests-floors-were = { $off_face } von { $contacts } Antastpunkten liegen neben den angetasteten Zinnen oder Nutgründen
-contacts-lie-beside-face-they-labelled = { $beside } von { $count } Antastpunkten liegen neben der Fläche, mit der sie bezeichnet sind ({ $faces })
-contacts-lie-board-rms = { $count } Antastpunkte liegen auf { $rms } rms auf der Tafel.
-contacts-lie-board-rms-up-good = { $count } Antastpunkte liegen auf { $rms } rms auf der Tafel; bis { $good } ist gut.
-contacts-lie-off-board-pictures-show = die { $touches } Antastpunkte liegen { $usual } neben der Tafel, die die Bilder zeigen
+contacts-lie-beside-face-they-labelled = { $beside } von { $count } Antastpunkten liegen neben der Fläche, der sie zugeordnet sind ({ $faces })
+contacts-lie-board-rms = { $count } Antastpunkte liegen mit { $rms } rms auf der Tafel.
+contacts-lie-board-rms-up-good = { $count } Antastpunkte liegen mit { $rms } rms auf der Tafel; gut ist bis { $good }.
+contacts-lie-off-board-pictures-show = die { $touches } Antastpunkte liegen { $usual } neben der Tafel, die in den Bildern zu sehen ist
 contacts-lie-than-blocks-size-tips =
     { $sign ->
         [apart]
             Die Antastpunkte auf { $pair ->
                 [left] der linken und der rechten Stirnseite
                *[front] Vorder- und Rückseite
-            } liegen { $opening } weiter auseinander, als Größe des Zinnenkörpers und Tastkugeldurchmesser ergeben (Grenze { $limit }).
+            } liegen { $opening } weiter auseinander, als sich aus Zinnenkörper und Tastkugeldurchmesser ergibt (Grenzwert { $limit }).
        *[together]
             Die Antastpunkte auf { $pair ->
                 [left] der linken und der rechten Stirnseite
                *[front] Vorder- und Rückseite
-            } liegen { $opening } näher beieinander, als Größe des Zinnenkörpers und Tastkugeldurchmesser ergeben (Grenze { $limit }).
+            } liegen { $opening } näher beieinander, als sich aus Zinnenkörper und Tastkugeldurchmesser ergibt (Grenzwert { $limit }).
     }
-contacts-pictures-agree-better-tip-than = Antastpunkte und Bilder passen besser zu einer Tastkugel von { $fitted } (± { $known }) als von { $given }.
-contacts-pictures-agree-better-tips-centre = Antastpunkte und Bilder passen besser zu einer Tastkugelmitte, die { $off } neben der Stelle liegt, die in der Armdatei steht: um { $x }; { $y }; { $z } (± { $known }) im Flanschsystem. Gescannte Punkte können um ebenso viel falsch liegen.
+contacts-pictures-agree-better-tip-than = Antastpunkte und Bilder stimmen mit einem Tastkugeldurchmesser von { $fitted } (± { $known }) besser überein als mit { $given }.
+contacts-pictures-agree-better-tips-centre = Antastpunkte und Bilder stimmen besser überein, wenn die Tastkugelmitte { $off } neben ihrer Lage laut Armdatei liegt: um { $x }; { $y }; { $z } (± { $known }) im Flanschsystem. Gescannte Punkte können um ebenso viel falsch liegen.
 contacts-rms =
     Antastpunkte, rms von { $count ->
-        [one] { $count } Antastung
-       *[other] { $count } Antastungen
+        [one] { $count } Punkt
+       *[other] { $count } Punkten
     }
-contacts-rms-outliers = Antastpunkte, rms von { $count } Antastungen, { $outliers } ausgelassen
-contacts-scatter-times-what-arms-encoders = Die Antastpunkte streuen um { $sigma }, { $arm_excess }-mal so viel, wie die Messgeber des Arms erklären (Grenze { $excess }).
-contacts-stripe-several-levels-need-crenellated = Antastungen und Laserlinie auf mehreren Ebenen brauchen einen Zinnenkörper
-contacts-tips-sphere = Antastpunkte gehören zur Kugel eines Tasters
-contacts-were-given-positions = { $count } Antastpunkte mit Orten { $shape } wurden angegeben
+contacts-rms-outliers = Antastpunkte, rms von { $count } Punkten, { $outliers } ausgeschlossen
+contacts-scatter-times-what-arms-encoders = Die Antastpunkte streuen um { $sigma }, das { $arm_excess }-Fache dessen, was die Winkelgeber des Messarms erklären (Grenzwert { $excess }).
+contacts-stripe-several-levels-need-crenellated = für Antastpunkte und Laserlinie auf mehreren Höhenstufen ist ein Zinnenkörper nötig
+contacts-tips-sphere = Antastpunkte entstehen mit einer Tastkugel
+contacts-were-given-positions = { $count } Antastpunkte mit Positionen der Form { $shape } wurden angegeben
 continue = Weiter
-convention-is-pose = { $path }: convention ist 'pose'
-convert-columns-degrees = Die Spalten in Grad umrechnen
-convert-columns-x-mm-y-mm = Die Spalten x_mm, y_mm und z_mm in Millimeter umrechnen
+convention-is-pose = { $path }: convention ist „pose“
+convert-columns-degrees = Spalten in Grad umrechnen
+convert-columns-x-mm-y-mm = Spalten x_mm, y_mm und z_mm in Millimeter umrechnen
 convert-lengths-mm-name-columns = Längen in mm umrechnen und die Spalten { $names } nennen
-convert-them-name-columns = Sie umrechnen und die Spalten { $first } bis { $last } nennen
-coordinates = Dessen Koordinaten
-copy-differs-from-source = Die Kopie ist nicht, was aus { $path } gelesen wurde
-copy-whole-service-receives = Sie ganz aus dem empfangenden Dienst kopieren
+convert-them-name-columns = Werte umrechnen und die Spalten { $first } bis { $last } nennen
+coordinates = Koordinaten des Objekts
+copy-differs-from-source = Die Kopie weicht von dem ab, was aus { $path } gelesen wurde
+copy-whole-service-receives = Die vollständige Adresse aus dem empfangenden Dienst kopieren
 corner = Ecke { $column },{ $row }
-corners-can-measured = { $found } von { $corners } Ecken von „{ $name }“ lassen sich messen
-corners-fix-camera-badly-condition-number = die { $points } Ecken legen die Kamera schlecht fest (Konditionszahl { $condition }, Grenze { $limit })
-corners-fix-camera-weakly-condition-number = Die Ecken legen die Kamera schwach fest: Konditionszahl { $condition } (gut unter { $good }, abgelehnt über { $limit }).
-corners-lie-off-regular-pattern-certificate = Die Ecken liegen { $off } neben einem regelmäßigen Muster, laut Kalibrierschein { $standard_uncertainty }: berücksichtigt.
-corners-object-found = { $corners_detected } Ecken des Objekts sind gefunden.
+corners-can-measured = { $found } von { $corners } Ecken von „{ $name }“ sind messbar
+corners-fix-camera-badly-condition-number = die { $points } Ecken bestimmen die Kamera schlecht (Konditionszahl { $condition }, Grenzwert { $limit })
+corners-fix-camera-weakly-condition-number = Die Ecken bestimmen die Kamera nur schwach: Konditionszahl { $condition } (gut unter { $good }, abgelehnt über { $limit }).
+corners-lie-off-regular-pattern-certificate = Die Ecken weichen um { $off } von einem regelmäßigen Muster ab, laut Kalibrierschein um { $standard_uncertainty }; das ist berücksichtigt.
+corners-object-found = { $corners_detected } Ecken des Objekts gefunden.
 corners-px = Ecken, px
 corners-rms = Ecken, rms
 corners-were-found = { $found } von { $corners } Ecken von „{ $name }“ wurden gefunden
 corners-were-found-picture = { $points } Ecken wurden im Bild gefunden
 corners-were-taken-others-do-belong = die Ecken wurden verwechselt oder gehören nicht zu diesem Objekt
 corners-would-lie-behind-camera = { $behind } von { $points } Ecken lägen hinter der Kamera
-correct-cell-delete-row = Die Zelle berichtigen oder die Zeile löschen
+correct-cell-delete-row = Zelle berichtigen oder Zeile löschen
 correct-it = Berichtigen
-correct-name = Den Namen berichtigen
+correct-name = Namen berichtigen
 correct-option = { $key } berichtigen.
-correct-remove-file = Die Datei berichtigen oder entfernen.
-correct-sensor-exposure-us-take-out = { "[" }sensor] exposure_us berichtigen oder herausnehmen.
-correct-sensor-take-out = { "[" }sensor] { $key } berichtigen oder herausnehmen.
-correct-tips-diameter-arm-json-what = Den Durchmesser der Tastkugel in arm.json berichtigen oder die Angaben der Tabellen
-correct-value-or-give-arm-json = Den Wert berichtigen oder die richtige arm.json angeben
-correct-value-or-name-artefact-differently = Den Wert berichtigen oder einen anderen Prüfkörper anders benennen
-correlated-known-together = Korreliert: gemeinsam bekannt, einzeln weniger gut
-could-solved-what-taken-kept = Das ließ sich nicht berechnen. Was aufgenommen wurde, ist erhalten.
+correct-remove-file = Datei berichtigen oder entfernen.
+correct-sensor-exposure-us-take-out = { "[" }sensor] exposure_us berichtigen oder entfernen.
+correct-sensor-take-out = { "[" }sensor] { $key } berichtigen oder entfernen.
+correct-tips-diameter-arm-json-what = Durchmesser der Tastkugel in arm.json oder die Angaben der Tabellen berichtigen
+correct-value-or-give-arm-json = Wert berichtigen oder die richtige arm.json angeben
+correct-value-or-name-artefact-differently = Wert berichtigen oder einen anderen Prüfkörper anders benennen
+correlated-known-together = Korreliert: gemeinsam gut bestimmt, einzeln weniger gut
+could-solved-what-taken-kept = Die Berechnung war nicht möglich. Alles Aufgenommene bleibt erhalten.
 could-true-last-ago =
     { $count ->
-        [one] { $count } war unmöglich, vor { $ago }: { CLAUSE($what) }.
-       *[other] { $count } waren unmöglich, der letzte vor { $ago }: { CLAUSE($what) }.
+        [one] { $count } war unplausibel, vor { $ago }: { CLAUSE($what) }.
+       *[other] { $count } waren unplausibel, der letzte vor { $ago }: { CLAUSE($what) }.
     }
-create-choose-another-place = Ihn anlegen oder einen anderen Ort wählen
+create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
-crest-z-mm-must-above-floor = crest_z_mm muss über floor_z_mm liegen und dieses über base_z_mm
+crest-z-mm-must-above-floor = crest_z_mm muss über floor_z_mm liegen und floor_z_mm über base_z_mm
 crests-top = Zinnen (oben)
-damaged = Sie ist beschädigt: { $trouble }.
-dark-brightest-pixel = es ist dunkel: Sein hellster Pixel hat { $brightest } von { $full } Graustufen
+damaged = Die Datenbank ist beschädigt: { $trouble }.
+dark-brightest-pixel = es ist dunkel: Das hellste Pixel hat { $brightest } von { $full } Graustufen
 data-folder = Datenordner
 data-folder-any-more = { $name } ist nicht mehr im Datenordner.
 data-folder-cannot-be-used = Der Datenordner { $folder } ist nicht verwendbar
-data-folder-in-use = Der Datenordner { $folder } wird von einem anderen Crenel-Server benutzt (Prozess { $process })
-data-speak-errors-arms-links-each = Die Daten sprechen für Fehler der Armglieder von je { $links } und { $turns }; was davon bleibt, macht { $share } der Unsicherheit eines Punkts aus.
+data-folder-in-use = Der Datenordner { $folder } wird von einem anderen Crenel-Server verwendet (Prozess { $process })
+data-speak-errors-arms-links-each = Die Daten deuten auf Fehler der Armglieder von je { $links } und { $turns } hin; was davon bleibt, macht { $share } der Unsicherheit eines Punkts aus.
 database = Datenbank
-database-cannot-be-written = in die Datenbank kann nicht geschrieben werden: { $error }
+database-cannot-be-written = in die Datenbank lässt sich nicht schreiben: { $error }
 database-is-empty = { $database } ist leer
-database-is-not-there = { $database } ist nicht da
-database-not-damaged = die Datenbank der Station lässt sich dort nicht öffnen; beschädigt ist sie nicht
-database-of-later-version = { $path } wurde von einer späteren Version von Crenel geschrieben (Schema { $version }, diese kennt { $known })
-datasheet-lets-turn = nach seinem Datenblatt dreht es von { $low } bis { $high }
+database-is-not-there = { $database } ist nicht vorhanden
+database-not-damaged = die Datenbank der Station lässt sich dort nicht öffnen; sie ist nicht beschädigt
+database-of-later-version = { $path } wurde von einer neueren Version von Crenel geschrieben (Schema { $version }; diese Version kennt { $known })
+datasheet-lets-turn = laut Datenblatt dreht es von { $low } bis { $high }
 date = Datum
 decision = Entscheidung
-decision-rule-iso-14253-1-error = Entscheidungsregel nach ISO 14253-1: Die Durchmesserabweichung ist bestanden, wo sie um mehr als ihre erweiterte Unsicherheit (k = 2) nachweislich innerhalb der Grenze liegt; nicht bestanden, wo sie nachweislich jenseits liegt. Die Streuung wird unmittelbar mit ihrer Grenze verglichen.
-decision-rule-iso-14253-1-pass = Entscheidungsregel nach ISO 14253-1: bestanden, wo der Wert um mehr als seine erweiterte Unsicherheit (k = 2) nachweislich innerhalb der Grenze liegt; nicht bestanden, wo er nachweislich jenseits liegt; sonst nicht entschieden.
-decision-rule-limits-set-standard-uncertainty = Entscheidungsregel: Die Grenzen gelten für die Standardunsicherheit selbst und werden unmittelbar mit ihr verglichen, ohne Sicherheitsabstand.
-decision-rule-max-min-2-each = Entscheidungsregel: (max − min)/2 jeder Achse wird unmittelbar mit der Grenze verglichen; es gibt keinen Sicherheitsabstand: Was die Form von Pfanne und Tastkugel beiträgt, ist nicht angegeben.
-delay-would-known-all = der Verzug wäre gar nicht bekannt
-delay-would-known-k-1 = der Verzug wäre auf { $u } bekannt (k = 1)
+decision-rule-iso-14253-1-error = Entscheidungsregel nach ISO 14253-1: Die Durchmesserabweichung gilt als bestanden, wenn sie um mehr als ihre erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt, und als nicht bestanden, wenn sie ihn um mehr als diese überschreitet. Die Streuung wird unmittelbar mit ihrem Grenzwert verglichen.
+decision-rule-iso-14253-1-pass = Entscheidungsregel nach ISO 14253-1: bestanden, wenn der Wert um mehr als seine erweiterte Unsicherheit (k = 2) innerhalb des Grenzwerts liegt; nicht bestanden, wenn er ihn um mehr als diese überschreitet; sonst nicht entschieden.
+decision-rule-limits-set-standard-uncertainty = Entscheidungsregel: Die Grenzwerte gelten für die Standardunsicherheit selbst und werden unmittelbar mit ihr verglichen, ohne Schutzabstand.
+decision-rule-max-min-2-each = Entscheidungsregel: (max − min)/2 jeder Achse wird unmittelbar mit dem Grenzwert verglichen, ohne Schutzabstand: Der Beitrag der Form von Pfanne und Tastkugel ist nicht angegeben.
+delay-would-known-all = der Zeitversatz wäre nicht bestimmbar
+delay-would-known-k-1 = die Standardunsicherheit des Zeitversatzes betrüge { $u } (k = 1)
 delete-one-rows = Eine der Zeilen löschen
-delete-scans-under-records-use-larger = Scans im Archiv löschen oder einen größeren Datenträger benutzen.
-delete-what-stands-there-twice = Die doppelten Zeilen löschen
+delete-scans-under-records-use-larger = Scans im Archiv löschen oder einen größeren Datenträger verwenden.
+delete-what-stands-there-twice = Doppelte Einträge löschen
 deleted = { $name } wurde gelöscht
-deleted-scan = einen Scan gelöscht
-denavit-hartenberg-parameters-do-same = die Denavit-Hartenberg-Parameter leisten dasselbe
+deleted-scan = Scan gelöscht
+denavit-hartenberg-parameters-do-same = die Denavit-Hartenberg-Parameter haben dieselbe Wirkung
 depth-mm = Tiefe, mm
-deviations-distances-one = Abweichungen sind Abstände von einer
+deviations-distances-one = Abweichungen sind Abstände von einer Form
 device-cannot-be-opened = { $title } lässt sich nicht öffnen
-device-cannot-be-played = { $title } lässt sich nicht abspielen
+device-cannot-be-played = { $title } lässt sich nicht wiedergeben
 device-closed = { $title } ist geschlossen
 device-closed-while-opening = { $title } wurde beim Öffnen geschlossen
-device-failed = { $title } ist gescheitert: { $error }
-device-lost = { $title } ging verloren
-device-not-open = { $title } ist nicht offen
+device-failed = { $title } ist ausgefallen: { $error }
+device-lost = { $title } ist nicht mehr verbunden
+device-not-open = { $title } ist nicht geöffnet
 devices = Geräte
 diameter = Durchmesser
-diameter-of-tip-by-datasheet = Tastkugeldurchmesser nach dem Datenblatt
+diameter-of-tip-by-datasheet = Tastkugeldurchmesser laut Datenblatt
 diameter-tip-found = Gemessener Tastkugeldurchmesser
 did-you-mean = Meinen Sie { $name }?
 disk = Datenträger
-disk-fails = Der Datenträger von { $folder } liest oder schreibt nicht, wie er soll
-disk-fails-takes-every-calibration-scan = Ein defekter Datenträger nimmt jede Kalibrierung und jeden Scan mit.
+disk-fails = Der Datenträger von { $folder } liest oder schreibt fehlerhaft
+disk-fails-takes-every-calibration-scan = Mit einem defekten Datenträger gehen alle Kalibrierungen und Scans verloren.
 disk-full = der Datenträger ist voll
 disk-full-during-scan = Der Datenträger war während dieses Scans voll.
 disk-of-backup-loses-data = der Datenträger der Sicherung speichert nicht, was darauf geschrieben wird
@@ -691,17 +691,17 @@ disk-of-data-folder-full = Der Datenträger des Datenordners { $folder } ist vol
 disk-of-folder-full = Der Datenträger von { $folder } ist voll
 disk-quota-used-up = das Speicherkontingent ist aufgebraucht
 disk-read-only = der Datenträger ist schreibgeschützt
-disks-largest-file-size-reached = die größte Dateigröße des Datenträgers ist erreicht
+disks-largest-file-size-reached = die maximale Dateigröße des Datenträgers ist erreicht
 distance = Abstand
-distance-between-clouds = Abstand zwischen Wolken
-distance-between-clouds-centres = Abstand zwischen den Mittelpunkten der Wolken
-distance-each-touch-face-times-larger = Abstand jeder Antastung von ihrer Fläche, { $factor }-fach vergrößert: Blau außen, Orange innen, Kreuze ausgelassen. Der längste Strich ist { $largest } ({ $largest_mm }).
-distance-each-touch-sphere-through-all = Abstand jeder Antastung von der Kugel durch alle.
-distance-fitted-shape-blue-outside-orange = { $name }: Abstand von der angepassten Form, Blau außen, Orange innen.
+distance-between-clouds = Abstand zwischen den Punktwolken
+distance-between-clouds-centres = Abstand der Mittelpunkte der Punktwolken
+distance-each-touch-face-times-larger = Abstand jedes Antastpunkts von seiner Fläche, { $factor }-fach vergrößert: Blau außen, Orange innen, Kreuze ausgeschlossen. Der längste Strich entspricht { $largest } ({ $largest_mm }).
+distance-each-touch-sphere-through-all = Abstand jedes Antastpunkts von der Ausgleichskugel.
+distance-fitted-shape-blue-outside-orange = { $name }: Abstand von der eingepassten Form, Blau außen, Orange innen.
 distance-out-of-range =
     { $side ->
-        [near] Zu nah: { $distance }, gewünscht { $low } bis { $high }
-       *[far] Zu weit: { $distance }, gewünscht { $low } bis { $high }
+        [near] Zu nah: { $distance }, Soll { $low } bis { $high }
+       *[far] Zu weit: { $distance }, Soll { $low } bis { $high }
     }
 distance-touched-centre = Abstand vom angetasteten Mittelpunkt
 distance-touched-plane = Abstand von der angetasteten Ebene
@@ -709,23 +709,23 @@ distortion = Verzeichnung
 distortion-not-invertible = die Verzeichnung lässt sich nicht im ganzen Bild umkehren
 document-format = { $path }: format ist { $format }
 document-version = { $path }: version ist { $version }
-does-not-take-exposure = { $title } nimmt eine Belichtung von { $exposure } nicht an
-does-take = { $path } nimmt { $method } nicht an.
-does-take-notifications-given-up = { $host } nimmt Benachrichtigungen nicht an: { $trouble } ({ $failed } aufgegeben).
+does-not-take-exposure = { $title } unterstützt keine Belichtung von { $exposure }
+does-take = { $path } unterstützt { $method } nicht.
+does-take-notifications-given-up = { $host } nimmt keine Benachrichtigungen an: { $trouble } ({ $failed } nicht zugestellt).
 done = Fertig
-draw-over-part-cloud = es über einen Teil der Wolke ziehen
+draw-over-part-cloud = das Rechteck über einen Teil der Punktwolke ziehen
 draw-pictures-of-each-folder-apart = Die Bilder jedes Ordners für sich zeichnen
 driver-cannot-be-loaded = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht laden: { $kind }: { $error }
 driver-not-callable = Der Treiber { $name } ({ $table }) aus { $package } lässt sich nicht aufrufen: { $value }
-driver-offered = Den Treiber { $name } ({ $table }) bieten mehrere an: { $packages }
-driver-takes = Er nimmt { $names }.
+driver-offered = Der Treiber { $name } ({ $table }) ist mehrfach vorhanden: { $packages }
+driver-takes = Zulässig sind { $names }.
 drivers-are = Vorhandene Treiber: { $names }.
-drop-cloud = Diese Wolke verwerfen
-drop-last-place = Letzten Ort verwerfen
-dropped-cloud = eine Wolke verworfen
-dropped-seat = einen Sitz verworfen
-dropped-swing = einen Schwenk verworfen
-dropping-cloud = Wolke wird verworfen
+drop-cloud = Diese Punktwolke verwerfen
+drop-last-place = Letzte Position verwerfen
+dropped-cloud = Punktwolke verworfen
+dropped-seat = Position verworfen
+dropped-swing = Punkte einer Position verworfen
+dropping-cloud = Punktwolke wird verworfen
 duration-days =
     { $count ->
         [one] { $count } Tag
@@ -741,9 +741,9 @@ duration-minutes =
         [one] { $count } Minute
        *[other] { $count } Minuten
     }
-each-point-needs-three-coordinates-one = jeder Punkt braucht drei Koordinaten und einen Pixel (u, v)
-each-point-swing-about-middle-all = Jeder Punkt des Schwenks um die Mitte aller, im Koordinatensystem des Messarms.
-each-touchs-distance-sphere = Abstand jeder Antastung von der Kugel
+each-point-needs-three-coordinates-one = jeder Punkt braucht drei Koordinaten und ein Pixel (u, v)
+each-point-swing-about-middle-all = Jeder Punkt des Schwenks relativ zur Mitte aller Punkte, im Koordinatensystem des Messarms.
+each-touchs-distance-sphere = Abstand jedes Antastpunkts von der Kugel
 edge-of-base =
     { $side ->
         [left] die linke Kante der Grundfläche
@@ -753,51 +753,51 @@ edge-of-base =
     }
 edge-of-crest =
     { $side ->
-        [left] die linke obere Kante der Zinne { $number }
-        [right] die rechte obere Kante der Zinne { $number }
-        [front] die vordere obere Kante der Zinne { $number }
-       *[back] die hintere obere Kante der Zinne { $number }
+        [left] die linke Oberkante der Zinne { $number }
+        [right] die rechte Oberkante der Zinne { $number }
+        [front] die vordere Oberkante der Zinne { $number }
+       *[back] die hintere Oberkante der Zinne { $number }
     }
 edge-of-floor =
     { $side ->
-        [left] die linke Kante des Grunds der Nut { $number }
-        [right] die rechte Kante des Grunds der Nut { $number }
-        [front] die vordere Kante des Grunds der Nut { $number }
-       *[back] die hintere Kante des Grunds der Nut { $number }
+        [left] die linke Kante des Nutgrunds { $number }
+        [right] die rechte Kante des Nutgrunds { $number }
+        [front] die vordere Kante des Nutgrunds { $number }
+       *[back] die hintere Kante des Nutgrunds { $number }
     }
 edge-width = Kantenbreite
 edges-corners = Kanten und Ecken
 edges-corners-rms = Kanten und Ecken, rms
-edges-lie-off-average-where-certificate = seine Kanten liegen im Mittel { $usual }, { $edge } { $distance } neben dem Ort des Kalibrierscheins
+edges-lie-off-average-where-certificate = seine Kanten liegen im Mittel { $usual } und { $edge } { $distance } neben der Lage laut Kalibrierschein
 edges-px = Kanten, px
-edges-would-fit-only-if-cameras = seine Kanten passten nur, wenn die Pixel der Kamera um { $off_square } vom Quadrat abwichen
-edges-would-fit-only-lens-distorted = seine Kanten passten nur zu einem Objektiv mit der Verzeichnung k1 = { $k1 }, k2 = { $k2 }
-edges-x-mm-must-ascend-follows = edges_x_mm muss ansteigen: { $right } folgt auf { $left }
+edges-would-fit-only-if-cameras = seine Kanten würden nur passen, wenn die Pixel der Kamera um { $off_square } von der quadratischen Form abwichen
+edges-would-fit-only-lens-distorted = seine Kanten würden nur zu einem Objektiv mit der Verzeichnung k1 = { $k1 }, k2 = { $k2 } passen
+edges-x-mm-must-ascend-follows = die Werte in edges_x_mm müssen ansteigen: { $right } folgt auf { $left }
 edges-x-mm-odd-count =
     edges_x_mm enthält { $count ->
         [one] { $count } Kante
        *[other] { $count } Kanten
     }; jede Zinne hat zwei, eine linke und eine rechte
 empty = sie ist leer
-encoder-stands-still-switch-arm-off = sein Messgeber bewegt sich nicht: Messarm aus- und einschalten und das Kabel des Gelenks prüfen
-end-cloud = Wolke beenden
-end-name = Den Namen mit .html oder .pdf enden lassen
-ended = sie beendet
-ended-token-metrics = einen Schlüssel für Messwerte beendet
-enough-places = Genug Orte
-entered-consoles-code = mit dem Code der Konsole eingetreten
-entered-the-temperature = die Temperatur angegeben
-entry-point-must-name-function-takes = Sein Einstiegspunkt muss eine Funktion nennen, die die Optionen nimmt.
-error = Abweichung
+encoder-stands-still-switch-arm-off = sein Winkelgeber ändert sich nicht: Messarm aus- und wieder einschalten und das Kabel des Gelenks prüfen
+end-cloud = Punktwolke abschließen
+end-name = Der Name muss auf .html oder .pdf enden
+ended = Sitzung beendet
+ended-token-metrics = Token für Metriken widerrufen
+enough-places = Genügend Positionen
+entered-consoles-code = mit dem Code der Konsole angemeldet
+entered-the-temperature = Temperatur eingegeben
+entry-point-must-name-function-takes = Sein Einstiegspunkt muss eine Funktion sein, die die Optionen entgegennimmt.
+error = Durchmesserabweichung
 error-budget = Unsicherheitsbudget
-error-budget-with-limits = Quellen der Standardunsicherheit (k = 1) eines gescannten Punkts. Grenzen: gut bis { $good }, brauchbar bis { $usable }.
+error-budget-with-limits = Beiträge zur Standardunsicherheit (k = 1) eines gescannten Punkts. Grenzwerte: gut bis { $good }, brauchbar bis { $usable }.
 error-in-column = Spalte { $place }
 error-in-row = Zeile { $place }
 error-radius = Radiusabweichung
-error-there-something-program-did-foresee = Ein Fehler dort ist etwas, was das Programm nicht vorhersah.
+error-there-something-program-did-foresee = Ein Fehler im Protokoll ist ein nicht vorhergesehener Fall.
 error-what = { CLAUSE($what) }.
 error-what-and-why = { CLAUSE($what) }: { CLAUSE($why) }.
-errors-arms-own-model-joint-angles = Fehler des Armmodells selbst, Gelenkwinkel, die nicht die des Bildes sind, und ein Objekt, das seit dem Antasten bewegt wurde, sind aus einem Bild in einer Pose nicht zu sehen und stecken nicht in dieser Zahl.
+errors-arms-own-model-joint-angles = Fehler des Armmodells selbst, nicht zum Bild gehörende Gelenkwinkel und ein nach dem Antasten bewegtes Objekt lassen sich aus einem Bild in einer Pose nicht erkennen und sind in diesem Wert nicht enthalten.
 errors-last-hour =
     { $count ->
         [0] Kein Fehler in der letzten Stunde.
@@ -805,129 +805,129 @@ errors-last-hour =
        *[other] { $count } Fehler in der letzten Stunde.
     }
 even-best-arm-points-still-scatter = selbst mit dem besten Armmodell streuen die Punkte noch um { $scatter }
-every-figure-keeps-limit = Jede Kenngröße hält ihre Grenze ein.
-every-figure-keeps-limit-2 = Nicht jede Kenngröße hält ihre Grenze ein.
-every-figure-known-well-enough-judged = Nicht jede Kenngröße ist genau genug bekannt, um sie zu beurteilen.
-every-file-has-content-result-made = Jede Datei hat den Inhalt, aus dem das Ergebnis entstand.
-every-reading-joints-could-true = Jeder Messwert der Gelenke war möglich.
-every-stripe-pictures-wait-them = Jede Laserlinie ist darin; Bilder warten auf sie.
-everything-grows-metre-aluminium = Alles wächst mit ihr, ein Meter Aluminium um { $growth } je Grad.
-exceed-limit-m = { $half_range } überschreiten die Grenze von { $limit }.
+every-figure-keeps-limit = Alle Kenngrößen halten ihren Grenzwert ein.
+every-figure-keeps-limit-2 = Nicht alle Kenngrößen halten ihren Grenzwert ein.
+every-figure-known-well-enough-judged = Nicht alle Kenngrößen sind für eine Entscheidung genau genug bestimmt.
+every-file-has-content-result-made = Jede Datei hat noch den Inhalt, aus dem das Ergebnis berechnet wurde.
+every-reading-joints-could-true = Alle Messwerte der Gelenke sind plausibel.
+every-stripe-pictures-wait-them = Alle Laserlinien sind aufgezeichnet; sie haben Vorrang vor Bildern.
+everything-grows-metre-aluminium = Mit der Temperatur dehnt sich alles aus, ein Meter Aluminium um { $growth } je Grad.
+exceed-limit-m = { $half_range } überschreiten den Grenzwert von { $limit }.
 expanded-uncertainty-note = U = { $expanded_uncertainty }, k = 2
-expected = { $wanted } wird erwartet
-expected-by-datasheet-and-expanded-uncertainty = { $expected } nach dem Datenblatt; U = { $expanded_uncertainty }, k = 2
-exposure-set-lasers-line = Die Belichtung richtet sich nach der Laserlinie
+expected = erwartet wird { $wanted }
+expected-by-datasheet-and-expanded-uncertainty = laut Datenblatt { $expected }; U = { $expanded_uncertainty }, k = 2
+exposure-set-lasers-line = Die Belichtung lässt sich nicht an die Laserlinie anpassen
 extracting-laser-stripe = Laserlinie wird ausgewertet
 extraction-detection = Extraktion und Erkennung
 face-3 = Fläche
 face-and-number = { $face } { $number }
-face-can-turn-about-line = die Fläche kann sich um diese Gerade drehen
-face-has-points-go = Diese Fläche hat ihre Punkte. Weiter mit: { $face }.
+face-can-turn-about-line = die Fläche lässt sich um diese Gerade drehen
+face-has-points-go = Diese Fläche hat genügend Punkte. Weiter mit: { $face }.
 faces-agree-to = { $first } und { $second } auf { $opening }
 faces-are = die Flächen sind { $names }
 faces-contacts = { $faces } Flächen für { $contacts } Antastpunkte
 fail = Nicht bestanden
-failed-2 = { $title }: gescheitert
+failed-2 = { $title }: fehlgeschlagen
 far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
-feature-given-single-scanned-point-iso = Für ein Merkmal, das ein einzelner gescannter Punkt bestimmt, beweist ISO 14253-1 mit ihren voreingestellten 95 % die Konformität, wo der Punkt um { $guard } ({ $guard_mm }, { $factor } Standardunsicherheiten) innerhalb der Toleranz bleibt; die Nichtkonformität ebenso weit außerhalb.
+feature-given-single-scanned-point-iso = Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, weist ISO 14253-1 mit den voreingestellten 95 % die Konformität nach, wenn der Punkt um { $guard } ({ $guard_mm }, { $factor } Standardunsicherheiten) innerhalb der Toleranz liegt; die Nichtkonformität, wenn er ebenso weit außerhalb liegt.
 field-is = { $path }: { $place } ist { $value }
 field-missing =
     { $more ->
         [0] { $path }: { $place } fehlt
        *[other] { $path }: { $place } fehlt (und { $more } weitere)
     }
-field-must-be-less-than-half-square = { $field } muss kleiner als ein halbes Feld sein; ist es in Mikrometern angegeben?
+field-must-be-less-than-half-square = { $field } muss kleiner als ein halbes Feld sein; ist der Wert in Mikrometern angegeben?
 figure = Kenngröße
-figure-beyond-limit = { $title }: { $value }, jenseits der Grenze von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
-figure-near-limit = { $title }: { $value }, näher an der Grenze von { $limit } als die Unsicherheit von { $uncertainty } (k = 2), daher nicht entschieden.
-figure-within-limit = { $title }: { $value }, innerhalb der Grenze von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
-figures-against-their-limits = Die Kenngrößen gegen ihre Grenzen
-figures-before = { $text }: Die Zahlen sind von vorher.
-figures-break-limits-not-compared = Nicht jede Kenngröße hält ihre Grenze ein; Scan und Taster wurden nicht verglichen.
-figures-keep-limits-not-compared = Jede Kenngröße hält ihre Grenze ein; Scan und Taster wurden nicht verglichen.
-figures-undecided-not-compared = Nicht jede Kenngröße ist genau genug bekannt, um sie zu beurteilen; Scan und Taster wurden nicht verglichen.
+figure-beyond-limit = { $title }: { $value }, über dem Grenzwert von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
+figure-near-limit = { $title }: { $value }, näher am Grenzwert von { $limit } als die Unsicherheit von { $uncertainty } (k = 2), daher nicht entschieden.
+figure-within-limit = { $title }: { $value }, innerhalb des Grenzwerts von { $limit }, um mehr als die Unsicherheit von { $uncertainty } (k = 2).
+figures-against-their-limits = Kenngrößen und ihre Grenzwerte
+figures-before = { $text }: Die Werte sind nicht mehr aktuell.
+figures-break-limits-not-compared = Nicht alle Kenngrößen halten ihren Grenzwert ein; Scan und Taster wurden nicht verglichen.
+figures-keep-limits-not-compared = Alle Kenngrößen halten ihren Grenzwert ein; Scan und Taster wurden nicht verglichen.
+figures-undecided-not-compared = Nicht alle Kenngrößen sind für eine Entscheidung genau genug bestimmt; Scan und Taster wurden nicht verglichen.
 file = eine Datei
 file-4 = Datei
-file-carries-no-verdict = Die Datei enthält kein Urteil.
-file-cut-off = die Datei wurde abgeschnitten
-file-damaged = die Datei wurde beschädigt
-file-has-name-folder-needed = eine Datei trägt den Namen eines Ordners, der gebraucht wird
+file-carries-no-verdict = Die Datei enthält keine Entscheidung.
+file-cut-off = die Datei ist unvollständig
+file-damaged = die Datei ist beschädigt
+file-has-name-folder-needed = eine Datei trägt den Namen eines benötigten Ordners
 file-has-no-contact-points = { $path } enthält keine Antastpunkte
 file-has-no-pictures = { $path } enthält keine Bilder
 file-has-no-points = { $path } enthält keine Punkte
-file-larger-than-any-read = nichts, was hier gelesen wird, ist so groß
-file-name-is-not-utf-8 = Der Name von { $name } ist kein UTF-8-Text
+file-larger-than-any-read = so große Dateien werden hier nicht gelesen
+file-name-is-not-utf-8 = Der Name von { $name } ist kein gültiger UTF-8-Text
 files-data-folder-any-more = ihre Dateien sind nicht mehr im Datenordner
 files-searched = Gesucht wird nach { $suffixes }.
 finding-objects-edges = Kanten des Objekts werden gesucht
-finding-start = Startwerte werden gesucht
+finding-start = Startwerte werden bestimmt
 finding-what-and-why = { CAPITAL(CLAUSE($what)) }: { CLAUSE($why) }
 findings = Befunde
-finish-cloud-drop = Diese Wolke beenden oder verwerfen.
-finish-cloud-first = Zuerst diese Wolke beenden.
+finish-cloud-drop = Diese Punktwolke abschließen oder verwerfen.
+finish-cloud-first = Zuerst diese Punktwolke abschließen.
 finish-sphere = Kugel abschließen
-finish-swing = Schwenk beenden
-finished-cloud = eine Wolke abgeschlossen
-finished-seat = einen Sitz abgeschlossen
-finite-number-decimal-point-expected = eine endliche Zahl mit Dezimalpunkt wird erwartet
-firmware-must-answer-hello = Seine Firmware muss die Hello-Anfrage beantworten (hardware/arm/protocol.py).
-firmware-must-send-counts-of-hello = Seine Firmware muss so viele Werte senden, wie ihr Hello ankündigt.
+finish-swing = Schwenk abschließen
+finished-cloud = Punktwolke abgeschlossen
+finished-seat = Position abgeschlossen
+finite-number-decimal-point-expected = erwartet wird eine endliche Zahl mit Dezimalpunkt
+firmware-must-answer-hello = Die Firmware muss die Hello-Anfrage beantworten (hardware/arm/protocol.py).
+firmware-must-send-counts-of-hello = Die Firmware muss so viele Werte senden, wie ihr Hello ankündigt.
 first-line-names = die erste Zeile nennt { $names }
 first-line-names-column-count =
     die erste Zeile nennt { $count ->
         [one] { $count } Spalte
        *[other] { $count } Spalten
     }
-fit-does-settle = die Anpassung konvergiert nicht
-fit-follows-these-points-arm = die Anpassung folgt diesen Punkten und nicht dem Messarm
-fit-plane-sphere-cylinder-first = zuerst eine Ebene, eine Kugel oder einen Zylinder anpassen
+fit-does-settle = die Ausgleichung konvergiert nicht
+fit-follows-these-points-arm = die Ausgleichung folgt diesen Punkten und nicht dem Messarm
+fit-plane-sphere-cylinder-first = zuerst eine Ebene, eine Kugel oder einen Zylinder einpassen
 fitting =
     { $shape ->
-        [plane] Eine Ebene wird angepasst
-        [sphere] Eine Kugel wird angepasst
-       *[cylinder] Ein Zylinder wird angepasst
+        [plane] Ebene wird eingepasst
+        [sphere] Kugel wird eingepasst
+       *[cylinder] Zylinder wird eingepasst
     }
-fitting-arm = Der Messarm wird angepasst
-fitting-contact-points = Antastpunkte werden angepasst
-fix-board-flat-plate = Die Tafel auf einer ebenen Platte befestigen.
-fix-board-so-cannot-rock-warp = Die Tafel so befestigen, dass sie nicht wackeln oder sich verziehen kann, und das Objektiv feststellen.
-fix-object-arm-so-neither-can = Objekt und Arm so befestigen, dass sich keines bewegen kann, das Objekt antasten und die Bilder noch einmal aufnehmen.
+fitting-arm = Armparameter werden ausgeglichen
+fitting-contact-points = Antastpunkte werden ausgeglichen
+fix-board-flat-plate = Tafel auf einer ebenen Platte befestigen.
+fix-board-so-cannot-rock-warp = Tafel so befestigen, dass sie nicht wackeln oder sich verziehen kann, und das Objektiv der Kamera feststellen.
+fix-object-arm-so-neither-can = Objekt und Messarm so befestigen, dass sich keines bewegen kann, das Objekt antasten und die Bilder neu aufnehmen.
 flange-differs = der Flansch weicht um { $moved } ab
-flange-turned-most-between-poses = der Flansch drehte sich zwischen den { $count } Posen höchstens um { $turn }
-flanges-frame-now-arms-calibrations-made = Das Flanschsystem ist nun das dieses Messarms: Kalibrierungen mit dem Messarm von vorher gehören nicht dazu.
-flat-board-tells-cameras-focal-length = eine ebene Tafel bestimmt die Brennweite der Kamera ab { $fewest_poses } Bildern, die gegeneinander geneigt sind
+flange-turned-most-between-poses = der Flansch hat sich zwischen den { $count } Posen höchstens um { $turn } gedreht
+flanges-frame-now-arms-calibrations-made = Das Flanschsystem ist jetzt das dieses Messarms: Kalibrierungen mit dem bisherigen Messarm gehören nicht dazu.
+flat-board-tells-cameras-focal-length = eine ebene Tafel bestimmt die Brennweite der Kamera ab { $fewest_poses } gegeneinander geneigten Bildern
 floors-grooves = Nutgründe
 focal-length = Brennweite
 focal-lengths = { $u } × { $v }
-focus-camera-object-bring-into-working = die Kamera auf das Objekt scharfstellen, es in den Arbeitsabstand bringen, still halten
-focus-camera-object-bring-into-working-2 = die Kamera auf das Objekt scharfstellen, es in den Arbeitsabstand bringen und still halten
-focus-light-board-evenly = scharf stellen und die Tafel gleichmäßig beleuchten
-folder-cannot-be-written = in den Ordner { $folder } kann nicht geschrieben werden
-folder-has-none-of = er enthält nichts von { $names }
+focus-camera-object-bring-into-working = Kamera auf das Objekt scharf stellen, es in den Arbeitsabstand bringen, ruhig halten
+focus-camera-object-bring-into-working-2 = Kamera auf das Objekt scharf stellen, es in den Arbeitsabstand bringen und ruhig halten
+focus-light-board-evenly = Kamera scharf stellen und die Tafel gleichmäßig beleuchten
+folder-cannot-be-written = in den Ordner { $folder } lässt sich nicht schreiben
+folder-has-none-of = er enthält keine der Dateien { $names }
 folder-inside-data-folder = { $folder } liegt im Datenordner
 folder-named = Der Ordner { $folder }
-folder-their-own = in einem eigenen Ordner
-folder-there-already = { $folder } gibt es schon
-folders-next-to-it-not-empty = daneben liegen Daten, in { $folders }
+folder-their-own = aus einem eigenen Ordner
+folder-there-already = { $folder } existiert bereits
+folders-next-to-it-not-empty = daneben liegen bereits Daten, in { $folders }
 form-95-m = Form 95 %, µm
-form-cloud-95-points = Form der Wolke (95 % der Punkte)
+form-cloud-95-points = Form der Punktwolke (95 % der Punkte)
 form-max-min-m = Form (max − min), µm
-format-expected = { $format } wird hier erwartet
+format-expected = erwartet wird hier { $format }
 frame-has-pixels = { $path }: Bild { $number } hat { $width_px } × { $height_px } Pixel
 frame-shows-only-s-visible-edges = das Bild zeigt nur { $share } der sichtbaren Kanten von „{ $name }“
-frame-without-joints-around-gives-no = Ein Bild ohne Gelenkwerte darum gibt keine Punkte.
-frames-joint-samples-which-neighbours-up = Bilder von { $frames_from } bis { $frames_to }, Gelenkwerte von { $joints_from } bis { $joints_to }, von denen Nachbarn bis { $gap } Abstand benutzt werden
-frames-left-out-no-joints-around = { $count } von { $frames } Bildern ausgelassen: keine Gelenkwerte um ihre Zeitstempel, das erste { $first } nach dem Beginn; { $beyond } vor dem ersten oder nach dem letzten Wert, { $gaps } in Lücken
-frames-lost-when-full-scan-more = Wenn sie voll ist, gehen Bilder verloren; langsamer scannen oder andere Programme schließen.
+frame-without-joints-around-gives-no = Ein Bild ohne benachbarte Gelenkwerte ergibt keine Punkte.
+frames-joint-samples-which-neighbours-up = Bilder von { $frames_from } bis { $frames_to }, Gelenkwerte von { $joints_from } bis { $joints_to }; verwendet werden Nachbarn mit höchstens { $gap } Abstand
+frames-left-out-no-joints-around = { $count } von { $frames } Bildern ausgelassen: keine Gelenkwerte um ihre Zeitstempel, das erste { $first } nach Beginn; { $beyond } vor dem ersten oder nach dem letzten Gelenkwert, { $gaps } in Lücken
+frames-lost-when-full-scan-more = Ist sie voll, gehen Bilder verloren; langsamer scannen oder andere Programme schließen.
 free = { $free } sind frei.
 free-enough-for-hours = { $free } sind frei, genug für { $hours } Stunden dieses Scans.
 free-on-disk = { $free } sind auf dem Datenträger von { $folder } frei
-free-some-space = Platz schaffen
-free-some-space-choose-another-disk = Platz schaffen oder einen anderen Datenträger wählen
+free-some-space = Speicherplatz freigeben
+free-some-space-choose-another-disk = Speicherplatz freigeben oder einen anderen Datenträger wählen
 free-some-space-start-again = Speicherplatz freigeben und neu starten
-free-some-space-then-do-again = Schaffen Sie Platz, dann noch einmal
-free-some-space-try-again = Platz schaffen und erneut versuchen
+free-some-space-then-do-again = Speicherplatz freigeben, dann erneut versuchen
+free-some-space-try-again = Speicherplatz freigeben und erneut versuchen
 from = Von
 from-to = { $low } bis { $high }
 front = von vorn
@@ -935,102 +935,102 @@ front-face = Vorderseite
 front-y-mm-must-less-than = front_y_mm muss kleiner als back_y_mm sein
 further-cloud-aside-one-other-s =
     { $aside ->
-        [one] { $aside } weitere Wolke wurde nicht benutzt.
-       *[other] { $aside } weitere Wolken wurden nicht benutzt.
+        [one] { $aside } weitere Punktwolke wurde ausgeschlossen.
+       *[other] { $aside } weitere Punktwolken wurden ausgeschlossen.
     }
 gauge = Prüfnormal
 gauge-clamped = Dieses Prüfnormal ist aufgespannt
 gauge-shape = { $path }: shape ist { $shape }
-gauge-touched-only-shape-size-judged = Das Prüfnormal wurde nicht angetastet: Nur Form und Größe werden beurteilt.
+gauge-touched-only-shape-size-judged = Das Prüfnormal wurde nicht angetastet: Beurteilt werden nur Form und Größe.
 gauge-touched-shape-size-only = das Prüfnormal wurde nicht angetastet: nur Form und Größe
 gauges-are-plane-or-sphere = Prüfnormale sind eine Ebene oder eine Kugel
-gave-no-picture-within = { $title } gab innerhalb { $time } kein Bild
-give-arm-json-arm-took = Die arm.json des Messarms angeben, der dies aufgenommen hat
-give-arm-json-arm-took-recording = Die arm.json des Messarms angeben, der dies aufgezeichnet hat
-give-arms-own-model-columns = Das Modell dieses Arms angeben, oder die Spalten { $names }
-give-calibration-sensor-took-recording = Die Kalibrierung des Sensors angeben, der dies aufgezeichnet hat
-give-cameras-own-picture = Das eigene Bild der Kamera angeben
+gave-no-picture-within = { $title } hat innerhalb von { $time } kein Bild geliefert
+give-arm-json-arm-took = arm.json des Messarms angeben, mit dem aufgenommen wurde
+give-arm-json-arm-took-recording = arm.json des Messarms angeben, mit dem diese Aufzeichnung entstand
+give-arms-own-model-columns = Modell dieses Messarms oder die Spalten { $names } angeben
+give-calibration-sensor-took-recording = Kalibrierung des Sensors angeben, mit dem diese Aufzeichnung entstand
+give-cameras-own-picture = Unverändertes Bild der Kamera angeben
 give-certificate-board-picture = den Kalibrierschein der Tafel im Bild angeben
-give-certificate-crenellated-object-calibrate-command = Den Kalibrierschein eines Zinnenkörpers angeben oder auf der Kommandozeile kalibrieren
+give-certificate-crenellated-object-calibrate-command = Kalibrierschein eines Zinnenkörpers angeben oder auf der Kommandozeile kalibrieren
 give-certificate-first =
     { $kind ->
-        [bar] Zuerst die Länge des Stabs nach seinem Kalibrierschein angeben.
-       *[sphere] Zuerst den Durchmesser der Kugel nach ihrem Kalibrierschein angeben.
+        [bar] Zuerst die Länge des Kugelstabs laut Kalibrierschein angeben.
+       *[sphere] Zuerst den Durchmesser der Kugel laut Kalibrierschein angeben.
     }
 give-cloud-millimetres = Eine Punktwolke in Millimetern angeben
-give-denavit-hartenberg-model = Das Denavit-Hartenberg-Modell des Messarms angeben (convention 'dh-standard')
-give-each-own-name-station-mqtt = Jeder mit station in [mqtt] der station.toml einen eigenen Namen geben.
+give-denavit-hartenberg-model = Denavit-Hartenberg-Modell des Messarms angeben (convention „dh-standard“)
+give-each-own-name-station-mqtt = Jeder Station mit station in [mqtt] der station.toml einen eigenen Namen geben.
 give-each-seat-name-own = Jeder Pfanne einen eigenen Namen geben
-give-files-belong-together = Die Dateien angeben, die zusammengehören
+give-files-belong-together = Zusammengehörige Dateien angeben
 give-folder-station-started = Den Ordner angeben, mit dem die Station gestartet wurde
 give-folder-user-may-write-data = Mit --data einen Ordner angeben, in den dieser Benutzer schreiben darf
-give-gauges-own-nominal = Die Sollwerte dieses Prüfnormals angeben
-give-length-mm-bar-millimetres-check = length_mm von Stab { $name } in Millimetern angeben und seine Zeilen prüfen
-give-mask-sensor-took-picture = Die Maske des Sensors angeben, der dieses Bild aufgenommen hat
-give-more-recordings-plane-more-calibrations = Mehr Aufzeichnungen der Ebene oder mehr Kalibrierungen angeben
-give-one-first = Zuerst eine angeben
-give-one-number-all-joints-one = Eine Zahl für alle Gelenke angeben oder für jedes eine.
+give-gauges-own-nominal = Sollwerte dieses Prüfnormals angeben
+give-length-mm-bar-millimetres-check = length_mm von Kugelstab { $name } in Millimetern angeben und seine Zeilen prüfen
+give-mask-sensor-took-picture = Maske des Sensors angeben, der dieses Bild aufgenommen hat
+give-more-recordings-plane-more-calibrations = Weitere Aufzeichnungen der Ebene oder weitere Kalibrierungen angeben
+give-one-first = Zuerst eine Adresse angeben
+give-one-number-all-joints-one = Einen Wert für alle Gelenke oder für jedes Gelenk einen angeben.
 give-picture-as-taken-and-sensor-json = Das Bild so angeben, wie die Kamera es aufgenommen hat, und die richtige sensor.json
-give-planes-own-nominal = Die Sollwerte der Ebene angeben
-give-qx-qy-qz-qw-order = qx, qy, qz, qw in dieser Reihenfolge angeben, den Skalar zuletzt
-give-recording-as-documented = Eine Aufzeichnung angeben, wie docs/formats.md sie beschreibt
-give-right-arm-json-columns = Die richtige arm.json angeben oder die Spalten { $first } bis { $last }
-give-right-file = Die richtige Datei angeben
+give-planes-own-nominal = Sollwerte dieser Ebene angeben
+give-qx-qy-qz-qw-order = qx, qy, qz, qw in dieser Reihenfolge angeben, den Skalarteil zuletzt
+give-recording-as-documented = Eine Aufzeichnung nach docs/formats.md angeben
+give-right-arm-json-columns = Richtige arm.json oder die Spalten { $first } bis { $last } angeben
+give-right-file = Richtige Datei angeben
 give-rows-different-pose-numbers-take = Den Zeilen verschiedene Posennummern geben oder die Bilder neu aufnehmen
 give-seat-own-name-check-arm-json = Jeder Pfanne einen eigenen Namen geben; arm.json prüfen
-give-standard-uncertainty-of-certificate = Die Standardunsicherheit (k = 1) des Kalibrierscheins in Millimetern angeben
-give-station-data-folder-own = Geben Sie der Station einen eigenen Datenordner
-give-tip-or-leave-out-probing = die Tastkugel in arm.json angeben oder probing.csv weglassen
+give-standard-uncertainty-of-certificate = Standardunsicherheit (k = 1) laut Kalibrierschein in Millimetern angeben
+give-station-data-folder-own = Der Station einen eigenen Datenordner geben
+give-tip-or-leave-out-probing = Tastkugel in arm.json angeben oder probing.csv weglassen
 go-back-take-picture-points-again = Zurückgehen und das Bild oder die Punkte neu aufnehmen.
-go-calibrating = Weiter kalibrieren
-go-faster = Schneller fahren, { $speed } oder mehr
-go-faster-farther-over-plate-nearer = Schneller und weiter über die Platte fahren, mehrmals näher und wieder weiter weg
-go-further-away-object-does-fit = Weiter weg: Das Objekt passt nicht hinein
-go-over-these-places-again-slower = Diese Stellen noch einmal überfahren, langsamer.
-go-pictures-touches-spread-over-printed = Weiter zu den Bildern. { $wanted } Antastpunkte, über die bedruckte Seite verteilt, würden die Größe der Felder prüfen.
+go-calibrating = Kalibrierung fortsetzen
+go-faster = Schneller führen, { $speed } oder mehr
+go-faster-farther-over-plate-nearer = Den Sensor schneller und weiter über die Platte führen, mehrmals näher heran und wieder weg
+go-further-away-object-does-fit = Weiter weg: Das Objekt passt nicht ganz ins Bild
+go-over-these-places-again-slower = Diese Stellen noch einmal langsamer überfahren.
+go-pictures-touches-spread-over-printed = Weiter zu den Bildern. Mit { $wanted } über die bedruckte Seite verteilten Antastpunkten ließe sich die Größe der Felder prüfen.
 go-pose-count-one-other-s =
     { $count ->
         [one] Weiter mit { $count } Pose
        *[other] Weiter mit { $count } Posen
     }
 go-scanning = Weiter zum Scannen
-go-slower-shorten-exposure = Langsamer fahren oder kürzer belichten.
+go-slower-shorten-exposure = Langsamer führen oder kürzer belichten.
 go-swinging-least-points = Weiter schwenken: { $taken } von mindestens { $least } Punkten.
-go-verifying = Weiter verifizieren
-go-without-probe = Ohne Taster weiter
+go-verifying = Verifizierung fortsetzen
+go-without-probe = Ohne Taster fortfahren
 goes-beyond-end =
     { $side ->
-        [right] { $edge } geht über ihr rechtes Ende hinaus
-       *[left] { $edge } geht über ihr linkes Ende hinaus
+        [right] { $edge } reicht über ihr rechtes Ende hinaus
+       *[left] { $edge } reicht über ihr linkes Ende hinaus
     }
 good = Gut
 good-m-usable-m = gut ≤ { $good }, brauchbar ≤ { $usable }
 good-up-m = gut bis { $limit }
-grey-encodings-expected = Grau wird erwartet: { $encodings }
+grey-encodings-expected = erwartet wird Grau: { $encodings }
 grey-levels = Graustufen
 guided-steps = Geführte Schritte
-had-calculated = rechnen lassen
-had-simulation-pass-over-plate = die simulierte Fahrt über die Platte gestartet
-half-them-more-contradicting-others-none = wenn die Hälfte von ihnen oder mehr den anderen widerspricht, ist keiner zu trauen
-simulation-goes = Der simulierte Bediener geht zu: { $name }
-simulation-goes-next-pose = Der simulierte Bediener geht zur nächsten Pose: { $words }
+had-calculated = Berechnung gestartet
+had-simulation-pass-over-plate = simulierte Überfahrt über die Platte gestartet
+half-them-more-contradicting-others-none = widerspricht mindestens die Hälfte den übrigen, ist keiner zu trauen
+simulation-goes = Der simulierte Bediener führt den Messarm zu: { $name }
+simulation-goes-next-pose = Der simulierte Bediener führt den Sensor zur nächsten Pose: { $words }
 simulation-holds-sensor-over-object = Der simulierte Bediener hält den Sensor über das Objekt
-simulation-holds-still = Der simulierte Bediener hält still
+simulation-holds-still = Der simulierte Bediener hält den Messarm ruhig
 simulation-moving = Der simulierte Bediener bewegt sich nicht.
 simulation-scanning = Der simulierte Bediener scannt
 simulation-scans = Der simulierte Bediener scannt: { $part }
-simulation-scans-cloud = Der simulierte Bediener scannt: { $name }, Wolke { $done }
+simulation-scans-cloud = Der simulierte Bediener scannt: { $name }, Punktwolke { $done }
 simulation-swings-arm-about = Der simulierte Bediener schwenkt den Messarm um: { $name }
 simulation-touches = Der simulierte Bediener tastet an: { $face }
 simulation-touches-2 = Der simulierte Bediener tastet an: { $name }
 simulation-touches-sphere = Der simulierte Bediener tastet die Kugel an
-simulation-work = Der simulierte Bediener läuft
+simulation-work = Der simulierte Bediener arbeitet
 hands-point-face-declined-times = Punkt { $index } des simulierten Bedieners { $where } wurde { $attempts }-mal abgelehnt
-hands-touch-declined-times = Antastung { $index } des simulierten Bedieners wurde { $attempts }-mal abgelehnt
+hands-touch-declined-times = Antastpunkt { $index } des simulierten Bedieners wurde { $attempts }-mal abgelehnt
 has-control = { $name } hat die Bedienung
 has-control-in-another-browser = { $name } hat die Bedienung in einem anderen Browser
 has-control-now = { $name } hat jetzt die Bedienung.
-has-coordinate = { $path } hat eine Koordinate von { $coordinate }
+has-coordinate = { $path } enthält eine Koordinate von { $coordinate }
 has-joint-columns =
     { $count ->
         [0] { $path } hat keine Gelenkspalten
@@ -1039,16 +1039,16 @@ has-joint-columns =
     }
 has-mm =
     { $kind ->
-        [bar] Für einen Stab sind { $low } bis { $high } zulässig.
+        [bar] Für einen Kugelstab sind { $low } bis { $high } zulässig.
        *[sphere] Für eine Kugel sind { $low } bis { $high } zulässig.
     }
 has-points = { $label } hat { $count } Punkte
 has-touches =
     { $shape ->
-        [sphere] Die Kugel hat { $count } Antastungen
-       *[plane] Die Ebene hat { $count } Antastungen
+        [sphere] Die Kugel hat { $count } Antastpunkte
+       *[plane] Die Ebene hat { $count } Antastpunkte
     }
-have-arms-calibration-checked-hold-compact = Die Kalibrierung des Messarms prüfen lassen; ihn gedrungen halten.
+have-arms-calibration-checked-hold-compact = Kalibrierung des Messarms prüfen lassen; den Messarm in kompakter Haltung führen.
 height-above-touched-plane-along-z = Höhe über der angetasteten Ebene, entlang Z
 height-of-level =
     { $level ->
@@ -1056,44 +1056,44 @@ height-of-level =
         [floors] die Höhe seiner Nutgründe
        *[crests] die Höhe seiner Zinnen
     }
-held-out-places-fit-did-see = Zurückgehalten: an { $places } Orten, die die Ausgleichung nicht benutzte, { $how }; das Rauschen der Winkelgeber ist enthalten. In Standardabweichungen der Punkte { $before } vorher und { $after } nachher; 1 wäre das Rauschen allein.
-held-out-turn = reihum zurückgehalten
-held-up-live-numbers-stand-press = Wenn sie aufgehalten wird, stehen Anzeigen, und ein Druck wird spät beantwortet; Geräte werden weiter gelesen.
+held-out-places-fit-did-see = Kreuzvalidierung an { $places } Positionen, die nicht in die Ausgleichung eingingen, { $how }; das Rauschen der Winkelgeber ist enthalten. In Standardabweichungen der Punkte { $before } vorher und { $after } nachher; 1 entspricht dem Rauschen allein.
+held-out-turn = reihum ausgelassen
+held-up-live-numbers-stand-press = Bei Verzögerungen bleiben Anzeigen stehen und Eingaben werden verspätet beantwortet; die Geräte werden weiter gelesen.
 held-up-more-than-longest =
     { $count ->
-        [one] einmal länger als { $limit } aufgehalten, { $longest } lang
-       *[other] { $count }-mal länger als { $limit } aufgehalten, am längsten { $longest }
+        [one] einmal um mehr als { $limit } verzögert, um { $longest }
+       *[other] { $count }-mal um mehr als { $limit } verzögert, höchstens um { $longest }
     }
-high-up = hoch oben
+high-up = weit oben
 higher-by = { $distance } höher
 hold = Halten
-hold-2 = so halten, wie er ist
-hold-arm-still = Den Messarm still halten. { $text }.
-hold-arm-still-2 = Den Messarm still halten.
-hold-sensor-over-object = Den Sensor über das Objekt halten
-hold-sensor-over-object-another-way = Den Sensor anders als bisher über das Objekt halten.
-hold-sensor-over-object-so-lies = Den Sensor so über das Objekt halten, dass es etwa wie der gestrichelte Umriss liegt.
-hold-sensor-straight-above-chessboard-longer = Den Sensor senkrecht über das Schachbrett halten, dessen längere Seite längs im Bild.
-hold-still = Still halten
-hold-still-again = noch einmal, still halten
-hold-still-take-picture-laser-switches = Still halten und das Bild aufnehmen. Der Laser schaltet sich selbst.
+hold-2 = so halten
+hold-arm-still = Messarm ruhig halten. { $text }.
+hold-arm-still-2 = Messarm ruhig halten.
+hold-sensor-over-object = Sensor über das Objekt halten
+hold-sensor-over-object-another-way = Sensor anders als bisher über das Objekt halten.
+hold-sensor-over-object-so-lies = Sensor so über das Objekt halten, dass es etwa mit dem gestrichelten Umriss übereinstimmt.
+hold-sensor-straight-above-chessboard-longer = Sensor senkrecht über das Schachbrett halten, dessen längere Seite parallel zur Längsseite des Bildes.
+hold-still = Ruhig halten
+hold-still-again = noch einmal ruhig halten
+hold-still-take-picture-laser-switches = Ruhig halten und das Bild aufnehmen. Der Laser schaltet automatisch.
 hold-there = So halten
-holds-journal-every-step-accounts-what = Sie enthält das Journal jedes Schritts, die Konten und welche Kalibrierung in Gebrauch ist.
+holds-journal-every-step-accounts-what = Die Datenbank enthält das Journal aller Schritte, die Konten und die Angabe der verwendeten Kalibrierung.
 holds-more-than-frames = { $path } enthält mehr als { $most } Bilder
-holds-no-record-one = er enthält keine Aufzeichnung davon
+holds-no-record-one = er enthält keinen solchen Eintrag
 holds-no-topics = { $path } enthält keine Topics
 holds-topics = { $path } enthält { $topics }
 host-not-known = Der Rechner in { $url } ist nicht bekannt
-how-arm-swung = Wie der Arm schwenkte
-how-sensor-sits-flange-shows-only = wie der Sensor am Flansch sitzt, zeigt sich nur, wenn der Flansch sich dreht: mindestens drei Posen, um zwei verschiedene Achsen gedreht
+how-arm-swung = Verlauf des Schwenks
+how-sensor-sits-flange-shows-only = die Lage des Sensors am Flansch zeigt sich nur, wenn sich der Flansch dreht: mindestens drei Posen, um zwei verschiedene Achsen gedreht
 http-status = Status { $status }
 identification-arm = Identifikation des Messarms
 identified = Identifiziert
-identified-arm-use = Der identifizierte Messarm ist in Gebrauch.
+identified-arm-use = Der identifizierte Messarm wird verwendet.
 identify-arm = Messarm identifizieren
 identify-arm-first = Zuerst den Messarm identifizieren.
-identify-arm-folders-again = Den Messarm aus { $arm } des Ordners erneut identifizieren
-identify-arm-take-more-know-better = Den Messarm identifizieren oder mehr aufnehmen, um ihn genauer zu kennen.
+identify-arm-folders-again = Identifikation mit { $arm } des Ordners erneut ausführen
+identify-arm-take-more-know-better = Messarm identifizieren oder weitere Positionen aufnehmen, um ihn genauer zu bestimmen.
 identifying-arm = Messarm wird identifiziert
 image-encoding = { $name }: Kodierung { $encoding }
 image-ends-after-bytes =
@@ -1108,16 +1108,16 @@ image-processing = Bildverarbeitung
 image-shape-type = ein Bild der Form { $shape } und des Typs { $dtype }
 inner-corners-mm-apart = { $columns } × { $rows } innere Ecken, Abstand { $square }, { $known }
 inputs = Eingangsdaten
-install-version-later-one = Diese Version oder eine spätere installieren
-is-file-complete = Ist die Datei vollständig?
-is-it-a-complete-video = Ist es ein Video und vollständig?
-is-it-there-and-complete = Ist es da und vollständig?
+install-version-later-one = Diese oder eine neuere Version installieren
+is-file-complete = Prüfen, ob die Datei vollständig ist.
+is-it-a-complete-video = Prüfen, ob es ein vollständiges Video ist.
+is-it-there-and-complete = Prüfen, ob die Datei vorhanden und vollständig ist.
 is-no-station-database = { $path } lässt sich nicht als Datenbank einer Station lesen
 is-of = { $path } gehört zu { $device } { $of }
 is-to-be-verified =
     { $shape ->
-        [sphere] eine Kugel soll geprüft werden
-       *[plane] eine Ebene soll geprüft werden
+        [sphere] eine Kugel soll verifiziert werden
+       *[plane] eine Ebene soll verifiziert werden
     }
 it-is-a-file = es ist eine Datei
 it-is-a-folder = es ist ein Ordner
@@ -1130,19 +1130,19 @@ joint-angles-given-degrees = Gelenkwinkel werden in Grad angegeben
 joint-at-stamp = { $path } bei { $stamp_ns } ns: Gelenk { $joint } steht auf { $reading }
 joint-column-differs = q{ $joint }_deg weicht um { $moved } ab
 joint-jumped-stayed-there = Gelenk { $joint } ist um { $step } gesprungen und dort geblieben
-joint-name-twice = zwei Gelenke heißen { $name }; Aufzeichnungen unterscheiden Gelenke am Namen
+joint-name-twice = zwei Gelenke heißen { $name }; Aufzeichnungen unterscheiden Gelenke nach ihrem Namen
 joint-range = es dreht von { $low } bis { $high }
 joint-range-in-radians = es dreht von { $low } bis { $high }; dies sind Grad, erwartet werden Radiant
 joint-reads = Gelenk { $joint } meldet { $reading }
 joint-reads-again-again = Gelenk { $joint } meldet immer wieder { $reading }
 joint-reads-no-number = Gelenk { $joint } meldet keine Zahl
-joint-reads-off-readings-before-after = Gelenk { $joint } meldet { $reading }, { $step } neben seinen Messwerten davor und danach
-joint-reads-same-all-points = Gelenk { $joint } zeigt in allen Punkten dasselbe
-joint-reads-where-can = Gelenk { $joint } meldet { $reading }, { $step } neben dem, wo es sein kann
+joint-reads-off-readings-before-after = Gelenk { $joint } meldet { $reading }, { $step } neben den Messwerten davor und danach
+joint-reads-same-all-points = Gelenk { $joint } meldet in allen Punkten denselben Wert
+joint-reads-where-can = Gelenk { $joint } meldet { $reading }, { $step } außerhalb seines Bereichs
 joint-samples-left-out-cannot-true =
     { $count ->
-        [one] { $count } unmöglicher Gelenkwert ausgelassen, { $first } nach dem Beginn: { CLAUSE($error) }
-       *[other] { $count } unmögliche Gelenkwerte ausgelassen, der erste { $first } nach dem Beginn: { CLAUSE($error) }
+        [one] { $count } unplausibler Gelenkwert ausgelassen, { $first } nach Beginn: { CLAUSE($error) }
+       *[other] { $count } unplausible Gelenkwerte ausgelassen, der erste { $first } nach Beginn: { CLAUSE($error) }
     }
 joint-samples-left-out-numbers =
     { $unusable ->
@@ -1151,40 +1151,40 @@ joint-samples-left-out-numbers =
     }
 journal-has-rows-cannot-read-first =
     { $count ->
-        [one] Das Journal hat { $count } Zeile, die nicht zu lesen ist: Zeile { $first }.
-       *[other] Das Journal hat { $count } Zeilen, die nicht zu lesen sind, zuerst Zeile { $first }.
+        [one] Das Journal enthält { $count } nicht lesbare Zeile: Zeile { $first }.
+       *[other] Das Journal enthält { $count } nicht lesbare Zeilen, die erste ist Zeile { $first }.
     }
-json-cut-off = es ist kein JSON oder wurde abgeschnitten: { $reason }
-json-cut-off-line = es ist kein JSON oder wurde abgeschnitten: { $reason } in Zeile { $line }
-json-object-expected = ein JSON-Objekt { "{" } … { "}" } wird erwartet
+json-cut-off = es ist kein JSON oder unvollständig: { $reason }
+json-cut-off-line = es ist kein JSON oder unvollständig: { $reason } in Zeile { $line }
+json-object-expected = erwartet wird ein JSON-Objekt { "{" } … { "}" }
 judged = Nicht beurteilt
-keep-arm-json-use = Die arm.json in Gebrauch behalten
-keep-data-folder-start-earlier-backup = Den Datenordner behalten, wie er ist, und mit einer früheren Sicherung starten
-keep-reflections-out-grooves-matt-spray = Spiegelungen aus den Nuten fernhalten: Mattierungsspray, kürzere Belichtung.
-keep-tip-seat-swing-elbow-one = Die Tastkugel in der Pfanne lassen. Den Ellbogen von einer Seite zur anderen und zurück schwenken und das Handgelenk in alle Richtungen neigen.
+keep-arm-json-use = Bisherige arm.json weiterverwenden
+keep-data-folder-start-earlier-backup = Datenordner unverändert lassen und mit einer früheren Sicherung starten
+keep-reflections-out-grooves-matt-spray = Reflexionen in den Nuten vermeiden: Mattierungsspray, kürzere Belichtung.
+keep-tip-seat-swing-elbow-one = Tastkugel in der Pfanne lassen. Den Ellbogen von einer Seite zur anderen und zurück schwenken und das Handgelenk in alle Richtungen neigen.
 keeps-control = { $name } behält die Bedienung.
-kept-2 = Beibehalten
-kept-picture = das Bild behalten
-kind-chessboard-not-supported = { $path }: kind 'chessboard' geht hier nicht
-kind-is-crenellated-or-chessboard = es ist 'crenellated' oder 'chessboard'
+kept-2 = Unverändert
+kept-picture = Bild behalten
+kind-chessboard-not-supported = { $path }: kind „chessboard“ wird hier nicht unterstützt
+kind-is-crenellated-or-chessboard = es ist „crenellated“ oder „chessboard“
 kind-unknown = { $path }: kind { $kind } ist unbekannt
-known-k-1 = bekannt auf { $known } (k = 1)
-known-limit-is = { $known }; { $limit } ist die Grenze
-known-m-k-1-form-m = { $certificate }; bekannt auf { $known } (k = 1), Form { $form }
+known-k-1 = Standardunsicherheit { $known } (k = 1)
+known-limit-is = { $known }; der Grenzwert ist { $limit }
+known-m-k-1-form-m = { $certificate }; Standardunsicherheit { $known } (k = 1), Form { $form }
 largest-distance = Größter Abstand
-largest-distance-touch-sphere = Größter Abstand einer Antastung von der Kugel
+largest-distance-touch-sphere = Größter Abstand eines Antastpunkts von der Kugel
 largest-max-min-2 = Größtes (max − min)/2
 largest-swing = { $points }, größter Schwenk { $swing }
-laser-beside-object-may-too-dark = Der Laser ist an, und daneben ist das Objekt vielleicht zu dunkel, um gefunden zu werden.
+laser-beside-object-may-too-dark = Der Laser ist an; neben der Linie ist das Objekt für die Erkennung vielleicht zu dunkel.
 laser-colour-not-known = die Farbe des Lasers, in deren Kanal gemessen würde, ist nicht angegeben
-laser-line-left-out-off-plane = ihre Laserlinie wurde ausgelassen, { $off } neben der Ebene der anderen
-laser-line-lies-off-plane-others = ihre Laserlinie liegt { $off } neben der Ebene der anderen
+laser-line-left-out-off-plane = ihre Laserlinie wurde ausgeschlossen, { $off } neben der Ebene der übrigen
+laser-line-lies-off-plane-others = ihre Laserlinie liegt { $off } neben der Ebene der übrigen
 laser-off = der Laser ist aus
 laser-off-2 = Der Laser ist aus
 laser-off-covered-beside-object-too = der Laser ist aus, verdeckt, neben dem Objekt oder zu schwach für diese Belichtung
 laser-off-too-weak-does-cross = der Laser ist aus, zu schwach oder kreuzt das Objekt nicht
-laser-off-too-weak-part-out = der Laser war aus, zu schwach oder das Teil außer Reichweite
-laser-on-or-expose-longer = Den Laser einschalten oder länger belichten
+laser-off-too-weak-part-out = der Laser war aus oder zu schwach, oder das Teil lag außerhalb des Messbereichs
+laser-on-or-expose-longer = Laser einschalten oder länger belichten
 laser-plane = Laserebene
 laser-stripe-sensor-measuring-arm = Lichtschnittsensor an einem Messarm
 laser-stripe-shows-points-s =
@@ -1194,147 +1194,147 @@ laser-stripe-shows-points-s =
     }
 laser-wavelength = Laser { $wavelength }
 lasers-line-lies-board-pictures = die Laserlinie liegt in { $enough } von { $views } Bildern auf der Tafel
-lasers-line-lies-one-place-plane = die Laserlinie liegt in allen Bildern an einer Stelle ihrer Ebene
-lasers-line-must-cross-chessboard-every = Die Laserlinie muss in jedem Bild über das Schachbrett laufen.
-lasers-line-pose-lies-off-plane = Die Laserlinie von Pose { $number } liegt { $off } neben der Ebene der anderen und wurde ausgelassen.
-lasers-lines-poses-lie-off-plane = Die Laserlinien der Posen { $poses } liegen { $off } neben der Ebene der anderen: Der Laser hat sich gegen die Kamera bewegt, und diese Linien wurden ausgelassen.
-lasers-lines-poses-lie-off-plane-2 = Die Laserlinien der Posen { $poses } liegen { $off } neben der Ebene der anderen: Der Laser hat sich gegen die Kamera bewegt, und alle Linien zählen.
-lasers-lines-poses-lie-off-plane-3 = die Laserlinien der Posen { $poses } liegen { $usual } neben der Ebene, die ihnen am besten passt
+lasers-line-lies-one-place-plane = die Laserlinie liegt in allen Bildern an derselben Stelle ihrer Ebene
+lasers-line-must-cross-chessboard-every = Die Laserlinie muss in jedem Bild über das Schachbrett verlaufen.
+lasers-line-pose-lies-off-plane = Die Laserlinie von Pose { $number } liegt { $off } neben der Ebene der übrigen und wurde ausgeschlossen.
+lasers-lines-poses-lie-off-plane = Die Laserlinien der Posen { $poses } liegen { $off } neben der Ebene der übrigen: Der Laser hat sich gegenüber der Kamera bewegt; diese Linien wurden ausgeschlossen.
+lasers-lines-poses-lie-off-plane-2 = Die Laserlinien der Posen { $poses } liegen { $off } neben der Ebene der übrigen: Der Laser hat sich gegenüber der Kamera bewegt; alle Linien gehen ein.
+lasers-lines-poses-lie-off-plane-3 = die Laserlinien der Posen { $poses } liegen { $usual } neben der am besten passenden Ebene
 lasers-lines-poses-lie-up-off = die Laserlinien der Posen { $poses } liegen bis zu { $most } neben einer Ebene
-lasers-plane-stands-board-limit = der Winkel zwischen Laserebene und Tafel ist { $angle } (Grenze { $least_laser_angle_deg })
-last-cloud-still-measured = Die letzte Wolke ist noch zu messen.
-last-days-old = Die letzte ist { $days } Tage alt, in { $place }.
-last-days-old-same-disk = Die letzte ist { $days } Tage alt, in { $place }. Sie liegt auf demselben Datenträger wie die Daten.
-last-row-must-0-0-0 = die letzte Zeile von { $name } muss 0 0 0 1 sein
+lasers-plane-stands-board-limit = der Winkel zwischen Laserebene und Tafel beträgt { $angle } (Grenzwert { $least_laser_angle_deg })
+last-cloud-still-measured = Die letzte Punktwolke muss noch ausgewertet werden.
+last-days-old = Die letzte Sicherung ist { $days } Tage alt, in { $place }.
+last-days-old-same-disk = Die letzte Sicherung ist { $days } Tage alt, in { $place }. Sie liegt auf demselben Datenträger wie die Daten.
+last-row-must-0-0-0 = die letzte Zeile von { $name } muss 0 0 0 1 lauten
 last-verification-older-than-calibration = Die letzte Verifizierung ist älter als diese Kalibrierung.
 least-middle-needed = mindestens { $angle } von ihrer Mitte aus sind nötig
 least-needed = mindestens { $least } sind nötig
-least-needed-each-three-non-parallel = mindestens { $least } sind auf jeder von drei nicht parallelen Flächen nötig
-least-needed-tell-arms-errors-own = mindestens { $least } sind nötig, um die Fehler des Messarms vom Mittelpunkt zu trennen
-least-places-taken = { $places_taken } von mindestens { $seats_least } Orten sind aufgenommen.
-least-seats-spheres-bar-positions-needed = mindestens { $least_places } Pfannen, Kugeln und Stablagen sind nötig, damit einige zurückgehalten werden können
+least-needed-each-three-non-parallel = auf jeder von drei nicht parallelen Flächen sind mindestens { $least } nötig
+least-needed-tell-arms-errors-own = mindestens { $least } sind nötig, um die Fehler des Messarms vom Mittelpunkt der Position zu trennen
+least-places-taken = { $places_taken } von mindestens { $seats_least } Positionen sind aufgenommen.
+least-seats-spheres-bar-positions-needed = mindestens { $least_places } Pfannen, Kugeln und Stablagen sind nötig, damit einige für die Kreuzvalidierung bleiben
 leave = Verlassen
-leave-bar-where = Den Stab liegen lassen, wo er ist.
-leave-session-points-yet-used-kept = Diese Sitzung verlassen? Noch nicht benutzte Punkte werden aufbewahrt.
-leave-verification-clouds-kept-folder = Diese Verifizierung verlassen? Ihre Wolken bleiben in ihrem Ordner.
+leave-bar-where = Den Kugelstab liegen lassen.
+leave-session-points-yet-used-kept = Diese Sitzung verlassen? Noch nicht verwendete Punkte bleiben gespeichert.
+leave-verification-clouds-kept-folder = Diese Verifizierung verlassen? Ihre Punktwolken bleiben in ihrem Ordner.
 left = links
 left-end = Linke Stirnseite
-left-out = Ausgelassen: { $reason }
-left-out-2 = ausgelassen: { $reason }
-left-out-3 = Ausgelassen: { CLAUSE($text) }.
+left-out = Ausgeschlossen: { $reason }
+left-out-2 = ausgeschlossen: { $reason }
+left-out-3 = Ausgeschlossen: { CLAUSE($text) }.
 left-right-corners-were-exchanged-image = linke und rechte Ecken sind vertauscht, oder das Bild ist gespiegelt
 length = Länge { $longer }
-length-another-bar-another-unit-ends = die Länge gehört zu einem anderen Stab oder hat eine andere Einheit, oder die Enden sind nicht die dieses Stabs
-lengths-ball-bars-held-out = Längen der Kugelstäbe, zurückgehalten
+length-another-bar-another-unit-ends = die Länge gehört zu einem anderen Kugelstab oder hat eine andere Einheit, oder die Enden gehören nicht zu diesem Kugelstab
+lengths-ball-bars-held-out = Längen der Kugelstäbe, kreuzvalidiert
 less-than-minute = weniger als eine Minute
-less-than-pictures-edges-wide = { $text }, weniger als die { $width }, die die Kanten des Bilds breit sind
-let-each-station-write-under-own = Jede Station nur unter ihrem eigenen Thema schreiben lassen und vom Broker entfernen, was er von anderen aufbewahrt.
-let-go-control = die Bedienung abgegeben
-let-simulation-do = Den simulierten Bediener machen lassen
-let-simulation-do-everything = Den simulierten Bediener alles machen lassen
-let-kept-time-server-which-moves = Von einem Zeitserver führen lassen, der sie sanft verstellt.
-let-laser-come-rest-take-pictures = Den Laser zur Ruhe kommen lassen und die Bilder neu aufnehmen.
-let-laser-warm-up-check-mount = Den Laser warmlaufen lassen, seine Halterung prüfen und die Bilder neu aufnehmen.
-let-line-cross-board-every-picture = die Linie in jedem Bild über die Tafel laufen lassen
-started-simulation = den simulierten Bediener machen lassen
+less-than-pictures-edges-wide = { $text }, weniger als die Kantenbreite von { $width } im Bild
+let-each-station-write-under-own = Jede Station darf nur unter ihrem eigenen Topic schreiben; die vom Broker gespeicherten Nachrichten anderer entfernen.
+let-go-control = Bedienung abgegeben
+let-simulation-do = Simulierten Bediener starten
+let-simulation-do-everything = Simulierten Bediener alles ausführen lassen
+let-kept-time-server-which-moves = Von einem Zeitserver führen lassen, der sie gleitend nachstellt.
+let-laser-come-rest-take-pictures = Laser zur Ruhe kommen lassen und die Bilder neu aufnehmen.
+let-laser-warm-up-check-mount = Laser warmlaufen lassen, seine Befestigung prüfen und die Bilder neu aufnehmen.
+let-line-cross-board-every-picture = die Linie in jedem Bild über die Tafel führen
+started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
-lies-no-face-all = er liegt auf gar keiner Fläche
-lies-where-certificate-puts = { $edge } liegt { $distance } neben dem Ort des Kalibrierscheins
-light-block-evenly-sharp-large-picture = Den Zinnenkörper gleichmäßig beleuchten, scharf und groß im Bild.
-light-board-evenly-sharp-large-picture = Die Tafel gleichmäßig beleuchten, scharf und groß im Bild.
-light-front-above-so-crests-floors = von vorn oben beleuchten, sodass sich Zinnen, Nutgründe und Vorderseite unterscheiden, näher kommen und wegräumen, was davor ist
-limit-2 = Grenze { $limit }
-limit-3 = Grenze
-limit-is = Die Grenze ist { $limit }.
-limit-is-value = die Grenze ist { $limit }
-limit-k-1 = Grenze, k = 1
-limit-m-2 = Grenze { $limit }; U = { $expanded_uncertainty }, k = 2
-limit-mark = Grenze
-limit-number-micrometres-1-100-000 = Eine Grenze ist eine Zahl von 1 bis 100 000 Mikrometern.
-limits-deg-must-ascend = limits_deg von { $name } muss ansteigen
+lies-no-face-all = er liegt auf keiner Fläche
+lies-where-certificate-puts = { $edge } liegt { $distance } neben der Lage laut Kalibrierschein
+light-block-evenly-sharp-large-picture = Zinnenkörper gleichmäßig beleuchten und scharf und groß ins Bild bringen.
+light-board-evenly-sharp-large-picture = Tafel gleichmäßig beleuchten und scharf und groß ins Bild bringen.
+light-front-above-so-crests-floors = von vorn oben beleuchten, sodass sich Zinnen, Nutgründe und Vorderseite unterscheiden, näher herangehen und entfernen, was davor liegt
+limit-2 = Grenzwert { $limit }
+limit-3 = Grenzwert
+limit-is = Der Grenzwert ist { $limit }.
+limit-is-value = der Grenzwert ist { $limit }
+limit-k-1 = Grenzwert, k = 1
+limit-m-2 = Grenzwert { $limit }; U = { $expanded_uncertainty }, k = 2
+limit-mark = Grenzwert
+limit-number-micrometres-1-100-000 = Ein Grenzwert ist eine Zahl von 1 bis 100 000 Mikrometern.
+limits-deg-must-ascend = die Werte in limits_deg von { $name } müssen ansteigen
 line-brightness = Linienhelligkeit
-line-gives-other-length = Zeile { $line } gibt { $length } an, für denselben Prüfkörper: { $label }
+line-gives-other-length = Zeile { $line } gibt { $length } für denselben Prüfkörper an: { $label }
 line-saturated = Linie übersteuert
-line-to-arm-closed = Die Leitung zum Messarm an { $url } ist geschlossen
-line-to-arm-lost = Die Leitung zum Messarm an { $url } ging verloren ({ $reason })
+line-to-arm-closed = Die Verbindung zum Messarm unter { $url } ist geschlossen
+line-to-arm-lost = Die Verbindung zum Messarm unter { $url } ist unterbrochen ({ $reason })
 line-too-bright-saturated = Linie zu hell: { $clipped } übersteuert
 line-too-dark = Linie zu dunkel: { $level }
-link-good-any-more = Dieser Link gilt nicht mehr.
-link-leads-itself = es ist ein Verweis, der auf sich selbst führt
+link-good-any-more = Dieser Link ist nicht mehr gültig.
+link-leads-itself = es ist ein Link, der auf sich selbst verweist
 linux-add-user-group-owns-port = Unter Linux den Benutzer in die Gruppe aufnehmen, der der Anschluss gehört (oft dialout).
 lists-stripe-differ-length = die Listen einer Laserlinie sind verschieden lang
-load-page-again = Die Seite neu laden.
+load-page-again = Seite neu laden.
 log = Protokoll
 log-broker-connected = mit dem Broker unter { $host }:{ $port } verbunden
-log-broker-lost = die Verbindung zum Broker ging verloren: { $reason }
-log-cannot-written-health-page-says = Das Protokoll kann nicht geschrieben werden; die Seite Zustand sagt mehr.
-log-event-loop-goes-on = die Ereignisschleife geht nach { $duration } weiter
-log-event-loop-held-up = die Ereignisschleife ist seit mehr als { $limit } aufgehalten
+log-broker-lost = die Verbindung zum Broker ist unterbrochen: { $reason }
+log-cannot-written-health-page-says = Das Protokoll lässt sich nicht schreiben; Näheres steht auf der Seite „Zustand“.
+log-event-loop-goes-on = die Ereignisschleife läuft nach { $duration } weiter
+log-event-loop-held-up = die Ereignisschleife ist seit mehr als { $limit } blockiert
 log-file-not-used = { $file } wird nicht verwendet: { $reason }
-log-has-what-held-up-send = Im Protokoll steht, was sie aufhielt; das Diagnosepaket senden, wenn es wieder geschieht.
+log-has-what-held-up-send = Die Ursache steht im Protokoll; tritt es wieder auf, das Diagnosepaket senden.
 log-not-saved = { $method } { $path } wurde nicht gespeichert: { $reason }
-log-notification-given-up = eine Benachrichtigung wurde aufgegeben: { $reason }
-log-program-stood-still = das ganze Programm stand { $duration } lang still
+log-notification-given-up = eine Benachrichtigung wurde nicht zugestellt: { $reason }
+log-program-stood-still = das gesamte Programm stand { $duration } lang still
 log-repeated = ({ $count } davon seit { $since })
 logs-cannot-written = Die Protokolle in { $folder } lassen sich nicht schreiben
 look-change = Ansehen und tauschen.
-look-last-message-let-simulation-try = Die letzte Meldung ansehen und den simulierten Bediener es erneut versuchen lassen
-look-log-below-send-support-bundle = Das Protokoll unten ansehen, und das Paket für den Support an den schicken, der hilft.
-look-numbers-then-accept-calibration-repeat = Die Zahlen ansehen, dann die Kalibrierung annehmen oder wiederholen.
-look-present-step-act-2 = Den jetzigen Schritt ansehen und danach handeln
-look-them-below-send-support-bundle = Unten ansehen und das Diagnosepaket senden.
-looked-arms-delay = den Verzug des Messarms bestimmt
-looked-pose = Pose { $number } angesehen
-looking-delay = Verzug wird gesucht
-looking-object-picture = Das Objekt wird im Bild gesucht
+look-last-message-let-simulation-try = Letzte Meldung prüfen und den simulierten Bediener erneut starten
+look-log-below-send-support-bundle = Protokoll unten ansehen und das Diagnosepaket an den Support senden.
+look-numbers-then-accept-calibration-repeat = Werte ansehen, dann die Kalibrierung annehmen oder wiederholen.
+look-present-step-act-2 = Aktuellen Schritt ansehen und dort handeln
+look-them-below-send-support-bundle = Fehler unten ansehen und das Diagnosepaket senden.
+looked-arms-delay = Zeitversatz des Messarms bestimmt
+looked-pose = Pose { $number } ausgewertet
+looking-delay = Zeitversatz wird bestimmt
+looking-object-picture = Objekt wird im Bild gesucht
 losses =
     { $device ->
-        [arm] Verluste des Messarms
-       *[sensor] Verluste des Sensors
+        [arm] Datenverluste des Messarms
+       *[sensor] Datenverluste des Sensors
     }
-lost-garbled-last-ten-minutes = { $missing } von { $total } in den letzten zehn Minuten verloren oder verstümmelt ({ $share }).
-lost-reconnecting = Verloren: { $title }; wird neu verbunden
-low-down = tief unten
+lost-garbled-last-ten-minutes = { $missing } von { $total } in den letzten zehn Minuten verloren oder beschädigt ({ $share }).
+lost-reconnecting = Verbindung zum Gerät ({ $title }) unterbrochen; sie wird wiederhergestellt
+low-down = weit unten
 lower-by = { $distance } tiefer
 lower-limit-below-upper = Die untere Grenze liegt nicht unter der oberen
-made-first-administrator = den ersten Administrator angelegt
-made-simulated-hardware-demonstration = An simulierten Geräten entstanden: eine Vorführung.
-made-token-metrics = einen Schlüssel für Messwerte angelegt
-made-kiosk-link = einen Kiosk-Link angelegt
-make-backup-another-disk = Die Sicherung auf einem anderen Datenträger anlegen
-make-one-below-crenel-backup = Unten eine anlegen oder mit crenel backup.
+made-first-administrator = ersten Administrator angelegt
+made-simulated-hardware-demonstration = Mit simulierten Geräten erstellt: Demonstration.
+made-token-metrics = Token für Metriken angelegt
+made-kiosk-link = Kiosk-Link angelegt
+make-backup-another-disk = Sicherung auf einem anderen Datenträger anlegen
+make-one-below-crenel-backup = Unten oder mit crenel backup eine anlegen.
 make-somebody-else-administrator-first = Zuerst jemand anderen zum Administrator machen
-many-points-have-very-same-angles = viele Punkte haben genau dieselben Winkel
-mask-has-pixels = die Maske gilt für { $width } × { $height }
+many-points-have-very-same-angles = viele Punkte haben exakt dieselben Winkel
+mask-has-pixels = die Maske gilt für { $width } × { $height } Pixel
 mask-pixels-image-another-size = eine Maske von { $shape } Pixeln für ein Bild anderer Größe
 mask-says-every-pixel-whether-stripe = eine Maske gibt für jedes Pixel an, ob die Laserlinie dort liegen darf
 matrix-is-no-rotation = { $name } enthält keine Drehung: R·Rᵀ weicht um { $difference } von 1 ab
 max-min-2-along = (max − min)/2 entlang { $axis }
 may-not-do-this =
     { $role ->
-        [admin] { $name } darf das nicht: dafür braucht es einen Administrator.
-       *[operator] { $name } darf das nicht: dafür braucht es einen Bediener.
+        [admin] { $name } ist dazu nicht berechtigt: Das darf nur ein Administrator.
+       *[operator] { $name } ist dazu nicht berechtigt: Das darf nur ein Bediener.
     }
-measure-pattern-over-all-squares-correct = Das Muster über alle Felder messen und den Kalibrierschein berichtigen.
+measure-pattern-over-all-squares-correct = Muster über alle Felder messen und den Kalibrierschein berichtigen.
 measure-patterns-width-height-fix-flat = Breite und Höhe des Musters messen und es auf einer ebenen Platte befestigen.
-measure-squares-correct-certificate-check-every = die Felder messen und den Kalibrierschein berichtigen; oder prüfen, ob jedes Bild seine eigene Pose hat, in mm
+measure-squares-correct-certificate-check-every = Felder messen und den Kalibrierschein berichtigen; oder prüfen, ob zu jedem Bild seine eigene Pose in mm gehört
 measured = nicht gemessen
 measuring-arm = Messarm
-measuring-cloud = Wolke wird gemessen
-measuring-cloud-2 = Wolke { $number } wird gemessen
+measuring-cloud = Punktwolke wird ausgewertet
+measuring-cloud-2 = Punktwolke { $number } wird ausgewertet
 memory = Arbeitsspeicher
-merlons-are-symmetric = Breiten und Lücken der Zinnen lesen sich von beiden Enden gleich, sodass der Zinnenkörper nicht von seinem Spiegelbild zu unterscheiden ist
-merlons-read-alike-either-side = seine Zinnen lesen sich von beiden Seiten gleich
-merlons-read-mirrored-order = die Zinnen von „{ $name }“ lesen sich in gespiegelter Reihenfolge
+merlons-are-symmetric = Breiten und Abstände der Zinnen sind von beiden Enden aus gleich, sodass sich der Zinnenkörper nicht von seinem Spiegelbild unterscheiden lässt
+merlons-read-alike-either-side = seine Zinnen sehen von beiden Seiten gleich aus
+merlons-read-mirrored-order = die Zinnen von „{ $name }“ erscheinen in gespiegelter Reihenfolge
 merlons-stand-mirrored-order = die Zinnen liegen in gespiegelter Reihenfolge
-message-too-large = { $size } Bytes sind mehr, als sie haben kann
+message-too-large = { $size } Bytes sind mehr, als zulässig ist
 messages-broker-were-read =
     { $count ->
         [one] { $count } Nachricht auf dem Broker wurde nicht gelesen: { $reasons }.
        *[other] { $count } Nachrichten auf dem Broker wurden nicht gelesen: { $reasons }.
     }
-messages-of-no-station = { $count } nicht von der Art einer Station
-messages-of-too-many-stations = { $count } von mehr Stationen, als gezeigt werden
+messages-of-no-station = { $count } ohne das Format einer Station
+messages-of-too-many-stations = { $count } von mehr Stationen, als angezeigt werden
 messages-stations = Nachrichten von Stationen
 messages-too-long = { $count } zu lang
 messages-too-often = { $count } schneller, als sie gelesen werden
@@ -1346,53 +1346,53 @@ more-on-either-face =
         [front] { $count } weitere auf der Vorder- oder Rückseite
        *[left] { $count } weitere auf der linken oder rechten Stirnseite
     }
-more-poses-would-bring-little = Weitere Posen brächten wenig.
-more-than-kb-were-sent = Es wurden mehr als { $limit } gesendet.
+more-poses-would-bring-little = Weitere Posen bringen kaum Verbesserung.
+more-than-kb-were-sent = Die Anfrage ist größer als { $limit }.
 more-touches-on-face = { $count } weitere { $where }
-most-pixels-read = höchstens { $millions } Millionen werden gelesen
-mount-tip-of-datasheet-or-give-diameter = Den Taster des Datenblatts montieren oder den Durchmesser der Kugel selbst angeben.
-move-away = Räumen Sie sie weg
-move-away-start-again = Verschieben, dann neu starten
-move-recording-keeps-them-all = Weiterfahren; die Aufzeichnung behält sie alle.
-move-sensor-nearer-away-again-several = Den Sensor auf dem Weg über die Platte mehrmals näher und wieder weiter weg führen
-move-sensor-over-part-yourself = Den Sensor selbst über das Teil führen
+most-pixels-read = gelesen werden höchstens { $millions } Millionen
+mount-tip-of-datasheet-or-give-diameter = Taster laut Datenblatt montieren oder den Durchmesser der Kugel selbst angeben.
+move-away = Datei verschieben
+move-away-start-again = Datei verschieben und neu starten
+move-recording-keeps-them-all = Weiterbewegen; alle Punkte sind aufgezeichnet.
+move-sensor-nearer-away-again-several = Den Sensor beim Überfahren der Platte mehrmals näher heran- und wieder wegführen
+move-sensor-over-part-yourself = Sensor selbst über das Teil führen
 move-sensor-until-whole-object-picture = den Sensor bewegen, bis das ganze Objekt im Bild ist
-move-tip-another-place = Die Tastkugel an eine andere Stelle führen
-moved-encoder-read = es wurde nicht bewegt, oder sein Messgeber wird nicht gelesen
-moved-simulation-stopped = den simulierten Bediener gestartet oder angehalten
+move-tip-another-place = Tastkugel an eine andere Stelle führen
+moved-encoder-read = es wurde nicht bewegt, oder sein Winkelgeber wird nicht gelesen
+moved-simulation-stopped = simulierten Bediener gestartet oder gestoppt
 moved-turned = In { $duration } um { $moved } bewegt und um { $turned } gedreht
 movement-tip = Bewegung der Tastkugel
-moves-check-arm-json-bars-lengths = { $name } ändert sich um { $change }: arm.json und die Stablängen prüfen
-moving-only-moves-whole-arm-space = ihn zu ändern bewegt nur den ganzen Messarm im Raum
-must-begin-http-https-name-machine = sie muss mit http:// oder https:// beginnen und einen Rechner nennen
-must-name = Sie muss { $names } nennen
+moves-check-arm-json-bars-lengths = { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
+moving-only-moves-whole-arm-space = eine Änderung verschiebt nur den ganzen Messarm im Raum
+must-begin-http-https-name-machine = die Adresse muss mit http:// oder https:// beginnen und einen Rechner nennen
+must-name = Erforderliche Spalten: { $names }
 n-2-along = 2σ entlang { $axis }
-n-2-encoders-alone = 2σ allein durch die Messgeber, { $axis }
-n-2-worst-axis = 2σ beträgt { $two_sigma } auf der schlechtesten Achse; das Rauschen der Messgeber allein ergibt { $encoders }.
+n-2-encoders-alone = 2σ allein durch die Winkelgeber, { $axis }
+n-2-worst-axis = 2σ beträgt auf der schlechtesten Achse { $two_sigma }; das Rauschen der Winkelgeber allein ergibt { $encoders }.
 n-3d-view = 3D-Ansicht
 n-3d-view-does-answer = Die 3D-Ansicht antwortet nicht.
 n-3d-view-page-connected = Die 3D-Ansicht dieser Seite ist nicht verbunden
-name-a-file = Eine Datei angeben
-name-a-folder = Einen Ordner angeben
+name-a-file = Datei angeben
+name-a-folder = Ordner angeben
 name-and-serial-number = { $name }, Seriennummer { $serial_number }
 name-another-file = Eine andere Datei angeben
-name-file-holds-brokers-password-alone = Eine Datei nennen, die nur das Passwort des Brokers enthält und die die Station lesen darf
-name-folder-another-disk-backups-station = Mit backups in station.toml einen Ordner auf einem anderen Datenträger nennen.
-name-folder-calibration-check-verification-has = Den Ordner einer Kalibrierung, einer Prüfung oder einer Verifizierung nennen: Er enthält eine von { $files }
-name-folder-of-seats-spheres-bars = Einen Ordner mit Pfannen, Kugeln oder Kugelstäben angeben, die mit dem Messarm angetastet wurden
-name-folder-other-places-none-some = Einen Ordner mit anderen Orten angeben oder keinen: dann wird reihum ein Teil zurückgehalten
-name-folder-that-is-not-there = Einen Ordner angeben, den es noch nicht gibt
-name-password-do-belong-together = Name und Passwort gehören nicht zusammen.
-name-recording = Eine Aufzeichnung angeben
-name-scan-mcap = Eine scan.mcap angeben
-name-sessions-folder = Den Ordner einer Sitzung angeben
-name-tls-certificate-tls-key-station = Nennen Sie tls_certificate und tls_key in station.toml, oder setzen Sie einen Proxy davor.
+name-file-holds-brokers-password-alone = Eine für die Station lesbare Datei angeben, die nur das Passwort des Brokers enthält
+name-folder-another-disk-backups-station = Mit backups in station.toml einen Ordner auf einem anderen Datenträger angeben.
+name-folder-calibration-check-verification-has = Ordner einer Kalibrierung, einer Prüfung oder einer Verifizierung angeben: Er enthält eine der Dateien { $files }
+name-folder-of-seats-spheres-bars = Ordner mit Pfannen, Kugeln oder Kugelstäben angeben, die mit dem Messarm angetastet wurden
+name-folder-other-places-none-some = Einen Ordner mit anderen Positionen angeben oder keinen: Dann wird reihum ein Teil der Positionen ausgelassen
+name-folder-that-is-not-there = Einen noch nicht vorhandenen Ordner angeben
+name-password-do-belong-together = Name oder Passwort ist falsch.
+name-recording = Aufzeichnung angeben
+name-scan-mcap = scan.mcap angeben
+name-sessions-folder = Ordner einer Sitzung angeben
+name-tls-certificate-tls-key-station = tls_certificate und tls_key in station.toml angeben oder einen Proxy vorschalten.
 name-too-long = der Name ist zu lang
 named-joint-range = Gelenk { $joint } dreht von { $low } bis { $high }
 named-value = { $name } { $value }
-near-base = nahe am Sockel
-needed = { $least_frames } sind nötig
-needed-place = { $fewest_corners } sind nötig, um es zu orten
+near-base = nahe am Armfuß
+needed = mindestens { $least_frames } sind nötig
+needed-place = mindestens { $fewest_corners } sind nötig, um seine Lage zu bestimmen
 needs-least =
     { $shape ->
         [plane] eine Ebene braucht mindestens { $least }
@@ -1401,152 +1401,152 @@ needs-least =
        *[other] mindestens { $least } sind nötig
     }
 needs-least-three-conjugated-pairs = sie braucht mindestens drei zugeordnete Paare
-neither-colours-nor-arms-poses-tell = weder seine Farben noch die Posen des Messarms bestimmen, welche Ecke die erste ist
+neither-colours-nor-arms-poses-tell = weder die Farben noch die Posen des Messarms legen fest, welche Ecke die erste ist
 nested-too-deeply = es ist zu tief verschachtelt
 network = Netz
 never-checked = Noch nie geprüft.
-never-held-up-more-than = Nie länger als { $limit } aufgehalten.
+never-held-up-more-than = Nie um mehr als { $limit } verzögert.
 new-password = neues Passwort
-newest-record-days-later-than-clock = Der neueste Eintrag liegt { $days } Tage nach der Uhrzeit.
+newest-record-days-later-than-clock = Der neueste Eintrag liegt { $days } Tage nach der aktuellen Uhrzeit.
 next = Weiter: { $title }.
 next-backup-would-include-this = die nächste Sicherung würde diese enthalten
 next-pose-follow-dashed-outline = Für die nächste Pose: { $words }. Dem gestrichelten Umriss folgen.
-no-account-name = { $name } ist kein Name für ein Konto
+no-account-name = { $name } ist kein zulässiger Kontoname
 no-answer-from = Von { $url } kommt keine Antwort
-no-answer-within = keine Antwort innerhalb { $limit }
-no-arm-model-joints-chosen = kein Armmodell mit { $joint_count } Gelenken ist gewählt
-no-arm-near-given-one-explains = kein Messarm nahe dem angegebenen erklärt die Punkte; die von { $label } liegen { $rms } (rms) auseinander
+no-answer-within = keine Antwort innerhalb von { $limit }
+no-arm-model-joints-chosen = es ist kein Armmodell mit { $joint_count } Gelenken gewählt
+no-arm-near-given-one-explains = kein Messarm nahe dem angegebenen erklärt die Punkte; die von { $label } streuen um { $rms } (rms)
 no-backup-made = Es wurde keine Sicherung angelegt: { $error }
-no-ball-bar-measured-arms-size = kein Kugelstab wurde gemessen: Die Größe des Messarms ist die seines Datenblatts; ein um { $error } falsches längstes Glied macht { $size } über die Reichweite
+no-ball-bar-measured-arms-size = es wurde kein Kugelstab gemessen: Der Maßstab des Messarms ist der seines Datenblatts; ein Fehler von { $error } im längsten Glied ergibt { $size } über die Reichweite
 no-bright-line-runs =
     { $axis ->
-        [u] keine helle Linie läuft quer durch das Bild
-       *[v] keine helle Linie läuft von oben nach unten durch das Bild
+        [u] keine helle Linie verläuft quer durch das Bild
+       *[v] keine helle Linie verläuft von oben nach unten durch das Bild
     }
-no-calibration-use-yet = noch ist keine Kalibrierung in Gebrauch
+no-calibration-use-yet = es wird noch keine Kalibrierung verwendet
 no-certificate-stated = kein Kalibrierschein angegeben
-no-chessboard-x-inner-corners-found = kein Schachbrett mit { $columns } × { $rows } inneren Ecken wurde gefunden
-no-cloud-being-scanned = Es wird keine Wolke gescannt.
-no-cloud-shows-gauge-yet-scan = Noch zeigt keine Wolke das Prüfnormal. Eine scannen.
-no-cloud-taken-yet = Noch keine Wolke wurde aufgenommen.
-no-column = { $path }: keine Spalte { $names }
+no-chessboard-x-inner-corners-found = es wurde kein Schachbrett mit { $columns } × { $rows } inneren Ecken gefunden
+no-cloud-being-scanned = Es wird keine Punktwolke gescannt.
+no-cloud-shows-gauge-yet-scan = Noch keine Punktwolke zeigt das Prüfnormal. Eine scannen.
+no-cloud-taken-yet = Noch keine Punktwolke aufgenommen.
+no-column = { $path }: Spalte { $names } fehlt
 no-connection = keine Verbindung
 no-crenellated-object-found-picture = im Bild wurde kein Zinnenkörper gefunden
-no-data = Keine Daten vom Gerät „{ $title }“ seit { $silent }
+no-data = Seit { $silent } keine Daten vom { $title }
 no-data-yet = Noch keine Daten.
-no-database-there = es gibt dort kein { $database }
-no-delay-found-yet = Noch wurde kein Verzug bestimmt
+no-database-there = dort gibt es keine Datei { $database }
+no-delay-found-yet = Es ist noch kein Zeitversatz bestimmt
 no-file = es ist keine Datei
 no-fitted =
     { $shape ->
-        [plane] Es wurde keine Ebene angepasst: { $error }
-        [sphere] Es wurde keine Kugel angepasst: { $error }
-       *[cylinder] Es wurde kein Zylinder angepasst: { $error }
+        [plane] Keine Ebene eingepasst: { $error }
+        [sphere] Keine Kugel eingepasst: { $error }
+       *[cylinder] Kein Zylinder eingepasst: { $error }
     }
 no-fitted-program-failed =
     { $shape ->
-        [plane] Es wurde keine Ebene angepasst: Das Programm ist daran gescheitert.
-        [sphere] Es wurde keine Kugel angepasst: Das Programm ist daran gescheitert.
-       *[cylinder] Es wurde kein Zylinder angepasst: Das Programm ist daran gescheitert.
+        [plane] Keine Ebene eingepasst: Ein Programmfehler ist aufgetreten.
+        [sphere] Keine Kugel eingepasst: Ein Programmfehler ist aufgetreten.
+       *[cylinder] Kein Zylinder eingepasst: Ein Programmfehler ist aufgetreten.
     }
 no-flange-further-than = { $path }: Kein Flansch ist weiter als { $furthest } von der Basis des Messarms entfernt
-no-folder-named = den Ordner { $folder } gibt es nicht
+no-folder-named = der Ordner { $folder } existiert nicht
 no-frames = { $named }: keine Bilder
 no-free-name-scan = kein freier Name für einen Scan in { $folder }
-no-hand-no-knock-moves-joint = keine Hand und kein Stoß bewegt ein Gelenk in so kurzer Zeit so weit
-no-image-or-cut-off = es ist kein Bild oder wurde abgeschnitten
+no-hand-no-knock-moves-joint = weder Hand noch Stoß bewegt ein Gelenk in so kurzer Zeit so weit
+no-image-or-cut-off = es ist kein Bild oder unvollständig
 no-joint-angle-exceeds = { $path }: Kein Gelenkwinkel übersteigt { $largest }
 no-joint-angles = { $named }: keine Gelenkwinkel
-no-joint-goes-there-back-between = kein Gelenk geht zwischen zwei Messwerten hin und zurück
-no-joint-turned-more-than = { $label }: Kein Gelenk drehte sich um mehr als { $swing } ({ $joint })
-no-joints-around-any-frames-stamp = { $named }: um keinen Bildzeitstempel Gelenkwerte
+no-joint-goes-there-back-between = kein Gelenk bewegt sich zwischen zwei Messwerten hin und zurück
+no-joint-turned-more-than = { $label }: Kein Gelenk hat sich um mehr als { $swing } gedreht ({ $joint })
+no-joints-around-any-frames-stamp = { $named }: keine Gelenkwerte um die Zeitstempel der Bilder
 no-json = es ist kein JSON: { $error }
 no-laser-stripe-found-object = auf dem Objekt wurde keine Laserlinie gefunden
-no-laser-stripe-front-sensor-any = { $named }: in keinem der { $numbered } Bilder eine Laserlinie vor dem Sensor
+no-laser-stripe-front-sensor-any = { $named }: in keinem der { $numbered } Bilder ist eine Laserlinie vor dem Sensor
 no-laser-stripe-picture = Im Bild ist keine Laserlinie.
-no-limit = keine Grenze
-no-limit-set = keine Grenze gesetzt
-no-limit-set-3 = Keine Grenze war gesetzt
-no-limit-set-identification-check-arm = Für eine Identifikation ist keine Grenze gesetzt: Eine Prüfung des Messarms beurteilt sie.
-no-limit-set-so-check-neither = Keine Grenze ist gesetzt, daher ist diese Prüfung weder bestanden noch nicht bestanden.
+no-limit = kein Grenzwert
+no-limit-set = kein Grenzwert festgelegt
+no-limit-set-3 = Kein Grenzwert festgelegt
+no-limit-set-identification-check-arm = Für eine Identifikation ist kein Grenzwert festgelegt: Eine Armprüfung beurteilt sie.
+no-limit-set-so-check-neither = Es ist kein Grenzwert festgelegt, daher ist diese Prüfung weder bestanden noch nicht bestanden.
 no-line-seen = keine Linie zu sehen
 no-line-seen-2 = Keine Linie zu sehen
 no-mcap-recording = es ist keine MCAP-Aufzeichnung
-no-page-file-has-such-address = Keine Seite und keine Datei hat eine solche Adresse.
-no-picture-came-sensor = kein Bild kam vom Sensor
-no-picture-came-within = innerhalb { $limit } kam kein Bild
-no-picture-in-folder = Im Ordner { $folder } ist kein Bild
+no-page-file-has-such-address = Unter dieser Adresse gibt es keine Seite und keine Datei.
+no-picture-came-sensor = vom Sensor kam kein Bild
+no-picture-came-within = innerhalb von { $limit } kam kein Bild
+no-picture-in-folder = Im Ordner { $folder } gibt es kein Bild
 no-picture-laser-came-within =
     { $state ->
-        [on] innerhalb { $limit } kam kein Bild mit eingeschaltetem Laser
-       *[off] innerhalb { $limit } kam kein Bild mit ausgeschaltetem Laser
+        [on] innerhalb von { $limit } kam kein Bild mit eingeschaltetem Laser
+       *[off] innerhalb von { $limit } kam kein Bild mit ausgeschaltetem Laser
     }
-no-picture-shows-object-yet-take = Noch zeigt kein Bild das Objekt. Eines neu aufnehmen.
+no-picture-shows-object-yet-take = Noch kein Bild zeigt das Objekt. Ein weiteres aufnehmen.
 no-placing-edges-explains-those-picture = keine Lage des Objekts erklärt die Kanten im Bild
 no-png-image = es ist kein PNG-Bild
-no-point-taken-back-since-last = Seit dem letzten Antastpunkt wurde keiner zurückgenommen.
-no-point-taken-yet = Noch kein Punkt wurde aufgenommen.
+no-point-taken-back-since-last = Seit dem letzten Punkt wurde keiner zurückgenommen.
+no-point-taken-yet = Noch kein Punkt aufgenommen.
 no-points-can-made = { $interrupted } Daraus lassen sich keine Punkte berechnen: { CLAUSE($why) }.
-no-pose-given = keine Pose wurde angegeben
-no-position-block-brings-them-onto = keine Lage dieses Zinnenkörpers bringt sie darauf
-no-readable-figures = { $name } hat keine lesbaren Kennzahlen
+no-pose-given = es wurde keine Pose angegeben
+no-position-block-brings-them-onto = in keiner Lage dieses Zinnenkörpers liegen sie auf ihm
+no-readable-figures = { $name } enthält keine lesbaren Kenngrößen
 no-reason-given = Es ist kein Grund angegeben
-no-seat-taken-yet = Noch keine Pfanne wurde aufgenommen.
-no-seated-tip-does-points-another = das tut keine Tastkugel in einer Pfanne: Punkte eines anderen Ortes sind darunter, oder die Datei gehört zu einem anderen Messarm
-no-serial-port-named = Einen seriellen Anschluss { $url } gibt es nicht
-no-serial-port-plugged = Kein serieller Anschluss ist eingesteckt.
-no-single-contact-fault = an einem einzelnen Antastpunkt liegt es nicht
-no-size-squares-makes-them-agree = keine Größe seiner Felder bringt sie in Einklang
+no-seat-taken-yet = Noch keine Position aufgenommen.
+no-seated-tip-does-points-another = bei einer Tastkugel in einer Pfanne ist das nicht möglich: Punkte einer anderen Position sind darunter, oder die Datei gehört zu einem anderen Messarm
+no-serial-port-named = Der serielle Anschluss { $url } existiert nicht
+no-serial-port-plugged = Es ist kein serieller Anschluss vorhanden.
+no-single-contact-fault = es liegt nicht an einem einzelnen Antastpunkt
+no-size-squares-makes-them-agree = bei keiner Feldgröße stimmen sie überein
 no-station-data-folder = { $folder } ist kein Datenordner einer Station
-no-such-file = eine solche Datei gibt es nicht
-no-such-file-or-folder = eine solche Datei oder einen solchen Ordner gibt es nicht
-no-such-folder-named = Den Ordner { $folder } gibt es nicht
-no-touch-taken-back-since-last = Seit der letzten Antastung wurde keine zurückgenommen.
-no-touch-taken-yet = Noch keine Antastung wurde aufgenommen.
-no-two-opposite-sides-were-touched = Keine zwei gegenüberliegenden Seiten wurden angetastet: Tastkugeldurchmesser und Größe des Zinnenkörpers sind ungeprüft die ihrer Kalibrierscheine.
-no-video-file-named = Die Videodatei { $path } gibt es nicht
+no-such-file = die Datei existiert nicht
+no-such-file-or-folder = die Datei oder der Ordner existiert nicht
+no-such-folder-named = Der Ordner { $folder } existiert nicht
+no-touch-taken-back-since-last = Seit dem letzten Antastpunkt wurde keiner zurückgenommen.
+no-touch-taken-yet = Noch kein Antastpunkt aufgenommen.
+no-two-opposite-sides-were-touched = Es wurden keine zwei gegenüberliegenden Seiten angetastet: Tastkugeldurchmesser und Größe des Zinnenkörpers entsprechen ihren Kalibrierscheinen und sind nicht geprüft.
+no-video-file-named = Die Videodatei { $path } existiert nicht
 nobody-asks-control = Niemand bittet um die Bedienung
-nobody-may-use = { $path } darf niemand benutzen.
-nobody-signed-here = Hier ist niemand angemeldet.
+nobody-may-use = { $path } darf niemand verwenden.
+nobody-signed-here = Sie sind nicht angemeldet.
 nominal-is-of =
     { $shape ->
         [sphere] die Sollwerte gehören zu einer Kugel
        *[plane] die Sollwerte gehören zu einer Ebene
     }
 none-calibrations-belongs-these-recordings = Keine der Kalibrierungen gehört zu diesen Aufzeichnungen
-none-edges-floors-base-shows-picture = keine der Kanten seiner Nutgründe und seiner Grundfläche zeigt sich im Bild
-none-significant = keine war signifikant
+none-edges-floors-base-shows-picture = im Bild ist keine Kante seiner Nutgründe und seiner Grundfläche zu sehen
+none-significant = kein Koeffizient signifikant
 normal-component = Normale { $axis }
-normal-must-be-of-unit-length = normal muss die Länge eins haben, nicht { $length }
-normal-must-have-unit-length = normal muss die Länge eins haben
-not-saved = Dies wurde nicht gespeichert
-not-usable-next-to-database = { $path } ist neben der Datenbank der Station nicht zu gebrauchen
+normal-must-be-of-unit-length = normal muss die Länge 1 haben, nicht { $length }
+normal-must-have-unit-length = normal muss die Länge 1 haben
+not-saved = Die Änderung wurde nicht gespeichert
+not-usable-next-to-database = { $path } ist neben der Datenbank der Station nicht verwendbar
 note = Hinweis
-nothing-came-for = Seit { $time } kam nichts von { $url }
-nothing-can-be-sent-to-arm = An den Messarm an { $url } lässt sich nichts senden ({ $reason })
+nothing-came-for = Von { $url } kam { $time } lang nichts
+nothing-can-be-sent-to-arm = An den Messarm unter { $url } lässt sich nichts senden ({ $reason })
 nothing-changed-since-solved = Seit der Berechnung hat sich nichts geändert.
-nothing-changed-stations-log-has-details = nichts wurde geändert; Näheres steht im Protokoll der Station
-nothing-else-bears-out-shadow-highlight = { $text }, und nichts anderes bestätigt das: Ein Schatten, ein Glanzlicht oder etwas davor kann so aussehen
-nothing-listens = An { $url } hört nichts
-nothing-made-them = Aus ihnen wurde nichts übernommen. { CAPITAL(CLAUSE($remedy)) }.
+nothing-changed-stations-log-has-details = es wurde nichts geändert; Näheres steht im Protokoll der Station
+nothing-else-bears-out-shadow-highlight = { $text }, und nichts anderes bestätigt dies: Ein Schatten, ein Glanzlicht oder etwas davor kann so aussehen
+nothing-listens = Unter { $url } antwortet kein Dienst
+nothing-made-them = Sie wurden nicht verwendet. { CAPITAL(CLAUSE($remedy)) }.
 nothing-runs = Nichts läuft
-nothing-seen-no-contrast = Nichts zu sehen: kein Kontrast
-nothing-taken-reading-cannot-true-no = Aus einem unmöglichen Messwert wird nichts übernommen: kein Antastpunkt, keine Pose, keine Punkte.
-nothing-taken-such-reading = aus einem solchen Messwert wird nichts übernommen
+nothing-seen-no-contrast = Nichts zu erkennen: kein Kontrast
+nothing-taken-reading-cannot-true-no = Unplausible Messwerte werden nicht verwendet: nicht für Antastpunkte, Posen oder gescannte Punkte.
+nothing-taken-such-reading = ein solcher Messwert wird nicht verwendet
 now = Jetzt
-number-expected-here = hier wird eine Zahl erwartet
-number-too-large = so groß ist nichts, was hier gemessen wird
-numbers-need-decimal-point-comma-names = Zahlen brauchen einen Dezimalpunkt, kein Komma; Namen gar kein Komma
+number-expected-here = erwartet wird hier eine Zahl
+number-too-large = so große Werte werden hier nicht gemessen
+numbers-need-decimal-point-comma-names = Zahlen brauchen einen Dezimalpunkt statt eines Kommas; Namen dürfen kein Komma enthalten
 numerics = Numerik
 object = Objekt
 object-certificate = Kalibrierschein des Objekts
 object-fills = Objekt füllt
 object-found = das Objekt wurde nicht gefunden
-object-looked-grey-images-8-16 = das Objekt wird in Graubildern von 8 bis 16 Bit und mindestens 64 Pixeln je Richtung gesucht
-object-off-m = Objekt daneben, µm
+object-looked-grey-images-8-16 = das Objekt wird in Graubildern mit 8 bis 16 Bit und mindestens 64 Pixeln je Richtung gesucht
+object-off-m = Objektabw., µm
 object-picture = Das Objekt ist im Bild
 object-picture-does-match-certificate = das Objekt im Bild passt nicht zum Kalibrierschein von „{ $name }“ ({ $serial_number })
-object-picture-hold-arm-there-clamp = Das Objekt ist im Bild. Den Messarm dort halten oder festklemmen.
+object-picture-hold-arm-there-clamp = Das Objekt ist im Bild. Messarm dort halten oder festklemmen.
 object-point-pixel-number = ein Objektpunkt oder ein Pixel ist keine Zahl
 object-points-shape-pixels-shape = Objektpunkte der Form { $points } und Pixel der Form { $pixels }
 object-too-far =
@@ -1556,13 +1556,13 @@ object-too-far =
         [up] Das Objekt liegt zu weit oben
        *[down] Das Objekt liegt zu weit unten
     }
-objects-place-k-1 = Ort des Objekts (k = 1)
-objects-points-do-fit-their-pixels = die Punkte des Objekts passen nicht auf ihre Pixel
+objects-place-k-1 = Lage des Objekts (k = 1)
+objects-points-do-fit-their-pixels = die Punkte des Objekts passen nicht zu ihren Pixeln
 of = { $page } von { $pages }
-off = Aus: { $title }
+off = { $title } ist aus
 offset-m = Versatz, µm
-old-after-days-due = Sie ist { $ago } alt; die Frist beträgt { $limit }.
-old-due-after-days = { $text }, { $ago } alt; die Frist beträgt { $limit }.
+old-after-days-due = Sie ist { $ago } alt; Frist { $limit }. Sie ist fällig.
+old-due-after-days = { $text }, { $ago } alt; Frist { $limit }.
 old-password-wrong = Das alte Passwort ist falsch.
 on-board = auf der Tafel
 on-face =
@@ -1575,89 +1575,89 @@ on-face =
         [right] auf der rechten Stirnseite
        *[other] auf der Fläche „{ $face }“
     }
-one-browser-acts-time = ein Browser handelt zur Zeit
-one-diameter-spheres-sphere-clean = ein Durchmesser gehört nicht zu seiner Kugel, oder die Kugel war nicht sauber
-one-line-alone-does-fix-lasers = eine Linie allein legt die Laserebene nicht fest
+one-browser-acts-time = bedienen kann jeweils nur ein Browser
+one-diameter-spheres-sphere-clean = ein Durchmesser gehört nicht zu dieser Kugel, oder die Kugel war nicht sauber
+one-line-alone-does-fix-lasers = eine einzelne Linie legt die Laserebene nicht fest
 one-numbers-has-too-many-digits = eine ihrer Zahlen hat zu viele Ziffern
 one-of = es ist eines von { $names }
 one-picture-flat-board-tells-neither = ein Bild einer ebenen Tafel bestimmt weder die Brennweite noch die Laserebene
-one-plane-does-fix-focal-length = eine Ebene legt Brennweite, Abstand und Laserebene nicht zugleich fest
-one-pose-alone-used-errors-arms = Nur eine Pose wurde benutzt: Fehler der Armglieder zeigen sich allein in den Antastpunkten; Gelenkwinkel, die nicht die des Bildes sind, und ein Objekt, das seit dem Antasten bewegt wurde, zeigen sich nicht.
-one-pose-enough = eine Pose genügt bei „{ $name }“ nicht
-one-pose-faugeras-contact-alignment = eine Pose (Faugeras, Antastausrichtung)
+one-plane-does-fix-focal-length = eine Ebene legt Brennweite, Abstand und Laserebene nicht gemeinsam fest
+one-pose-alone-used-errors-arms = Es wurde nur eine Pose verwendet: Fehler der Armglieder zeigen sich nur in den Antastpunkten; nicht zum Bild gehörende Gelenkwinkel und ein nach dem Antasten bewegtes Objekt zeigen sich nicht.
+one-pose-enough = eine Pose reicht bei „{ $name }“ nicht aus
+one-pose-faugeras-contact-alignment = eine Pose (Faugeras, Ausrichtung über Antastpunkte)
 one-recording-one-calibration-give-one = eine Aufzeichnung und eine Kalibrierung ergeben eine Ebene
-one-used-each-lighting = von jeder Beleuchtung wird eines benutzt
-one-value-expected-for = für { $label } wird ein Wert von 0 bis { $largest } erwartet
-one-who-loses-control-reads-why = wer die Bedienung verliert, erfährt den Grund
+one-used-each-lighting = je Beleuchtung wird eines verwendet
+one-value-expected-for = erwartet wird für { $label } ein Wert von 0 bis { $largest }
+one-who-loses-control-reads-why = wer die Bedienung abgibt, erfährt den Grund
 only-administrator = { $name } ist der einzige Administrator
-only-corners-can-measured = nur { $found } seiner Ecken lassen sich messen
+only-corners-can-measured = nur { $found } seiner Ecken sind messbar
 only-edge-points-lie-edges = nur { $agreeing } der Kantenpunkte liegen auf seinen Kanten
 only-free-disk = nur { $free } sind auf dem Datenträger von { $folder } frei
-only-joint-samples-came = nur { $count } Gelenkwerte kamen in { $duration }
+only-joint-samples-came = nur { $count } Gelenkwerte in { $duration } empfangen
 only-machines-browsers-reach-station = Nur Browser auf diesem Rechner erreichen die Station.
-only-one-row-corners-each-level = mit nur einer Eckenreihe je Ebene ist die Kamera nicht festgelegt
-only-pose-take-another-first = Es ist die einzige Pose. Zuerst eine weitere aufnehmen.
-only-stations-own-pages-may-do = Das dürfen nur die eigenen Seiten der Station.
-only-visible-edges-show-picture = nur { $shown } seiner sichtbaren Kanten zeigen sich im Bild
-open-again = Neu öffnen.
+only-one-row-corners-each-level = mit nur einer Eckenreihe je Höhenstufe ist die Kamera nicht bestimmt
+only-pose-take-another-first = Dies ist die einzige Pose. Zuerst eine weitere aufnehmen.
+only-stations-own-pages-may-do = Das dürfen nur die Seiten dieser Station.
+only-visible-edges-show-picture = nur { $shown } seiner sichtbaren Kanten sind im Bild zu sehen
+open-again = Erneut öffnen.
 opened-kiosk = als Kiosk-Anzeige geöffnet
 operation-not-permitted = der Vorgang ist nicht erlaubt
 operator-2 = Bediener
 origin-mm = Ursprung, mm
 other-files = die anderen Dateien gehören zu { $device } { $known }
-other-machines-reach-encrypted = Andere Rechner erreichen sie, verschlüsselt.
-other-machines-reach-nothing-encrypted = Andere Rechner erreichen sie, und nichts ist verschlüsselt.
-other-machines-reach-proxy = Andere Rechner erreichen sie über einen Proxy.
-other-stations-see-one-one-them = Darüber sehen andere Stationen diese und diese die anderen. Sonst braucht ihn nichts.
-others-covered-lost-lasers-light = die anderen sind verdeckt oder gehen im Laserlicht unter
-out-focus-edges-wide-wanted = Unscharf: Kanten { $width } breit, gewünscht { $wanted }
-out-picture-covered-blurred-another-object = es liegt außerhalb des Bilds, ist verdeckt oder unscharf, oder ein anderes Objekt liegt dort
-over-clouds = Über die Wolken
+other-machines-reach-encrypted = Andere Rechner erreichen die Station, verschlüsselt.
+other-machines-reach-nothing-encrypted = Andere Rechner erreichen die Station, unverschlüsselt.
+other-machines-reach-proxy = Andere Rechner erreichen die Station über einen Proxy.
+other-stations-see-one-one-them = Über den Broker sehen die Stationen einander. Sonst wird er nicht benötigt.
+others-covered-lost-lasers-light = die übrigen sind verdeckt oder gehen im Laserlicht unter
+out-focus-edges-wide-wanted = Unscharf: Kanten { $width } breit, Soll { $wanted }
+out-picture-covered-blurred-another-object = es liegt außerhalb des Bildes, ist verdeckt oder unscharf, oder dort liegt ein anderes Objekt
+over-clouds = Über alle Punktwolken
 over-reach-before-difference-arm-identified = Über die Reichweite: vorher die Abweichung vom identifizierten Messarm, nachher die Standardunsicherheit, k = 1.
-over-reach-tip-off-rms-now = Über seine Reichweite lag die Tastkugel um { $before } rms daneben und ist nun auf { $after } bekannt (k = 1).
-overexposed-share-at-full-scale = es ist überbelichtet: { $share } seiner Pixel sind am Anschlag
+over-reach-tip-off-rms-now = Über die Reichweite wich die Tastkugel um { $before } rms ab; die Standardunsicherheit beträgt jetzt { $after } (k = 1).
+overexposed-share-at-full-scale = es ist überbelichtet: { $share } seiner Pixel sind in der Sättigung
 package-named = das Paket { $name } { $version }
 parameter = Parameter
 parameters = Parameter
-parameters-moved-do-same-together = die geänderten Parameter leisten zusammen dasselbe
+parameters-moved-do-same-together = die geänderten Parameter haben zusammen dieselbe Wirkung
 part-of-path-is-no-folder = ein Teil des Pfads ist kein Ordner
 pass = Bestanden
-pass-does-tell-delay = diese Überfahrt zeigt den Verzug nicht
-pass-half-minute-enough = eine Überfahrt von einer halben Minute genügt
-pass-has-pictures-lasers-line-plane = die Überfahrt hat { $count } Bilder mit der Laserlinie auf der Ebene
+pass-does-tell-delay = diese Überfahrt zeigt den Zeitversatz nicht
+pass-half-minute-enough = eine Überfahrt von einer halben Minute reicht
+pass-has-pictures-lasers-line-plane = die Überfahrt enthält { $count } Bilder mit der Laserlinie auf der Ebene
 pass-over-flat-plate-fills-lasers = Über eine ebene Platte fahren, die die Laserlinie ausfüllt
 pass-over-more-gauge = Mehr vom Prüfnormal überfahren
-pass-over-plane-find = Über eine Ebene fahren und ihn bestimmen
+pass-over-plane-find = Über eine Ebene fahren und den Zeitversatz bestimmen
 pass-over-plate = Überfahrt über die Platte
-pass-over-several-sides = Von mehreren Seiten überfahren
-pass-stopped = Die Überfahrt wurde angehalten
+pass-over-several-sides = Aus mehreren Richtungen überfahren
+pass-stopped = Die Überfahrt wurde abgebrochen
 pass-stripe-slowly-each-pass-cloud =
     { $shape ->
-        [plane] Die Laserlinie langsam über das ganze Prüfnormal führen. Jede Überfahrt ist eine eigene Wolke.
-       *[sphere] Die Laserlinie langsam von drei Seiten über die Kugel führen. Jede Überfahrt ist eine eigene Wolke.
+        [plane] Laserlinie langsam über das ganze Prüfnormal führen. Jede Überfahrt ist eine eigene Punktwolke.
+       *[sphere] Laserlinie langsam von drei Seiten über die Kugel führen. Jede Überfahrt ist eine eigene Punktwolke.
     }
-pass-stripe-slowly-over-gauge = Die Laserlinie langsam über das Prüfnormal führen
-pass-stripe-slowly-over-whole-gauge = Die Laserlinie langsam über das ganze Prüfnormal führen, dann die Wolke beenden.
-passed-ago-due-after-days = Bestanden, { $ago } her; die Frist beträgt { $limit }.
+pass-stripe-slowly-over-gauge = Laserlinie langsam über das Prüfnormal führen
+pass-stripe-slowly-over-whole-gauge = Laserlinie langsam über das ganze Prüfnormal führen, dann die Punktwolke abschließen.
+passed-ago-due-after-days = Bestanden ({ $ago } her); Frist { $limit }.
 password-has-characters = Das Passwort hat { $count } Zeichen
-password-is-name = Das Passwort ist der Name
-password-length-wanted = { $least } bis { $most } sind gewünscht
+password-is-name = Das Passwort ist mit dem Namen identisch
+password-length-wanted = { $least } bis { $most } sind erforderlich
 permission-denied = Zugriff verweigert
-pick-more-way-round-fit-plane = Mehr vom Umfang wählen oder eine Ebene anpassen
-picture-being-taken-already = es wird schon ein Bild aufgenommen
+pick-more-way-round-fit-plane = Mehr vom Umfang auswählen oder eine Ebene einpassen
+picture-being-taken-already = es wird bereits ein Bild aufgenommen
 picture-blurred-edges-wide = das Bild ist unscharf: Seine Kanten sind { $width } breit
 picture-blurred-edges-wide-most-can = das Bild ist unscharf: Seine Kanten sind { $blur } breit, messbar sind höchstens { $limit }
 picture-blurred-noisy-lasers-line-lies = das Bild ist unscharf oder verrauscht, oder die Laserlinie liegt darüber
 picture-bytes-do-not-fit = { $name }: { $bytes } Bytes für { $width } × { $height } Pixel, { $row } je Zeile
-picture-can-read-more-than-one = das Bild von „{ $name }“ lässt sich auf mehr als eine Art lesen
-picture-cannot-be-encoded = das Bild konnte nicht als PNG kodiert werden
+picture-can-read-more-than-one = das Bild von „{ $name }“ ist nicht eindeutig
+picture-cannot-be-encoded = das Bild ließ sich nicht als PNG kodieren
 picture-cannot-be-used-take-it-again =
     { $others ->
-        [yes] Dieses Bild ist nicht brauchbar. Neu aufnehmen oder ohne es weitermachen.
+        [yes] Dieses Bild ist nicht brauchbar. Neu aufnehmen oder ohne dieses Bild fortfahren.
        *[no] Dieses Bild ist nicht brauchbar. Neu aufnehmen.
     }
-picture-cannot-read = Das Bild { $path } lässt sich nicht lesen
-picture-dim-bright-parts-reach-full = das Bild ist dunkel: Seine hellen Teile erreichen { $high } des Aussteuerbereichs
+picture-cannot-read = Das Bild { $path } ist nicht lesbar
+picture-dim-bright-parts-reach-full = das Bild ist dunkel: Die hellen Bereiche erreichen { $high } des Aussteuerbereichs
 picture-has-size =
     { $picture ->
         [laser] das Laserbild hat { $width } × { $height } Pixel
@@ -1667,98 +1667,98 @@ picture-incomplete = das Bild ist nicht vollständig
 picture-mirrored-camera-looks-objects-back = das Bild ist gespiegelt, oder die Kamera sieht die Rückseite des Objekts
 picture-objects-certificate-contradict-each-other = Bild und Kalibrierschein des Objekts widersprechen sich
 picture-of-numbers = Das Bild { $path } besteht aus { $kind }-Zahlen
-picture-overexposed = { $saturated } des Bilds sind überbelichtet
+picture-overexposed = { $saturated } des Bildes sind überbelichtet
 picture-shows-no-contrast-full-scale = das Bild zeigt keinen Kontrast: { $contrast } des Aussteuerbereichs
 picture-shows-no-laser-line-object = ihr Bild zeigt keine Laserlinie auf dem Objekt
 picture-shows-objects-mirror-image = das Bild zeigt das Spiegelbild des Objekts
 picture-size-changed = { $title } hat sein Bild von { $width } × { $height } auf { $new_width } × { $new_height } Pixel geändert
 picture-soft-edges-wide = das Bild ist etwas unscharf: Seine Kanten sind { $width } breit
-pictures-came-without-arms-position = { $count } von { $total } Bildern kamen ohne die Lage des Messarms
+pictures-came-without-arms-position = { $count } von { $total } Bildern kamen ohne Stellung des Messarms
 pictures-contacts-certificate-contradict-each-other = Bilder, Antastpunkte und Kalibrierschein widersprechen sich
 pictures-different-sizes = die Bilder sind verschieden groß: { $sizes }
 pictures-flat-board-one-direction-do = Bilder einer ebenen Tafel aus einer Richtung bestimmen die Brennweite nicht
-pictures-have-object-turned-how-touched = In den Bildern ist das Objekt um { $turned } gedreht gegenüber der Lage, in der es angetastet wurde. Gescannte Punkte können um ebenso viel falsch liegen.
-pictures-have-object-where-touched-turned = In den Bildern liegt das Objekt { $off } (± { $known }) neben der Stelle, an der es angetastet wurde, um { $turned } gedreht. Gescannte Punkte können um ebenso viel falsch liegen.
-pictures-left-out = Bilder werden ausgelassen: { $what }
+pictures-have-object-turned-how-touched = In den Bildern ist das Objekt gegenüber der angetasteten Lage um { $turned } gedreht. Gescannte Punkte können um ebenso viel falsch liegen.
+pictures-have-object-where-touched-turned = In den Bildern liegt das Objekt { $off } (± { $known }) neben der angetasteten Lage, um { $turned } gedreht. Gescannte Punkte können um ebenso viel falsch liegen.
+pictures-left-out = Bilder werden übersprungen: { $what }
 pictures-of-one-pose-need-still-arm = die Bilder einer Pose werden bei ruhendem Messarm aufgenommen
-pictures-recording-were-left-out = { $kept } Bilder sind in der Aufzeichnung, { $left_out } wurden ausgelassen
+pictures-recording-were-left-out = Die Aufzeichnung enthält { $kept } Bilder, { $left_out } wurden übersprungen
 pictures-show =
     { $seen ->
         [one] { $seen } Bild zeigt „{ $name }“
        *[other] { $seen } Bilder zeigen „{ $name }“
     }
 pictures-were-lost = { $count } von { $total } Bildern gingen verloren
-pictures-were-taken-too-fast-up = { $count } von { $total } Bildern wurden zu schnell aufgenommen: bis { $worst } Unschärfe
-place-sensor-so-both-crests-floors = den Sensor so halten, dass Zinnen und Nutgründe im Bild sind
-place-sensor-so-stripe-crosses-crests = den Sensor so halten, dass die Laserlinie Zinnen und Nutgründe kreuzt
-place-touch = Das ist die Stelle von Antastung { $number }
+pictures-were-taken-too-fast-up = { $count } von { $total } Bildern wurden in zu schneller Bewegung aufgenommen: bis { $worst } Unschärfe
+place-sensor-so-both-crests-floors = Sensor so halten, dass Zinnen und Nutgründe im Bild sind
+place-sensor-so-stripe-crosses-crests = Sensor so halten, dass die Laserlinie Zinnen und Nutgründe kreuzt
+place-touch = Das ist die Stelle von Antastpunkt { $number }
 placed = Lage
-places = { $done } von { $seats_wanted } Orten
-places-2 = { $done } Orte
-places-held-out-arms-errors-go = an zurückgehaltenen Orten gehen die Fehler des Messarms von { $before } auf { $after } ihres Rauschens
-places-held-out-still-deviate = zurückgehaltene Orte weichen noch { $times }-mal so weit ab, wie ihr Rauschen erklärt: mehr Orte aufnehmen, gleichmäßiger über die Reichweite
-places-were-held-out-fit-over = An Orten, die nicht in die Anpassung eingingen, und über den ganzen Arbeitsraum des Messarms.
+places = { $done } von { $seats_wanted } Positionen
+places-2 = { $done } Positionen
+places-held-out-arms-errors-go = in der Kreuzvalidierung ändern sich die Fehler des Messarms vom { $before }-Fachen auf das { $after }-Fache ihres Rauschens
+places-held-out-still-deviate = in der Kreuzvalidierung weichen die Positionen noch um das { $times }-Fache ihres Rauschens ab: weitere Positionen aufnehmen, gleichmäßiger über die Reichweite verteilt
+places-were-held-out-fit-over = An Positionen, die nicht in die Ausgleichung eingingen, und über die gesamte Reichweite des Messarms.
 plane-equation = ({ $x }; { $y }; { $z }) · x = { $offset }
-plane-nearly-boards-does-meet-sharp = eine Ebene, die fast die der Tafel ist, trifft sie nicht in einer scharfen Linie
-plane-needs-both-directions = eine Ebene braucht { $width } in beiden Richtungen
+plane-nearly-boards-does-meet-sharp = eine Ebene, die nahezu in der Tafel liegt, schneidet sie nicht in einer scharfen Linie
+plane-needs-both-directions = für eine Ebene sind { $width } in beiden Richtungen nötig
 plane-swept-straight-across-angle = Gerade überfahrene Ebene: Winkel
 plane-through-cameras-centre-gives-no = eine Ebene durch den Mittelpunkt der Kamera ergibt keine Tiefe
-plug-right-arm-correct-arm-joint = Den richtigen Messarm anschließen oder [arm] joint_count berichtigen.
+plug-right-arm-correct-arm-joint = Richtigen Messarm anschließen oder [arm] joint_count berichtigen.
 plus-minus = ± { $uncertainty }
 point = Punkt { $number }, { $place }.
 point-2 = { $face }, Punkt { $index }
-point-again = Das ist noch einmal Punkt { $point }
-point-back = Punkt { $index } ist wieder da.
-point-cannot-true = Punkt { $index } ist unmöglich: { $what }; { $why }.
-point-expanded-uncertainty = Gescannter Punkt, rms über das Messvolumen: erweiterte Unsicherheit
-point-known-good = Ein gescannter Punkt ist im Flanschsystem auf { $total } (k = 1) bekannt; bis { $good } ist es gut.
-point-known-k-1 = { $name }, ein Punkt bekannt auf { $total } (k = 1)
-point-known-mostly-by = Ein gescannter Punkt ist im Flanschsystem auf { $total } (k = 1) bekannt, größter Anteil: { $source } ({ $value }); die Grenze ist { $limit }.
-point-left-out-off = { $place }, Punkt { $number }: { $distance } daneben
+point-again = Das ist erneut Punkt { $point }
+point-back = Punkt { $index } ist wiederhergestellt.
+point-cannot-true = Punkt { $index } ist unplausibel: { $what }; { $why }.
+point-expanded-uncertainty = Gescannter Punkt, rms im Messvolumen: erweiterte Unsicherheit
+point-known-good = Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1); gut ist bis { $good }.
+point-known-k-1 = { $name }, Standardunsicherheit eines Punkts { $total } (k = 1)
+point-known-mostly-by = Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
+point-left-out-off = { $place }, Punkt { $number }: { $distance } Abweichung
 point-lies-on-other-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off } und liegt { $where }.
 point-misses-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off }.
-point-off-face = Punkt { $index } liegt { $off } neben der Fläche „{ $face }“; die anderen stimmen auf { $rms } überein.
-point-off-face-remove-then-go = Punkt { $point } liegt nicht auf seiner Fläche. Ihn entfernen, dann weitermachen.
-point-off-plane-others = Punkt { $index } liegt { $off } neben der Ebene der anderen.
+point-off-face = Punkt { $index } liegt { $off } neben der Fläche „{ $face }“; die übrigen stimmen auf { $rms } überein.
+point-off-face-remove-then-go = Punkt { $point } liegt nicht auf seiner Fläche. Punkt entfernen, dann fortfahren.
+point-off-plane-others = Punkt { $index } liegt { $off } neben der Ebene der übrigen.
 point-removed = Punkt { $index } ist entfernt.
-point-standard-uncertainty = Gescannter Punkt, rms über das Messvolumen: Standardunsicherheit
+point-standard-uncertainty = Gescannter Punkt, rms im Messvolumen: Standardunsicherheit
 point-taken-at = Punkt { $index } { $where }.
 point-taken-off = Punkt { $index } { $where }: { $off }.
 point-there-any-more = Diesen Punkt gibt es nicht mehr.
 points-1-lie-apart-while-single = { $label }: Die Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander, während einzelne Punkte um { $sd } streuen
 points-3 = { $taken } Punkte
 points-5 = Punkte
-points-blocks-edges-fit-camera-rms = { $points } Punkte auf den Kanten des Zinnenkörpers passen auf { $rms } rms zur Kamera, am schlechtesten in Pose { $number } ({ $edges_rms }); die Grenze ist { $edge_rms_px }.
-points-check-among-those-fit = { $shared } der { $count } Punkte zum Prüfen gehören auch zu denen der Ausgleichung
-points-disagree-rest = { $label }: { $out } von { $points } Punkten widersprechen dem Rest
-points-do-lie-one = ihre Punkte liegen nicht auf einer
-points-edges-fit-camera-rms-limit = { $points } Punkte auf { $edges } Kanten passen auf { $rms } rms zur Kamera; die Grenze ist { $edge_rms_px }.
+points-blocks-edges-fit-camera-rms = { $points } Punkte auf den Kanten des Zinnenkörpers passen zur Kamera mit { $rms } rms, am schlechtesten in Pose { $number } ({ $edges_rms }); der Grenzwert ist { $edge_rms_px }.
+points-check-among-those-fit = { $shared } der { $count } Prüfpunkte gehören auch zu den Punkten der Ausgleichung
+points-disagree-rest = { $label }: { $out } von { $points } Punkten widersprechen den übrigen
+points-do-lie-one = ihre Punkte liegen nicht auf einer solchen Kugel
+points-edges-fit-camera-rms-limit = { $points } Punkte auf { $edges } Kanten passen zur Kamera mit { $rms } rms; der Grenzwert ist { $edge_rms_px }.
 points-fix-no-cylinder = die Punkte legen keinen Zylinder fest
-points-here-welcome-beside-those-other = { $place } Punkte hier sind willkommen, zusätzlich zu denen auf den anderen Flächen.
-points-laser-stripe-lie-object-levels = { $points } Punkte der Laserlinie liegen auf dem Objekt (von { $found } auf seinen Ebenen; { $least } sind auf Zinnen und auf Nutgründen nötig)
+points-here-welcome-beside-those-other = { $place } Punkte hier sind hilfreich, zusätzlich zu denen auf den anderen Flächen.
+points-laser-stripe-lie-object-levels = { $points } Punkte der Laserlinie liegen auf dem Objekt (von { $found } auf seinen Höhenstufen; { $least } sind auf Zinnen und auf Nutgründen nötig)
 points-lasers-line-lie-board-but-poses =
     { $count ->
         [one] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Pose { $poses } zeigt keine.
        *[other] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Die Posen { $poses } zeigen keine.
     }
 points-lasers-line-lie-board-rms = { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene.
-points-lie-about-nearest-plane = die Punkte liegen { $spread } (k = 1) um die nächste Ebene, bei jedem Verzug
+points-lie-about-nearest-plane = bei jedem Zeitversatz streuen die Punkte um { $spread } (k = 1) um die Ausgleichsebene
 points-lie-one-line = die Punkte liegen auf einer Geraden
 points-lie-one-plane = die Punkte liegen in einer Ebene
-points-lie-too-small-piece = die Punkte liegen auf einem zu kleinen Stück davon
-points-lie-too-small-piece-sphere = die Punkte liegen auf einem zu kleinen Stück der Kugel
-points-lie-within-one-plane = { $share } der Punkte liegen innerhalb { $distance } um eine Ebene, bei jedem Verzug
+points-lie-too-small-piece = die Punkte liegen auf einem zu kleinen Ausschnitt
+points-lie-too-small-piece-sphere = die Punkte liegen auf einem zu kleinen Ausschnitt der Kugel
+points-lie-within-one-plane = bei jedem Zeitversatz liegen nur { $share } der Punkte innerhalb von { $distance } um eine Ebene
 points-made = { $name }: { $points } Punkte berechnet.
-points-made-when-there-room-no = { $interrupted } Die Punkte werden berechnet, sobald Platz ist und kein Scan läuft.
+points-made-when-there-room-no = { $interrupted } Die Punkte werden berechnet, sobald Speicherplatz frei ist und kein Scan läuft.
 points-of = { $taken } von { $wanted } Punkten
-points-places = { $points } Punkte an { $places } Orten
+points-places = { $points } Punkte an { $places } Positionen
 points-saved =
     { $count ->
         [one] { $name }: { $count } Punkt gespeichert
        *[other] { $name }: { $count } Punkte gespeichert
     }
-points-taken-themselves-while-arm-swings = Punkte werden von selbst aufgenommen, während der Arm schwenkt.
-points-used = Benutzte Punkte
+points-taken-themselves-while-arm-swings = Punkte werden automatisch aufgenommen, während der Messarm schwenkt.
+points-used = Verwendete Punkte
 points-were-taken-another-arm-file = die Punkte wurden mit einem anderen Messarm aufgenommen, oder die Datei ist falsch
 ports-are = Vorhandene Anschlüsse: { $names }.
 pose-2 = Pose { $number }: { CLAUSE($reason) }.
@@ -1770,7 +1770,7 @@ pose-count-one-other-s-taken =
         [one] { $count } Pose ist aufgenommen.
        *[other] { $count } Posen sind aufgenommen.
     }
-pose-differs-from-line = { $place }: { $moved } gegen Zeile { $line } derselben Pose { $pose }
+pose-differs-from-line = { $place }: { $moved } Abweichung von Zeile { $line } derselben Pose { $pose }
 pose-found-minus-computed-times-larger =
     Pose { $number }: gemessen minus berechnet, { $factor }-fach vergrößert; Ecken gelb, höchstens { $largest }; Laserlinie rot. { $fitted ->
         [corners] Ecken { $rms }
@@ -1782,36 +1782,36 @@ pose-found-minus-computed-times-larger-2 =
        *[edges] Kanten { $rms }
     } rms.
 pose-has-no-picture = { $place }: Pose { $pose } hat kein { $missing }-Bild
-pose-is-set-aside = Beiseitegelegt
-pose-left-out = Pose { $number } wurde ausgelassen: { CLAUSE($reason) }.
-pose-looks-same-turned-round = Pose { $number }: „{ $name }“ sieht umgedreht gleich aus
-pose-needs-both-lightings = eine Pose braucht ein 'ambient'- und ein 'laser'-Bild oder eines mit beidem Licht ('both')
-pose-set-aside = Diese Pose ist nicht beiseitegelegt.
-pose-set-aside-2 = Pose { $n } ist beiseitegelegt
+pose-is-set-aside = Ausgeschlossen
+pose-left-out = Pose { $number } wurde ausgeschlossen: { CLAUSE($reason) }.
+pose-looks-same-turned-round = Pose { $number }: „{ $name }“ sieht gedreht gleich aus
+pose-needs-both-lightings = für eine Pose sind ein Bild „ambient“ und ein Bild „laser“ nötig oder eines mit beiden Beleuchtungen („both“)
+pose-set-aside = Diese Pose ist nicht ausgeschlossen.
+pose-set-aside-2 = Pose { $n } ist ausgeschlossen
 pose-shows-corners = Pose { $number } zeigt { $found } Ecken von „{ $name }“
-pose-shows-no-laser-line-object = Pose { $number } zeigt keine Laserlinie auf dem Objekt: ohne sie benutzt.
+pose-shows-no-laser-line-object = Pose { $number } zeigt keine Laserlinie auf dem Objekt und wird ohne diese verwendet.
 pose-taken = Pose { $number } ist aufgenommen.
-pose-taken-back = Pose { $n } ist zurückgeholt
+pose-taken-back = Pose { $n } ist wieder einbezogen
 pose-there-any-more = Diese Pose gibt es nicht mehr.
 pose-used-other-one-pose =
     { $unused ->
-        [one] Pose { $number } wurde benutzt; die andere nicht, wegen one-pose
-       *[other] Pose { $number } wurde benutzt; die anderen { $unused } nicht, wegen one-pose
+        [one] Pose { $number } wurde verwendet; beim Verfahren one-pose bleibt die andere unberücksichtigt
+       *[other] Pose { $number } wurde verwendet; beim Verfahren one-pose bleiben die anderen { $unused } unberücksichtigt
     }
-pose-would-help-most-scanned-point = Die Pose, die am meisten hilft: { $words }. Ein gescannter Punkt: { $now } → { $then } (k = 1).
+pose-would-help-most-scanned-point = Die wirksamste Pose: { $words }. Unsicherheit eines gescannten Punkts: { $now } → { $then } (k = 1).
 poses = die Posen
 poses-2 = Posen
-poses-agree-boards-place-pose-furthest = { $used } Posen stimmen im Ort der Tafel auf { $median } überein; Pose { $number } liegt am weitesten daneben, um { $off }.
-poses-agree-objects-place-pose-furthest = { $used } Posen stimmen im Ort des Objekts auf { $median } überein; Pose { $number } liegt am weitesten daneben, um { $off }.
-poses-all-alike-do-tell-where = lauter gleiche Posen bestimmen in keiner Richtung, wo der Sensor am Flansch sitzt
-poses-contacts-scatter-times-more-than = Posen und Antastpunkte streuen { $noise }-mal mehr, als die Messgeber des Arms erklären (Grenze { $noisy }).
-poses-enough = { $done } Posen genügen
+poses-agree-boards-place-pose-furthest = { $used } Posen stimmen in der Lage der Tafel auf { $median } überein; Pose { $number } weicht am weitesten ab, um { $off }.
+poses-agree-objects-place-pose-furthest = { $used } Posen stimmen in der Lage des Objekts auf { $median } überein; Pose { $number } weicht am weitesten ab, um { $off }.
+poses-all-alike-do-tell-where = gleichartige Posen bestimmen die Lage des Sensors am Flansch in keiner Richtung
+poses-contacts-scatter-times-more-than = Posen und Antastpunkte streuen { $noise }-mal mehr, als die Winkelgeber des Messarms erklären (Grenzwert { $noisy }).
+poses-enough = { $done } Posen reichen aus
 poses-put-up-apart =
     { $thing ->
-        [board] nach den Posen { $poses } liegt die Tafel an Orten bis zu { $apart } auseinander
-       *[object] nach den Posen { $poses } liegt das Objekt an Orten bis zu { $apart } auseinander
+        [board] nach den Posen { $poses } liegen die Lagen der Tafel bis zu { $apart } auseinander
+       *[object] nach den Posen { $poses } liegen die Lagen des Objekts bis zu { $apart } auseinander
     }
-poses-touches = Posen und Antastungen
+poses-touches = Posen und Antastpunkte
 poses-were-changed-solve-again-undo = Die Posen wurden geändert. Neu berechnen oder die Änderung zurücknehmen.
 poses-without-contact-points = { $count } Posen ohne Antastpunkte
 positions =
@@ -1819,35 +1819,35 @@ positions =
         [one] { $positions } Lage
        *[other] { $positions } Lagen
     }
-pressed-stop = Stopp gedrückt
+pressed-stop = „Stopp“ gedrückt
 principal-point = Hauptpunkt
 principal-point-at = { $u }; { $v }
-probe-matrix-sensors-frame-arms-last = Tastermatrix: das Koordinatensystem des Sensors in dem des letzten Armgelenks.
-probe-object = Das Objekt antasten
-program-failed = das Programm versagte dabei
+probe-matrix-sensors-frame-arms-last = Tastermatrix: Koordinatensystem des Sensors in dem des letzten Gelenks des Messarms.
+probe-object = Objekt antasten
+program-failed = ein Programmfehler ist aufgetreten
 program-reads-version = dieses Programm liest Version { $version } von { $format }
 projection-matrix-contradicts = projection_matrix ist nicht matrix · [rotation | translation_mm]
-protobuf-expected = { $schemas } in Protobuf wird erwartet
-put-arm-back = Den Messarm von vorher wieder benutzen
-put-back-end-swing = Zurücksetzen oder den Schwenk beenden.
-put-back-what-there-before = den Stand von vorher zurückgeholt
-put-certificate-into-folder-gauges = Ihren Kalibrierschein in den Ordner gauges legen.
-put-file-back-last-backup-leave = Die Datei aus der letzten Sicherung zurücklegen, oder sie lassen und weitermachen.
-put-file-back-last-backup-restart = Die Datei aus der letzten Sicherung zurücklegen und die Station neu starten, oder neu kalibrieren
-put-file-place = Eine Datei an seine Stelle legen
-put-last-one-back = das Letzte zurückgelegt
-put-point-back = Punkt { $i } zurückholen
-put-tip-into-bars-other-end = Die Tastkugel in das andere Stabende setzen
-put-tip-into-end-ball-bar = Die Tastkugel in ein Ende des Kugelstabs setzen
-put-tip-into-seat = Die Tastkugel in die Pfanne setzen
-put-tip-into-seat-2 = Die Tastkugel in Pfanne { $done } setzen
-put-touch-back = Antastung { $i } zurückholen
+protobuf-expected = erwartet wird { $schemas } in Protobuf
+put-arm-back = Vorherigen Messarm wiederherstellen
+put-back-end-swing = Wieder einsetzen oder den Schwenk abschließen.
+put-back-what-there-before = vorherigen Messarm wiederhergestellt
+put-certificate-into-folder-gauges = Datenblatt eines Prüfnormals in den Ordner gauges legen.
+put-file-back-last-backup-leave = Datei aus der letzten Sicherung wiederherstellen oder ohne sie fortfahren.
+put-file-back-last-backup-restart = Datei aus der letzten Sicherung wiederherstellen und die Station neu starten oder neu kalibrieren
+put-file-place = Durch eine normale Datei ersetzen
+put-last-one-back = letzte Eingabe wiederhergestellt
+put-point-back = Punkt { $i } wiederherstellen
+put-tip-into-bars-other-end = Tastkugel in das andere Stabende setzen
+put-tip-into-end-ball-bar = Tastkugel in ein Ende des Kugelstabs setzen
+put-tip-into-seat = Tastkugel in die Pfanne setzen
+put-tip-into-seat-2 = Tastkugel in Pfanne { $done } setzen
+put-touch-back = Antastpunkt { $i } wiederherstellen
 puts-object-fits-other-pose =
     { $readings ->
-        [pose] danach läge das Objekt { $off } neben dem Ort, den die anderen ergeben; sie passt zur Roboterpose von Pose { $other }
-       *[angles] danach läge das Objekt { $off } neben dem Ort, den die anderen ergeben; sie passt zu den Gelenkwinkeln von Pose { $other }
+        [pose] danach läge das Objekt { $off } neben seiner Lage nach den übrigen Posen; sie passt zur Roboterpose von Pose { $other }
+       *[angles] danach läge das Objekt { $off } neben seiner Lage nach den übrigen Posen; sie passt zu den Gelenkwinkeln von Pose { $other }
     }
-puts-object-where-others-put = danach läge das Objekt { $off } neben dem Ort, den die anderen ergeben
+puts-object-where-others-put = danach läge das Objekt { $off } neben seiner Lage nach den übrigen Posen
 quaternion-length = { $place }: (qx, qy, qz, qw) hat die Länge { $length }
 radius-m = Radius, µm
 radius-mm-missing-sphere-judged-size = radius_mm fehlt: Eine Kugel wird nach ihrer Größe beurteilt
@@ -1856,24 +1856,24 @@ reading-arm-number = ein Wert des Messarms { $name } ist keine Zahl
 readings-arm = Messwerte des Messarms
 readings-arm-could-true-last =
     { $count ->
-        [one] { $count } Messwert des Messarms war unmöglich: { $what }
-       *[other] { $count } Messwerte des Messarms waren unmöglich; der letzte: { $what }
+        [one] { $count } Messwert des Messarms war unplausibel: { $what }
+       *[other] { $count } Messwerte des Messarms waren unplausibel; der letzte: { $what }
     }
-readings-row-more-equal-last-digit = mindestens { $equal_frozen } Messwerte nacheinander sind bis auf die letzte Stelle gleich, wie es bei einem heilen Messgeber nie vorkommt
+readings-row-more-equal-last-digit = mindestens { $equal_frozen } Messwerte nacheinander sind bis auf die letzte Stelle gleich; das kommt bei einem intakten Winkelgeber nie vor
 readings-shape-arm = Werte der Form { $shape } für den Messarm { $name }
 reason-and-more = { $reason } (und { $more } weitere)
 reasons = Gründe
 rebuild-recording-crenel-reconstruct = aus der Aufzeichnung mit crenel reconstruct neu berechnen
-rebuilding-clouds-every-calibration = Wolken werden mit jeder Kalibrierung neu berechnet
-rebuilt-verification-every-calibration = eine Verifizierung mit jeder Kalibrierung neu berechnet
+rebuilding-clouds-every-calibration = Punktwolken werden mit jeder Kalibrierung neu berechnet
+rebuilt-verification-every-calibration = Verifizierung mit jeder Kalibrierung neu berechnet
 record-data-folder-any-more = Der Eintrag ist nicht mehr im Datenordner.
 record-one-pass-over-plane = Eine Überfahrt über eine Ebene aufzeichnen
 record-radians = In Radiant aufzeichnen
-recording-cannot-read = die Aufzeichnung lässt sich nicht lesen: { $reason }
-recording-cut-off = die Aufzeichnung ist abgeschnitten
-recording-cut-off-after = { $path } ist nach { $bytes } von { $size } Bytes ({ $share }) abgeschnitten oder beschädigt; gelesen bis { $end } nach dem Beginn
+recording-cannot-read = die Aufzeichnung ist nicht lesbar: { $reason }
+recording-cut-off = die Aufzeichnung ist unvollständig
+recording-cut-off-after = { $path } ist nach { $bytes } von { $size } Bytes ({ $share }) abgeschnitten oder beschädigt; gelesen bis { $end } nach Beginn
 recording-cut-off-before-first-message = { $path } ist nach { $bytes } von { $size } Bytes ({ $share }) abgeschnitten oder beschädigt, vor der ersten Nachricht
-recording-cut-off-bytes-left = die Aufzeichnung ist abgeschnitten: { $size } von { $written } Byte sind übrig
+recording-cut-off-bytes-left = die Aufzeichnung ist unvollständig: { $size } von { $written } Bytes sind vorhanden
 recording-damaged = die Aufzeichnung ist beschädigt
 recording-empty = die Aufzeichnung ist leer
 recording-has-joints =
@@ -1885,74 +1885,74 @@ recording-has-no-joints = { $path }: keine Gelenkwinkel
 recording-kept = { $name }: Die Aufzeichnung ist erhalten.
 recording-message-at = { $path } { $topic } bei { $stamp_ns } ns
 recording-missing = die Aufzeichnung fehlt
-recording-names-joints = { $path } nennt seine Gelenke { $names }
+recording-names-joints = in { $path } heißen die Gelenke { $names }
 recording-no-file = die Aufzeichnung ist keine Datei
-recording-stopped = die Aufzeichnung hielt an
+recording-stopped = die Aufzeichnung wurde abgebrochen
 recordings = Aufzeichnungen
-recordings-calibrations-journal-kept-there = Aufzeichnungen, Kalibrierungen und das Journal werden dort aufbewahrt.
+recordings-calibrations-journal-kept-there = Dort werden Aufzeichnungen, Kalibrierungen und das Journal gespeichert.
 recordings-damaged =
     { $more ->
         [0] { CLAUSE($first) }.
        *[other] { CLAUSE($first) }, und { $more } weitere.
     }
-recordings-turned-to-one-another = die Aufzeichnungen sind gegeneinander um bis zu { $angle } gedreht: Sie sind nicht von einer Ebene, und ihre Spannweiten bedeuten nichts
+recordings-turned-to-one-another = die Aufzeichnungen sind gegeneinander um bis zu { $angle } gedreht: Sie stammen nicht von einer Ebene, und ihre Spannweiten sind nicht aussagekräftig
 records = Archiv
 refining-camera-lens-laser-plane = Kamera, Objektiv und Laserebene werden verfeinert
-reinstall-update-package = Jenes Paket neu installieren oder aktualisieren.
-rejected-and-few-edges-show = { $text }, und nur { $shown } seiner sichtbaren Kanten zeigen sich im Bild
-remove = Entfernen Sie ihn
+reinstall-update-package = Das Paket neu installieren oder aktualisieren.
+rejected-and-few-edges-show = { $text }, und nur { $shown } seiner sichtbaren Kanten sind im Bild zu sehen
+remove = Link entfernen
 remove-point = Punkt { $index } entfernen
 remove-point-first-face = Zuerst Punkt { $index } entfernen: Er liegt nicht { $where }.
-remove-then-touch-face-marked-drawing = Entfernen, dann die Fläche antasten, die in der Zeichnung markiert ist.
-remove-touch-there-again = Ihn entfernen und dort noch einmal antasten.
-remove-touch-there-again-rest = Ihn entfernen und dort noch einmal antasten, in Ruhe.
-remove-touch-there-again-rest-clear = Entfernen und dort neu antasten, in Ruhe und nicht an der Kante.
-removed-account = ein Konto entfernt
-removed-point = einen Punkt entfernt
-removed-kiosk-link = einen Kiosk-Link widerrufen
+remove-then-touch-face-marked-drawing = Entfernen, dann die in der Zeichnung markierte Fläche antasten.
+remove-touch-there-again = Entfernen und dort neu antasten.
+remove-touch-there-again-rest = Entfernen und dort in Ruhe neu antasten.
+remove-touch-there-again-rest-clear = Entfernen und dort neu antasten, in Ruhe und mit Abstand zur Kante.
+removed-account = Konto entfernt
+removed-point = Punkt entfernt
+removed-kiosk-link = Kiosk-Link widerrufen
 rename = Umbenennen
-renamed-scan = einen Scan umbenannt
-repeat-first-point = Vom ersten Punkt an wiederholen
+renamed-scan = Scan umbenannt
+repeat-first-point = Ab dem ersten Punkt wiederholen
 repeat-start = Von vorn wiederholen
 replay-points-shown =
     { $count ->
-        [one] { $name }: { $count } Punkt gezeigt
-       *[other] { $name }: { $count } Punkte gezeigt
+        [one] { $name }: { $count } Punkt angezeigt
+       *[other] { $name }: { $count } Punkte angezeigt
     }
-report-cannot-written = ein Bericht lässt sich nicht als '{ $suffix }' schreiben
-report-made-crenel-files-session-alone = Bericht erstellt von Crenel { $version }, allein aus den Dateien der Sitzung.
-request-failed = die Anfrage ist gescheitert
-request-understood = Die Anfrage ist nicht zu verstehen: { $text }.
-request-understood-2 = Die Anfrage ist nicht zu verstehen
-residuals-contacts-object = Restabweichungen der Antastpunkte am Objekt
-residuals-gauge = Restabweichungen am Prüfnormal: { $name }
-residuals-gauge-2 = Restabweichungen am Prüfnormal
-residuals-image = Restabweichungen in den Bildern
-residuals-image-worst-poses = Restabweichungen in den Bildern (die { $count } von { $used } Posen, die am schlechtesten passen)
-residuals-object = Restabweichungen am Objekt
-residuals-pose-picture = Restabweichungen der Pose { $number } in ihrem Bild
-restore-backup-or-start-over = Die letzte Sicherung an ihre Stelle setzen oder sie wegräumen, um neu zu beginnen
-restore-database-from = Die Datei { $database } aus { $folder } an ihre Stelle legen, oder mit --data in einem anderen Ordner beginnen
-restore-database-from-last-backup = Die Datei { $database } aus der letzten Sicherung an ihre Stelle legen, oder mit --data in einem anderen Ordner beginnen
-restore-file-source = Die Datei aus ihrer Quelle wiederherstellen
-restore-picture-delete-row = Das Bild wiederherstellen oder die Zeile löschen
-restore-sessions-folder-backup = Den Ordner der Sitzung aus einer Sicherung wiederherstellen
+report-cannot-written = ein Bericht lässt sich nicht als „{ $suffix }“ schreiben
+report-made-crenel-files-session-alone = Bericht von Crenel { $version }, ausschließlich aus den Dateien der Sitzung erstellt.
+request-failed = die Anfrage ist fehlgeschlagen
+request-understood = Die Anfrage ist ungültig: { $text }.
+request-understood-2 = Die Anfrage ist ungültig
+residuals-contacts-object = Residuen der Antastpunkte am Objekt
+residuals-gauge = Residuen am Prüfnormal: { $name }
+residuals-gauge-2 = Residuen am Prüfnormal
+residuals-image = Residuen in den Bildern
+residuals-image-worst-poses = Residuen in den Bildern (die { $count } am schlechtesten passenden von { $used } Posen)
+residuals-object = Residuen am Objekt
+residuals-pose-picture = Residuen von Pose { $number } im Bild
+restore-backup-or-start-over = Durch die letzte Sicherung ersetzen oder verschieben, um neu zu beginnen
+restore-database-from = { $database } aus { $folder } wiederherstellen oder mit --data in einem anderen Ordner starten
+restore-database-from-last-backup = { $database } aus der letzten Sicherung wiederherstellen oder mit --data in einem anderen Ordner starten
+restore-file-source = Datei aus ihrer Quelle wiederherstellen
+restore-picture-delete-row = Bild wiederherstellen oder Zeile löschen
+restore-sessions-folder-backup = Ordner der Sitzung aus einer Sicherung wiederherstellen
 restore-take-picture-again = Wiederherstellen oder das Bild neu aufnehmen
 result = Ergebnis
 result-2 = das Ergebnis
 result-cannot-traced-them = Das Ergebnis lässt sich nicht auf sie zurückführen.
 result-rms = Ergebnis, rms
-result-would-replace-file-made = das Ergebnis würde eine Datei ersetzen, aus der es entsteht
+result-would-replace-file-made = das Ergebnis würde eine Datei überschreiben, aus der es berechnet wird
 results = Ergebnisse
 review = Beurteilen
 review-calibration = Kalibrierung beurteilen
 rewritten-by-another-program = sie wurde von einem anderen Programm neu geschrieben
 right = rechts
 right-end = Rechte Stirnseite
-rigid-fit-given-points = einer starren Anpassung wurden { $a } und { $b } Punkte gegeben
-rigid-fit-given-points-one-line = einer starren Anpassung wurden Punkte auf einer Geraden gegeben
-rms-before-after-each-pair-scale = Effektivwerte vorher und nachher, jedes Paar in eigenem Maßstab.
-robot-pictures-agree-boards-place-but = Roboter und Bilder stimmen im Ort der Tafel überein, in ihrer Neigung aber nur auf { $tilt } (Drehungen des Roboters selbst: { $turn }).
+rigid-fit-given-points = eine starre Einpassung erhielt { $a } und { $b } Punkte
+rigid-fit-given-points-one-line = eine starre Einpassung erhielt Punkte auf einer Geraden
+rms-before-after-each-pair-scale = Effektivwerte (rms) vorher und nachher, jedes Paar in eigenem Maßstab.
+robot-pictures-agree-boards-place-but = Roboter und Bilder stimmen in der Position der Tafel überein, in ihrer Neigung aber nur auf { $tilt } (eigene Drehungen des Roboters: { $turn }).
 robots-poses = Posen des Roboters
 role-and-name = { $role }: { $name }
 rotations-quaternion-has-length-1 = das Quaternion einer Drehung hat die Länge 1
@@ -1965,71 +1965,71 @@ row-has-cells =
     }
 row-lighting = { $place }: lighting { $lighting }
 row-place = { $path } Zeile { $line }
-rows-were-copied-arm-held-still = Zeilen wurden kopiert, oder der Messarm stand still: Derselbe Punkt zweimal bringt nichts Neues
+rows-were-copied-arm-held-still = Zeilen wurden kopiert, oder der Messarm wurde nicht bewegt: Derselbe Punkt bringt zweimal nichts Neues
 runs-steadily = Sie läuft gleichmäßig.
-s-driver-failed = Treiber gescheitert ({ $title }): { $error }
+s-driver-failed = Treiber fehlgeschlagen ({ $title }): { $error }
 s-stripe-spans-blocks =
     { $level ->
-        [crest] Auf den Zinnen überdeckt die Laserlinie { $span } der { $width } des Zinnenkörpers.
-       *[floor] Auf den Nutgründen überdeckt die Laserlinie { $span } der { $width } des Zinnenkörpers.
+        [crest] Auf den Zinnen überdeckt die Laserlinie { $span } von { $width } Breite des Zinnenkörpers.
+       *[floor] Auf den Nutgründen überdeckt die Laserlinie { $span } von { $width } Breite des Zinnenkörpers.
     }
-same-offset = Dieselbe: Versatz
+same-offset = Gerade überfahrene Ebene: Versatz
 saturated = Übersteuert
 save-8-16-bits = Mit 8 oder 16 Bit speichern.
-save-commas-between-columns-point-numbers = Mit Kommas zwischen den Spalten und Punkt in den Zahlen speichern
+save-commas-between-columns-point-numbers = Mit Komma als Spaltentrenner und Punkt als Dezimalzeichen speichern
 save-utf-8 = Als UTF-8 speichern
-saved-result = das Ergebnis gespeichert
-say-few-words-why-you-take = In wenigen Worten sagen, warum übernommen wird
-says-hello = { $name } grüßt.
+saved-result = Ergebnis gespeichert
+say-few-words-why-you-take = Den Grund der Übernahme kurz angeben
+says-hello = Testnachricht von { $name }.
 says-nothing-identification = { $folder } enthält keine Identifikation
 scan = Scannen
 scan-2 = Scan { $started }
 scan-again = Erneut scannen
-scan-again-arm-camera-one-clock = Erneut scannen, mit Messarm und Kamera auf einer Uhr
+scan-again-arm-camera-one-clock = Mit gemeinsamer Zeitbasis von Messarm und Kamera erneut scannen
 scan-can-made-again-recording-verification = Aus der Aufzeichnung lässt sich ein Scan neu berechnen und eine Verifizierung belegen.
-scan-cannot-start-now = Jetzt kann kein Scan beginnen
-scan-cloud = Wolke { $clouds } scannen
-scan-cut-short = Dieser Scan endete vorzeitig: { CLAUSE($reason) }.
-scan-does-start-less-than-0 = Ein Scan beginnt nicht mit weniger als 0.5 GB und hält bei 0.1 GB an.
-scan-flat-plate-nearer-away-again = Eine ebene Platte scannen, mehrmals näher und wieder weiter weg, dann den Verzug bestimmen
+scan-cannot-start-now = Ein Scan kann jetzt nicht starten
+scan-cloud = Punktwolke { $clouds } scannen
+scan-cut-short = Dieser Scan wurde vorzeitig beendet: { CLAUSE($reason) }.
+scan-does-start-less-than-0 = Ein Scan startet nicht mit weniger als 0,5 GB und stoppt bei 0,1 GB.
+scan-flat-plate-nearer-away-again = Eine ebene Platte scannen, mehrmals näher heran und wieder weg, dann den Zeitversatz bestimmen
 scan-gauge = Prüfnormal scannen
-scan-gauge-again = Das Prüfnormal erneut scannen
-scan-gauge-chosen = Das gewählte Prüfnormal scannen
-scan-gauge-chosen-nothing-beside = Das gewählte Prüfnormal scannen und nichts daneben
-scan-gauge-nothing-beside = Das Prüfnormal scannen und nichts daneben.
-scan-goes-when-back = Der Scan geht weiter, wenn es wieder da ist.
-scan-has = ein Scan hat { $joints_topic } und { $image_topic } oder { $stripe_topic }
-scan-more-clouds = Weitere Wolken scannen
+scan-gauge-again = Prüfnormal erneut scannen
+scan-gauge-chosen = Gewähltes Prüfnormal scannen
+scan-gauge-chosen-nothing-beside = Nur das gewählte Prüfnormal scannen, nichts daneben
+scan-gauge-nothing-beside = Nur das Prüfnormal scannen, nichts daneben.
+scan-goes-when-back = Der Scan läuft weiter, sobald das Gerät wieder verbunden ist.
+scan-has = ein Scan enthält { $joints_topic } und { $image_topic } oder { $stripe_topic }
+scan-more-clouds = Weitere Punktwolken scannen
 scan-more-sphere = Mehr von der Kugel scannen
-scan-needs = ein Scan braucht { $needed }
+scan-needs = ein Scan benötigt { $needed }
 scan-needs-name = Ein Scan braucht einen Namen
-scan-probe-share-arm-what-both = Scan und Taster teilen den Messarm: Was beide gleich falsch haben, zeigt sich hier nicht.
-scan-running-already = ein Scan läuft schon
-scan-running-has-laser-stop-first = Ein Scan läuft und hat den Laser. Zuerst anhalten.
-scan-stopped = Der Scan hielt an: { $error }
-scan-stopped-2 = der Scan hielt an
+scan-probe-share-arm-what-both = Scan und Taster verwenden denselben Messarm: Gemeinsame Abweichungen sind hier nicht zu erkennen.
+scan-running-already = es läuft bereits ein Scan
+scan-running-has-laser-stop-first = Ein Scan läuft und verwendet den Laser. Zuerst den Scan stoppen.
+scan-stopped = Der Scan wurde abgebrochen: { $error }
+scan-stopped-2 = der Scan wurde abgebrochen
 scanned-sphere-has-diameter = Die gescannte Kugel hat einen Durchmesser von { $diameter }
 scanning = Scan läuft
-scanning-cloud = Wolke { $number } wird gescannt
+scanning-cloud = Punktwolke { $number } wird gescannt
 scatter-points-rms = Streuung der Punkte (rms)
 scatter-single-points-beyond-encoders = Streuung einzelner Punkte über die Winkelgeber hinaus
-screw-home-check-again-change-if = Fest einschrauben und erneut prüfen; tauschen, wenn es so bleibt.
-screw-tip-home-clamp-sphere-check = Die Tastkugel festschrauben, die Kugel festspannen und erneut prüfen.
-search-object-failed = Die Suche nach dem Objekt ist gescheitert
+screw-home-check-again-change-if = Fest einschrauben und erneut prüfen; bleibt es dabei, tauschen.
+screw-tip-home-clamp-sphere-check = Taster fest einschrauben, Kugel festspannen und erneut prüfen.
+search-object-failed = Die Suche nach dem Objekt ist fehlgeschlagen
 seat-3 = die Pfanne
-seat-moved-between = die Pfanne bewegte sich dazwischen
+seat-moved-between = die Pfanne hat sich zwischendurch bewegt
 seat-named = Pfanne { $name }
-seat-points-1-lie-apart = Pfanne { $name }: Ihre Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander
+seat-points-1-lie-apart = Pfanne { $name }: Die Punkte 1 bis { $split } und { $next } bis { $points } liegen { $gap } auseinander
 seat-tip = Tastkugel einsetzen
 seats = Pfannen
-seats-held-out = Pfannen, zurückgehalten
+seats-held-out = Pfannen, kreuzvalidiert
 seats-were-taken-another-arm = Die Pfannen wurden mit einem anderen Messarm aufgenommen.
 second = { $text }, { $rate } je Sekunde
-second-newest-old = { CLAUSE($text) }: { $rate } je Sekunde, das Neueste { $age } alt.
+second-newest-old = { CLAUSE($text) }: { $rate } je Sekunde, der neueste Wert { $age } alt.
 second-picture-pose = { $place }: ein zweites { $lighting }-Bild der Pose { $pose }
 see-result = Ergebnis ansehen
-seems-lie-where-certificate-puts = { $edge } liegt anscheinend { $off } neben dem Ort des Kalibrierscheins
-seen-sharply-enough-sure = „{ $name }“ ist nicht scharf genug zu sehen, um sicher zu sein
+seems-lie-where-certificate-puts = { $edge } liegt anscheinend { $off } neben der Lage laut Kalibrierschein
+seen-sharply-enough-sure = „{ $name }“ ist für eine sichere Erkennung nicht scharf genug zu sehen
 seen-than-against-diameters-given =
     { $sign ->
         [larger]
@@ -2043,8 +2043,8 @@ seen-than-against-diameters-given =
                *[other] die anderen
             }
     }
-seen-well-enough-sure = „{ $name }“ ist nicht gut genug zu sehen, um sicher zu sein
-send-support-bundle = Das Paket für den Support schicken
+seen-well-enough-sure = „{ $name }“ ist für eine sichere Erkennung nicht gut genug zu sehen
+send-support-bundle = Diagnosepaket senden
 sends-nothing =
     { $device ->
         [arm] der Messarm sendet nichts
@@ -2054,57 +2054,57 @@ sensor = Der Sensor: { $text }
 sensor-2 = Sensor
 sensor-connected = der Sensor ist nicht verbunden
 sensor-did-answer-laser-off = Der Sensor hat auf „Laser aus“ nicht geantwortet
-sensor-has-pixels = der Sensor hat { $width } × { $height }
-sensor-lost-exposure-longer-than = der Sensor ist weg, oder seine Belichtung ist länger
-sensor-measures-away-arms-last-joint = Der Sensor misst { $away } vom letzten Gelenk des Messarms entfernt (Grenze { $farthest_mm }).
-sensor-now-sends-pictures-pixels = der Sensor sendet jetzt Bilder von { $size } Pixeln
-sensor-only-went-one-way-delay = der Sensor fuhr nur in einer Richtung; ein Verzug sieht dann aus wie eine andere Lage der Ebene
-sensor-reports-laser-other-state = der Sensor meldet den Laser im anderen Zustand
-sensor-turned-most-between-poses-wanted = Der Sensor drehte sich zwischen den Posen um höchstens { $turn } (gewünscht: { $alike_deg } und mehr), sodass sie kaum mehr bestimmen als eine.
-sensor-went = der Sensor fuhr mit { $speed }; { $known }
-sensor-went-along-plane-across-along = der Sensor fuhr mit { $along } entlang der Ebene und mit { $across } quer dazu; entlang der Ebene ändert ein Verzug nichts
+sensor-has-pixels = der Sensor hat { $width } × { $height } Pixel
+sensor-lost-exposure-longer-than = der Sensor ist nicht mehr verbunden, oder seine Belichtung dauert länger
+sensor-measures-away-arms-last-joint = Der Sensor misst { $away } vom letzten Gelenk des Messarms entfernt (Grenzwert { $farthest_mm }).
+sensor-now-sends-pictures-pixels = der Sensor sendet jetzt Bilder mit { $size } Pixeln
+sensor-only-went-one-way-delay = der Sensor wurde nur in eine Richtung bewegt; ein Zeitversatz sieht dann aus wie eine andere Lage der Ebene
+sensor-reports-laser-other-state = der Sensor meldet den entgegengesetzten Zustand des Lasers
+sensor-turned-most-between-poses-wanted = Der Sensor hat sich zwischen den Posen um höchstens { $turn } gedreht (Soll: mindestens { $alike_deg }), sodass sie kaum mehr bestimmen als eine einzige.
+sensor-went = der Sensor bewegte sich mit { $speed }; { $known }
+sensor-went-along-plane-across-along = der Sensor bewegte sich mit { $along } entlang der Ebene und mit { $across } quer dazu; entlang der Ebene ändert ein Zeitversatz nichts
 sensors-image-has-pixels = das Bild des Sensors hat { $width } × { $height } Pixel
 sensors-laser-cannot-switched-here = der Laser dieses Sensors lässt sich von hier nicht schalten
-sent-nothing-opening-again = { $title }: { $silence } lang kam nichts; wird neu geöffnet
+sent-nothing-opening-again = { $title }: Seit { $silence } keine Daten; das Gerät wird neu geöffnet
 sentence = { CAPITAL(CLAUSE($text)) }.
 serial-number = Seriennummer { $serial_number }
 serial-number-chessboard-inner-corners-squares = Seriennummer { $serial_number }, Schachbrett, { $columns } × { $rows } innere Ecken, Felder von { $square }
 serial-number-joints-tip = Seriennummer { $serial_number }, { $joint_count } Gelenke, Tastkugel Ø { $diameter }
 serial-number-merlons = Seriennummer { $serial_number }, { $merlon_count } Zinnen, { $size } × { $size2 } × { $size3 }
 serial-number-pixels = Seriennummer { $serial_number }, { $width_px } × { $height_px } Pixel
-serial-port-use-another-program = Der serielle Anschluss { $url } wird von einem anderen Programm benutzt
-server-failed-what-taken-before-kept = Der Server ist daran gescheitert; was vorher aufgenommen wurde, ist erhalten.
-session-cannot-read-set-aside = Die Sitzung { $session_id } ist nicht zu lesen und wird beiseitegelegt: { $error }.
-session-closed-start-new-one = Diese Sitzung ist geschlossen. Eine neue beginnen.
-session-could-read = damit wäre die Sitzung nicht mehr zu lesen
+serial-port-use-another-program = Der serielle Anschluss { $url } wird von einem anderen Programm verwendet
+server-failed-what-taken-before-kept = Auf dem Server ist ein Fehler aufgetreten; alles zuvor Aufgenommene bleibt erhalten.
+session-cannot-read-set-aside = Die Sitzung { $session_id } ist nicht lesbar und wird beiseitegelegt: { $error }.
+session-closed-start-new-one = Diese Sitzung ist abgeschlossen. Eine neue starten.
+session-could-read = die Sitzung wäre damit nicht mehr lesbar
 session-has-no-picture = Diese Sitzung hat kein Bild { $name }.
-session-went-meanwhile-nothing-done = Die Sitzung ging inzwischen weiter; es wurde nichts getan
-sessions-arm-cannot-read = Der Messarm der Sitzung lässt sich nicht lesen
-sessions-gauge-arm-cannot-read-any = Prüfnormal oder Messarm der Sitzung lassen sich nicht mehr lesen
+session-went-meanwhile-nothing-done = Die Sitzung ist inzwischen weiter; es wurde nichts ausgeführt
+sessions-arm-cannot-read = Die Armdatei der Sitzung ist nicht lesbar
+sessions-gauge-arm-cannot-read-any = Prüfnormal- oder Armdatei der Sitzung ist nicht mehr lesbar
 sessions-pictures-lie-inside-folder = die Bilder einer Sitzung liegen in ihrem Ordner
 set = Satz { $name }
-set-arm-counts-per-revolution-station = { "[" }arm] counts_per_revolution in station.toml setzen.
-set-arms-specification-limit-where-next = Die Spezifikation des Messarms als Grenze setzen, wo die nächste Prüfung beginnt.
-set-aside = Beiseitelegen
+set-arm-counts-per-revolution-station = { "[" }arm] counts_per_revolution in station.toml angeben.
+set-arms-specification-limit-where-next = Bei Beginn der nächsten Prüfung die Spezifikation des Messarms als Grenzwert festlegen.
+set-aside = Ausschließen
 set-calibration-aside-start-again-beginning = Diese Kalibrierung beiseitelegen und von vorn beginnen?
-set-cloud-aside = eine Wolke beiseitegelegt
-set-exposure-picture = die Belichtung nach dem Bild gesetzt
+set-cloud-aside = Punktwolke ausgeschlossen
+set-exposure-picture = Belichtung nach dem Bild eingestellt
 set-exposure-so-stripe-bright-but = So belichten, dass die Laserlinie hell, aber nicht übersteuert ist.
-set-limit = die Grenze gesetzt
-set-machines-clock-let-kept-time = Die Uhr des Rechners stellen und von einem Zeitserver führen lassen.
-set-pose-aside = eine Pose beiseitegelegt
-set-sensor-back-calibrate-again = den Sensor zurückstellen oder neu kalibrieren
-set-sensor-back-scan-again = den Sensor zurückstellen und erneut scannen
-set-sensor-rate-hz = { "[" }sensor] rate_hz setzen.
+set-limit = Grenzwert festgelegt
+set-machines-clock-let-kept-time = Uhr des Rechners stellen und von einem Zeitserver führen lassen.
+set-pose-aside = Pose ausgeschlossen
+set-sensor-back-calibrate-again = Einstellungen des Sensors wiederherstellen oder neu kalibrieren
+set-sensor-back-scan-again = Einstellungen des Sensors wiederherstellen und erneut scannen
+set-sensor-rate-hz = { "[" }sensor] rate_hz angeben.
 set-up = Einrichten
 settings-are-lost = Die Einstellungen sind verloren: { $error }
 shorten-exposure-or-darken-room = Kürzer belichten oder die Umgebung abdunkeln
-should-used-findings-say-why = Sie sollte nicht benutzt werden: die Befunde sagen, warum.
-show-more-block-crests-floors-front = Mehr vom Zinnenkörper zeigen, Zinnen und Nutgründe, vorn und hinten.
+should-used-findings-say-why = Sie sollte nicht verwendet werden: Die Befunde nennen den Grund.
+show-more-block-crests-floors-front = Mehr vom Zinnenkörper ins Bild bringen: Zinnen und Nutgründe, vorn und hinten.
 show-whether-certificate-right-there-checked =
     { $detections ->
-        [one] Das Bild zeigt nicht: { $hidden }. Ob der Kalibrierschein dort stimmt, ist nicht geprüft.
-       *[other] Die Bilder zeigen nicht: { $hidden }. Ob der Kalibrierschein dort stimmt, ist nicht geprüft.
+        [one] Im Bild nicht zu sehen: { $hidden }. Dort ist nicht geprüft, ob der Kalibrierschein stimmt.
+       *[other] In den Bildern nicht zu sehen: { $hidden }. Dort ist nicht geprüft, ob der Kalibrierschein stimmt.
     }
 shows-no-stripe = { $path } zeigt keine Laserlinie
 shows-no-stripe-outside-mask = { $path } zeigt außerhalb der Maske keine Laserlinie
@@ -2119,23 +2119,23 @@ side-of-block =
        *[front] die Vorderseite des Zinnenkörpers
     }
 sign-ask-administrator-account = Anmelden oder den Administrator um ein Konto bitten
-sign-browser-your-own = An einem eigenen Browser anmelden
-sign-go = Anmelden und weitermachen
+sign-browser-your-own = In einem eigenen Browser anmelden
+sign-go = Anmelden und fortfahren
 signatures = Unterschriften
 signed = angemeldet
 signed-out = abgemeldet
-simulated-camera-is-lost = Die simulierte Kamera ist nicht zu erreichen
-simulated-sensor-is-not-open = Der simulierte Sensor ist nicht offen
+simulated-camera-is-lost = Die simulierte Kamera ist nicht mehr verbunden
+simulated-sensor-is-not-open = Der simulierte Sensor ist nicht geöffnet
 since-calibration = { $celsius }, { $change } seit der Kalibrierung.
-six-seven-joints-expected = sechs oder sieben Gelenke werden erwartet, nicht { $joints }
-size-expected = { $width } × { $height } werden erwartet
-so-centre-known-k-1 = so ist der Mittelpunkt auf { $centre_sd } bekannt, k = 1
-so-plane-known-k-1 = so ist die Ebene auf { $at } und { $arcsec } bekannt, k = 1
+six-seven-joints-expected = erwartet werden sechs oder sieben Gelenke, nicht { $joints }
+size-expected = erwartet werden { $width } × { $height } Pixel
+so-centre-known-k-1 = Standardunsicherheit des Mittelpunkts { $centre_sd }, k = 1
+so-plane-known-k-1 = Standardunsicherheit der Ebene { $at } und { $arcsec }, k = 1
 software = Software
 software-part =
     { $part ->
         [system] System { $version }
-        [machine] Maschine { $version }
+        [machine] Rechner { $version }
         [processors] { $version } Prozessoren
         [arm] Messarm { $version }
         [sensor] Sensor { $version }
@@ -2144,255 +2144,255 @@ software-part =
 solve-again = Neu berechnen.
 solve-again-2 = Neu berechnen
 solving-camera = Kamera wird berechnet
-some-points-off-their-face-remove = Einige Punkte liegen nicht auf ihrer Fläche. Sie entfernen, dann weitermachen.
-somebody-must-able-give-people-access = jemand muss Zugang geben können
-somebody-publishes-what-no-station-does = Jemand veröffentlicht, was keine Station veröffentlicht, und kann verbergen oder verfälschen, was gezeigt wird.
+some-points-off-their-face-remove = Einige Punkte liegen nicht auf ihrer Fläche. Diese entfernen, dann fortfahren.
+somebody-must-able-give-people-access = jemand muss Zugänge vergeben können
+somebody-publishes-what-no-station-does = Diese Nachrichten stammen nicht von einer Station und können Angezeigtes verdecken oder verfälschen.
 something-changed-since-solved-solve-again = Seit der Berechnung hat sich etwas geändert. Neu berechnen.
 sphere = Kugel
 sphere-2 = Kugel, { $diameter }
-sphere-4 = { $path }: gehört zu einer Kugel
+sphere-4 = { $path }: beschreibt eine Kugel
 sphere-clamped = Die Kugel ist festgespannt
-sphere-known-diameter-clamped-firmly-within = Eine Kugel bekannten Durchmessers, gut erreichbar festgespannt.
-sphere-known-to = Ø { $diameter }, bekannt auf { $known } (k = 1)
+sphere-known-diameter-clamped-firmly-within = Eine Kugel mit bekanntem Durchmesser, gut erreichbar festgespannt.
+sphere-known-to = Ø { $diameter }, Standardunsicherheit { $known } (k = 1)
 sphere-named = Kugel { $name }
 sphere-of-unknown-uncertainty = Ø { $diameter }, Unsicherheit nicht angegeben
 spheres = Kugeln
-spheres-held-out = Kugeln, zurückgehalten
-spheres-seen-against-their-diameters-tips = die Kugeln erscheinen { $excess } (± { $uncertainty }) gegen ihre Durchmesser, mit { $diameter } der Tastkugel
+spheres-held-out = Kugeln, kreuzvalidiert
+spheres-seen-against-their-diameters-tips = die Kugeln weichen um { $excess } (± { $uncertainty }) von ihren Durchmessern ab, bei einer Tastkugel von { $diameter }
 spheres-seen-than-stated-tips-diameter =
     { $sign ->
-        [larger] die Kugeln erscheinen { $excess } größer als angegeben: Der Durchmesser der Tastkugel könnte { $diameter } sein
-       *[smaller] die Kugeln erscheinen { $excess } kleiner als angegeben: Der Durchmesser der Tastkugel könnte { $diameter } sein
+        [larger] die Kugeln erscheinen { $excess } größer als angegeben: Der Durchmesser der Tastkugel könnte { $diameter } betragen
+       *[smaller] die Kugeln erscheinen { $excess } kleiner als angegeben: Der Durchmesser der Tastkugel könnte { $diameter } betragen
     }
 spheres-size-by-certificate-or-datasheet =
     { $sign ->
-        [larger] laut Datenblatt des Messarms haben die Kugeln ihre angegebene Größe, nach der Länge dieses Stabs wären sie { $excess } größer
-       *[smaller] laut Datenblatt des Messarms haben die Kugeln ihre angegebene Größe, nach der Länge dieses Stabs wären sie { $excess } kleiner
+        [larger] laut Datenblatt des Messarms haben die Kugeln ihre angegebene Größe, nach der Länge dieses Kugelstabs wären sie { $excess } größer
+       *[smaller] laut Datenblatt des Messarms haben die Kugeln ihre angegebene Größe, nach der Länge dieses Kugelstabs wären sie { $excess } kleiner
     }
-spread-needs-least-two-clouds = eine Streuung braucht mindestens zwei Wolken
-spread-points-hold-still-press-arms = { $place } { $wanted } Punkte verteilen, still halten und die Taste am Messarm drücken.
-spread-them-wide-clear-edges = Weit verteilen, nicht an den Kanten.
-square-mm-too-small = square_mm muss mindestens { $least } sein; ist es in Metern angegeben?
+spread-needs-least-two-clouds = für eine Spannweite sind mindestens zwei Punktwolken nötig
+spread-points-hold-still-press-arms = { $place } { $wanted } Punkte verteilt aufnehmen: an jedem ruhig halten und die Taste am Messarm drücken.
+spread-them-wide-clear-edges = Weit verteilen, mit Abstand zu den Kanten.
+square-mm-too-small = square_mm muss mindestens { $least } betragen; ist der Wert in Metern angegeben?
 squares-100-mm = Felder von 100 mm
-standard-one-seat-continuous-swing-positions = Nicht normgerecht: eine Pfanne und ein stetiger Schwenk, nicht die Orte und Punkte von ASME B89.4.22 oder ISO 10360-12. Ein Ergebnis nach diesen wird nicht behauptet.
-standard-positions-articulations-counts-iso-10360 = Nicht normgerecht: Die Orte, Gelenkstellungen und Anzahlen der ISO 10360-8 und der ISO 10360-12 werden nicht buchstäblich gefahren, daher wird keines ihrer Formelzeichen gedruckt.
-standard-touches-those-sphere-tests-iso = Nicht normgerecht: Die Antastungen sind nicht die der Kugelprüfungen der ISO 10360-12, daher wird keines ihrer Formelzeichen gedruckt.
+standard-one-seat-continuous-swing-positions = Nicht normgerecht: eine Pfanne und ein stetiger Schwenk statt der Positionen und Punkte nach ASME B89.4.22 oder ISO 10360-12. Ein Ergebnis nach diesen Normen wird nicht angegeben.
+standard-positions-articulations-counts-iso-10360 = Nicht normgerecht: Positionen, Gelenkstellungen und Anzahlen nach ISO 10360-8 und ISO 10360-12 werden nicht genau eingehalten; daher wird keines ihrer Formelzeichen verwendet.
+standard-touches-those-sphere-tests-iso = Nicht normgerecht: Die Antastpunkte sind nicht die der Kugelprüfungen nach ISO 10360-12; daher wird keines ihrer Formelzeichen verwendet.
 standard-uncertainty-0-mm = Eine Standardunsicherheit beträgt 0 bis { $largest }.
-standard-uncertainty-k-1-scanned-point = Standardunsicherheit (k = 1) eines gescannten Punkts über die Laserebene, von { $low } ({ $low_mm }) bis { $high } ({ $high_mm }). Durchgestrichen: extrapoliert, näher oder weiter als die kalibrierten { $near } bis { $far } von der Kamera.
-standard-uncertainty-mm-too-large = standard_uncertainty_mm darf höchstens { $most } sein; ist es in Mikrometern angegeben?
-standing-still-same-points-taken-again = Stillstand: Dieselben Punkte werden immer wieder aufgenommen
-start-again = Neu beginnen
-start-again-2 = neu beginnen
-start-new-calibration = Neue Kalibrierung beginnen
-started-scan = einen Scan begonnen
+standard-uncertainty-k-1-scanned-point = Standardunsicherheit (k = 1) eines gescannten Punkts über der Laserebene, von { $low } ({ $low_mm }) bis { $high } ({ $high_mm }). Durchgestrichen: extrapoliert, näher oder weiter als die kalibrierten { $near } bis { $far } von der Kamera.
+standard-uncertainty-mm-too-large = standard_uncertainty_mm darf höchstens { $most } betragen; ist der Wert in Mikrometern angegeben?
+standing-still-same-points-taken-again = Stillstand: Dieselben Punkte werden wiederholt aufgenommen
+start-again = Erneut starten
+start-again-2 = erneut starten
+start-new-calibration = Neue Kalibrierung starten
+started-scan = Scan gestartet
 state-laser-colour = laser_wavelength_nm im Datenblatt des Sensors angeben, oder --colour auf der Kommandozeile; oder Graubilder verwenden
 stated = nicht angegeben
-station-does-answer-name-names-added = Diese Station hört nicht auf den Namen '{ $name }'. Namen kommen mit hosts in station.toml hinzu.
-station-ended-during-scan = Die Station endete während dieses Scans.
-station-has-administrator-already = Die Station hat schon einen Administrator
+station-does-answer-name-names-added = Diese Station ist unter dem Namen „{ $name }“ nicht erreichbar. Namen lassen sich mit hosts in station.toml ergänzen.
+station-ended-during-scan = Die Station wurde während dieses Scans beendet.
+station-has-administrator-already = Die Station hat bereits einen Administrator
 station-starting = Die Station startet.
 station-toml-driver-has-no-option = station.toml, [{ $table }]: Der Treiber hat keine Option { $key }
-station-toml-exposure-range-alone = station.toml, [sensor]: exposure_range_us braucht exposure_us als Anfang
+station-toml-exposure-range-alone = station.toml, [sensor]: exposure_range_us erfordert exposure_us als Anfangswert
 station-toml-gives-counts-per-revolution = station.toml gibt { $counts } counts_per_revolution an, der Messarm hat { $joints } Gelenke
-station-toml-key-not-for-video = station.toml, [sensor]: { $key } lässt sich bei einer Videodatei nicht setzen
-station-toml-no-such-driver = station.toml, [{ $table }]: Einen Treiber { $name } gibt es nicht
+station-toml-key-not-for-video = station.toml, [sensor]: { $key } ist bei einer Videodatei nicht zulässig
+station-toml-no-such-driver = station.toml, [{ $table }]: Den Treiber { $name } gibt es nicht
 station-toml-option-missing = station.toml, [{ $table }]: Die Option { $key } fehlt
-station-toml-value-unusable = station.toml, [{ $table }]: { $key } = { $value } ist nicht brauchbar: { $reason }
-station-uses = Die Station benutzt { $process }.
-station-uses-and-free = Die Station benutzt { $process }; { $free } sind frei.
-stations-disk-full = die Platte der Station ist voll
-step-before-one = Das ist kein Schritt vor diesem.
-still = Still
-still-running = { $title }: läuft noch
+station-toml-value-unusable = station.toml, [{ $table }]: { $key } = { $value } ist nicht verwendbar: { $reason }
+station-uses = Die Station belegt { $process }.
+station-uses-and-free = Die Station belegt { $process }; { $free } sind frei.
+stations-disk-full = der Datenträger der Station ist voll
+step-before-one = Das ist kein früherer Schritt.
+still = In Ruhe
+still-running = { $title } läuft noch
 still-turn = Noch zu drehen
-stop-before-next = vor dem nächsten anhalten
-stop-first = Zuerst anhalten
-stop-simulation = Simulierten Bediener anhalten
-stop-scan-first = zuerst den Scan anhalten
-stop-server-give-one-data-folder = Jenen Server anhalten oder diesem mit --data einen eigenen Datenordner geben
-stop-station-keep-copy-data-folder = Die Station anhalten, eine Kopie des Datenordners aufheben und mit der letzten Sicherung starten.
-stopped-laser-off = Angehalten: Der Laser ist aus.
-stopped-scan = einen Scan angehalten
-stopped-simulation = den simulierten Bediener angehalten
-stored-under-records-scan-or-calibrate-again = Sie liegt im Archiv. Damit scannen oder neu kalibrieren.
-straight-above-chessboard-follow-dashed-outline = Von senkrecht über dem Schachbrett aus: { $words }. Dem gestrichelten Umriss folgen.
-straight-edges-do-make-block = seine { $segment_count } geraden Kanten ergeben keinen Körper
+stop-before-next = vor dem nächsten stoppen
+stop-first = Zuerst stoppen
+stop-simulation = Simulierten Bediener stoppen
+stop-scan-first = zuerst den Scan stoppen
+stop-server-give-one-data-folder = Den anderen Server beenden oder diesem mit --data einen eigenen Datenordner geben
+stop-station-keep-copy-data-folder = Station beenden, eine Kopie des Datenordners aufbewahren und mit der letzten Sicherung starten.
+stopped-laser-off = Gestoppt: Der Laser ist aus.
+stopped-scan = Scan gestoppt
+stopped-simulation = simulierten Bediener gestoppt
+stored-under-records-scan-or-calibrate-again = Sie liegt im Archiv. Mit ihr scannen oder neu kalibrieren.
+straight-above-chessboard-follow-dashed-outline = Senkrecht über dem Schachbrett beginnen: { $words }. Dem gestrichelten Umriss folgen.
+straight-edges-do-make-block = seine { $segment_count } geraden Kanten ergeben keinen Zinnenkörper
 stripe-about-laser-plane-rms-points =
     Laserlinie um die Laserebene, rms von { $points ->
         [one] { $points } Punkt
        *[other] { $points } Punkten
     }
-stripe-axis = Richtung der Laserlinie "{ $axis }"
-stripe-choice-is = die Wahl der Laserlinie ist „{ $choice }“
-stripe-extracted-grey-images-8-16 = eine Laserlinie wird aus Graubildern von 8 bis 16 Bit gewonnen, Höhe mal Breite
+stripe-axis = Richtung der Laserlinie „{ $axis }“
+stripe-choice-is = die Auswahl der Laserlinie ist „{ $choice }“
+stripe-extracted-grey-images-8-16 = eine Laserlinie wird aus Graubildern mit 8 bis 16 Bit extrahiert, Höhe mal Breite
 stripe-maximum-width-is = die Höchstbreite der Laserlinie ist { $width }
 stripe-minimum-width-is = die Mindestbreite der Laserlinie ist { $width }
-stripe-one-level-alone-does-fix = eine Laserlinie auf nur einer Ebene legt die Laserebene nicht fest
+stripe-one-level-alone-does-fix = eine Laserlinie auf nur einer Höhenstufe legt die Laserebene nicht fest
 stripe-pieces-of =
     { $points ->
-        [one] Stücke der Laserlinie haben { $points } Punkt
-       *[other] Stücke der Laserlinie haben { $points } Punkte
+        [one] die Mindestlänge eines Teilstücks der Laserlinie ist { $points } Punkt
+       *[other] die Mindestlänge eines Teilstücks der Laserlinie ist { $points } Punkte
     }
-stripe-points-crests-floors-fit-one = { $points } Punkte der Laserlinie auf Zinnen und Nutgründen passen auf { $rms } rms zu einer Ebene, { $share } der dortigen (Grenze { $agreeing }).
-stripe-points-fit-one-laser-plane = { $points } Punkte der Laserlinie passen auf { $rms } rms zu einer Laserebene (Grenze { $stripe_rms_px }), { $share } derer auf dem Objekt (Grenze { $agreeing }).
+stripe-points-crests-floors-fit-one = { $points } Punkte der Laserlinie auf Zinnen und Nutgründen passen mit { $rms } rms zu einer Ebene, { $share } der dortigen Punkte (Grenzwert { $agreeing }).
+stripe-points-fit-one-laser-plane = { $points } Punkte der Laserlinie passen mit { $rms } rms zu einer Laserebene (Grenzwert { $stripe_rms_px }), { $share } der Punkte auf dem Objekt (Grenzwert { $agreeing }).
 stripe-px = Laserlinie, px
 stripe-threshold-is = die Schwelle der Laserlinie ist { $threshold }
 study-compares-several = eine Studie vergleicht mehrere
 study-left-out = { $name }: { CLAUSE($reason) }.
-study-plane = die Studie gilt einer Ebene
-support-bundle-being-made-already = Ein Paket für den Support wird schon erstellt
+study-plane = die Studie bezieht sich auf eine Ebene
+support-bundle-being-made-already = Ein Diagnosepaket wird bereits erstellt
 surface-does-bend = die Fläche ist nicht gekrümmt
 swing = Schwenk
-swing-about-middle-limit = Jeder Punkt des Schwenks um die Mitte aller, im Koordinatensystem des Messarms. Gestrichelt: die Grenze von { $limit }.
-swing-arm = Arm schwenken
-swing-arm-about = Arm schwenken um: { $place }
+swing-about-middle-limit = Jeder Punkt des Schwenks relativ zur Mitte aller Punkte, im Koordinatensystem des Messarms. Gestrichelt: der Grenzwert von { $limit }.
+swing-arm = Messarm schwenken
+swing-arm-about = Messarm schwenken um: { $place }
 swing-elbow-one-side-other-while = Den Ellbogen von einer Seite zur anderen schwenken, während die Tastkugel in der Pfanne bleibt
 swing-further-least = Weiter schwenken: { $swing } von mindestens { $least_swing_deg }.
-switch-arm-check-cable-port = Den Messarm einschalten; Kabel prüfen, und ob dies sein Anschluss ist.
-switch-arm-off = Den Messarm aus- und einschalten.
+switch-arm-check-cable-port = Messarm einschalten; Kabel prüfen; ebenso, ob dies der richtige Anschluss ist.
+switch-arm-off = Messarm aus- und wieder einschalten.
 switch-arm-sensor-connect-them = Messarm und Sensor einschalten und anschließen.
-switch-laser-look-where-lies = Den Laser einschalten, um zu sehen, wo sie liegt.
-switch-off-aim-picture-switched-itself = Zum Ausrichten ausschalten. Für das Bild wird er von selbst geschaltet.
-switch-over-part = einschalten, über einem Teil
-switch-stop-scan = Einschalten oder den Scan anhalten.
-switched-laser = den Laser eingeschaltet
-switched-laser-off = den Laser ausgeschaltet
+switch-laser-look-where-lies = Laser einschalten, um zu sehen, wo die Linie liegt.
+switch-off-aim-picture-switched-itself = Zum Ausrichten ausschalten. Für das Bild schaltet er automatisch.
+switch-over-part = Laser über einem Teil einschalten
+switch-stop-scan = Laser einschalten oder den Scan stoppen.
+switched-laser = Laser eingeschaltet
+switched-laser-off = Laser ausgeschaltet
 table-first-line-names = { $path }: Die erste Zeile nennt { $names }
-table-is-empty = sie ist leer; eine Zeile mit Spaltennamen wird erwartet
-table-lacks-column = ihrer Tabelle { $table } fehlt { $column }
+table-is-empty = sie ist leer; erwartet wird eine Zeile mit Spaltennamen
+table-lacks-column = in ihrer Tabelle { $table } fehlt { $column }
 take-again = Neu aufnehmen
 take-again-2 = neu aufnehmen
 take-another = { $taken } Eine weitere aufnehmen: { $words }.
-take-another-password = Ein anderes nehmen
+take-another-password = Ein anderes wählen
 take-another-pose = Weitere Pose aufnehmen
-take-back = Zurückholen
+take-back = Einbeziehen
 take-bars-other-end-first-drop = Zuerst das andere Stabende aufnehmen oder das letzte verwerfen.
-take-longer-one-three-unrelated-words = Ein längeres nehmen; drei unverwandte Wörter sind gut
-take-longer-pass-five-seconds-more = Eine längere Überfahrt aufnehmen, fünf Sekunden oder mehr
-take-more-pictures-8-more-them = mehr Bilder aufnehmen, 8 oder mehr, um 20° und mehr geneigt
-take-more-pictures-all-sides-have = Mehr Bilder aufnehmen, von allen Seiten; das Armmodell neu identifizieren lassen.
-take-more-pictures-all-sides-hold = Mehr Bilder aufnehmen, von allen Seiten; den Messarm dabei gedrungen halten.
-take-more-pictures-board-all-corners = Mehr Bilder aufnehmen, mit der Tafel in allen Ecken des Bilds.
-take-more-pictures-each-turned-against = mehr Bilder aufnehmen, jedes gegen die anderen gedreht, oder das Objekt antasten
-take-more-pictures-lasers-line-flat = Mehr Bilder aufnehmen, mit der Laserlinie auf der Fläche der Tafel.
-take-more-pictures-like-these = Mehr Bilder aufnehmen, nach allen Seiten geneigt: etwa { $asked } wie diese würden insgesamt genügen. Wenn der Roboter nicht mehr kann, die Grenzen nach dem Bedarf der Scans setzen (--good-um, --usable-um).
-take-more-pictures-robot-at-fault = Mehr Bilder aufnehmen, nach allen Seiten geneigt; bei so großen Abweichungen liegt es an der Genauigkeit des Roboters, oder seine Posen sind nicht die des Flansches im Koordinatensystem des Arms. Wenn der Roboter nicht mehr kann, die Grenzen nach dem Bedarf der Scans setzen (--good-um, --usable-um).
-take-more-pictures-tilted-all-sides-2 = Mehr Bilder aufnehmen, nach allen Seiten geneigt.
-take-more-places-all-over-arms = Mehr Orte aufnehmen, über die ganze Reichweite des Messarms
-take-more-places-all-over-reach = Mehr Orte aufnehmen, über die ganze Reichweite, und den Arm an jedem von Seite zu Seite schwenken
-take-more-points-more-places = Mehr Punkte aufnehmen, an mehr Orten
+take-longer-one-three-unrelated-words = Ein längeres wählen; gut sind drei Wörter ohne Zusammenhang
+take-longer-pass-five-seconds-more = Eine längere Überfahrt aufnehmen, mindestens fünf Sekunden
+take-more-pictures-8-more-them = weitere Bilder aufnehmen, mindestens 8, um 20° und mehr geneigt
+take-more-pictures-all-sides-have = Weitere Bilder von allen Seiten aufnehmen; das Armmodell neu identifizieren lassen.
+take-more-pictures-all-sides-hold = Weitere Bilder von allen Seiten aufnehmen; den Messarm dabei in kompakter Haltung führen.
+take-more-pictures-board-all-corners = Weitere Bilder aufnehmen, mit der Tafel in allen Ecken des Bildes.
+take-more-pictures-each-turned-against = weitere Bilder aufnehmen, jedes gegenüber den anderen gedreht, oder das Objekt antasten
+take-more-pictures-lasers-line-flat = Weitere Bilder aufnehmen, mit der Laserlinie auf der Fläche der Tafel.
+take-more-pictures-like-these = Weitere Bilder aufnehmen, nach allen Seiten geneigt: Insgesamt würden etwa { $asked } wie diese ausreichen. Erreicht der Roboter nicht mehr, die Grenzwerte nach dem Bedarf der Scans festlegen (--good-um, --usable-um).
+take-more-pictures-robot-at-fault = Weitere Bilder aufnehmen, nach allen Seiten geneigt; bei so großen Abweichungen liegt es an der Genauigkeit des Roboters, oder seine Posen beschreiben nicht den Flansch im Koordinatensystem des Messarms. Erreicht der Roboter nicht mehr, die Grenzwerte nach dem Bedarf der Scans festlegen (--good-um, --usable-um).
+take-more-pictures-tilted-all-sides-2 = Weitere Bilder aufnehmen, nach allen Seiten geneigt.
+take-more-places-all-over-arms = Weitere Positionen aufnehmen, über die ganze Reichweite des Messarms verteilt
+take-more-places-all-over-reach = Weitere Positionen über die ganze Reichweite aufnehmen und den Messarm an jeder von Seite zu Seite schwenken
+take-more-points-more-places = Weitere Punkte an weiteren Positionen aufnehmen
 take-more-poses-tilted-turned = Weitere Posen aufnehmen, geneigt und gedreht.
 take-more-poses-tilted-turned-have = Weitere Posen aufnehmen, geneigt und gedreht; das Armmodell neu identifizieren lassen.
-take-more-there-delete-rows = Dort mehr aufnehmen oder die Zeilen löschen
-take-more-while-arm-swings = Mehr aufnehmen, während der Arm schwenkt
-take-one = Eine davon nehmen: { $languages }
-take-one-console-shows-since-stations = Den Code nehmen, den die Konsole seit dem letzten Start der Station zeigt
-take-one-place-two-if-there = An ein oder zwei Orten einen benutzen, falls vorhanden.
-take-out = { $key } herausnehmen.
-take-out-label-face-touched = Herausnehmen oder mit der Fläche bezeichnen, die angetastet wurde
-take-pass-again = Die Überfahrt neu aufnehmen
+take-more-there-delete-rows = Dort weitere Punkte aufnehmen oder die Zeilen löschen
+take-more-while-arm-swings = Weitere Punkte aufnehmen, während der Messarm schwenkt
+take-one = Eine davon wählen: { $languages }
+take-one-console-shows-since-stations = Den Code verwenden, den die Konsole seit dem letzten Start der Station anzeigt
+take-one-place-two-if-there = An ein oder zwei Positionen einen Kugelstab messen, falls vorhanden.
+take-out = { $key } entfernen.
+take-out-label-face-touched = Punkt entfernen oder der angetasteten Fläche zuordnen
+take-pass-again = Überfahrt neu aufnehmen
 take-picture = Bild aufnehmen
 take-picture-2 =
     { $thing ->
-        [board] die Tafel aufnehmen
-       *[object] das Objekt aufnehmen
+        [board] ein Bild der Tafel aufnehmen
+       *[object] ein Bild des Objekts aufnehmen
     }
 take-picture-again = Dieses Bild neu aufnehmen
-take-picture-object = Ein Bild des Objekts aufnehmen
+take-picture-object = Bild des Objekts aufnehmen
 take-pictures-different-distances-tilted-different = Bilder aus verschiedenen Abständen aufnehmen oder nach verschiedenen Seiten geneigt
 take-pictures-tilted-20-more-two = Bilder aufnehmen, die um 20° und mehr geneigt sind, nach zwei Seiten
 take-pictures-turned-20-more-about = Bilder aufnehmen, die um 20° und mehr gedreht sind, um zwei verschiedene Achsen
-take-place-again-delete-rows = Diesen Ort neu aufnehmen oder seine Zeilen löschen
+take-place-again-delete-rows = Diese Position neu aufnehmen oder ihre Zeilen löschen
 take-point = Punkt aufnehmen
-take-points-or-delete-file = Welche aufnehmen oder die Datei löschen
+take-points-or-delete-file = Punkte aufnehmen oder die Datei löschen
 take-poses-tilted-left-right-front = Posen aufnehmen, die nach links, rechts, vorn und hinten geneigt und um die Blickrichtung gedreht sind.
 take-these-points-again = Diese Punkte neu aufnehmen.
-take-touch = Antastung aufnehmen
+take-touch = Antastpunkt aufnehmen
 take-with-laser-or-other-axis = Mit eingeschaltetem Laser und passender Belichtung aufnehmen oder die andere --axis wählen
 taken = { $path } wurde mit { $device } { $recorded } aufgenommen
 takes-notifications = { $host } nimmt Benachrichtigungen an.
-taking-picture = Das Bild wird aufgenommen
-tells-whoever-away-what-done-fault = Er sagt denen, die nicht da sind, was fertig, gestört oder fällig ist.
+taking-picture = Bild wird aufgenommen
+tells-whoever-away-what-done-fault = Der Webhook benachrichtigt Abwesende über Fertiges, Störungen und Fälliges.
 temperature = Temperatur
-text-has-half-character = in einem ihrer Texte steht ein halbes Zeichen
+text-has-half-character = einer ihrer Texte enthält ein unvollständiges Zeichen
 than-when-made-beyond-c-due =
     { $how ->
-        [warmer] Es ist { $difference } wärmer als bei der Kalibrierung; über { $limit } ist sie fällig.
-       *[colder] Es ist { $difference } kälter als bei der Kalibrierung; über { $limit } ist sie fällig.
+        [warmer] Es ist { $difference } wärmer als bei der Kalibrierung; bei mehr als { $limit } Unterschied ist sie fällig.
+       *[colder] Es ist { $difference } kälter als bei der Kalibrierung; bei mehr als { $limit } Unterschied ist sie fällig.
     }
 the-is-for =
     { $device ->
         [sensor] die Kalibrierung gilt für { $known }
        *[arm] die arm.json gilt für { $known }
     }
-there-dirt-tip-sphere = Die Tastkugel hat anscheinend { $diameter }, nach dem Datenblatt des Messarms { $expected }: Auf der Tastkugel oder der Kugel ist Schmutz.
-there-no-account = Es gibt kein Konto { $name }.
-there-no-address-yet = Es gibt noch keine Adresse
-there-no-calibration = Es gibt keine Kalibrierung { $calibration_id }.
-there-no-calibration-use-calibrate-first = Keine Kalibrierung ist in Gebrauch. Zuerst kalibrieren.
-there-no-calibration-use-yet = Noch ist keine Kalibrierung in Gebrauch.
-there-no-check-arm = Es gibt keine Armprüfung { $record_id }.
-there-no-check-tip = Es gibt keine Tastkugelprüfung { $record_id }.
-there-no-command = Es gibt keinen Befehl '{ $name }'.
-there-no-earlier-step = Es gibt keinen früheren Schritt '{ $to }'.
+there-dirt-tip-sphere = Der Durchmesser der Tastkugel beträgt anscheinend { $diameter }, laut Datenblatt des Messarms { $expected }: Auf der Tastkugel oder der Kugel ist Schmutz.
+there-no-account = Das Konto { $name } gibt es nicht.
+there-no-address-yet = Es ist noch keine Adresse angegeben
+there-no-calibration = Die Kalibrierung { $calibration_id } gibt es nicht.
+there-no-calibration-use-calibrate-first = Es wird keine Kalibrierung verwendet. Zuerst kalibrieren.
+there-no-calibration-use-yet = Es wird noch keine Kalibrierung verwendet.
+there-no-check-arm = Die Armprüfung { $record_id } gibt es nicht.
+there-no-check-tip = Die Tastkugelprüfung { $record_id } gibt es nicht.
+there-no-command = Den Befehl „{ $name }“ gibt es nicht.
+there-no-earlier-step = Einen früheren Schritt „{ $to }“ gibt es nicht.
 there-no-face = Die Fläche „{ $face }“ gibt es nicht.
-there-no-fitted-shape-yet = Es gibt noch keine angepasste Form
+there-no-fitted-shape-yet = Es ist noch keine Form eingepasst
 there-no-gauge-data-folder-yet = Im Datenordner ist noch kein Prüfnormal.
 there-no-here =
     { $field ->
-        [arm] Einen Messarm „{ $chosen }“ gibt es hier nicht.
-        [object] Ein Objekt „{ $chosen }“ gibt es hier nicht.
-       *[sensor] Einen Sensor „{ $chosen }“ gibt es hier nicht.
+        [arm] Den Messarm „{ $chosen }“ gibt es hier nicht.
+        [object] Das Objekt „{ $chosen }“ gibt es hier nicht.
+       *[sensor] Den Sensor „{ $chosen }“ gibt es hier nicht.
     }
-there-no-identification-arm = Eine Identifikation des Messarms { $record_id } gibt es nicht.
-there-no-language = eine Sprache '{ $language }' gibt es nicht
-there-no-limit = { $title }: { $value }; eine Grenze gibt es nicht.
-there-no-map-cloud = Zu Wolke { $number } gibt es keine Karte.
-there-no-picture-object-sensor-take = Es gibt kein Bild dieses Objekts mit diesem Sensor. Eines aufnehmen.
+there-no-identification-arm = Die Identifikation des Messarms { $record_id } gibt es nicht.
+there-no-language = die Sprache „{ $language }“ gibt es nicht
+there-no-limit = { $title }: { $value }; kein Grenzwert.
+there-no-map-cloud = Zu Punktwolke { $number } gibt es keine Karte.
+there-no-picture-object-sensor-take = Es gibt noch kein Bild dieses Objekts mit diesem Sensor. Eines aufnehmen.
 there-no-picture-yet-take-one = Es gibt noch kein Bild. Eines aufnehmen.
 there-no-points-rectangle = Im Rechteck sind keine Punkte
-there-no-scan = Es gibt keinen Scan { $scan_id }.
-there-no-scan-find-delay = Es gibt keinen Scan, aus dem sich der Verzug bestimmen lässt
+there-no-scan = Den Scan { $scan_id } gibt es nicht.
+there-no-scan-find-delay = Es gibt keinen Scan, aus dem sich der Zeitversatz bestimmen lässt
 there-no-simulation-real-devices = Echte Geräte haben keinen simulierten Bediener.
 there-no-simulation-real-devices-2 = Echte Geräte haben keinen simulierten Bediener
-there-no-sphere-diameter-cloud = In dieser Wolke ist keine Kugel von { $diameter } Durchmesser
-there-no-such-arm = Einen solchen Messarm gibt es nicht.
-there-no-such-artefact-here = Einen solchen Prüfkörper gibt es hier nicht.
-there-no-such-cloud = Eine solche Wolke gibt es nicht.
-there-no-such-folder = einen solchen Ordner gibt es nicht
-there-no-such-gauge = Ein solches Prüfnormal gibt es nicht.
+there-no-sphere-diameter-cloud = In dieser Punktwolke gibt es keine Kugel mit { $diameter } Durchmesser
+there-no-such-arm = Diesen Messarm gibt es nicht.
+there-no-such-artefact-here = Diesen Prüfkörper gibt es hier nicht.
+there-no-such-cloud = Diese Punktwolke gibt es nicht.
+there-no-such-folder = der Ordner existiert nicht
+there-no-such-gauge = Dieses Prüfnormal gibt es nicht.
 there-no-such-page-3d-view = Diese Seite der 3D-Ansicht gibt es nicht.
-there-no-such-touch = Eine solche Antastung gibt es nicht.
-there-no-token = Es gibt keinen Schlüssel { $token_id }.
+there-no-such-touch = Diesen Antastpunkt gibt es nicht.
+there-no-token = Den Token { $token_id } gibt es nicht.
 there-no-valid-calibration = es gibt keine gültige Kalibrierung
-there-no-verification = Es gibt keine Verifizierung { $record_id }.
-there-no-kiosk-link = Es gibt keinen Kiosk-Link { $link_id }.
-there-none-yet = Es gibt noch keine.
+there-no-verification = Die Verifizierung { $record_id } gibt es nicht.
+there-no-kiosk-link = Den Kiosk-Link { $link_id } gibt es nicht.
+there-none-yet = Es gibt noch keine Sicherung.
 there-nothing = Unter { $path } gibt es nichts.
 there-nothing-verify = Es gibt nichts zu verifizieren
-thermometer-cannot-read = Das Thermometer { $path } lässt sich nicht lesen: { $error }
+thermometer-cannot-read = Das Thermometer { $path } lässt sich nicht auslesen: { $error }
 thermometer-reads = Das Thermometer { $path } zeigt { $celsius }
 these-files-what-result-made-accepted =
     { $changed ->
-        [one] { $changed } dieser Dateien ist nicht die, aus der das Ergebnis entstand und mit der es angenommen wurde.
-       *[other] { $changed } dieser Dateien sind nicht die, aus denen das Ergebnis entstand und mit denen es angenommen wurde.
+        [one] { $changed } dieser Dateien ist nicht mehr die, aus der das Ergebnis berechnet und mit der es angenommen wurde.
+       *[other] { $changed } dieser Dateien sind nicht mehr die, aus denen das Ergebnis berechnet und mit denen es angenommen wurde.
     }
-these-joint-angles-but-arm-json = dies sind Gelenkwinkel, aber laut arm.json meldet der Arm Posen
-these-metres-where-millimetres-expected = dies sind Meter, erwartet werden Millimeter
-these-points-do-tell-better-than = diese Punkte bestimmen ihn nicht besser als die Fertigung
-these-radians-where-degrees-expected = das sind Radiant, wo Grad erwartet werden
-these-use = Diese sind in Gebrauch
-they-cannot-show-whether-arm-better = sie können nicht zeigen, ob der Messarm anderswo besser ist
+these-joint-angles-but-arm-json = dies sind Gelenkwinkel, aber laut arm.json meldet der Messarm Posen
+these-metres-where-millimetres-expected = dies sind Meter; erwartet werden Millimeter
+these-points-do-tell-better-than = diese Punkte bestimmen ihn nicht genauer als die Fertigung
+these-radians-where-degrees-expected = dies sind Radiant; erwartet werden Grad
+these-use = Diese verwenden
+they-cannot-show-whether-arm-better = sie können nicht zeigen, ob der Messarm anderswo genauer ist
 they-come-more-than-one-camera = sie stammen von mehr als einer Kamera oder wurden skaliert
-they-do-come-arm-kind-tip = sie stammen nicht von einem Messarm dieser Art, oder die Tastkugel saß nicht
+they-do-come-arm-kind-tip = sie stammen nicht von einem Messarm dieser Art, oder die Tastkugel saß nicht in der Pfanne
 they-do-determine-camera = sie bestimmen die Kamera nicht
 they-do-fix-centre = sie legen ihren Mittelpunkt nicht fest
 they-do-lie-one-plane = sie liegen nicht in einer Ebene
 they-fix-no-plane = sie legen keine Ebene fest
 they-fix-no-sphere = sie legen keine Kugel fest
-they-leave-nothing-over-check-parameters = damit bleibt nichts, um { $columns } Parameter zu prüfen
-they-lie-almost-one-plane-almost = sie liegen fast auf einer Ebene oder fast in einer Reihe je Ebene
-they-recording-but-gave-no-points = Sie sind in der Aufzeichnung, gaben aber keine Punkte; das Kabel des Messarms prüfen.
+they-leave-nothing-over-check-parameters = damit bleibt kein Überschuss, um { $columns } Parameter zu prüfen
+they-lie-almost-one-plane-almost = sie liegen fast in einer Ebene oder fast in einer Reihe je Höhenstufe
+they-recording-but-gave-no-points = Sie sind in der Aufzeichnung, ergaben aber keine Punkte; Kabel des Messarms prüfen.
 this-program = dieses Programm
 tilt-back-by = { $angle } nach hinten neigen
 tilt-front-by = { $angle } nach vorn neigen
@@ -2403,61 +2403,61 @@ tip = Tastkugel
 tip-3 = Tastkugel: { $text }
 tip-bars-end = Die Tastkugel sitzt im Stabende
 tip-check = Tastkugelprüfung
-tip-held-seat-moved-max-min = Die Tastkugel bewegte sich in einer Pfanne um { $worst }, (max − min)/2 auf der schlechtesten Achse.
-tip-in-seat-moved-limit = Die Tastkugel bewegte sich in einer Pfanne um { $worst }, (max − min)/2 auf der schlechtesten Achse; die Grenze ist { $limit }.
-tip-known = Tastkugel bekannt auf
-tip-known-apart-from-size = Über seine Reichweite lag die Tastkugel um { $before } rms daneben und ist nun auf { $after } bekannt (k = 1), abgesehen von der Größe des Messarms.
+tip-held-seat-moved-max-min = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse.
+tip-in-seat-moved-limit = Die Tastkugel hat sich in einer Pfanne um { $worst } bewegt, (max − min)/2 auf der schlechtesten Achse; der Grenzwert ist { $limit }.
+tip-known = Unsicherheit der Tastkugel
+tip-known-apart-from-size = Über die Reichweite wich die Tastkugel um { $before } rms ab; die Standardunsicherheit beträgt jetzt { $after } (k = 1), ohne den Maßstab des Messarms.
 tip-lies-within-mm = die Tastkugel liegt weniger als { $distance } davon entfernt
-tip-missing-place-flange-diameter = tip fehlt: der Ort der Tastkugel am Flansch und ihr Durchmesser
+tip-missing-place-flange-diameter = tip fehlt: Lage der Tastkugel am Flansch und ihr Durchmesser
 tip-never-checked = Die Tastkugel wurde noch nie geprüft.
-tip-off-place-arm = Tastkugel neben ihrem Ort am Messarm
-tip-over-whole-reach = Tastkugel in der ganzen Reichweite
-tip-rather-has = die Tastkugel hat eher { $diameter }, oder die Durchmesser gehören nicht zu den Kugeln
-tip-rather-has-or-bar-wrong = die Tastkugel hat eher { $diameter }, oder die Durchmesser gehören nicht zu den Kugeln, oder eine Stablänge ist falsch
+tip-off-place-arm = Abweichung der Tastkugel von ihrer Lage am Messarm
+tip-over-whole-reach = Tastkugel über die ganze Reichweite
+tip-rather-has = der Durchmesser der Tastkugel beträgt eher { $diameter }, oder die angegebenen Durchmesser gehören nicht zu diesen Kugeln
+tip-rather-has-or-bar-wrong = der Durchmesser der Tastkugel beträgt eher { $diameter }, oder die angegebenen Durchmesser gehören nicht zu diesen Kugeln, oder die Länge eines Kugelstabs ist falsch
 tip-seat = Die Tastkugel sitzt in der Pfanne
 tip-seat-no-points-taken-there = Die Tastkugel ist { $left } von der Pfanne entfernt; dort werden keine Punkte aufgenommen.
-tip-seated-seat-loose-points-another = die Tastkugel saß nicht, oder die Pfanne war locker, oder Punkte eines anderen Orts sind darunter
-tip-sits-off-its-place = Die Tastkugel sitzt { $off } neben ihrem Ort im Datenblatt: Der Schaft ist verbogen oder nicht fest eingeschraubt.
-tip-sound-diameter-off-touches-agree = Die Tastkugel ist in Ordnung: Ihr Durchmesser weicht um { $off } ab, ihre Antastungen stimmen auf { $scatter } überein.
-tip-sphere-diameter-arm = der Tastkugel von einer Kugel dieses Durchmessers, mit dem Messarm, wie er ist
+tip-seated-seat-loose-points-another = die Tastkugel saß nicht, die Pfanne war locker, oder Punkte einer anderen Position sind darunter
+tip-sits-off-its-place = Die Tastkugel sitzt { $off } neben ihrer Lage laut Datenblatt: Der Schaft ist verbogen oder nicht fest eingeschraubt.
+tip-sound-diameter-off-touches-agree = Die Tastkugel ist in Ordnung: Ihr Durchmesser weicht um { $off } ab, ihre Antastpunkte stimmen auf { $scatter } überein.
+tip-sphere-diameter-arm = der Tastkugel von einer Kugel dieses Durchmessers, mit dem bisherigen Armmodell
 tip-uncertainty-before =
     { $size_known ->
         [yes] war { $before }; k = 1, rms über die Reichweite
-       *[no] war { $before }; k = 1, rms über die Reichweite; abgesehen von der Größe des Messarms
+       *[no] war { $before }; k = 1, rms über die Reichweite; ohne den Maßstab des Messarms
     }
 tips-coordinates-moved-instead = stattdessen werden die Koordinaten der Tastkugel geändert
 tips-diameter = Tastkugeldurchmesser
-tips-diameter-how-well-touches-agree = Der Durchmesser der Tastkugel und wie gut ihre Antastungen übereinstimmen.
-tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab, bekannt nur auf { $known } (k = 2).
-tips-places = Orte der Tastkugel
-tips-places-about-their-middle = Die Orte der Tastkugel um ihre Mitte
+tips-diameter-how-well-touches-agree = Durchmesser der Tastkugel und Übereinstimmung ihrer Antastpunkte.
+tips-diameter-off-known-only-k = Der Durchmesser der Tastkugel weicht um { $off } ab; für eine Entscheidung ist die erweiterte Unsicherheit von { $known } (k = 2) zu groß.
+tips-places = Positionen der Tastkugel
+tips-places-about-their-middle = Positionen der Tastkugel relativ zu ihrer Mitte
 titled-text = { $title }: { $text }
 to-2 = Bis
-together = Zusammen
+together = Gesamt
 too-bright-saturated = Zu hell: { $share } übersteuert
 too-dark-brightest-parts = Zu dunkel: hellste Stellen bei { $level }
-too-fast-blur-limit = Zu schnell: { $blur } Unschärfe; die Grenze ist { $limit }
+too-fast-blur-limit = Zu schnell: { $blur } Unschärfe; der Grenzwert ist { $limit }
 too-few-edges-could-measured = zu wenige seiner Kanten ließen sich messen
-too-few-places-were-touched = zu wenige Orte wurden angetastet: { $count }
+too-few-places-were-touched = zu wenige Positionen wurden angetastet: { $count }
 too-little-arm-data-yet = Noch zu wenig Daten vom Messarm
-too-many-wrong-tries = Zu viele falsche Versuche.
-took-cloud-back = eine Wolke wieder aufgenommen
-took-control-over = die Bedienung übernommen
-took-last-one-back = das Letzte zurückgenommen
+too-many-wrong-tries = Zu viele Fehlversuche.
+took-cloud-back = Punktwolke wieder einbezogen
+took-control-over = Bedienung übernommen
+took-last-one-back = letzte Eingabe zurückgenommen
 took-over-control = { $name } hat die Bedienung von { $holder } übernommen: { $reason }
-took-picture = ein Bild aufgenommen
-took-picture-again = ein Bild neu aufgenommen
-took-point = einen Punkt genommen
-took-pose-back = eine Pose wieder aufgenommen
-took-support-bundle = das Diagnosepaket geholt
-top-all-around-side-wrist-turned = Oben und ringsum an der Seite, das Handgelenk jedes Mal anders gedreht. An jeder Stelle still halten und die Taste am Messarm drücken.
+took-picture = Bild aufgenommen
+took-picture-again = Bild neu aufgenommen
+took-point = Punkt aufgenommen
+took-pose-back = Pose wieder einbezogen
+took-support-bundle = Diagnosepaket gespeichert
+top-all-around-side-wrist-turned = Oben und ringsum an der Seite, mit jedes Mal anders gedrehtem Handgelenk. An jeder Stelle ruhig halten und die Taste am Messarm drücken.
 topic-holds = { $path }: { $topic } enthält { $schema } ({ $encoding })
 total-k-1 = { $total } (k = 1)
 touch = Antasten
 touch-2 = { $place } antasten
 touch-3 = Antasten
-touch-all-over-upper-half-every = Die ganze obere Hälfte antasten, von allen Seiten, mit dem Messarm in vielen Haltungen. An jedem Punkt still halten und die Taste am Messarm drücken.
-touch-back-face = Die Rückseite antasten.
+touch-all-over-upper-half-every = Die ganze obere Hälfte von allen Seiten antasten, mit dem Messarm in vielen Haltungen. An jedem Punkt ruhig halten und die Taste am Messarm drücken.
+touch-back-face = Rückseite antasten.
 touch-elsewhere = An anderer Stelle antasten
 touch-face-also-beside-line =
     { $face ->
@@ -2469,86 +2469,86 @@ touch-face-also-beside-line =
         [right] Die rechte Stirnseite auch neben dieser Geraden antasten
        *[other] Die Fläche „{ $face }“ auch neben dieser Geraden antasten
     }
-touch-floors-grooves = Die Nutgründe antasten.
+touch-floors-grooves = Nutgründe antasten.
 touch-front-back-left-right-face = Vorder- und Rückseite oder linke und rechte Stirnseite antasten.
-touch-front-face = Die Vorderseite antasten.
+touch-front-face = Vorderseite antasten.
 touch-gauge = Prüfnormal antasten
-touch-gauge-2 = Antastung { $counted } am Prüfnormal.
-touch-gauge-more-places-scan-more = Das Prüfnormal an mehr Stellen antasten und langsamer scannen.
-touch-left-end = Die linke Stirnseite antasten.
+touch-gauge-2 = Antastpunkt { $counted } am Prüfnormal.
+touch-gauge-more-places-scan-more = Prüfnormal an mehr Stellen antasten und langsamer scannen.
+touch-left-end = Linke Stirnseite antasten.
 touch-more-contacts = Antasten: { $contacts }
-touch-more-least-places = Öfter antasten: { $taken } von mindestens { $touches_needed } Stellen.
-touch-more-least-points = Öfter antasten: { $taken } von mindestens { $least } Punkten.
+touch-more-least-places = Weiter antasten: { $taken } von mindestens { $touches_needed } Stellen.
+touch-more-least-points = Weiter antasten: { $taken } von mindestens { $least } Punkten.
 touch-more-places = An mehr Stellen antasten
-touch-more-points-spread-wide-over = Mehr Punkte antasten, weit über die Tafel verteilt.
-touch-more-points-spread-wide-over-2 = Mehr Punkte antasten, weit über alle sechs Flächen verteilt.
+touch-more-points-spread-wide-over = Weitere Punkte antasten, weit über die Tafel verteilt.
+touch-more-points-spread-wide-over-2 = Weitere Punkte antasten, weit über alle sechs Flächen verteilt.
 touch-more-sphere = Mehr von der Kugel antasten
 touch-near-corners-too = Auch nahe den Ecken antasten
-touch-object = Das Objekt antasten
-touch-printed-side-more-times-spread = Die bedruckte Seite noch { $left }-mal antasten, weit verteilt. Oder weitermachen.
-touch-printed-side-once-more-far = Die bedruckte Seite noch einmal antasten, weit weg von den anderen Punkten. Oder weitermachen.
+touch-object = Objekt antasten
+touch-printed-side-more-times-spread = Die bedruckte Seite noch { $left }-mal antasten, weit verteilt. Oder fortfahren.
+touch-printed-side-once-more-far = Die bedruckte Seite noch einmal antasten, weit weg von den anderen Punkten. Oder fortfahren.
 touch-probe-press-arms-button-each =
     { $shape ->
         [plane] Mit dem Taster nahe den Ecken und in der Mitte antasten und an jeder Stelle die Taste am Messarm drücken.
        *[sphere] Mit dem Taster oben und ringsum an der Seite antasten und an jeder Stelle die Taste am Messarm drücken.
     }
-touch-right-end = Die rechte Stirnseite antasten.
-touch-scan-gauge-takes-two-minutes = { $text } Ein Prüfnormal antasten und scannen: Es dauert zwei Minuten.
-touch-sphere = Die Kugel antasten
-touch-sphere-more-spread-over-all = Die Kugel öfter antasten, über die ganze obere Hälfte verteilt.
+touch-right-end = Rechte Stirnseite antasten.
+touch-scan-gauge-takes-two-minutes = { $text } Ein Prüfnormal antasten und scannen: Das dauert zwei Minuten.
+touch-sphere = Kugel antasten
+touch-sphere-more-spread-over-all = Kugel weiter antasten, über die ganze obere Hälfte verteilt.
 touch-top-all-around-side = Oben und ringsum an der Seite antasten
-touch-tops-merlons = Die Zinnen oben antasten.
-touched-sphere-seems-to-have-diameter = Die angetastete Kugel hat anscheinend einen Durchmesser von { $radius }; nach ihrem Kalibrierschein hat sie { $radius2 }.
-touches = { $done } von { $of } Antastungen
-touches-2 = Antastungen
-touches-3 = Die Antastungen
-touches-about-sphere-limit = Abstand jeder Antastung von der Kugel durch alle. Gestrichelt: die Grenze von { $limit }.
-touches-agree = Antastungen stimmen überein auf
-touches-disagree-up-tip-sphere-loose = Die Antastungen weichen bis zu { $scatter } voneinander ab: Tastkugel oder Kugel sind locker, oder der Messarm ist gerutscht.
-touches-lie-too-near-together-one = Die Antastungen liegen zu nah beieinander oder auf einem Ring um die Kugel
-touches-lie-within-one-line = Die Antastungen liegen innerhalb { $width } um eine Gerade
+touch-tops-merlons = Zinnen oben antasten.
+touched-sphere-seems-to-have-diameter = Die angetastete Kugel hat anscheinend einen Durchmesser von { $radius }, laut Kalibrierschein { $radius2 }.
+touches = { $done } von { $of } Antastpunkten
+touches-2 = Antastpunkte
+touches-3 = Antastpunkte
+touches-about-sphere-limit = Abstand jedes Antastpunkts von der Ausgleichskugel. Gestrichelt: der Grenzwert von { $limit }.
+touches-agree = Übereinstimmung der Antastpunkte
+touches-disagree-up-tip-sphere-loose = Die Antastpunkte weichen um bis zu { $scatter } voneinander ab: Tastkugel oder Kugel ist locker, oder der Messarm ist gerutscht.
+touches-lie-too-near-together-one = Die Antastpunkte liegen zu nah beieinander oder auf einem Ring um die Kugel
+touches-lie-within-one-line = Die Antastpunkte liegen innerhalb von { $width } um eine Gerade
 touches-on-face = { $count } { $where }
-touches-over-all-faces = { $total } weitere über alle Flächen, davon { $most } { $where },
-touches-rms-known-k-1 = durch { $touches } Antastungen, { $rms } rms, bekannt auf { $known } (k = 1)
+touches-over-all-faces = { $total } weitere auf allen Flächen, davon { $most } { $where },
+touches-rms-known-k-1 = { $touches } Antastpunkte, { $rms } rms, Standardunsicherheit { $known } (k = 1)
 touches-would-bring =
     { $total ->
-        [one] Objekt bekannt auf { $now } (k = 1); { $words } ergibt { $then }.
-       *[other] Objekt bekannt auf { $now } (k = 1); { $words } ergeben { $then }.
+        [one] Standardunsicherheit des Objekts: { $now } (k = 1); { $words } ergibt { $then }.
+       *[other] Standardunsicherheit des Objekts: { $now } (k = 1); { $words } ergeben { $then }.
     }
 touches-would-not-reach =
     { $total ->
-        [one] Objekt bekannt auf { $now } (k = 1); { $words } ergibt { $then }, gewünscht sind { $target }.
-       *[other] Objekt bekannt auf { $now } (k = 1); { $words } ergeben { $then }, gewünscht sind { $target }.
+        [one] Standardunsicherheit des Objekts: { $now } (k = 1); { $words } ergibt { $then }, Soll { $target }.
+       *[other] Standardunsicherheit des Objekts: { $now } (k = 1); { $words } ergeben { $then }, Soll { $target }.
     }
-tried-notifications = die Benachrichtigungen ausprobiert
+tried-notifications = Benachrichtigungen getestet
 try-again = Erneut versuchen
 try-again-ask-administrator-new-password = Erneut versuchen oder einen Administrator um ein neues Passwort bitten
-try-again-if-happens-again-stations = Erneut versuchen. Wenn es wieder geschieht, steht Näheres im Protokoll der Station.
+try-again-if-happens-again-stations = Erneut versuchen. Tritt der Fehler wieder auf, steht Näheres im Protokoll der Station.
 try-again-moment = Gleich noch einmal versuchen
 turn-anticlockwise-by = { $angle } gegen den Uhrzeigersinn drehen
 turn-clockwise-by = { $angle } im Uhrzeigersinn drehen
-turn-down-exposure-until-objects-faces = kürzer belichten, bis die Flächen des Objekts ihr Grau behalten
-turn-fault-switch-camera-lost-off = Ihr Fehlerschalter camera_faults.lost ist an; schalten Sie ihn aus.
-turn-lamp-until-all-edges-block = Die Lampe drehen, bis sich alle Kanten des Zinnenkörpers zeigen, und ein weiteres Bild aufnehmen.
-turn-off-cameras-mirroring-turn-object = die Spiegelung der Kamera ausschalten oder das Objekt so drehen, dass die Vorderseite zur Kamera zeigt
-turn-sensor-so-laser-falls-onto = den Sensor so drehen, dass der Laser von oben auf die Tafel fällt
-turn-up-light-exposure = mehr Licht oder länger belichten
-turn-up-light-exposure-look-object = mehr Licht oder länger belichten, und auf das Objekt richten
+turn-down-exposure-until-objects-faces = kürzer belichten, bis die Flächen des Objekts nicht mehr überbelichtet sind
+turn-fault-switch-camera-lost-off = Der Fehlerschalter camera_faults.lost ist eingeschaltet; ausschalten.
+turn-lamp-until-all-edges-block = Lampe drehen, bis alle Kanten des Zinnenkörpers zu sehen sind, und ein weiteres Bild aufnehmen.
+turn-off-cameras-mirroring-turn-object = Spiegelung der Kamera ausschalten oder das Objekt so drehen, dass seine Vorderseite zur Kamera zeigt
+turn-sensor-so-laser-falls-onto = Sensor so drehen, dass der Laser von oben auf die Tafel fällt
+turn-up-light-exposure = mehr beleuchten oder länger belichten
+turn-up-light-exposure-look-object = mehr beleuchten oder länger belichten und den Sensor auf das Objekt richten
 two-pictures-named = zwei Bilder heißen { $name } und wären eine Datei in { $folder }
 two-seats-or-seat-carried = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt
-two-seats-or-seat-carried-or-arm = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt, oder arm.json ist nicht die dieses Messarms: Auch in anderen Pfannen wandert die Tastkugel { $far }
-u-v = es ist "u" oder "v"
+two-seats-or-seat-carried-or-arm = sie gehören zu zwei Pfannen, oder die Pfanne wurde zwischendurch versetzt, oder arm.json gehört nicht zu diesem Messarm: Auch in anderen Pfannen wandert die Tastkugel { $far }
+u-v = es ist „u“ oder „v“
 uncertainty-missing = { $file }: uncertainty fehlt
-uncertainty-over-measuring-volume = Unsicherheit über das Messvolumen
-uncertainty-scanned-point-k-1 = Unsicherheit eines Scanpunkts (k = 1)
-uncertainty-scanned-point-so-far-k = Unsicherheit eines Scanpunkts bisher (k = 1)
+uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
+uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
+uncertainty-scanned-point-so-far-k = Bisherige Unsicherheit eines gescannten Punkts (k = 1)
 undecided = Nicht entschieden
 undo = Zurücknehmen
 undo-last-point = Letzten Punkt zurücknehmen
 uninstall-one-them = Eines davon deinstallieren.
 unit = Einheit
 up-poses = { $done } von bis zu { $of } Posen
-up-to-taken-one = bis { $rms } gelten noch als eine
+up-to-taken-one = bis { $rms } sind zulässig
 update-program-arms-firmware = Dieses Programm oder die Firmware des Messarms aktualisieren.
 upright-edge-of-merlon =
     { $end ->
@@ -2568,21 +2568,21 @@ usable-2 = Nicht brauchbar
 usable-attention = Brauchbar, mit Vorbehalt
 usable-edge-stripe-points = { $found } brauchbare Kanten- und Laserpunkte
 usable-edge-stripe-points-poses = { $found } brauchbare Kanten- und Laserpunkte in { $views } Posen
-usable-most = { $total }; brauchbar sind höchstens { $usable }.
-use = In Gebrauch
-use-2 = { $name } ist in Gebrauch.
-use-arm-before-what-identified-kept = Den Messarm benutzen, wie er vorher war? Was identifiziert wurde, bleibt in dieser Sitzung erhalten.
-use-arm-now = Diesen Messarm ab jetzt benutzen
-use-block-better-certificate = Einen Zinnenkörper mit besserem Kalibrierschein benutzen.
-use-board-even-odd-count-inner = eine Tafel mit gerader und ungerader Zahl innerer Ecken benutzen
-use-full-pictures-one-sensor = ganze Bilder eines einzigen Sensors benutzen
-use-full-pictures-one-sensor-neither = ganze Bilder eines einzigen Sensors benutzen, weder beschnitten noch skaliert
-use-method-joint-pictures-board-several = --method joint benutzen, mit Bildern der Tafel von mehreren Seiten
-use-object-higher-step-show-crests = ein Objekt mit höherer Stufe benutzen und Zinnen und Nutgründe, vorn und hinten, zeigen
-use-object-whose-merlons-differ-width = ein Objekt benutzen, dessen Zinnen verschieden breit sind
-use-shorter-cable-port-own-close = Ein kürzeres Kabel und einen eigenen Anschluss benutzen; schließen, was den Rechner sonst beansprucht.
-use-switch-sensor = den Schalter am Sensor benutzen
-used = Nicht zu benutzen
+usable-most = { $total }; der Grenzwert für „brauchbar“ ist { $usable }.
+use = In Verwendung
+use-2 = { $name } wird jetzt verwendet.
+use-arm-before-what-identified-kept = Den vorherigen Messarm verwenden? Das Ergebnis der Identifikation bleibt in dieser Sitzung erhalten.
+use-arm-now = Diesen Messarm ab jetzt verwenden
+use-block-better-certificate = Einen Zinnenkörper mit besserem Kalibrierschein verwenden.
+use-board-even-odd-count-inner = eine Tafel verwenden, deren Anzahl innerer Ecken in einer Richtung gerade und in der anderen ungerade ist
+use-full-pictures-one-sensor = vollständige Bilder eines einzigen Sensors verwenden
+use-full-pictures-one-sensor-neither = vollständige Bilder eines einzigen Sensors verwenden, weder beschnitten noch skaliert
+use-method-joint-pictures-board-several = --method joint verwenden, mit Bildern der Tafel von mehreren Seiten
+use-object-higher-step-show-crests = ein Objekt mit höherer Stufe verwenden und Zinnen und Nutgründe, vorn und hinten, ins Bild bringen
+use-object-whose-merlons-differ-width = ein Objekt verwenden, dessen Zinnen verschieden breit sind
+use-shorter-cable-port-own-close = Ein kürzeres Kabel und einen eigenen Anschluss verwenden; andere Programme auf diesem Rechner schließen.
+use-switch-sensor = den Schalter am Sensor verwenden
+used = Nicht verwenden
 used-but = Verwendet, aber { $reason }
 used-but-2 = verwendet, aber { $reason }
 user-may-open-serial-port-another = Dieser Benutzer darf den seriellen Anschluss { $url } nicht öffnen, oder ein anderes Programm hat ihn offen
@@ -2602,7 +2602,7 @@ value-must-be-text = der Wert muss ein Text sein
 value-must-be-true-or-false = der Wert muss true oder false sein
 value-must-be-whole-number = der Wert muss eine ganze Zahl sein
 value-must-match-pattern = der Text muss dem Muster { $pattern } entsprechen
-value-not-known = er ist nicht bekannt
+value-not-known = dieses Feld ist nicht bekannt
 value-too-long-list =
     { $count ->
         [one] die Liste darf höchstens { $count } Eintrag haben
@@ -2615,97 +2615,97 @@ value-too-short-list =
        *[other] die Liste muss mindestens { $count } Einträge haben
     }
 value-too-short-text = der Text muss mindestens { $count } Zeichen haben
-values-shares-their-limits-bar-expanded = Werte als Anteile ihrer Grenzen: Der Balken ist die erweiterte Unsicherheit (k = 2), Kreise sind die einzelnen Wolken.
+values-shares-their-limits-bar-expanded = Werte im Verhältnis zu ihren Grenzwerten: Der Balken ist die erweiterte Unsicherheit (k = 2), die Kreise sind die einzelnen Punktwolken.
 verification = Verifizierung
-verification-cannot-read = Die Verifizierung { $one } ist nicht zu lesen.
-verification-closed-start-new-one = Diese Verifizierung ist geschlossen. Eine neue beginnen.
-verification-cloud = Verifizierung, Wolke { $number }
-verification-failed-ago = Nicht bestanden, { $ago } her. { $text }
+verification-cannot-read = Die Verifizierung { $one } ist nicht lesbar.
+verification-closed-start-new-one = Diese Verifizierung ist abgeschlossen. Eine neue starten.
+verification-cloud = Verifizierung, Punktwolke { $number }
+verification-failed-ago = Nicht bestanden ({ $ago } her). { $text }
 verification-gauge =
     { $shape ->
         [sphere] Verifizierung an einer Prüfkugel
        *[plane] Verifizierung an einer Prüfebene
     }
-verification-undecided-ago = Nicht entschieden, { $ago } her. { $text }
-verification-under-way-go-where-stands = Eine Verifizierung läuft. Dort weitermachen, wo sie steht.
+verification-undecided-ago = Nicht entschieden ({ $ago } her). { $text }
+verification-under-way-go-where-stands = Eine Verifizierung läuft. Beim aktuellen Schritt fortfahren.
 verified = Verifiziert: { $text }
 verify = Verifizieren
 verify-again = Erneut verifizieren
 verify-against-gauge-calibrate-again = An einem Prüfnormal verifizieren oder neu kalibrieren.
 video-file = Die Videodatei { $source }
 video-has-no-picture = { $title } enthält kein Bild
-video-stream = Der Videostrom { $source }
-video-without-rate = { $title } nennt keine Bildrate
+video-stream = Der Videostream { $source }
+video-without-rate = { $title } gibt keine Bildrate an
 wait = Darauf warten
 wait-2 = Warten: { CLAUSE($text) }.
-wait-check-what-taken-kept = Warten oder ihn prüfen. Was aufgenommen wurde, ist erhalten.
+wait-check-what-taken-kept = Warten oder das Gerät prüfen. Alles Aufgenommene bleibt erhalten.
 wait-moment-load-page-again = kurz warten oder die Seite neu laden
-wait-s-then-try-again = { $wait } warten und erneut versuchen
-wait-stop = Warten oder anhalten
-wait-until = warten, bis er es ist
-wait-until-arm-connected-again-nothing = warten, bis der Messarm wieder verbunden ist; nichts ging verloren
-wait-until-back = warten, bis er wieder da ist
+wait-s-then-try-again = { $wait } warten, dann erneut versuchen
+wait-stop = Warten oder stoppen
+wait-until = warten, bis er verbunden ist
+wait-until-arm-connected-again-nothing = warten, bis der Messarm wieder verbunden ist; es geht nichts verloren
+wait-until-back = warten, bis der Sensor wieder verbunden ist
 wait-until-connected = warten, bis er verbunden ist
-wait-until-does = warten, bis es kommt
-wait-until-done = warten, bis es fertig ist
-wait-until-has-ended = warten, bis es beendet ist
+wait-until-does = warten, bis das Gerät sendet
+wait-until-done = warten, bis der Vorgang fertig ist
+wait-until-has-ended = warten, bis der Vorgang beendet ist
 wait-until-sensor-connected-capture-again = warten, bis der Sensor verbunden ist, und neu aufnehmen
-waiting-s-first-data = Warten auf erste Daten: { $title }
+waiting-s-first-data = Warten auf die ersten Daten: { $title }
 kiosk-can-only-view = Eine Kiosk-Anzeige zeigt nur an.
-wanted-points-fit = gewünscht: { $target }; Punkte passen auf { $rms }
+wanted-points-fit = Soll: { $target }; Punkte passen auf { $rms }
 webhook = Webhook
-went-another-pose = zu einer weiteren Pose weitergegangen
-went-back-points = zu den Punkten zurückgegangen
-went-more-clouds = zu weiteren Wolken weitergegangen
-went-result = zum Ergebnis weitergegangen
+went-another-pose = zu einer weiteren Pose gewechselt
+went-back-points = zu den Punkten zurückgekehrt
+went-more-clouds = zu weiteren Punktwolken gewechselt
+went-result = zum Ergebnis gewechselt
 went-step-back = einen Schritt zurückgegangen
-went-without-probe = ohne den Taster weitergegangen
+went-without-probe = ohne Taster fortgefahren
 what-and-why = { CAPITAL(CLAUSE($what)) }: { CLAUSE($why) }.
-what-calibrated = Was kalibriert wurde
-what-cannot-read-set-aside-everything = Was nicht zu lesen ist, wird unverändert beiseitegelegt; alles andere steht zur Verfügung.
-what-checked = Was geprüft wurde
-what-clouds-show-against-certificate = Was die Wolken gegen den Kalibrierschein des Prüfnormals und gegen den Taster zeigen.
-what-identified = Was identifiziert wurde
-what-looks-may-good-bad = Was sie betrachtet, kann gut oder schlecht sein.
-what-passed-over-plane = überfahren wurde keine Ebene
-what-recorded-kept = { $interrupted } Was aufgezeichnet wurde, ist erhalten.
-what-recorded-kept-2 = Was aufgezeichnet wurde, ist erhalten.
-what-sent-did-arrive-within = Das Gesendete kam nicht innerhalb von { $limit } an.
-what-shows-could-more-than-one = was es zeigt, könnte mehr als ein Teil des Objekts sein
-what-shows-reads-rather-like-objects = was es zeigt, liest sich eher wie das Spiegelbild des Objekts
-what-standard-uncertainty-k-1-scanned = Quellen der Standardunsicherheit (k = 1) eines gescannten Punkts.
-what-taken-kept-folder = Was aufgenommen wurde, bleibt in seinem Ordner.
-what-tip-moved-while-held-one = Wie weit sich die Tastkugel bewegte, während sie an einem Ort gehalten wurde.
-what-verified = Was verifiziert wurde
-where-sensor-sits-along-axis-cannot = wo der Sensor entlang dieser Achse sitzt, lässt sich nicht bestimmen
+what-calibrated = Gegenstand der Kalibrierung
+what-cannot-read-set-aside-everything = Nicht Lesbares wird unverändert beiseitegelegt; alles andere steht zur Verfügung.
+what-checked = Gegenstand der Prüfung
+what-clouds-show-against-certificate = Vergleich der Punktwolken mit dem Kalibrierschein des Prüfnormals und mit dem Taster.
+what-identified = Gegenstand der Identifikation
+what-looks-may-good-bad = Der Zustand dessen, was sie prüft, ist damit unbekannt.
+what-passed-over-plane = die überfahrene Fläche ist keine Ebene
+what-recorded-kept = { $interrupted } Alles Aufgezeichnete bleibt erhalten.
+what-recorded-kept-2 = Alles Aufgezeichnete bleibt erhalten.
+what-sent-did-arrive-within = Die Anfrage ist nicht innerhalb von { $limit } angekommen.
+what-shows-could-more-than-one = das Sichtbare könnte zu mehr als einem Teil des Objekts gehören
+what-shows-reads-rather-like-objects = das Sichtbare entspricht eher dem Spiegelbild des Objekts
+what-standard-uncertainty-k-1-scanned = Beiträge zur Standardunsicherheit (k = 1) eines gescannten Punkts.
+what-taken-kept-folder = Alles Aufgenommene bleibt im Ordner der Sitzung.
+what-tip-moved-while-held-one = Scheinbare Bewegung der Tastkugel, während sie an einer Position gehalten wurde.
+what-verified = Gegenstand der Verifizierung
+where-sensor-sits-along-axis-cannot = die Lage des Sensors entlang dieser Achse lässt sich nicht bestimmen
 who-reads-along-has-passwords-can = Wer mitliest, kennt Passwörter und kann unter fremdem Namen handeln.
-whoever-helps-you-asks-first = Wer hilft, fragt zuerst danach.
-whole = Sie ist in Ordnung, { $size_mb }.
-whole-number-zero-more-expected = eine ganze Zahl, null oder mehr, wird erwartet
+whoever-helps-you-asks-first = Der Support fragt zuerst danach.
+whole = Sie ist intakt, { $size_mb }.
+whole-number-zero-more-expected = erwartet wird eine ganze Zahl ab null
 whole-program-stood-still-longest =
     { $count ->
-        [one] das ganze Programm stand einmal, { $longest } lang
-       *[other] das ganze Programm stand { $count }-mal, am längsten { $longest }
+        [one] das gesamte Programm stand einmal still, für { $longest }
+       *[other] das gesamte Programm stand { $count }-mal still, am längsten für { $longest }
     }
 why = Warum
 wide = { $wide } breit
-widths-positive-ascend-choice-one = Breiten sind positiv und steigen an; die Wahl ist eine von { $choices }
+widths-positive-ascend-choice-one = Breiten sind positiv und ansteigend; die Auswahl ist eine von { $choices }
 with-radius = Radius { $radius }
 with-tip = Tastkugel { $diameter }
-within-limit = Innerhalb der Grenze
-within-limit-m = { $half_range }, innerhalb der Grenze von { $limit }.
-without-ball-bar-arm-keeps-size = Ohne Kugelstab behält der Messarm die Größe aus seinem Datenblatt.
-without-ball-bar-arms-size-observable = ohne Kugelstab ist die Größe des Messarms nicht bestimmbar
+within-limit = Innerhalb des Grenzwerts
+within-limit-m = { $half_range }, innerhalb des Grenzwerts von { $limit }.
+without-ball-bar-arm-keeps-size = Ohne Kugelstab behält der Messarm den Maßstab seines Datenblatts.
+without-ball-bar-arms-size-observable = ohne Kugelstab ist der Maßstab des Messarms nicht bestimmbar
 without-free-memory-whole-machine-slows = Ohne freien Arbeitsspeicher wird der ganze Rechner langsam, und Bilder gehen verloren.
-without-nothing-measured-what-taken-kept = Ohne das wird nichts gemessen; was aufgenommen wurde, ist erhalten.
-without-one-pixels-cannot-become-points = ohne eine können Pixel nicht zu Punkten werden
+without-nothing-measured-what-taken-kept = Ohne dieses Gerät wird nicht gemessen; alles Aufgenommene bleibt erhalten.
+without-one-pixels-cannot-become-points = ohne Kalibrierung lassen sich aus Pixeln keine Punkte berechnen
 without-schema = ohne Schema
 word-above = oben
 word-ambient = Umgebungslicht
 word-arm = Messarm
 word-back = Rückseite
 word-ball = Kugel
-word-bar = Stab
+word-bar = Kugelstab
 word-below = unten
 word-block = Zinnenkörper
 word-board = Tafel
@@ -2771,17 +2771,17 @@ word-used = verwendet
 word-verification = Verifizierung
 word-warmer = wärmer
 working-out-error-budget = Unsicherheitsbudget wird berechnet
-working-out-uncertainty = Die Unsicherheit wird berechnet
-working-out-which-pose-would-help = Es wird berechnet, welche Pose am meisten hilft
-worn-has-flat = Die Tastkugel hat anscheinend { $diameter }, nach dem Datenblatt des Messarms { $expected }: Sie ist abgenutzt oder hat eine Abflachung.
-write-one = einen eingeben
-writing-cloud = Wolke wird geschrieben
+working-out-uncertainty = Unsicherheit wird berechnet
+working-out-which-pose-would-help = Wirksamste Pose wird berechnet
+worn-has-flat = Der Durchmesser der Tastkugel beträgt anscheinend { $diameter }, laut Datenblatt des Messarms { $expected }: Sie ist abgenutzt oder hat eine Abflachung.
+write-one = einen Namen eingeben
+writing-cloud = Punktwolke wird geschrieben
 writing-scan = Scan wird geschrieben
 wrong-code = falscher Code
 wrong-password = falsches Passwort
-you-do-have-control = Die Bedienung liegt nicht hier
+you-do-have-control = Sie haben die Bedienung nicht
 zone-has-no-area = Zone { $number } hat keine Fläche
 zone-outside-picture = Zone { $number } liegt außerhalb des Bildes
 zone-reaches-far-beyond-picture = Zone { $number } reicht weit über das Bild hinaus
-zones-cannot-set-now = Zonen lassen sich jetzt nicht setzen
-zones-picture-pixels-left-out-sensors = Die Zonen gelten für ein Bild von { $width_px } × { $height_px } Pixeln und bleiben außer Betracht; das des Sensors hat { $width_px2 } × { $height_px2 }
+zones-cannot-set-now = Zonen lassen sich jetzt nicht festlegen
+zones-picture-pixels-left-out-sensors = Die Zonen gelten für ein Bild mit { $width_px } × { $height_px } Pixeln und werden nicht verwendet; das Bild des Sensors hat { $width_px2 } × { $height_px2 }
