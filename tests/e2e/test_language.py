@@ -47,18 +47,18 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
     expect(page.get_by_text("1,73228 × 0,94488 × 1,06299 in, 4 Zinnen")).to_be_visible()
     page.keyboard.press("Escape")
 
-    page.get_by_role("button", name="Den simulierten Bediener machen lassen").click()
-    expect(page.get_by_role("heading", name="Das Objekt antasten")).to_be_visible(timeout=30_000)
+    page.get_by_role("button", name="Simulierten Bediener starten").click()
+    expect(page.get_by_role("heading", name="Objekt antasten")).to_be_visible(timeout=30_000)
     expect(page.get_by_role("button", name="Punkt aufnehmen")).to_be_visible()
     expect(page.get_by_text("An den Ringen antasten.")).to_be_visible()
     expect(page.get_by_text("Schritt 3 von 7").first).to_be_visible()
     page.screenshot(path=pictures / "language-1-touch.png")
     page.reload()
-    expect(page.get_by_role("heading", name="Das Objekt antasten")).to_be_visible()
+    expect(page.get_by_role("heading", name="Objekt antasten")).to_be_visible()
     expect(html).to_have_attribute("lang", "de")
 
     page.get_by_role("link", name="Einstellungen").click()
-    blur = page.get_by_label("Unschärfe, ab der zu schnell geführt wird")
+    blur = page.get_by_label("Unschärfe, ab der eine Überfahrt zu schnell ist")
     expect(blur).to_be_visible()
     for text in TYPED:
         set_to(page, text)
@@ -81,9 +81,9 @@ def test_words_and_lengths_change_and_stay(browser: Browser, station: Demo, pict
 
 def set_to(page: Page, text: str) -> None:
     """Typed in, and taken by the station."""
-    page.get_by_label("Unschärfe, ab der zu schnell geführt wird").fill(text)
+    page.get_by_label("Unschärfe, ab der eine Überfahrt zu schnell ist").fill(text)
     with page.expect_response("**/api/settings") as answer:
-        page.get_by_role("button", name="Setzen").click()
+        page.get_by_role("button", name="Übernehmen").click()
     assert answer.value.ok, answer.value.text()
 
 

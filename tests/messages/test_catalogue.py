@@ -62,9 +62,9 @@ def test_numbers_with_units_and_signs(text: Quantity, english: str, german: str)
 @pytest.mark.parametrize(
     ("count", "english", "german"),
     [
-        (0, "rms of 0 points", "rms von 0 Antastungen"),
-        (1, "rms of 1 point", "rms von 1 Antastung"),
-        (12000, "rms of 12000 points", "rms von 12000 Antastungen"),
+        (0, "rms of 0 points", "rms von 0 Punkten"),
+        (1, "rms of 1 point", "rms von 1 Punkt"),
+        (12000, "rms of 12000 points", "rms von 12000 Punkten"),
     ],
 )
 def test_plurals(count: int, english: str, german: str) -> None:
@@ -79,7 +79,9 @@ def test_texts_within_texts() -> None:
         "inner-corners-mm-apart", columns=8, rows=5, square=rounded(12.5, "mm"), known=known
     )
     assert ENGLISH(board) == "8 × 5 inner corners, 12.5 mm apart, uncertainty 2.5 µm (k = 1)"
-    assert GERMAN(board) == "8 × 5 innere Ecken, Abstand 12,5 mm, bekannt auf 2,5 µm (k = 1)"
+    assert (
+        GERMAN(board) == "8 × 5 innere Ecken, Abstand 12,5 mm, Standardunsicherheit 2,5 µm (k = 1)"
+    )
     left_out = message("left-out-3", text=message("arm-model-arm", serial_number="A7"))
     assert ENGLISH(left_out) == "Excluded: the arm model belongs to arm A7."
 

@@ -124,7 +124,12 @@ def test_a_report_in_german(folder: Path, tmp_path: Path) -> None:
     result = CliRunner().invoke(cli, asked)
     assert result.exit_code == 0, result.output
     shown = html.unescape(written.read_text(encoding="utf-8"))
-    for reported in ('<html lang="de">', "Kalibrierbericht", "Bediener: Anna", "bekannt auf"):
+    for reported in (
+        '<html lang="de">',
+        "Kalibrierbericht",
+        "Bediener: Anna",
+        "Standardunsicherheit",
+    ):
         assert reported in shown, reported
     assert "Kalibrierbericht" in text_of(render_report(folder, ".pdf", "de"))
     with pytest.raises(OperationError, match="no language 'xx'"):

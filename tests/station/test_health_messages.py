@@ -21,6 +21,6 @@ def test_it_is_in_german_too() -> None:
     counts = {"crowded": 1, "long": 2, "strange": 3, "often": 4}
     (reported,) = messages(counts, 5.0)
     assert renderer("de")(reported.what) == (
-        "10 Nachrichten auf dem Broker wurden nicht gelesen: 2 zu lang, 3 nicht von der Art einer "
-        "Station, 4 schneller, als sie gelesen werden, 1 von mehr Stationen, als gezeigt werden."
+        "10 Nachrichten auf dem Broker wurden nicht gelesen: 2 zu lang, 3 ohne das Format einer "
+        "Station, 4 schneller, als sie gelesen werden, 1 von mehr Stationen, als angezeigt werden."
     )
