@@ -177,7 +177,7 @@ POSE = ",".join(str(angle) for angle in POSE_DEG)
         (radians("probing.csv"), "joints-in-radians", "radians, but degrees"),
         (radians("images.csv"), "joints-in-radians", "images.csv"),
         (picture(np.zeros((HEIGHT, WIDTH + 1), np.uint8)), "image-size", "65 × 48"),
-        (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "no PNG"),
+        (lambda s: (s / "images/l.png").write_text("no"), "image-unreadable", "not a PNG"),
         (lambda s: (s / "images/l.png").write_bytes(b""), "image-unreadable", "empty"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 65'), "image-size", "64 × 48"),
         (rewrite("sensor.json", '"width_px": 64', '"width_px": 64.5'), "field-invalid", "64.5"),
