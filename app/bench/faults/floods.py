@@ -1,6 +1,5 @@
 """A station that strangers flood: Stop, memory and the log meanwhile."""
 
-import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -9,7 +8,7 @@ from pathlib import Path
 
 import httpx
 
-from app.bench.faults.hostile import FLOODS, Address, FloodCounts
+from app.bench.faults.hostile import FLOODS, Address, flood
 from app.bench.faults.row import FaultRow
 from app.bench.faults.served import prepare
 from app.bench.faults.station import StationProcess
@@ -18,7 +17,6 @@ from app.errors import OperationError
 from app.progress import Progress, no_progress
 
 SECONDS = 20.0
-THREADS = 4
 EVERY_S, HOUR_S = 0.25, 3600.0
 BEGINNING_S, SETTLED = 1.0, 0.4
 """A flood begins so much later than its process, and after this share of it, lines of each kind
@@ -44,7 +42,8 @@ def run(data: Path, seconds: float = SECONDS, progress: Progress = no_progress) 
         station.enter()
         base = station.http.base_url
         address = (base.host, base.port or 0)
-        with station.live(max_queue=1, ping_interval=None):
+        # who reads nothing does not see the answer to its goodbye, either
+        with station.live(max_queue=1, ping_interval=None, close_timeout=0.1):
             stop_bytes = _log_bytes_of_stop(station, seconds)
             for number, name in enumerate(FLOODS):
                 progress(number / len(FLOODS), f"flood: {name}")
@@ -106,9 +105,9 @@ def _measure_under(
     before_mb = most_mb = memory_mb(station.pid)
     pressed, failed = 0, list[str]()
     with ProcessPoolExecutor(1, get_context("spawn")) as processes:
-        flood = processes.submit(_flood, name, address, seconds)
+        flooding = processes.submit(flood, name, address, seconds)
         logged = _Logged(station, BEGINNING_S + SETTLED * seconds)
-        while not flood.done() or pressed < MIN_TRIES or not logged.pressed:
+        while not flooding.done() or pressed < MIN_TRIES or not logged.pressed:
             pressed += 1
             try:
                 row.note_stop(logged.press())
@@ -116,22 +115,10 @@ def _measure_under(
                 failed.append(type(error).__name__)
             most_mb = max(most_mb, memory_mb(station.pid))
             time.sleep(EVERY_S)
-        sent = flood.result()
+        sent = flooding.result()
         hour_mb = logged.hour_bytes(stop_bytes) / 1e6
     row.tries, row.survived = sent.requests, sent.requests - sent.faults
     row.notes.append(f"{most_mb - before_mb:+.0f} MB, {hour_mb:.3f} MB logged an hour")
     if failed:
         row.notes.append(f"Stop failed {len(failed)} times of {pressed}: {failed[0]}")
     return row
-
-
-def _flood(name: str, address: Address, seconds: float) -> FloodCounts:
-    sent, until_s = FloodCounts(), time.monotonic() + seconds
-    threads = [
-        threading.Thread(target=FLOODS[name], args=(address, until_s, sent)) for _ in range(THREADS)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return sent

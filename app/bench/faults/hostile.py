@@ -3,12 +3,15 @@
 import random
 import socket
 import struct
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 
 CONNECTIONS = 1000
+THREADS = 4
+"""Of each flood."""
 PATIENCE_S = 3.0
 HEAD_BYTES = 100 << 20
 PIECE_BYTES = 1 << 16
@@ -208,3 +211,16 @@ FLOODS: dict[str, Flood] = {
     "requests ahead": requests_ahead,
     "sudden ends": sudden_ends,
 }
+
+
+def flood(name: str, address: Address, seconds: float) -> FloodCounts:
+    """Floods an address for so long, from all threads."""
+    sent, until_s = FloodCounts(), time.monotonic() + seconds
+    threads = [
+        threading.Thread(target=FLOODS[name], args=(address, until_s, sent)) for _ in range(THREADS)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return sent

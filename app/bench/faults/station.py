@@ -97,7 +97,10 @@ class StationProcess:
         return self.http.post("/api/session/code", json={"code": link[2]})
 
     def live(
-        self, max_queue: int | None = 16, ping_interval: float | None = 20.0
+        self,
+        max_queue: int | None = 16,
+        ping_interval: float | None = 20.0,
+        close_timeout: float | None = 10.0,
     ) -> ClientConnection:
         """A live connection as a browser's page has it; to be closed by the caller."""
         cookies = "; ".join(f"{name}={value}" for name, value in self.http.cookies.items())
@@ -106,6 +109,7 @@ class StationProcess:
             additional_headers={"Cookie": cookies},
             max_queue=max_queue,
             ping_interval=ping_interval,
+            close_timeout=close_timeout,
         )
 
     def wait(self, enough: Callable[[], Any]) -> Any:

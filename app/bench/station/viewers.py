@@ -30,6 +30,8 @@ TOPIC = "pulse"
 PULSE_S = 0.1
 SETTLING_S = 2.0
 """What comes in the first moments, while all join at once, is not judged."""
+GOODBYE_S = 0.1
+"""Who has stopped reading does not see the answer to a goodbye, and waits no longer for it."""
 
 
 @dataclass(frozen=True)
@@ -135,7 +137,11 @@ async def _crowd(
 
 async def _follow(port: int, signed_in: Mapping[str, str], seen: _ViewerStatistics) -> None:
     """The live state, with the camera's pictures acknowledged as they come."""
-    async with connect(f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in) as live:
+    async with connect(
+        f"ws://127.0.0.1:{port}/api/live",
+        additional_headers=signed_in,
+        close_timeout=GOODBYE_S,
+    ) as live:
         await live.send(json.dumps({"type": "preview", "on": True}))
         async for message in live:
             if isinstance(message, bytes):
@@ -154,6 +160,7 @@ async def _look(port: int, signed_in: Mapping[str, str], seen: _ViewerStatistics
         subprotocols=[PROTOCOL],
         max_size=None,
         compression=None,
+        close_timeout=GOODBYE_S,
     ) as view:
         async for message in view:
             seen.view_bytes += len(message)
@@ -167,6 +174,7 @@ async def _idle(port: int, signed_in: Mapping[str, str]) -> None:
             additional_headers=signed_in,
             max_queue=1,
             ping_interval=None,
+            close_timeout=GOODBYE_S,
         ) as live,
         connect(
             f"ws://127.0.0.1:{port}/viewer/",
@@ -175,6 +183,7 @@ async def _idle(port: int, signed_in: Mapping[str, str]) -> None:
             max_size=None,
             max_queue=1,
             ping_interval=None,
+            close_timeout=GOODBYE_S,
         ),
     ):
         await live.send(json.dumps({"type": "preview", "on": True}))
