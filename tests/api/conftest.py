@@ -114,8 +114,9 @@ def running_server(data: Path) -> Iterator[Server]:
         assert not thread.is_alive()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """Ended with its module: a station takes much of a core, also while nobody asks it anything."""
     with running_server(tmp_path_factory.mktemp("station")) as server:
         yield server
     # every language has all that it sent

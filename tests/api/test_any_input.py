@@ -101,7 +101,13 @@ def test_the_3d_view_takes_anything(http: httpx.Client, sent: list[bytes | str])
     address = f"ws://{http.base_url.netloc.decode()}/viewer/"
     subprotocols = [PROTOCOL]
     for _ in range(2):  # and the next client has it, too
-        with connect(address, additional_headers=cookie(http), subprotocols=subprotocols) as view:
+        # it reads no more, and does not see the answer to its goodbye
+        with connect(
+            address,
+            additional_headers=cookie(http),
+            subprotocols=subprotocols,
+            close_timeout=0.5,
+        ) as view:
             view.recv(timeout=20)
             for message in sent:
                 view.send(message)
