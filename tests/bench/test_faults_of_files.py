@@ -5,9 +5,17 @@ from pathlib import Path
 import pytest
 
 from app.bench.faults import damage, disk, floods
+from app.bench.faults.furnished import FolderRecords, furnish
 from app.bench.faults.row import FaultRow, table
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.slow]
+
+
+@pytest.fixture(scope="module")
+def furnished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, FolderRecords]:
+    """A data folder with something in every place; it is copied, and stays as it is."""
+    data = tmp_path_factory.mktemp("furnished") / "data"
+    return data, furnish(data)
 
 
 def assert_survived(row: FaultRow) -> None:
@@ -15,12 +23,18 @@ def assert_survived(row: FaultRow) -> None:
     assert (row.survived, row.lost) == (row.tries, 0), table([row])
 
 
-def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(tmp_path: Path) -> None:
-    assert_survived(damage.run(tmp_path / "data", words="calibration: a date that is none"))
+def test_a_calibration_of_no_moment_is_reported_and_the_rest_served(
+    furnished: tuple[Path, FolderRecords],
+) -> None:
+    data, kept = furnished
+    assert_survived(damage.run(data, words="calibration: a date that is none", kept=kept))
 
 
-def test_a_disk_that_is_full_for_a_while_loses_nothing(tmp_path: Path) -> None:
-    assert_survived(disk.run(tmp_path / "data", tries=1))
+def test_a_disk_that_is_full_for_a_while_loses_nothing(
+    furnished: tuple[Path, FolderRecords],
+) -> None:
+    data, kept = furnished
+    assert_survived(disk.run(data, tries=1, kept=kept))
 
 
 def test_no_flood_is_answered_by_a_fault(tmp_path: Path) -> None:

@@ -30,6 +30,7 @@ def run(
     seed: int = 0,
     words: str = "",
     progress: Progress = no_progress,
+    kept: FolderRecords | None = None,
 ) -> FaultRow:
     """Damages copies of a furnished folder, each in one way, and looks at the station on it.
 
@@ -40,8 +41,9 @@ def run(
         data: a folder for the station's own, which is made.
         tries: how many of all ways in all places, besides those of database and folders.
         words: only damages whose names have them.
+        kept: what is in the folder, where it is furnished already.
     """
-    kept = furnish(data, progress)
+    kept = kept or furnish(data, progress)
     rng, row = random.Random(seed), FaultRow("a damaged data folder")
     everywhere = file_damages(kept)
     damages = [*database_damages(kept), *folder_damages()]

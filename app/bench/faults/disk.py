@@ -53,7 +53,11 @@ class Disk:
 
 
 def run(
-    data: Path, tries: int = TRIES, seed: int = 0, progress: Progress = no_progress
+    data: Path,
+    tries: int = TRIES,
+    seed: int = 0,
+    progress: Progress = no_progress,
+    kept: FolderRecords | None = None,
 ) -> FaultRow:
     """Fills the disk after any number of calls while everything is asked of a station.
 
@@ -62,13 +66,14 @@ def run(
 
     Args:
         data: a folder for the station's own, which is made.
+        kept: what is in the folder, where it is furnished already.
 
     Raises:
         OperationError: the library cannot be preloaded here.
     """
     data.parent.mkdir(parents=True, exist_ok=True)
     library = compile_library(data.parent)
-    kept = furnish(data, progress)
+    kept = kept or furnish(data, progress)
     rng, row = random.Random(seed), FaultRow("a disk that fills up")
     for number in range(tries):
         after, length = rng.randrange(MAX_CALLS * (number + 1) // tries), rng.choice(LENGTHS)
