@@ -9,9 +9,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import httpx
 import pytest
+from argon2 import PasswordHasher
 from fastapi import FastAPI
 from pydantic_core import to_jsonable_python
 
@@ -19,9 +21,13 @@ from app.operations.context import Context
 from app.server.application import build_app
 from app.server.demo import station_parts
 from app.server.listener import make_server
+from app.store import accounts
 from hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.entering import cookie, enter
 from tests.sent_texts import TextCollector
+
+QUICK_HASHER = PasswordHasher(time_cost=1, memory_cost=64)
+"""As good in all but what it costs to guess."""
 
 
 def run_command(command: Callable[[], httpx.Response]) -> dict[str, Any]:
@@ -89,7 +95,11 @@ class Server:
 @contextmanager
 def running_server(data: Path) -> Iterator[Server]:
     """A server on a data folder, with a client that has entered; it ends in order."""
-    with SimulatedStation(SimulationConfig(pace=3.0)) as simulation, socket.socket() as listening:
+    with (
+        patch.object(accounts, "HASHER", QUICK_HASHER),
+        SimulatedStation(SimulationConfig(pace=3.0)) as simulation,
+        socket.socket() as listening,
+    ):
         listening.bind(("127.0.0.1", 0))
         listening.listen()
         app = build_app(station_parts(simulation, data))
