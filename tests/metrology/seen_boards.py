@@ -31,7 +31,7 @@ from tests.metrology.boards import (
 )
 
 PAPER_BOARD = Chessboard("paper board", "", (7, 6), 10.0, 0.02, 0.2)
-HALVINGS = 40
+ROUNDS = 12
 
 
 @dataclass(frozen=True)
@@ -112,13 +112,16 @@ def _simulate_on_surface(
         return np.asarray(points @ in_obj.normal - in_obj.offset_mm - turned * along)
 
     low, high = np.zeros(len(v)), np.full(len(v), SIZE[0] - 1.0)
-    start = off(low)
-    crossed = start * off(high) < 0
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        before = off(middle) * start > 0
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    u = (low[crossed] + high[crossed]) / 2
+    at_low, at_high = off(low), off(high)
+    crossed = at_low * at_high < 0
+    # nearly straight along a row, so that each round of false position gains a digit
+    for _ in range(ROUNDS):
+        u = np.where(crossed, low + (high - low) * at_low / (at_low - at_high), low)
+        at_u = off(u)
+        before = at_u * at_low > 0
+        low, at_low = np.where(before, u, low), np.where(before, at_u, at_low)
+        high, at_high = np.where(before, high, u), np.where(before, at_high, at_u)
+    u = u[crossed]
     sigma = np.full(len(u), errors.stripe_px)
     stripe = Stripe(u + rng.normal(0, sigma), v[crossed], np.full(len(u), 200.0), sigma, "v")
     return BoardObservation(number, detection, stripe)
