@@ -1,4 +1,4 @@
-"""A server that is killed twenty times on the way through a calibration and a verification."""
+"""A server that is killed in every step of a calibration and a verification."""
 
 from pathlib import Path
 
@@ -8,6 +8,9 @@ from app.bench.faults import kills
 from app.bench.faults.row import FaultRow, table
 
 pytestmark = pytest.mark.slow
+
+ALIKE = {("flow", "touch", 5), ("flow", "touch", 20), ("verify", "touch", 2), ("verify", "scan", 1)}
+"""Places of the bench that are between two others of their step, and left to it."""
 
 
 def assert_kept(row: FaultRow) -> None:
@@ -19,8 +22,8 @@ def assert_kept(row: FaultRow) -> None:
 @pytest.mark.parametrize("flow", kills.KILL_POINTS)
 @pytest.mark.timeout(900)
 def test_kills_in_every_step_lose_nothing(tmp_path: Path, flow: str) -> None:
-    """Twenty in both flows together."""
-    assert_kept(kills.kill_guides(tmp_path / "data", flow))
+    places = tuple(place for place in kills.KILL_POINTS[flow] if (flow, *place) not in ALIKE)
+    assert_kept(kills.kill_guides(tmp_path / "data", flow, places))
 
 
 @pytest.mark.timeout(300)
