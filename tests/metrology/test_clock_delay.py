@@ -92,11 +92,12 @@ def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
 
 def test_the_stated_uncertainty_is_the_scatter() -> None:
     errors = []
-    for seed in range(30):
+    for seed in range(20):
         found = estimate_delay(passed(Setting(delay_ms=0.0), seed))
         errors.append(found.delay_ms / found.standard_uncertainty_ms)
-    assert 0.7 < np.sqrt(np.mean(np.square(errors))) < 1.3
-    assert abs(np.mean(errors)) < 0.6
+    # half as much again, or two thirds, would be seen in five of six such sets
+    assert 0.75 < np.sqrt(np.mean(np.square(errors))) < 1.25
+    assert abs(np.mean(errors)) < 0.5
 
 
 def test_errors_of_the_calibration_do_not_pass_for_a_delay() -> None:
