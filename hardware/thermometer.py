@@ -21,7 +21,12 @@ class FileThermometer:
         self._path = path
 
     def read_c(self) -> float:
-        """The temperature now; raises ``DeviceError`` where there is none."""
+        """The present temperature in °C.
+
+        Raises:
+            DeviceError: the file cannot be read, or its value is beyond ``LOWEST_C`` and
+                ``HIGHEST_C``.
+        """
         try:
             if not self._path.is_file():  # a pipe would be waited for
                 raise FileNotFoundError(errno.ENOENT, "there is no such file")

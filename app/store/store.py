@@ -6,6 +6,7 @@ from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder
 from app.formats.file_names import register_data_folder, unregister_data_folder
 from app.formats.io_errors import error_from_os
+from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.messages.message import join, message
 from app.store.access_tokens import AccessTokenStore
 from app.store.accounts import AccountStore
@@ -16,7 +17,6 @@ from app.store.database import FULL, Database
 from app.store.journal import JournalStore
 from app.store.lock import FolderLock
 from app.store.login_sessions import LoginSessionStore
-from app.store.scan_settings import SettingsStore
 from app.store.scans import ScanStore
 from app.store.temperatures import TemperatureStore
 from app.store.verifications import VerificationStore
@@ -24,6 +24,30 @@ from app.store.verifications import VerificationStore
 RECORD_FOLDERS = ("sessions", "scans", "verifications")
 """Folders whose content is listed in the database."""
 FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
+SETTINGS_FILE = "scan_settings.json"
+
+
+class SettingsStore:
+    """The operator's settings of scans: one file in the data folder, kept over restarts."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / SETTINGS_FILE
+        self.trouble: OperationError | None = None
+        """Why the stored settings could not be read; everything is then automatic."""
+
+    def read(self) -> ScanSettings:
+        """The stored settings; automatic before the first time."""
+        if not self._path.exists():
+            return AUTOMATIC
+        try:
+            return ScanSettings.read(self._path)
+        except OperationError as error:
+            self.trouble = error
+            return AUTOMATIC
+
+    def save(self, settings: ScanSettings) -> None:
+        """Raises ``OperationError`` if they cannot be written to the disk."""
+        settings.write(self._path)
 
 
 class Store:

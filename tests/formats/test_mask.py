@@ -11,7 +11,7 @@ from app.errors import OperationError
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings, Sync
 from app.metrology.stripe import StripeSettings
-from app.store.scan_settings import SettingsStore
+from app.store.store import SettingsStore
 from tests.cli.test_cli import crenel, refused
 
 WIDTH, HEIGHT = 200, 100

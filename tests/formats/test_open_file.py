@@ -21,7 +21,7 @@ from app.formats.open_file import LARGEST_DOCUMENT
 from app.formats.recording.reader import find_damage, last_stamp_ns, open_recording
 from app.settings.station_toml import read_settings
 from app.store.backup import last_backup
-from app.store.scan_settings import SettingsStore
+from app.store.store import SettingsStore
 from app.supervision.webhook import WebhookStore
 
 
