@@ -9,10 +9,7 @@ from starlette.responses import Response
 
 from app.api import (
     calibrations,
-    health,
     live,
-    metrics,
-    notifications,
     records,
     reports,
     scan,
@@ -20,6 +17,7 @@ from app.api import (
     settings,
 )
 from app.api.access import accounts, auth, tokens
+from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, verification
 from app.api.static_files import file_response, names_a_file, page_response
 from app.api.viewer import proxy

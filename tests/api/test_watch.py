@@ -19,7 +19,7 @@ from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
 from app.api.access.authorization import cookie_for
-from app.api.health import BUNDLING
+from app.api.monitoring.health import BUNDLING
 from app.errors import sentence
 from app.messages.message import message
 from app.monitoring.health import ORDER

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.api.support import LOG_BYTES, bundle
+from app.api.monitoring.support import LOG_BYTES, bundle
 from app.errors import OperationError
 from app.operations.context import Context
 from app.operations.health_checks import HealthChecker
@@ -99,7 +99,7 @@ def test_a_part_of_the_support_bundle_that_cannot_be_made_holds_its_error(
     def broken(_: Context) -> object:
         raise IndexError(f"in {context.store.folder}")
 
-    monkeypatch.setattr("app.api.support.build_report", broken)
+    monkeypatch.setattr("app.api.monitoring.support.build_report", broken)
     files = bundled(context)
     assert files["report.json"].startswith("This part could not be created.\n")
     assert "IndexError: in DATA" in files["report.json"]

@@ -18,7 +18,7 @@ from app.guide.arm.state import ArmLive, ArmState, Kind, SeatSamples
 from app.guide.arm.tip import tip_check_finding
 from app.guide.arm.view import ArmPicture, ArmView
 from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
-from app.guide.common.recorded_error import error_from_payload
+from app.guide.common.journal import error_from_payload
 from app.guide.common.view import (
     Action,
     ChoiceOption,

@@ -12,7 +12,7 @@ from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import IDENTIFIED
 from app.guide.arm.guide import ArmGuide
 from app.guide.arm.history import SOLVED
-from app.guide.common.recorded_error import error_payload
+from app.guide.common.journal import error_payload
 from app.messages.message import message
 from app.metrology.arm.identification.identify import Identification
 from app.station.jobs import Progress

@@ -4,8 +4,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, take_back
-from app.guide.common.recorded_error import RecordedError, error_from_payload
+from app.guide.common.journal import (
+    SIMULATION_NOTES,
+    JournalEntry,
+    RecordedError,
+    error_from_payload,
+    put_back,
+    take_back,
+)
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")

@@ -9,7 +9,7 @@ from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.poses.next_pose import advise
 from app.guide.calibration.solve import solve
-from app.guide.common.recorded_error import error_payload
+from app.guide.common.journal import error_payload
 from app.messages.message import message
 from app.station.jobs import Progress
 

@@ -1,10 +1,14 @@
-"""The journal of a guided session: where it is kept, and what its folds share."""
+"""The journal of a guided session: where it is kept, and what its folds and rows share."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import reduce
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
+
+from app.errors import OperationError, reason_sentence, sentence
+from app.findings import Finding, Quality
+from app.messages.message import Text, text_from_json, text_to_json
 
 State = TypeVar("State")
 Point = TypeVar("Point", bound=Any)  # a dataclass with ``index`` and ``voided``
@@ -116,3 +120,42 @@ class Calibrations(Protocol):
         key: str | None,
         check: Check,
     ) -> JournalEntry: ...
+
+
+@dataclass(frozen=True)
+class RecordedError:
+    """An error as a journal row has it: its code, and its texts as data."""
+
+    code: str
+    what: Text
+    why: Text
+    remedy: Text
+
+    @property
+    def reason(self) -> Text:
+        """What happened and why, as a sentence."""
+        return reason_sentence(self.what, self.why)
+
+    def finding(self, quality: Quality, remedy: Text = "") -> Finding:
+        """The error as it is shown; ``remedy`` is used where it has none of its own."""
+        return Finding(quality, self.reason, sentence(self.remedy or remedy))
+
+
+def error_payload(error: OperationError) -> dict[str, object]:
+    """The fields of a row."""
+    return {
+        "code": error.code,
+        "what": text_to_json(error.what),
+        "why": text_to_json(error.why),
+        "remedy": text_to_json(error.remedy),
+    }
+
+
+def error_from_payload(payload: Mapping[str, Any]) -> RecordedError:
+    """From the fields of a row; rows of earlier versions have English sentences."""
+    return RecordedError(
+        str(payload["code"]),
+        text_from_json(payload["what"]),
+        text_from_json(payload["why"]),
+        text_from_json(payload["remedy"]),
+    )

@@ -8,7 +8,7 @@ from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.datasheets.gauge import GaugeFile
 from app.guide.common.flow import DECISION_QUALITY, device_findings, list_steps
-from app.guide.common.recorded_error import error_from_payload
+from app.guide.common.journal import error_from_payload
 from app.guide.common.view import Action, LiveNumber, StepProgress
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.picture import build_picture, touch_rms_um

@@ -5,7 +5,7 @@ from dataclasses import asdict
 import numpy as np
 
 from app.errors import OperationError, sentence
-from app.guide.common.recorded_error import error_from_payload
+from app.guide.common.journal import error_from_payload
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState
 from app.guide.verify.view import (

@@ -24,7 +24,7 @@ from app.formats.results.verification import (
 from app.formats.session.calibration_session import ARM
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.flow import DECISION_QUALITY
-from app.guide.common.recorded_error import error_payload
+from app.guide.common.journal import error_payload
 from app.guide.verify.guide import VerifyGuide
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import VerificationCloud, VerifyState

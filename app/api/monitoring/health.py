@@ -7,7 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from starlette.responses import Response
 
-from app.api.support import bundle
+from app.api.monitoring.support import bundle
 from app.errors import OperationError
 from app.messages.catalogue import translator
 from app.messages.language_file import ENGLISH

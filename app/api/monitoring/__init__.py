@@ -1,0 +1,1 @@
+"""Routes about the station itself: health, metrics, notifications and support bundles."""
