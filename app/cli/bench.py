@@ -101,6 +101,22 @@ def detection(
 
 @bench.command()
 @report_errors
+def boards(
+    folder: Annotated[
+        Path,
+        typer.Argument(help="Folder of sets: in each, pictures and the board as object.json."),
+    ],
+    as_json: AsJson = False,
+) -> None:
+    """Find chessboards in real pictures, beside both finders of OpenCV."""
+    from app.bench.metrology.real_boards import COLUMNS, COLUMNS_RMS, run, table
+
+    shown = Shown("Searching", f"Chessboards in pictures of {folder}", "sets")
+    _measure(shown, as_json, partial(run, folder), (*COLUMNS, *COLUMNS_RMS), table)
+
+
+@bench.command()
+@report_errors
 def extraction(
     frames: Annotated[
         int, typer.Option(min=4, help="Frames of each kind to measure errors on.")
