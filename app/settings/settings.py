@@ -69,7 +69,7 @@ class Serving(TomlTable):
         if len(files) == 1:
             raise OperationError(
                 "settings-tls",
-                f"{info.context}, [station]: {next(iter(files))} is given alone",
+                f"{info.context}, [station]: {next(iter(files))} is given without the other",
                 "certificate and key belong together",
                 "Give both tls_certificate and tls_key, or neither",
             )

@@ -195,7 +195,7 @@ def test_a_station_over_tls(tmp_path: Path) -> None:
     [
         ('tls_certificate = "none.pem"', "tls_certificate is given without the other"),
         ('tls_certificate = "none.pem"\ntls_key = "none.pem"', "there is no such file"),
-        ('tls_certificate = "picture.png"\ntls_key = "picture.png"', "no certificate"),
+        ('tls_certificate = "picture.png"\ntls_key = "picture.png"', "they are not a certificate"),
     ],
 )
 def test_a_certificate_that_will_not_do_is_refused_in_one_line(

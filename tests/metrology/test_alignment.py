@@ -136,7 +136,7 @@ def test_some_contacts_on_a_face_of_their_own_are_refused_by_name(
     features[first : first + count] = [called] * count
     found = align(features, tips, TIP_RADIUS_MM, BLOCK)
     assert list(np.flatnonzero(found.outliers)) == list(range(first, first + count))
-    said = rf"contact {first + 1} is labelled {called}.*lies on the {taken} face"
+    said = rf"contact point {first + 1} is labelled {called}.*lies on the {taken} face"
     with pytest.raises(OperationError, match=said):
         refuse_wrong_faces(found, features, BLOCK)
 

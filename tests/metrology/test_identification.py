@@ -216,7 +216,7 @@ def test_a_wrong_tip_diameter_is_seen_in_the_spheres(session: SimulatedArmSessio
     wrong = replace(arm, tip=Tip(tip.x_mm, tip.y_mm, tip.z_mm, tip.diameter_mm + 1.0))
     refusal = refused(session, collect_observations(session), wrong)
     assert refusal.code == "tip-diameter"
-    (reported,) = re.findall(r"has ([\d.]+) mm", str(refusal.why))
+    (reported,) = re.findall(r"diameter is probably ([\d.]+) mm", str(refusal.why))
     assert float(reported) == pytest.approx(tip.diameter_mm, abs=0.02)
 
 
@@ -286,7 +286,7 @@ def test_a_tip_that_was_exchanged_is_found(session: SimulatedArmSession) -> None
     other = replace(arm, tip=replace(arm.tip, x_mm=arm.tip.x_mm + 20, z_mm=arm.tip.z_mm - 25))
     result = identify(other, collect_observations(session))
     assert volumetric_error_um(session.arm, result.arm) < 10
-    assert any("tip.z_mm moves" in str(text) for text in result.warnings)
+    assert any("tip.z_mm changes" in str(text) for text in result.warnings)
 
 
 def test_the_arms_reach_decides_what_the_covariance_is_worth(session: SimulatedArmSession) -> None:

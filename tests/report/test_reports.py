@@ -150,7 +150,7 @@ def test_a_calibrations_report_says_what_a_certificate_does(folder: Path) -> Non
             "20.4 °C",
             "2026-11-21 10:00 UTC",
             *(number for number in record.serial_numbers.model_dump().values()),
-            "Its certificate",
+            "Certificate",
             "simulated",
             f"{total_um:.1f} µm",
             f"{total_um / 1e3:.4f} mm",

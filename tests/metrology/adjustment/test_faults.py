@@ -134,7 +134,7 @@ def test_an_object_moved_after_it_was_touched_is_distinguished_from_the_tip(
     reported = said(on, 3, moved - tips_mm)[0]
     assert reported.code == "object-moved"
     assert (
-        f"object {shift_mm:.1f}" in str(reported.text)
+        f"object is {shift_mm:.1f}" in str(reported.text)
         if shift_mm
         else "object is rotated by" in str(reported.text)
     )

@@ -123,7 +123,7 @@ def test_a_wrong_tip_is_seen_and_its_diameter_estimated(inputs: BlockInputs, by_
     reported = [finding for finding in result.findings if finding.code == "tip-diameter"]
     assert reported
     assert reported[0].remedy
-    stated = re.search(r"a tip of ([0-9.]+) mm \(± ([0-9.]+)\)", str(reported[0].text))
+    stated = re.search(r"a tip diameter of ([0-9.]+) mm \(± ([0-9.]+)", str(reported[0].text))
     assert stated
     found_mm, twice_sd_mm = map(float, stated.groups())
     assert found_mm == pytest.approx(tip.diameter_mm, abs=twice_sd_mm)
