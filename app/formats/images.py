@@ -17,6 +17,7 @@ from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file, read_bounded
 from app.messages.message import Text, message
 from app.metrology.colour import LaserColour, select_channel
+from app.metrology.image import saturation_level
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 """(height, width)"""
@@ -95,6 +96,11 @@ def _not_so_deep(named: Text, held: Text) -> OperationError:
     return OperationError(
         "image-depth", message("image-has-depth", name=named, depth=held), message("bits-expected")
     )
+
+
+def to_8_bits(image: GreyImage) -> NDArray[np.uint8]:
+    """The image (height, width) with its full scale at 255, to be shown."""
+    return np.asarray(cv2.convertScaleAbs(image, alpha=255.0 / saturation_level(image)), np.uint8)
 
 
 def write_png(path: Path, image: GreyImage) -> None:

@@ -15,10 +15,9 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.datasheets.target import read_object
-from app.formats.images import GreyImage, read_grey
+from app.formats.images import GreyImage, read_grey, to_8_bits
 from app.formats.io_errors import convert_io_errors
 from app.metrology.chessboard.detect_board import BoardDetection, detect_board
-from app.metrology.image import saturation_level
 from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -104,7 +103,7 @@ def _detect(image: GreyImage, board: Chessboard) -> BoardDetection | None:
 
 def _find_by_opencv(image: GreyImage, board: Chessboard) -> dict[str, Floats]:
     """Corners (N, 2) px by finder, those of the classic one refined by ``cornerSubPix``."""
-    grey = cv2.convertScaleAbs(image, alpha=255.0 / saturation_level(image))
+    grey = to_8_bits(image)
     found: dict[str, Floats] = {}
     ok, corners = cv2.findChessboardCorners(grey, board.inner_corners, None, CLASSIC)
     if ok:

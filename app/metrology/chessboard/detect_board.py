@@ -61,6 +61,26 @@ class BoardDetection:
         return len(self.number)
 
 
+@dataclass(frozen=True)
+class _Measured:
+    """Corners that could be measured: pixels, covariances, and which of the grid's they are."""
+
+    uv_px: Floats  # (M, 2)
+    covariance_px2: Floats  # (M, 2, 2)
+    index: NDArray[np.int64]  # (M,)
+
+
+@dataclass(frozen=True)
+class _Refused:
+    """A grid that cannot be numbered: corners measured, and the area of one that is a board."""
+
+    seen: int
+    area_px2: float
+    refusal: OperationError
+    saddles: Saddles
+    lattice: Lattice
+
+
 def detect_board(
     image: Image, board: Chessboard, stripe: Stripe | None = None, *, thorough: bool = True
 ) -> BoardDetection:
@@ -105,17 +125,6 @@ def detect_board(
     ) from nearest.refusal
 
 
-@dataclass(frozen=True)
-class _Refused:
-    """A grid that cannot be numbered: corners measured, and the area of one that is a board."""
-
-    seen: int
-    area_px2: float
-    refusal: OperationError
-    saddles: Saddles
-    lattice: Lattice
-
-
 def _hull_area_px2(uv: Floats) -> float:
     return float(cv2.contourArea(cv2.convexHull(uv.astype(np.float32)))) if len(uv) > 2 else 0.0
 
@@ -131,17 +140,21 @@ def _find_grids(
         scale = min(wanted_px / longer_px, MOST_ENLARGED)
         if all(max(scale, one) / min(scale, one) > ALIKE for one in scales):
             scales.append(scale)
+    unscaled: Saddles | None = None
     for scale in scales if thorough else scales[:1]:
         saddles = find_saddles(image, blocked, scale)
+        unscaled = saddles if scale == 1.0 else unscaled
         lattices = find_lattices(saddles, columns * rows)
         for lattice in lattices[:GRIDS] or [{}]:
             yield saddles, lattice
     if thorough:
-        yield from find_by_opencv(image, board.inner_corners, find_saddles(image, blocked))
+        if unscaled is None:
+            unscaled = find_saddles(image, blocked)
+        yield from find_by_opencv(image, board.inner_corners, unscaled)
 
 
 def _number_corners(
-    board: Chessboard, saddles: Saddles, lattice: Lattice, measured: "_Measured"
+    board: Chessboard, saddles: Saddles, lattice: Lattice, measured: _Measured
 ) -> BoardDetection:
     columns, rows = board.inner_corners
     places = np.array(list(lattice), dtype=np.int64).reshape(-1, 2)
@@ -194,7 +207,7 @@ def _dilate(mask: NDArray[np.uint8], margin_px: int) -> NDArray[np.uint8]:
     return np.asarray(cv2.dilate(mask, np.ones((size, size), np.uint8)), np.uint8)
 
 
-def _refusal(places: NDArray[np.int64], measured: "_Measured", board: Chessboard) -> OperationError:
+def _refusal(places: NDArray[np.int64], measured: _Measured, board: Chessboard) -> OperationError:
     """Why the corners found cannot be numbered for certain."""
     columns, rows = board.inner_corners
     if len(places) < 4:
@@ -276,15 +289,6 @@ def _grid_orientations(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
         flipped = np.where(np.array(flip, dtype=np.bool_), high - places, places)
         ways += [flipped, flipped[:, ::-1]]
     return ways
-
-
-@dataclass(frozen=True)
-class _Measured:
-    """Corners that could be measured: pixels, covariances, and which of the grid's they are."""
-
-    uv_px: Floats  # (M, 2)
-    covariance_px2: Floats  # (M, 2, 2)
-    index: NDArray[np.int64]  # (M,)
 
 
 def _measure_corners(

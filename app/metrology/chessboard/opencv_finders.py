@@ -1,5 +1,7 @@
 """OpenCV's finders of chessboards, for the pictures in which ours finds no whole board."""
 
+from collections.abc import Iterator
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +20,10 @@ CLASSIC = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALI
 
 def find_by_opencv(
     image: Image, inner_corners: tuple[int, int], saddles: Saddles
-) -> list[tuple[Saddles, Lattice]]:
+) -> Iterator[tuple[Saddles, Lattice]]:
     """A grid by each of OpenCV's finders that finds one of the size (columns, rows).
+
+    The second finder runs only if the grid of the first does not do.
 
     The finders may take a part of a larger board for the whole, so that the grids go on among
     the ``saddles`` as far as these do.
@@ -27,11 +31,11 @@ def find_by_opencv(
     grey = _reduce(image)
     across = np.array(image.shape[::-1]) / np.array(grey.shape[::-1])
     columns, rows = inner_corners
-    grids = []
-    for found, corners in (
-        cv2.findChessboardCornersSB(grey, inner_corners, None, cv2.CALIB_CB_NORMALIZE_IMAGE),
-        cv2.findChessboardCorners(grey, inner_corners, None, CLASSIC),
+    for find, flags in (
+        (cv2.findChessboardCornersSB, cv2.CALIB_CB_NORMALIZE_IMAGE),
+        (cv2.findChessboardCorners, CLASSIC),
     ):
+        found, corners = find(grey, inner_corners, None, flags)
         if not found:
             continue
         uv_px = (corners.reshape(-1, 2).astype(np.float64) + 0.5) * across - 0.5
@@ -42,8 +46,7 @@ def find_by_opencv(
             np.concatenate([phases_at(image, uv_px, ring_px), saddles.phase]),
         )
         lattice = {(k % columns, k // columns): k for k in range(columns * rows)}
-        grids.append((both, complete_lattice(both, lattice)))
-    return grids
+        yield both, complete_lattice(both, lattice)
 
 
 def _reduce(image: Image) -> NDArray[np.uint8]:

@@ -6,12 +6,11 @@ from typing import Literal
 import cv2
 import numpy as np
 
-from app.formats.images import read_grey
+from app.formats.images import read_grey, to_8_bits
 from app.formats.results.calibration import PosePart
 from app.formats.session.pose_pictures import Pose
 from app.messages.message import Text, message, quantity, rounded
 from app.metrology.colour import LaserColour
-from app.metrology.image import saturation_level
 from app.metrology.sensor.camera import Camera
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.transforms import Floats
@@ -198,9 +197,7 @@ def image_figure(
 def _encode_jpeg(pose: Pose, colour: LaserColour | None) -> bytes:
     image = read_grey(pose.ambient if pose.laser is None else pose.laser, colour)
     ambient = read_grey(pose.ambient, colour)
-    both = np.maximum(image, ambient)
-    if both.dtype != np.uint8:
-        both = cv2.convertScaleAbs(both, alpha=255.0 / saturation_level(both))
+    both = to_8_bits(np.maximum(image, ambient))
     height, width = both.shape
     wide = min(width, JPEG_WIDTH)
     small = cv2.resize(both, (wide, round(height * wide / width)), interpolation=cv2.INTER_AREA)

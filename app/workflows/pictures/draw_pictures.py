@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.file_names import display_path
-from app.formats.images import GreyImage
+from app.formats.images import GreyImage, to_8_bits
 from app.messages.message import message
 from app.metrology.detection.failure_evidence import DetectionError
-from app.metrology.image import saturation_level
 from app.metrology.stripe import Stripe
 from app.workflows.pictures.detect_targets import ImageDetection
 
@@ -69,6 +68,6 @@ def write_drawings(folder: Path, drawings: Iterable[tuple[Path, Drawing]]) -> No
 
 def _canvas(image: GreyImage) -> tuple[Drawing, float]:
     """The picture in colour with 8 bits, and how thick lines must be."""
-    grey = cv2.convertScaleAbs(image, alpha=255.0 / saturation_level(image))
+    grey = to_8_bits(image)
     size = max(1.0, max(image.shape) / TEXT_PX)
     return np.asarray(cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR), np.uint8), size
