@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.native.arguments import F64, I32, Array, Function, Integer
+from app.native.arguments import F64, I32, Array, Function, Integer, Real
 from app.native.library import CRENEL
 
 keep_long_runs = Function(
@@ -14,6 +14,7 @@ keep_long_runs = Function(
     Array(F64, "n"),
     Array(F64, "n", optional=True),
     Integer(),
+    Real(),
     Array(I32, "n", written=True),
     returns=int,
 )
@@ -37,7 +38,7 @@ def kept_of(
     shortest: int,
 ) -> list[int]:
     kept = np.empty(len(along), np.int32)
-    found = keep_long_runs(along, across, sigma, shortest, kept)
+    found = keep_long_runs(along, across, sigma, shortest, 4.0, kept)
     return [int(i) for i in kept[:found]]
 
 

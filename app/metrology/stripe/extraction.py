@@ -1,5 +1,6 @@
 """Stripe extraction from an image: checks, the call into C, and its result."""
 
+from dataclasses import dataclass
 from typing import cast
 
 import cv2
@@ -10,9 +11,18 @@ from app.errors import OperationError
 from app.messages.message import message
 from app.metrology.image import Image
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
+from app.metrology.stripe.scales import (
+    FULL,
+    reduce_mask,
+    reduce_rows,
+    reduced_height,
+    scale_of,
+    usable_factors,
+)
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
 from app.metrology.stripe.workspace import (
     LEAST_ROWS,
+    PER_FULL_WIDTH,
     Fields,
     acquire_workspace,
     release_workspace,
@@ -24,6 +34,18 @@ EXTRACT = {
     U8: Function(CRENEL, "extract_8", Record(Fields), returns=int),
     U16: Function(CRENEL, "extract_16", Record(Fields), returns=int),
 }
+
+CERTAIN_LENGTH = 0.35
+"""A line so long, in shares of the image's width, is looked for at no other scale."""
+CERTAIN_SIGMA_ROWS = 4.0
+"""A line at least so wide is looked for at coarser scales, too."""
+WIDEST_LINE = 1 / 8
+"""A line is at most so wide at half height, in shares of the image's height."""
+CLEARLY_BETTER = 1.05
+"""Another scale shows this much more of the line than the image itself if it is chosen."""
+UNRESOLVED_PX = 12**-0.5
+"""The standard deviation of a point of a line that is thinner than a pixel: it may lie anywhere in
+the pixel."""
 
 
 def extract_stripe(
@@ -62,8 +84,59 @@ def extract_stripe(
         (64, 20.3)
     """
     grey = orient_image(image, axis)
-    whole = np.array([[0, grey.shape[0], 0, grey.shape[1]]])
-    return extract_parts(grey, axis, whole, orient_mask(where, grey, axis), settings)
+    return extract_whole(grey, axis, orient_mask(where, grey, axis), settings).stripe
+
+
+@dataclass(slots=True)
+class Extraction:
+    """A stripe, and how much of a line it is.
+
+    ``evidence``: length of the line, in shares of the image's width, times its height in grey
+    levels; 0 if it does not stand out of the image. ``length``: that of one piece which shows as
+    much.
+    ``factor``: rows of the image that were made one. ``sigma_rows``: the usual width there, as a
+    standard deviation; 0 if the line is clipped.
+    """
+
+    stripe: Stripe
+    evidence: float = 0.0
+    length: float = 0.0
+    factor: float = 1.0
+    sigma_rows: float = 0.0
+
+    @property
+    def is_certain(self) -> bool:
+        """Whether it is one long, narrow line, so that no other scale would show a better one."""
+        is_long = self.evidence > 0 and self.length >= CERTAIN_LENGTH
+        return is_long and self.sigma_rows < CERTAIN_SIGMA_ROWS
+
+
+def extract_whole(
+    grey: Image,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    first: Extraction | None = None,
+) -> Extraction:
+    """The stripe in an image that is already oriented, at the scale that shows most of a line.
+
+    Args:
+        grey, where: (H, W) from ``orient_image``, ``orient_mask``.
+        first: what the image shows at full scale, if that is known already.
+    """
+    best = first or extract_parts(grey, axis, whole_image(grey), where, settings)
+    if best.is_certain:
+        return best
+    for factor in usable_factors(grey.shape[0]):
+        parts = whole_image(grey, factor)
+        found = extract_parts(grey, axis, parts, where, settings, factor=factor)
+        width_px = found.sigma_rows * factor / PER_FULL_WIDTH
+        is_narrow = width_px < WIDEST_LINE * grey.shape[0]
+        if is_narrow and found.evidence > CLEARLY_BETTER * best.evidence:
+            best = found
+        if found.is_certain:
+            break
+    return best
 
 
 def extract_parts(
@@ -73,29 +146,48 @@ def extract_parts(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     known: NDArray[np.float32] | None = None,
-) -> Stripe:
-    """The stripe in parts of an image that is already oriented; see ``extract_stripe``.
+    factor: float = 1.0,
+) -> Extraction:
+    """The stripe in parts of an image that is already oriented, at one scale.
 
     Args:
         grey: (H, W) with the stripe across its columns, from ``orient_image``.
         parts: (n, 4) first row and the one after the last, first column and the one after the
-            last, of each part.
+            last, of each part of the reduced image.
         where: (H, W) pixels in which the stripe may lie; None: anywhere.
         known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
-            from earlier frames; zeros are filled in.
+            from earlier frames at this scale; zeros are filled in.
+        factor: rows of the image that are made one.
     """
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
-        return empty_stripe(axis)
+        return Extraction(empty_stripe(axis))
+    image, scale = grey, FULL
+    if factor != 1:
+        scale = scale_of(grey, factor)
+        image, where = reduce_rows(grey, scale, parts), reduce_mask(where, factor)
+        settings = scale.settings(settings)
     known = np.zeros(4, dtype=np.float32) if known is None else known
-    workspace = acquire_workspace(grey)
+    workspace = acquire_workspace(image)
     try:
-        workspace.set_frame(grey, parts, where, known)
-        workspace.set_settings(settings)
-        count = EXTRACT[grey.dtype](workspace.fields)
-        return stripe_from_points(workspace.points[:, :count].copy(), axis)
+        workspace.set_frame(image, parts, where, known)
+        workspace.set_settings(settings, scale.climb_rows)
+        count = EXTRACT[image.dtype](workspace.fields)
+        points = workspace.points[:, :count].copy()
+        evidence, length = workspace.fields.evidence, workspace.fields.length
     finally:
         release_workspace(workspace)
+    if factor != 1:
+        points[1] = scale.across_px(points[1])
+        points[2] /= scale.gain
+        points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if factor < 1 else 0)
+    stripe = stripe_from_points(points, axis)
+    return Extraction(stripe, evidence / scale.gain, length, factor, float(known[3]))
+
+
+def whole_image(grey: Image, factor: float = 1.0) -> NDArray[np.int64]:
+    """(1, 4) the part that is the complete image with ``factor`` rows made one."""
+    return np.array([[0, reduced_height(grey.shape[0], factor), 0, grey.shape[1]]])
 
 
 def orient_image(image: Image, axis: str) -> Image:

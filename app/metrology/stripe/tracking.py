@@ -1,11 +1,20 @@
 """Tracks the stripe from frame to frame, reading only where it can be."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.image import Image
-from app.metrology.stripe.extraction import extract_parts, orient_image, orient_mask
+from app.metrology.stripe.extraction import (
+    Extraction,
+    extract_parts,
+    extract_whole,
+    orient_image,
+    orient_mask,
+)
 from app.metrology.stripe.points import Stripe
+from app.metrology.stripe.scales import reduced_height
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
@@ -17,7 +26,7 @@ MARGIN_PX = 24
 LOST_POINTS = 16
 """A block has lost the stripe if it shows this many fewer points than in the previous frame."""
 NOISE_FRAMES = 8
-"""Number of frames after which the noise and the usual width are estimated again."""
+"""Number of frames after which the noise, the usual width and the scale are estimated again."""
 
 _plan_parts = Function(
     CRENEL,
@@ -44,7 +53,7 @@ class StripeTracker:
     loses the stripe is read over its full height at once, in the same frame. In addition, one slice
     of the image after the other is read, so that a stripe that appears elsewhere is found after as
     many frames as there are slices. The noise, which determines the weights and standard deviations
-    of points, is estimated again every few frames.
+    of points, is estimated again every few frames; so is the scale if no long line is found.
     """
 
     def __init__(
@@ -70,6 +79,7 @@ class StripeTracker:
         self._along = self._across = np.zeros(0)
         self._turn = 0
         self._known = np.zeros(4, dtype=np.float32)
+        self._factor = 1.0
 
     def extract(self, image: Image) -> Stripe:
         """The stripe of the next frame; results and errors are those of ``extract_stripe``."""
@@ -78,34 +88,67 @@ class StripeTracker:
             self._allowed = orient_mask(self._where, grey, self._axis)
             self._shape = (grey.shape[0], grey.shape[1])
             self._counts = np.zeros(-(-grey.shape[1] // BLOCK_PX), dtype=np.int64)
-            self._along = self._across = np.zeros(0)
+            self._forget()
         whole = np.zeros(len(self._counts), dtype=np.bool_)
-        if self._turn % NOISE_FRAMES == 0:
+        is_turn = self._turn % NOISE_FRAMES == 0
+        if is_turn:
             self._known[:] = 0
         self._turn += 1
         before = self._counts
         parts = self._parts(whole)
-        stripe = self._extract(parts, grey)
+        found = self._extract(parts, grey)
         lost = self._counts < before - LOST_POINTS
         if len(parts) > 1 and (lost.any() or not len(self._along)):
             whole |= lost if len(self._along) else True
             self._known[:] = 0
-            parts = self._parts(whole)
-            stripe = self._extract(parts, grey)
-        return stripe
+            found = self._extract(self._parts(whole), grey)
+        if is_turn and not found.is_certain:
+            found = self._try_scales(grey, found)
+        return found.stripe
+
+    def _try_scales(self, grey: Image, found: Extraction) -> Extraction:
+        """What the image shows at the best scale, which is kept for the frames to come."""
+        whole = found if found.factor == 1 else None
+        best = extract_whole(grey, self._axis, self._allowed, self._settings, whole)
+        if best.factor == found.factor:
+            return found
+        self._factor = best.factor
+        self._known[:] = 0
+        self._remember(best)
+        return best
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
         """The parts (n, 4) of the image to read; the complete image if that is not slower."""
+        factor, (rows, columns) = self._factor, self._shape
         parts = np.empty((len(whole) + 1, 4), dtype=np.int64)
         count = _plan_parts(
-            self._along, self._across, whole, *self._shape, self._margin_px, self._turn, parts
+            self._along,
+            self._across if factor == 1 else (self._across - (factor - 1) / 2) / factor,
+            whole,
+            reduced_height(rows, factor),
+            columns,
+            math.ceil(self._margin_px / factor),
+            self._turn,
+            parts,
         )
         return parts[:count]
 
-    def _extract(self, parts: NDArray[np.int64], grey: Image) -> Stripe:
+    def _extract(self, parts: NDArray[np.int64], grey: Image) -> Extraction:
         """The stripe in these parts; stores its position."""
-        stripe = extract_parts(grey, self._axis, parts, self._allowed, self._settings, self._known)
-        self._along, self._across = stripe.along_across
+        found = extract_parts(
+            grey, self._axis, parts, self._allowed, self._settings, self._known, self._factor
+        )
+        self._remember(found)
+        return found
+
+    def _remember(self, found: Extraction) -> None:
+        """Stores where the stripe lies."""
+        self._along, self._across = found.stripe.along_across
         self._counts = np.empty_like(self._counts)
         _count_in_blocks(self._along, self._counts)
-        return stripe
+
+    def _forget(self) -> None:
+        """Starts anew, for images of another size."""
+        self._along = self._across = np.zeros(0)
+        self._factor = 1.0
+        self._turn = 0

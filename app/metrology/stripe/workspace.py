@@ -21,6 +21,7 @@ PER_FULL_WIDTH = 1 / 2.3548
 STRIP_ROWS, RING_ROWS, GREYS, BLOCK = 16, 16, 64, 64
 BLOCK_ROWS, PROFILE_ROWS, FIT_ROWS, PEAK_ROWS = 26, 112, 8, 5
 NOISE_BLOCKS, COUNT_LISTS, COUNT_LEVELS = 2, 4, 4096
+PIECE_BYTES = 32
 LEAST_ROWS = 20
 """Fewer rows cannot contain a core with its surroundings."""
 PARTS = Array(I64, "parts", 4)
@@ -40,7 +41,7 @@ class Fields(ctypes.Structure):
         *((name, ctypes.c_int64) for name in ("height", "width")),
         *((name, ctypes.c_void_p) for name in ("allowed", "parts")),
         *((name, ctypes.c_int64) for name in ("part_count", "rule", "shortest_run")),
-        *((name, ctypes.c_double) for name in ("threshold", "narrowest_px", "widest_px")),
+        *((name, ctypes.c_double) for name in ("threshold", "narrowest_px", "widest_px", "climb")),
         ("known", ctypes.c_void_p),
         *((name, ctypes.c_int64) for name in ("padded", "strips", "most_peaks")),
         *((name, ctypes.c_void_p) for name in ("ring", "score", "place")),
@@ -51,7 +52,9 @@ class Fields(ctypes.Structure):
         ("counts", ctypes.c_void_p),
         ("count_levels", ctypes.c_int64),
         *((name, ctypes.c_void_p) for name in ("blocks", "profiles", "fits", "peaks")),
-        *((name, ctypes.c_void_p) for name in ("points", "scratch", "clipped")),
+        *((name, ctypes.c_void_p) for name in ("points", "scratch", "pieces", "clutter", "levels")),
+        ("clipped", ctypes.c_void_p),
+        *((name, ctypes.c_double) for name in ("evidence", "length")),
     )
 
 
@@ -94,6 +97,9 @@ class Workspace:
         self._give("fits", (FIT_ROWS, padded), np.float32)
         self._give("peaks", (PEAK_ROWS, width), np.float64)
         self._give("scratch", (2, width), np.float64)
+        self._give("pieces", (width, PIECE_BYTES), np.uint8)
+        self._give("clutter", (width,), np.float32)
+        self._give("levels", (width,), np.float32)
         self._give("clipped", (_clipped_bytes(width),), np.uint8)
         self.fields.points = self.points.ctypes.data
 
@@ -114,9 +120,11 @@ class Workspace:
         fields.allowed = None if where is None else pointer(where, ALLOWED)
         fields.known = pointer(known, KNOWN)
 
-    def set_settings(self, settings: StripeSettings) -> None:
-        """Sets the operator's settings, which have been checked."""
+    def set_settings(self, settings: StripeSettings, climb_rows: float) -> None:
+        """Sets the operator's settings, which have been checked, and by how many rows a line may
+        climb from one column to the next."""
         fields = self.fields
+        fields.climb = climb_rows
         fields.rule, fields.shortest_run = CHOICES.index(settings.choice), settings.min_run
         fields.threshold = math.nan if settings.threshold is None else settings.threshold
         fields.narrowest_px = _sigma(settings.min_width_px)

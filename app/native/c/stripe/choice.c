@@ -1,9 +1,8 @@
 /* Step 4: chooses one peak a column, by a rule; by the tracks that peaks lie on where a column
  * has several in question. */
 
-/* Columns that a track may skip, and rows by which it may climb from one column to the next; the
- * rows of peaks are known to COARSE. */
-enum { SKIP = 3, STEEPEST_TRACK = 4, COARSE = 3 };
+/* Columns that a track may skip; the rows of peaks are known to COARSE. */
+enum { SKIP = 3, COARSE = 3 };
 /* A track counts by how high it is on average; in full if it has this many peaks, else by the
  * square of its share of them. */
 enum { LONG_TRACK = 40 };
@@ -65,7 +64,7 @@ static int32_t predecessor(const Workspace *work, int32_t p, int64_t i)
             const int32_t rise = work->peak_rows[p] - work->peak_rows[q];
             const int32_t climb = rise < 0 ? -rise : rise;
             const bool free = work->reached[work->track[q]] != i;
-            if (climb <= STEEPEST_TRACK * back + COARSE && climb < nearest && free) {
+            if (climb <= work->climb * (double)back + COARSE && climb < nearest && free) {
                 nearest = climb;
                 best = q;
             }
@@ -112,12 +111,12 @@ static void weigh_tracks(Workspace *work, int64_t n, int64_t tracks)
     }
 }
 
-/* Chooses the best of n peaks for every column. */
-static void choose_peaks(Workspace *work, int64_t n)
+/* Chooses the best of n peaks for every column; whether the peaks have got tracks. */
+static bool choose_peaks(Workspace *work, int64_t n)
 {
     const double share = work->rule == CONTINUITY ? RIVAL : 0;
     if (!find_highest(work, n, share) || work->rule == STRENGTH)
-        return;
+        return false;
     sort_by_columns(work, n);
     weigh_tracks(work, n, link_tracks(work, n));
     for (int64_t i = 0; i < work->width; i++) {
@@ -127,6 +126,7 @@ static void choose_peaks(Workspace *work, int64_t n)
                 work->best[i] = p;
         }
     }
+    return true;
 }
 
 /* Fills columns and rows of the chosen peaks, in ascending order of columns; returns how many.

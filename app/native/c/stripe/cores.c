@@ -146,7 +146,7 @@ static bool goes_on(const Clipped *c, int64_t end, const double *along, const do
 static int64_t select_cores(Clipped *c, const double *along, const double *across, int64_t n,
                             int64_t shortest)
 {
-    int64_t unclipped = keep_long_runs(along, across, NULL, n, shortest, c->kept);
+    int64_t unclipped = keep_long_runs(along, across, NULL, n, shortest, STEEPEST, c->kept);
     for (int64_t i = 0; i < c->cores; i++) {
         int32_t track = c->track[i];
         if (i == c->opens[track] && c->length[track] < unclipped &&

@@ -1,9 +1,9 @@
-/* The median of a few numbers. */
+/* The median and other quantiles of a few numbers. */
 
-/* Reorders the values (n > 0); the upper one of two in the middle. */
-static float median_of(float *values, int64_t n)
+/* The value that `wanted` others are not above; reorders the values (n > wanted). */
+static float nth_of(float *values, int64_t n, int64_t wanted)
 {
-    int64_t low = 0, high = n - 1, wanted = n / 2;
+    int64_t low = 0, high = n - 1;
     while (low < high) {
         float pivot = values[(low + high) / 2];
         int64_t i = low, j = high;
@@ -27,3 +27,6 @@ static float median_of(float *values, int64_t n)
     }
     return values[wanted];
 }
+
+/* Reorders the values (n > 0); the upper one of two in the middle. */
+static float median_of(float *values, int64_t n) { return nth_of(values, n, n / 2); }

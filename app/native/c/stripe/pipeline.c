@@ -49,6 +49,13 @@ static float most_clipped(const Workspace *work, int64_t n)
     return most;
 }
 
+/* Whether the operator says what the line is like, or where it is. */
+static bool is_specified(const Workspace *work)
+{
+    return !isnan(work->threshold) || !isnan(work->narrowest_px) || !isnan(work->widest_px) ||
+           work->allowed || work->rule != CONTINUITY;
+}
+
 /* What its mirror in Python must be as long as. */
 EXPORT(int64_t, workspace_bytes)(void) { return (int64_t)sizeof(Workspace); }
 
@@ -66,7 +73,8 @@ static int64_t finish(Workspace *work, int64_t n, double saturated)
     const double *peaks = work->peaks;
     double *points = work->points;
     const int64_t found = keep_long_runs(peaks + ALONG * width, peaks + ACROSS * width,
-                                         peaks + BROAD * width, n, work->shortest_run, work->rows);
+                                         peaks + BROAD * width, n, work->shortest_run, work->climb,
+                                         work->rows);
     for (int row = ALONG; row <= UNSURE; row++)
         for (int64_t i = 0; i < found; i++)
             points[row * width + i] = peaks[row * width + work->rows[i]];
@@ -167,7 +175,7 @@ static int64_t OF(fit_peaks)(Workspace *work, int64_t n, double read, double thr
         OF(fit_some)(work, work->columns + b, work->rows + b, min_i64(BLOCK, n - b), reach,
                      saturated, known, STEPS, work->fits + b, work->padded);
     OF(fit_wider)(work, n, saturated, known);
-    return sift(work, n, threshold);
+    return sift(work, n, threshold, saturated);
 }
 
 /* Finds the clipped cores that may be the line's, in all parts; returns how many. */
@@ -218,19 +226,10 @@ static int64_t OF(place_by_flanks)(Workspace *work, Clipped *clipped, double rea
                        work->width);
 }
 
-/* Fills the points (4, N) of the stripe in a frame: along, across, height, standard deviation.
- * Returns how many. */
-EXPORT(int64_t, OF(extract))(Workspace *work)
+/* Steps 5 to 12: fills the points for the peaks chosen; returns how many. */
+static int64_t OF(place_points)(Workspace *work, double read, double threshold, float saturated,
+                                bool overexposed)
 {
-    PIXEL brightest;
-    const PIXEL highest_core = OF(search)(work, &brightest);
-    const float saturated = BITS == 8 ? 255 : saturation_level(brightest);
-    /* after the search, which has fetched the pixels */
-    const double read = work->known[0] > 0 ? work->known[0] : OF(read_noise)(work);
-    const double threshold =
-        isnan(work->threshold) ? STANDS_OUT * sqrt(SCORE_VARIANCE * read) : work->threshold;
-    choose_peaks(work, OF(list_peaks)(work, threshold));
-    const bool overexposed = highest_core >= saturated;
     int64_t chosen, found = 0;
     if (!overexposed) {
         chosen = list_chosen(work, NULL, 0);
@@ -246,4 +245,26 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
         found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
     }
     return finish(work, found, saturated);
+}
+
+/* Fills the points (4, N) of the stripe in a frame: along, across, height, standard deviation.
+ * Returns how many. */
+EXPORT(int64_t, OF(extract))(Workspace *work)
+{
+    PIXEL brightest;
+    const PIXEL highest_core = OF(search)(work, &brightest);
+    const float saturated = BITS == 8 ? 255 : saturation_level(brightest);
+    /* after the search, which has fetched the pixels */
+    const double read = work->known[0] > 0 ? work->known[0] : OF(read_noise)(work);
+    const double threshold =
+        isnan(work->threshold) ? STANDS_OUT * sqrt(SCORE_VARIANCE * read) : work->threshold;
+    const int64_t peaks = OF(list_peaks)(work, threshold);
+    const bool linked = choose_peaks(work, peaks);
+    const int64_t found =
+        OF(place_points)(work, read, threshold, saturated, highest_core >= saturated);
+    int64_t pieces = list_pieces(work, found);
+    if (work->rule == CONTINUITY)
+        pieces = keep_line(work, pieces, peaks, linked);
+    work->evidence = OF(weigh_line)(work, pieces, peaks, BITS == 8 ? 255 : brightest);
+    return work->evidence > 0 || is_specified(work) ? count_points(work, pieces) : 0;
 }

@@ -5,12 +5,14 @@
 
 #define BITS 8
 #include "greys.h"
+#include "reduce.c"
 #include "search.c"
 #include "read_noise.c"
 #include "peaks.c"
 #undef BITS
 #define BITS 16
 #include "greys.h"
+#include "reduce.c"
 #include "search.c"
 #include "read_noise.c"
 #include "peaks.c"
@@ -29,8 +31,8 @@
 #include "normal.c"
 #include "fit.c"
 #include "noise.c"
-#include "sift.c"
 #include "runs.c"
+#include "sift.c"
 #include "speckle.c"
 
 /* a line whose core is clipped */
@@ -53,6 +55,14 @@
 #include "flank_fit.c"
 #include "smooth.c"
 #include "join.c"
+
+#include "line.c"
+#define BITS 8
+#include "evidence.c"
+#undef BITS
+#define BITS 16
+#include "evidence.c"
+#undef BITS
 
 #define BITS 8
 #include "pipeline.c"

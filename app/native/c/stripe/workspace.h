@@ -47,6 +47,13 @@ enum { NOISE_BLOCKS = 2, COUNT_LISTS = 4 };
 /* Which of several peaks of a column is the stripe. */
 enum { CONTINUITY, STRENGTH, FIRST, LAST };
 
+/* A piece of line: points from `begin` on, their number and mean height. */
+typedef struct {
+    int64_t begin, count;
+    double height;
+    bool kept;
+} Piece;
+
 typedef struct {
     /* the picture, turned so that the stripe crosses its columns */
     const void *pixels;
@@ -58,6 +65,7 @@ typedef struct {
     /* the settings; NaN leaves a value to the picture */
     int64_t rule, shortest_run;
     double threshold, narrowest_px, widest_px; /* widths as standard deviations */
+    double climb; /* rows by which a line may climb from one column to the next */
 
     /* (4) the noise's three terms and the usual width, by earlier frames; 0 where not known */
     float *known;
@@ -81,7 +89,12 @@ typedef struct {
     double *peaks;    /* (PEAK_ROWS, width) */
     double *points;   /* (4, width), the result */
     double *scratch;  /* (2, width) */
+    Piece *pieces;    /* (width) */
+    float *clutter, *levels; /* (width) */
     uint8_t *clipped; /* (clipped_bytes) for lines whose core is clipped */
+
+    /* results: how much of a line the points are, and how long, see evidence.c */
+    double evidence, length;
 } Workspace;
 
 #endif

@@ -1,0 +1,55 @@
+/* Before a wide line is looked for: parts of the picture with several rows made one; before a thin
+ * one: rows between the rows.
+ *
+ * A pixel is the mean of `factor` rows times `gain`, which makes use of 16 bits; where one of them
+ * is clipped, it is clipped. Included with BITS defined. */
+#include "pixel.h"
+
+/* pixels (height, width); parts (part_count, 4) of the reduced picture; out (reduced, width). */
+EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count, int64_t reduced,
+                              const PIXEL *pixels, const int64_t *parts, int64_t factor,
+                              int64_t gain, int64_t saturated, uint16_t *out)
+{
+    const uint64_t per_sum = (uint64_t)((gain << 12) / factor);
+    const int64_t rows = min_i64(reduced, height / factor);
+    for (const int64_t *part = parts; part < parts + 4 * part_count; part += 4) {
+        const int64_t columns = part[3] - part[2];
+        for (int64_t row = part[0]; row < min_i64(part[1], rows); row++) {
+            const PIXEL *from = pixels + row * factor * width + part[2];
+            uint16_t *to = out + row * width + part[2];
+            for (int64_t begin = 0; begin < columns; begin += 64) {
+                const int64_t n = min_i64(64, columns - begin);
+                uint32_t sum[64] = {0};
+                PIXEL most[64] = {0};
+                for (int64_t k = 0; k < factor; k++) {
+                    const PIXEL *line = from + k * width + begin;
+                    for (int64_t i = 0; i < n; i++) {
+                        sum[i] += line[i];
+                        most[i] = line[i] > most[i] ? line[i] : most[i];
+                    }
+                }
+                for (int64_t i = 0; i < n; i++) {
+                    const uint32_t mean = (uint32_t)((sum[i] * per_sum) >> 12);
+                    to[begin + i] = (uint16_t)(most[i] >= saturated ? saturated * gain : mean);
+                }
+            }
+        }
+    }
+}
+
+/* Twice as many rows, a quarter of a row above and below each one, by linear interpolation; `out`
+ * (doubled, width). A pixel next to a clipped one's row is not clipped, but those of the row are. */
+EXPORT(void, OF(double_rows))(int64_t height, int64_t width, int64_t doubled, const PIXEL *pixels,
+                              int64_t gain, int64_t saturated, uint16_t *out)
+{
+    for (int64_t row = 0; row < min_i64(2 * height, doubled); row++) {
+        const int64_t own = row / 2, beside = own + (row % 2 ? 1 : -1);
+        const PIXEL *near = pixels + own * width;
+        const PIXEL *far = pixels + max_i64(0, min_i64(beside, height - 1)) * width;
+        uint16_t *to = out + row * width;
+        for (int64_t i = 0; i < width; i++) {
+            const uint32_t mean = (3 * (uint32_t)near[i] + far[i]) * (uint32_t)gain / 4;
+            to[i] = (uint16_t)(near[i] >= saturated ? saturated * gain : mean);
+        }
+    }
+}
