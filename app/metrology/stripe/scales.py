@@ -118,7 +118,7 @@ def reduced_height(rows: int, factor: float) -> int:
 def reduce_rows(grey: Image, scale: Scale, parts: NDArray[np.int64]) -> Image:
     """The image (H / factor, W) of 16 bits with ``factor`` rows made one by their mean.
 
-    A pixel is clipped where one of its rows is. If rows are made one, only ``parts`` (n, 4) of the
+    If rows are made one, a pixel is clipped where one of its rows is, and only ``parts`` (n, 4) of the
     reduced image are filled: first row and the one after the last, first column and the one after
     the last.
     """

@@ -38,7 +38,8 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
 }
 
 /* Twice as many rows, a quarter of a row above and below each one, by linear interpolation; `out`
- * (doubled, width). A pixel next to a clipped one's row is not clipped, but those of the row are. */
+ * (doubled, width). No pixel is clipped: of a line that is thinner than a pixel, clipping hides
+ * the brightness alone. */
 EXPORT(void, OF(double_rows))(int64_t height, int64_t width, int64_t doubled, const PIXEL *pixels,
                               int64_t gain, int64_t saturated, uint16_t *out)
 {
@@ -48,8 +49,8 @@ EXPORT(void, OF(double_rows))(int64_t height, int64_t width, int64_t doubled, co
         const PIXEL *far = pixels + max_i64(0, min_i64(beside, height - 1)) * width;
         uint16_t *to = out + row * width;
         for (int64_t i = 0; i < width; i++) {
-            const uint32_t mean = (3 * (uint32_t)near[i] + far[i]) * (uint32_t)gain / 4;
-            to[i] = (uint16_t)(near[i] >= saturated ? saturated * gain : mean);
+            const int64_t mean = (3 * (int64_t)near[i] + far[i]) * gain / 4;
+            to[i] = (uint16_t)min_i64(mean, saturated * gain - 1);
         }
     }
 }
