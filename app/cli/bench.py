@@ -117,6 +117,54 @@ def boards(
 
 @bench.command()
 @report_errors
+def real(
+    folder: Annotated[
+        Path, typer.Argument(help="Folder with boards/SET and lines/SET, as docs/accuracy.md says.")
+    ],
+    harder: Annotated[
+        bool,
+        typer.Option(
+            "--harder",
+            help="Also measure harder pictures made of each set: scaled, blurred, clipped,"
+            " tinted, compressed, cut.",
+        ),
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Measure real pictures: boards beside OpenCV, laser lines beside three peers.
+
+    Of boards: found, refused, wrong, and the rms of the corners, as crenel bench boards.
+
+    Of lines: the peers are a column-wise centroid, Gauss and parabola, and Steger's ridge. A
+    column is agreed where all three have a point within 3 px (a fifth of the line's width where
+    that is more), in a run of at least 20 columns and three widths. Missed: agreed columns
+    without a point of Crenel. False: points further off than that from the points of all other
+    methods; beside it, the best peer's. Noise: what a quadratic through 21 columns leaves of
+    the middle one. Scatter / σ: of repeated frames, observed over stated.
+
+    Of pictures without a line: the share of columns with points.
+    """
+    from app.bench.metrology import real_boards
+    from app.bench.real import real_pictures
+
+    with progress_bar("Searching", not as_json) as progress:
+        found = real_pictures.run(folder, harder, progress)
+    if as_json:
+        print_json(asdict(found))
+        return
+    if found.boards:
+        of_boards = (*real_boards.COLUMNS, *real_boards.COLUMNS_RMS)
+        print_table("Chessboards", of_boards, real_boards.table(found.boards))
+    if found.lines:
+        of_lines = real_pictures.line_table(found.lines)
+        print_table("Laser lines", real_pictures.LINE_COLUMNS, of_lines)
+    if found.no_line:
+        without = real_pictures.no_line_table(found.no_line)
+        print_table("Pictures without a laser line", real_pictures.NO_LINE_COLUMNS, without)
+
+
+@bench.command()
+@report_errors
 def extraction(
     frames: Annotated[
         int, typer.Option(min=4, help="Frames of each kind to measure errors on.")

@@ -6,7 +6,7 @@ the quality of corners is the rms that ``cv2.calibrateCamera`` leaves of those p
 all three found the whole board.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -64,16 +64,18 @@ def run(folder: Path, progress: Progress = no_progress) -> list[BoardSet]:
         board = read_object(one / OBJECT)
         if not isinstance(board, Chessboard):
             raise OperationError("not-a-board", str(one / OBJECT), "it is not a chessboard")
-        results.append(_run_set(one, board))
+        files = sorted(path for path in one.iterdir() if path.suffix.lower() in SUFFIXES)
+        pictures = (read_grey(path, "green") for path in files)
+        results.append(measure_boards(one.name, pictures, board))
     return results
 
 
-def _run_set(folder: Path, board: Chessboard) -> BoardSet:
-    result = BoardSet(folder.name)
+def measure_boards(name: str, pictures: Iterable[GreyImage], board: Chessboard) -> BoardSet:
+    """Looks for the board in each picture of one camera, by all three methods."""
+    result = BoardSet(name)
     whole: dict[str, list[Floats]] = {"crenel": [], "classic": [], "sectors": []}
     size = (0, 0)
-    for path in sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES):
-        image = read_grey(path, "green")
+    for image in pictures:
         size = (image.shape[1], image.shape[0])
         theirs = _find_by_opencv(image, board)
         detection = _detect(image, board)

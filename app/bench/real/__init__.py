@@ -1,0 +1,1 @@
+"""``crenel bench real``: boards and lines in pictures that others took."""
