@@ -18,6 +18,8 @@ def calibration_summary(document: CalibrationFile) -> list[tuple[str, str]]:
     if document.residuals:
         figures += _residual_figures(document.residuals)
     figures += [_pose_figure(pose) for pose in document.poses]
+    if document.channel is not None:
+        figures.append(("channel of the pictures", str(document.channel)))
     k1, k2, p1, p2, k3 = document.camera.distortion
     used = [
         f"{name} {value:+.5f}"

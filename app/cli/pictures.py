@@ -9,7 +9,7 @@ import typer
 from app.console import AsJson, print_json, print_table, progress_bar, report_errors
 
 if TYPE_CHECKING:
-    from app.metrology.colour import LaserColour
+    from app.metrology.channel import Channel
 
 
 class PeakOption(StrEnum):
@@ -34,14 +34,41 @@ class ColourOption(StrEnum):
     BLUE = "blue"
 
 
+class BayerOption(StrEnum):
+    """The colours of a raw picture's first two pixels, and of the two below them."""
+
+    RGGB = "RGGB"
+    BGGR = "BGGR"
+    GRBG = "GRBG"
+    GBRG = "GBRG"
+
+
 Colour = Annotated[
     ColourOption | None,
     typer.Option(help="Of the laser: its channel is measured in colour pictures."),
+]
+Bayer = Annotated[
+    BayerOption | None,
+    typer.Option(
+        help="The pictures are raw ones of a colour camera, whose cells have these colours: only"
+        " the pixels of the laser's colour are measured."
+    ),
 ]
 Draw = Annotated[
     Path | None,
     typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
 ]
+
+
+def _choose_channel(colour: ColourOption | None, bayer: BayerOption | None) -> "Channel | None":
+    """What of the pictures is measured; raises ``BadParameter`` for raw ones of no colour."""
+    from app.metrology.bayer import BayerPlane
+
+    if bayer is None:
+        return None if colour is None else colour.value
+    if colour is None:
+        raise typer.BadParameter("--bayer needs the laser's --colour")
+    return BayerPlane(bayer.value, colour.value)
 
 
 @report_errors
@@ -69,6 +96,14 @@ def extract(
         Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
     ] = None,
     colour: Colour = None,
+    bayer: Bayer = None,
+    laser_off: Annotated[
+        Path | None,
+        typer.Option(
+            help="The first picture with the laser off: its difference weighs the channels of"
+            " colour pictures, instead of --colour."
+        ),
+    ] = None,
     draw: Draw = None,
     as_json: AsJson = False,
 ) -> None:
@@ -77,23 +112,27 @@ def extract(
     Of several pictures, a last column ``image`` names the picture of each row.
     """
     from app.formats.atomic_write import check_output_path
-    from app.formats.images import read_grey
+    from app.formats.images import read_grey_to_show
     from app.formats.settings.mask import Mask
     from app.metrology.stripe import StripeSettings
     from app.workflows.pictures.draw_pictures import draw_stripe, write_drawings
     from app.workflows.pictures.extract_stripes import extract_stripes as extract_all
-    from app.workflows.pictures.extract_stripes import write_stripes
+    from app.workflows.pictures.extract_stripes import find_laser_weights, write_stripes
 
     check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
     settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
-    of_laser: LaserColour | None = None if colour is None else colour.value
+    channel = _choose_channel(colour, bayer)
+    if laser_off is not None:
+        if channel is not None:
+            raise typer.BadParameter("--laser-off takes the place of --colour and --bayer")
+        channel = find_laser_weights(images[0], laser_off)
     with progress_bar("Extracting", not as_json) as progress:
-        stripes = extract_all(images, axis.value, progress, settings, zones, of_laser)
+        stripes = extract_all(images, axis.value, progress, settings, zones, channel)
         write_stripes(output, stripes)
         if draw is not None:
             drawings = (
-                (one.file, draw_stripe(read_grey(one.file, of_laser), one.stripe))
+                (one.file, draw_stripe(read_grey_to_show(one.file, channel), one.stripe))
                 for one in stripes
             )
             write_drawings(draw, drawings)
@@ -101,6 +140,7 @@ def extract(
         found = [
             {
                 "image": str(one.file),
+                "channel": str(one.channel),
                 "u": one.stripe.u.tolist(),
                 "v": one.stripe.v.tolist(),
                 "intensity": one.stripe.intensity.tolist(),
@@ -113,10 +153,15 @@ def extract(
     import numpy as np
 
     rows = [
-        (str(one.file), str(len(one.stripe.u)), f"{float(np.median(one.stripe.sigma_px)):.3f}")
+        (
+            str(one.file),
+            str(len(one.stripe.u)),
+            f"{float(np.median(one.stripe.sigma_px)):.3f}",
+            one.channel,
+        )
         for one in stripes
     ]
-    print_table("Laser stripe", ("picture", "points", "median σ px"), rows)
+    print_table("Laser stripe", ("picture", "points", "median σ px", "channel"), rows)
     print(f"{output} written")
 
 
@@ -133,6 +178,7 @@ def detect(
         Axis | None, typer.Option(help="The laser is on in the pictures; its stripe's axis.")
     ] = None,
     colour: Colour = None,
+    bayer: Bayer = None,
     draw: Draw = None,
     as_json: AsJson = False,
 ) -> None:
@@ -142,14 +188,14 @@ def detect(
     """
     from app.formats.atomic_write import check_output_path
     from app.formats.datasheets.target import read_object
-    from app.formats.images import read_grey
+    from app.formats.images import read_grey_to_show
     from app.workflows.pictures.detect_targets import detect_targets, write_detections
     from app.workflows.pictures.draw_pictures import draw_detection, write_drawings
 
     if output is not None:
         check_output_path(output, [*images, target])
     # a colour camera has most pixels of green
-    channel: LaserColour = "green" if colour is None else colour.value
+    channel = _choose_channel(ColourOption.GREEN if colour is None else colour, bayer)
     with progress_bar("Detecting", not as_json) as progress:
         found = detect_targets(
             images, read_object(target), laser.value if laser else None, channel, progress
@@ -158,7 +204,8 @@ def detect(
             write_detections(output, found)
         if draw is not None:
             drawings = (
-                (one.file, draw_detection(read_grey(one.file, channel), one)) for one in found
+                (one.file, draw_detection(read_grey_to_show(one.file, channel), one))
+                for one in found
             )
             write_drawings(draw, drawings)
     if as_json:

@@ -16,7 +16,9 @@ from app.formats.image_sizes import PNG_SIGNATURE, Announced, announced_size
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file, read_bounded
 from app.messages.message import Text, message
-from app.metrology.colour import LaserColour, select_channel
+from app.metrology.bayer import CELL_PX, BayerPlane
+from app.metrology.channel import Channel, describe_channel, is_grey, select_channel
+from app.metrology.colour import Colours
 from app.metrology.image import saturation_level
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
@@ -26,24 +28,63 @@ MOST_PIXELS = 100_000_000
 """Of all channels together."""
 
 
-def read_grey(path: Path, colour: LaserColour | None = None) -> GreyImage:
+def read_grey(path: Path, channel: Channel | None = None) -> GreyImage:
     """Reads an image of 8 or 16 bits a channel: PNG, TIFF, BMP, PGM or JPEG.
 
     Args:
-        colour: of the laser, by which a colour picture becomes grey. Pictures whose channels
-            are all equal are grey without it.
+        channel: by which a colour picture becomes grey, and a raw one the picture of half its
+            size that the pixels of one colour are. Pictures whose channels are all equal are
+            grey without it.
 
     Raises:
         OperationError: missing, no image, damaged or cut off, in colour while the laser's
-            colour is not known, or of more than ``MOST_PIXELS``.
+            colour is not known or a raw picture is expected, or of more than ``MOST_PIXELS``.
     """
-    with convert_io_errors(path):
-        raw = read_bounded(path)
-    return decode_grey(raw, display_path(path), colour)
+    return decode_grey(_read_file(path), display_path(path), channel)
 
 
-def decode_grey(raw: bytes, named: Text, colour: LaserColour | None = None) -> GreyImage:
+def read_grey_to_show(path: Path, channel: Channel | None = None) -> GreyImage:
+    """The same in the size of the file, for people to look at."""
+    grey = read_grey(path, channel)
+    if isinstance(channel, BayerPlane):
+        return cast(GreyImage, np.repeat(np.repeat(grey, CELL_PX, axis=0), CELL_PX, axis=1))
+    return grey
+
+
+def read_colours(path: Path) -> Colours | None:
+    """All channels (H, W, 3 or more) of a colour picture; None of a grey one.
+
+    Raises:
+        OperationError: as ``read_grey``.
+    """
+    picture = _decode(_read_file(path), display_path(path))
+    return None if is_grey(picture) else picture
+
+
+def channel_text(path: Path, channel: Channel | None) -> Text:
+    """What of a picture ``read_grey`` takes, in words."""
+    raw = isinstance(channel, BayerPlane)
+    if channel is None or not (raw or read_colours(path) is not None):
+        return message("channel-grey")
+    return describe_channel(channel)
+
+
+def decode_grey(raw: bytes, named: Text, channel: Channel | None = None) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what an error calls it."""
+    picture = _decode(raw, named)
+    grey = select_channel(picture, channel)
+    if grey is None:
+        raise _not_raw(named) if isinstance(channel, BayerPlane) else _in_colour(named)
+    return grey
+
+
+def _read_file(path: Path) -> bytes:
+    with convert_io_errors(path):
+        return read_bounded(path)
+
+
+def _decode(raw: bytes, named: Text) -> Colours:
+    """The picture as it is in the file."""
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
     announced = announced_size(raw)
@@ -58,10 +99,7 @@ def decode_grey(raw: bytes, named: Text, colour: LaserColour | None = None) -> G
         raise _no_image(raw, named)
     if image.dtype not in (np.uint8, np.uint16):
         raise _not_so_deep(named, str(image.dtype))
-    grey = select_channel(cast(GreyImage, image), colour)
-    if grey is None:
-        raise _in_colour(named)
-    return grey
+    return cast(Colours, image)
 
 
 def _check_announced(announced: Announced, named: Text) -> None:
@@ -89,6 +127,15 @@ def _in_colour(named: Text) -> OperationError:
         message("image-in-colour", name=named),
         message("laser-colour-not-known"),
         message("state-laser-colour"),
+    )
+
+
+def _not_raw(named: Text) -> OperationError:
+    return OperationError(
+        "image-not-raw",
+        message("image-in-colour", name=named),
+        message("raw-bayer-has-one-channel"),
+        message("give-raw-or-without-bayer"),
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import check_output_path
-from app.formats.images import read_grey
+from app.formats.images import channel_text, read_colours, read_grey
 from app.formats.io_errors import prefix_errors
 from app.formats.json_document import file_sha256
 from app.formats.results.calibration import CalibrationFile, Input, SerialNumbers
@@ -30,12 +30,16 @@ from app.metrology.adjustment.board.calibrate import calibrate_board, observe_bo
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.observations import BlockObservation, FailedPose
+from app.metrology.bayer import BayerPlane
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
+from app.metrology.channel import Channel
+from app.metrology.colour import find_weights
 from app.metrology.image import Image
 from app.metrology.limits import LIMITS, Limits
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.progress import Progress, no_progress
+from app.workflows.pictures.raw_observations import raw_block, raw_board
 
 Method = Literal["one-pose", "joint"]
 AnyDetection = BlockObservation | BoardObservation
@@ -86,6 +90,13 @@ def calibrate_session(
 
 
 def _calibrate_from_one_pose(session: BlockSession, progress: Progress) -> CalibrationFile:
+    if isinstance(session.sensor.channel, BayerPlane):
+        raise OperationError(
+            "one-pose-of-raw",
+            message("one-pose-takes-no-raw"),
+            "",
+            message("use-method-joint"),
+        )
     pose = session.poses[0]
     result = calibrate_one_pose(one_pose_inputs(session, pose), progress)
     return one_pose_document(result, calibration_origin(session, (pose,), _user_name()))
@@ -119,15 +130,15 @@ def _solve_progress(progress: Progress) -> Progress:
 
 def one_pose_inputs(session: BlockSession, pose: Pose) -> OnePoseInputs:
     """The pictures of a pose read, and what goes with them; ``OperationError`` if damaged."""
-    colour = session.sensor.laser_colour
+    channel = session_channel(session)
     return OnePoseInputs(
         arm=session.arm,
         block=session.block,
         features=session.contacts.features,
         contact_q_rad=session.contacts.q_rad,
         pose_q_rad=pose.q_rad,
-        ambient=read_grey(pose.ambient, colour),
-        laser=None if pose.laser is None else read_grey(pose.laser, colour),
+        ambient=read_grey(pose.ambient, channel),
+        laser=None if pose.laser is None else read_grey(pose.laser, channel),
         stripe_axis=session.sensor.stripe_axis,
         size_px=(session.sensor.width_px, session.sensor.height_px),
     )
@@ -144,11 +155,19 @@ def joint_inputs(
     Poses that show nothing usable are kept with the reason; ``OperationError`` if a file is
     damaged. What is ``known`` of a pose, by number, is not looked at again.
     """
+    channel = session_channel(session)
+
+    def see(pose: Pose) -> BlockObservation | OperationError:
+        seen = _detect_one(observe_block, session.block, session, pose, channel)
+        if not isinstance(channel, BayerPlane) or isinstance(seen, OperationError):
+            return seen
+        return raw_block(seen, channel, (session.sensor.width_px, session.sensor.height_px))
+
     seen, unseen = _detect_all(
         session.poses,
         BlockObservation,
         known,
-        lambda pose: _detect_one(observe_block, session.block, session, pose),
+        see,
         progress,
     )
     return BlockInputs(
@@ -170,11 +189,19 @@ def board_inputs(
     known: Mapping[int, AnyDetection | OperationError] = NO_DETECTIONS,
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
+    channel = session_channel(session)
+
+    def see(pose: Pose) -> BoardObservation | OperationError:
+        seen = _detect_one(observe_board, session.board, session, pose, channel)
+        if not isinstance(channel, BayerPlane) or isinstance(seen, OperationError):
+            return seen
+        return raw_board(seen, channel)
+
     seen, unseen = _detect_all(
         session.poses,
         BoardObservation,
         known,
-        lambda pose: _detect_one(observe_board, session.board, session, pose),
+        see,
         progress,
     )
     return BoardInputs(
@@ -223,15 +250,26 @@ def _detect_one(
     target: TargetT,
     session: BlockSession | BoardSession,
     pose: Pose,
+    channel: Channel | None,
 ) -> DetectionT | OperationError:
     """A pose's pictures looked at; the refusal where they show nothing usable."""
-    colour = session.sensor.laser_colour
-    ambient = read_grey(pose.ambient, colour)
-    laser = None if pose.laser is None else read_grey(pose.laser, colour)
+    ambient = read_grey(pose.ambient, channel)
+    laser = None if pose.laser is None else read_grey(pose.laser, channel)
     try:
         return see(pose.number, target, ambient, laser, session.sensor.stripe_axis)
     except OperationError as refusal:
         return refusal
+
+
+def session_channel(session: BlockSession | BoardSession) -> Channel | None:
+    """What of the pictures is measured: by the datasheet; or, of colour pictures whose laser is
+    not known, by the first pose that has a picture with the laser and one without."""
+    stated = session.sensor.channel
+    pair = next((pose for pose in session.poses if pose.laser is not None), None)
+    if stated is not None or pair is None or pair.laser is None:
+        return stated
+    lit, unlit = read_colours(pair.laser), read_colours(pair.ambient)
+    return None if lit is None or unlit is None else find_weights(lit, unlit)
 
 
 def calibration_origin(
@@ -247,6 +285,7 @@ def calibration_origin(
             sensor=session.sensor.serial_number,
         ),
         stripe_axis=session.sensor.stripe_axis,
+        channel=channel_text(poses[0].files[-1], session_channel(session)),
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
             for path in (*session.tables, *(file for pose in poses for file in pose.files))

@@ -11,6 +11,8 @@ after 9. In station.toml::
     loop = true          # optional: begin again after the last one
     exposure_us = 2000   # optional: what the pictures were taken with
     laser_colour = "red" # optional, of colour pictures: red, green or blue
+    bayer = "RGGB"       # optional, of raw pictures: the colours of 2 × 2 pixels, of which only
+                         # those of the laser's colour are shown, as a picture of half the size
 """
 
 import re
@@ -26,7 +28,7 @@ from app.messages.message import message
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import GrabbingSensor
-from hardware.sensor.grey import LaserColour, to_grey
+from hardware.sensor.grey import BayerPattern, LaserColour, require_colour, to_grey
 from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
@@ -45,11 +47,13 @@ class FolderOptions(Options):
     loop: bool = True
     exposure_us: float = Field(default=0.0, ge=0)
     laser_colour: LaserColour | None = None
+    bayer: BayerPattern | None = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:
     """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
     read = read_options(FolderOptions, options, "sensor")
+    require_colour(read.bayer, read.laser_colour)
     return GrabbingSensor(
         message("folder-named", folder=read.path),
         lambda stop: _Folder(read, stop),
@@ -94,8 +98,10 @@ class _Folder(ImageSource):
             raise DeviceError(
                 message("picture-cannot-read", path=path), message("is-it-there-and-complete")
             )
-        colour = self._options.laser_colour
-        image = to_grey(raw, raw.shape[0], colour) if raw.dtype in (np.uint8, np.uint16) else None
+        image = None
+        if raw.dtype in (np.uint8, np.uint16):
+            colour, bayer = self._options.laser_colour, self._options.bayer
+            image = to_grey(raw, raw.shape[0], colour, bayer)
         if image is None:
             raise DeviceError(
                 message("picture-of-numbers", path=path, kind=str(raw.dtype)),

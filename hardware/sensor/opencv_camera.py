@@ -13,9 +13,12 @@ In station.toml::
     latency_us = 0.0            # optional: from the end of the exposure to the stamp, see below
     loop = false                # optional, of a file
     laser_colour = "red"        # optional, of a colour camera: red, green or blue
+    bayer = "RGGB"              # optional, of raw pictures: the colours of 2 × 2 pixels
 
 Grey: with ``laser_colour``, that channel of the colour picture. Else, where the camera sends a
 luma channel (grey, YUYV, NV12, motion JPEG), that is taken as it is; elsewhere BGR is converted.
+With ``bayer``, the camera's raw pixels of the laser's colour alone are the picture, without
+interpolation: half as wide and high as the sensor, which the datasheet then has to say.
 Motion JPEG, H.264 and the like are lossy: good for a look, not for measuring.
 
 Stamps: a picture's event is the V4L2 driver's monotonic time of the buffer where there
@@ -40,7 +43,7 @@ from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.options import Options, read_options
 from hardware.sensor.grabbing import GrabbingSensor
-from hardware.sensor.grey import LaserColour, to_grey
+from hardware.sensor.grey import BayerPattern, LaserColour, require_colour, to_grey
 from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
@@ -65,6 +68,7 @@ class OpenCvOptions(Options):
     latency_us: float = Field(default=0.0, ge=0, le=1_000_000)
     loop: bool = False
     laser_colour: LaserColour | None = None
+    bayer: BayerPattern | None = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:
@@ -75,6 +79,8 @@ def from_options(options: Mapping[str, object]) -> GrabbingSensor:
             message("station-toml-exposure-range-alone"),
             message("add-exposure-us-line"),
         )
+
+    require_colour(read.bayer, read.laser_colour)
 
     def connect(stop: threading.Event) -> ImageSource:
         return _Recording(read, stop) if _is_file(read.source) else _Camera(read)
@@ -97,7 +103,7 @@ class _Recording(ImageSource):
                     message("take-out", key=key),
                 )
         self._loop = options.loop
-        self._laser_colour = options.laser_colour
+        self._laser_colour, self._bayer = options.laser_colour, options.bayer
         self._capture = self._open()
         rate_hz = options.rate_hz or self._capture.get(cv2.CAP_PROP_FPS)
         if not (math.isfinite(rate_hz) and rate_hz > 0):
@@ -119,7 +125,7 @@ class _Recording(ImageSource):
                 raise DeviceError(
                     message("video-has-no-picture", title=self._title), message("is-file-complete")
                 )
-        image = to_grey(raw, raw.shape[0], self._laser_colour)
+        image = to_grey(raw, raw.shape[0], self._laser_colour, self._bayer)
         due_ns = self._pace.wait()
         return None if image is None else GrabbedImage(image, due_ns, 0.0)
 
@@ -147,7 +153,7 @@ class _Camera(ImageSource):
 
     def __init__(self, options: OpenCvOptions) -> None:
         self._title = _title(options.source)
-        self._laser_colour = options.laser_colour
+        self._laser_colour, self._bayer = options.laser_colour, options.bayer
         self._latency_ns = round(options.latency_us * 1000)
         self._exposure_us = 0.0
         self._last_ns = 0
@@ -167,8 +173,9 @@ class _Camera(ImageSource):
             )
         event_ns = self._event_ns(now_ns())
         there, raw = self._capture.retrieve()
-        height_px = self._height_px or raw.shape[0] if there else 0
-        image = to_grey(raw, height_px, self._laser_colour) if there else None
+        if not there:
+            return None
+        image = to_grey(raw, self._height_px or raw.shape[0], self._laser_colour, self._bayer)
         if image is None:
             return None
         exposure_us = self._exposure_us
@@ -213,8 +220,9 @@ class _Camera(ImageSource):
                     ),
                     message("correct-sensor-take-out", key=key),
                 )
-        # The camera's own luma, where the system passes it on unconverted.
-        if self._backend == "V4L2" and self._laser_colour is None:
+        # The camera's own luma or raw pixels, where the system passes them on unconverted.
+        raw = self._laser_colour is None or self._bayer is not None
+        if self._backend == "V4L2" and raw:
             self._capture.set(cv2.CAP_PROP_CONVERT_RGB, 0)
         self._height_px = int(self._capture.get(cv2.CAP_PROP_FRAME_HEIGHT))
         if options.exposure_us is not None:

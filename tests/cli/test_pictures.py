@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.cli.test_cli import crenel
+from tests.colours import HEIGHT, WIDTH, expose, line_rows, mosaic, render_colours
 
 
 @pytest.fixture
@@ -90,3 +91,72 @@ def test_stripes_are_drawn(tmp_path: Path) -> None:
     assert image is not None
     red = (image[..., 2] > image[..., 0]).any(axis=1)
     assert np.flatnonzero(red).tolist() == [39, 40, 41]
+
+
+def write_raw(path: Path) -> Path:
+    cv2.imwrite(str(path), mosaic(expose(render_colours("red", 6.0), seed=1), "GRBG"))
+    return path
+
+
+def test_raw_pictures_are_measured_at_the_pixels_of_the_lasers_colour(tmp_path: Path) -> None:
+    raw = write_raw(tmp_path / "raw.png")
+    table, drawn = tmp_path / "stripe.csv", tmp_path / "drawn"
+    options = ("--bayer", "GRBG", "--colour", "red")
+    zones = {
+        "width_px": WIDTH,
+        "height_px": HEIGHT,
+        "zones": [[[0, 0], [99, 0], [99, 319], [0, 319]]],
+    }
+    mask = tmp_path / "mask.json"
+    mask.write_text(json.dumps({"format": "crenel/mask", "version": 1, **zones}))
+    result = crenel("extract", raw, "-o", table, *options, "--mask", mask, "--draw", drawn)
+    assert result.exit_code == 0, result.output
+    assert "red pixels of GRBG" in result.stdout
+    u, v, _, sigma = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
+    assert u.min() == 101
+    assert set(np.diff(u)) == {2.0}
+    assert float(np.sqrt(np.mean((v - line_rows(u)) ** 2))) < 0.06
+    assert 0.03 < float(np.median(sigma)) < 0.06
+    image = cv2.imread(str(drawn / "raw.png"))
+    assert image is not None
+    assert image.shape == (HEIGHT, WIDTH, 3)
+    found = json.loads(crenel("extract", raw, "-o", table, *options, "--json").stdout)
+    assert found["images"][0]["channel"] == "red pixels of GRBG"
+    alone = crenel("extract", raw, "-o", table, "--bayer", "GRBG")
+    assert alone.exit_code == 2
+    cv2.imwrite(str(raw), expose(render_colours("red", 6.0), seed=1))
+    refused = crenel("extract", raw, "-o", table, *options)
+    assert refused.exit_code == 1
+    assert "is in colour: a raw Bayer picture" in refused.stderr
+
+
+def test_corners_of_raw_pictures_are_in_their_pixels(tmp_path: Path, board: Path) -> None:
+    seen = picture(tmp_path / "seen.png")
+    grey = cv2.imread(str(seen), cv2.IMREAD_GRAYSCALE)
+    assert grey is not None
+    dimmer = (grey[..., None] * np.array([0.6, 1.0, 0.8])).astype(np.uint8)
+    cv2.imwrite(str(seen), mosaic(dimmer, "BGGR"))
+    table = tmp_path / "corners.csv"
+    for colour in ("red", "green", "blue"):
+        options = ("--bayer", "BGGR", "--colour", colour)
+        assert crenel("detect", seen, "--object", board, "-o", table, *options).exit_code == 0
+        with table.open() as file:
+            u = sorted(float(row["u"]) for row in csv.DictReader(file))
+        np.testing.assert_allclose(u, np.repeat(99.5 + 40 * np.arange(5), 4), atol=0.25)
+
+
+def test_channels_are_weighed_by_a_picture_with_the_laser_off(tmp_path: Path) -> None:
+    lit, unlit, table = (tmp_path / name for name in ("lit.png", "unlit.png", "stripe.csv"))
+    cv2.imwrite(str(lit), expose(render_colours({"red": 1.0, "green": 0.4}, 6.0), seed=1))
+    cv2.imwrite(str(unlit), expose(render_colours({}, 6.0), seed=2))
+    result = crenel("extract", lit, "-o", table, "--laser-off", unlit, "--json")
+    assert result.exit_code == 0, result.output
+    green, red = json.loads(result.stdout)["images"][0]["channel"].split(" + ")
+    assert float(green.removesuffix(" green")) == pytest.approx(0.28, abs=0.05)
+    assert float(red.removesuffix(" red")) == pytest.approx(0.72, abs=0.05)
+    both = crenel("extract", lit, "-o", table, "--laser-off", unlit, "--colour", "red")
+    assert both.exit_code == 2
+    dark = crenel("extract", unlit, "-o", table, "--laser-off", unlit)
+    assert "not brighter" in dark.stderr
+    grey = picture(tmp_path / "grey.png")
+    assert "is grey" in crenel("extract", grey, "-o", table, "--laser-off", grey).stderr

@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from app.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
+from app.metrology.colour import LaserColour
 from hardware.errors import DeviceError
 from hardware.interfaces import SensorDriver
 from hardware.sensor import folder, opencv_camera
@@ -348,6 +350,37 @@ def test_a_lasers_channel_is_taken_of_a_colour_camera() -> None:
     assert decoded is not None
     np.testing.assert_array_equal(got, decoded[..., 1])
     assert to_grey(np.zeros((1, 50), np.uint8), HEIGHT, "red") is None
+
+
+@pytest.mark.parametrize("pattern", BAYER_PATTERNS)
+@pytest.mark.parametrize("colour", ["red", "green", "blue"])
+def test_raw_pixels_of_the_lasers_colour_are_those_that_files_give(
+    pattern: BayerPattern, colour: LaserColour
+) -> None:
+    rng = np.random.default_rng(4)
+    levels = rng.integers(0, 4095, (HEIGHT, 62))
+    levels[:4] = 4095
+    for raw in ((levels // 16).astype(np.uint8), levels.astype(np.uint16)):
+        got = to_grey(raw, HEIGHT, colour, pattern)
+        assert got is not None
+        assert got.dtype == raw.dtype
+        np.testing.assert_array_equal(got, BayerPlane(pattern, colour).select(raw))
+
+
+def test_a_folder_of_raw_pictures_shows_the_lasers_pixels(tmp_path: Path) -> None:
+    raw = picture(1)
+    cv2.imwrite(str(tmp_path / "a.png"), raw)
+    options = {"path": str(tmp_path), "laser_colour": "red", "bayer": "GRBG"}
+    driver = folder.from_options(options)
+    driver.open()
+    (seen,) = shown(driver, 1)
+    np.testing.assert_array_equal(seen, raw[::2, 1::2])
+    driver.close()
+    with pytest.raises(DeviceError, match="bayer requires laser_colour"):
+        folder.from_options({"path": str(tmp_path), "bayer": "GRBG"})
+    cv2.imwrite(str(tmp_path / "a.png"), np.dstack([raw, raw, 255 - raw]))
+    with pytest.raises(DeviceError, match="is in colour"):
+        driver.open()
 
 
 @pytest.mark.parametrize("exposure_us", [1.0, 149.0, 2000.0, 20_000.0])

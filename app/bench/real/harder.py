@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 
 from app.formats.images import GreyImage, to_8_bits
-from app.metrology.colour import PLANES, LaserColour, select_channel
+from app.metrology.channel import select_channel
+from app.metrology.colour import PLANES, LaserColour
 from app.metrology.image import saturation_level
 
 BLUR_PX = 1.5

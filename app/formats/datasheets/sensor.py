@@ -1,12 +1,15 @@
 """``sensor.json``: what the laser stripe sensor is."""
 
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.formats.json_document import Document, Positive
-from app.metrology.colour import LaserColour, laser_colour
+from app.messages.message import message
+from app.metrology.bayer import BayerPattern, BayerPlane
+from app.metrology.channel import Channel
+from app.metrology.colour import laser_colour
 
 
 class SensorDatasheet(Document):
@@ -20,13 +23,24 @@ class SensorDatasheet(Document):
     height_px: Annotated[int, Field(gt=0, le=65536, strict=True)]
     stripe_axis: Literal["u", "v"]
     laser_wavelength_nm: Positive | None = None
+    bayer: BayerPattern | None = None
+    """Of raw pictures of a colour camera: the colours of a cell of 2 × 2 pixels."""
     focal_px: Positive | None = None
     standoff_mm: Positive | None = None
 
+    @model_validator(mode="after")
+    def _colour_of_raw_pictures_is_known(self) -> Self:
+        if self.bayer is not None and self.laser_wavelength_nm is None:
+            raise ValueError(message("bayer-needs-wavelength"))
+        return self
+
     @property
-    def laser_colour(self) -> LaserColour | None:
-        """The channel in which a colour camera sees the laser, where the wavelength is known."""
-        return None if self.laser_wavelength_nm is None else laser_colour(self.laser_wavelength_nm)
+    def channel(self) -> Channel | None:
+        """What of a picture shows the laser, where the wavelength is known."""
+        if self.laser_wavelength_nm is None:
+            return None
+        colour = laser_colour(self.laser_wavelength_nm)
+        return colour if self.bayer is None else BayerPlane(self.bayer, colour)
 
 
 def read_sensor(path: Path) -> SensorDatasheet:

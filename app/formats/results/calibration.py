@@ -227,6 +227,8 @@ class CalibrationFile(Document):
     laser_plane: LaserPlanePart
     probe_matrix: Matrix4
     stripe_axis: Literal["u", "v"] = "u"
+    channel: Text | None = None
+    """What of the pictures was measured: grey, or what of a colour camera's."""
     method: str | None = None
     created_at: str | None = None
     operator: str | None = None

@@ -26,6 +26,7 @@ from app.formats.results.calibration import (
     Uncertainty,
     VerdictPart,
 )
+from app.messages.message import Text
 from app.metrology.adjustment.block.calibrate import BlockCalibration
 from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.adjustment.core.uncertainty import NAMES, CalibrationUncertainty
@@ -45,6 +46,7 @@ class Origin:
 
     serial_numbers: SerialNumbers
     stripe_axis: Literal["u", "v"]
+    channel: Text
     inputs: tuple[Input, ...]
     operator: str
 
@@ -58,6 +60,7 @@ def one_pose_document(result: OnePoseCalibration, origin: Origin) -> Calibration
             "laser_plane": _plane_part(result.plane),
             "probe_matrix": result.T_flange_sensor.tolist(),
             "stripe_axis": origin.stripe_axis,
+            "channel": origin.channel,
             "method": "one-pose",
             "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
             "operator": origin.operator,
@@ -184,6 +187,7 @@ def _multi_pose_document(
             "laser_plane": _plane_part(result.plane),
             "probe_matrix": result.T_flange_sensor.tolist(),
             "stripe_axis": origin.stripe_axis,
+            "channel": origin.channel,
             "method": "joint",
             "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
             "operator": origin.operator,

@@ -50,6 +50,7 @@ from app.report.formatting import (
     temperature,
 )
 from app.report.provenance import inputs_section
+from app.workflows.calibrate import session_channel
 
 CALIBRATION = "calibration.json"
 DISPLAYED_POSES = 6
@@ -128,7 +129,7 @@ def _subject_section(
             software_name(document.software.version) if document.software else UNKNOWN,
         ),
         (message("arm-4"), _arm_name(session.arm)),
-        (message("sensor-2"), _sensor_name(session.sensor)),
+        (message("sensor-2"), _sensor_name(session.sensor, document.channel)),
         (message("object"), device_name(target.name, target.serial_number)),
         (message("certificate"), read_certificate(session.folder / OBJECT) or UNKNOWN),
         (message("coordinates"), _coordinates(target)),
@@ -143,7 +144,7 @@ def _arm_name(arm: Arm | RobotArm) -> Text:
     return join([name, message("with-tip", diameter=ball_diameter(2 * arm.tip.radius_mm))])
 
 
-def _sensor_name(sensor: SensorDatasheet) -> Text:
+def _sensor_name(sensor: SensorDatasheet, channel: Text | None) -> Text:
     items: list[Text] = [
         device_name(sensor.name, sensor.serial_number),
         f"{sensor.width_px} × {sensor.height_px} px",
@@ -151,6 +152,8 @@ def _sensor_name(sensor: SensorDatasheet) -> Text:
     if sensor.laser_wavelength_nm:
         wavelength = rounded(sensor.laser_wavelength_nm, "nm")
         items.append(message("laser-wavelength", wavelength=wavelength))
+    if channel is not None:
+        items.append(message("measured-channel", channel=channel))
     return join(items)
 
 
@@ -273,7 +276,7 @@ def _pictures(
     by_number = {pose.number: pose for pose in session.poses}
     images = [
         image_figure(
-            by_number[part.number], session.sensor.laser_colour, part, camera, _fit_basis(session)
+            by_number[part.number], session_channel(session), part, camera, _fit_basis(session)
         )
         for part in _worst_poses(document)
         if part.number in by_number

@@ -6,11 +6,11 @@ from typing import Literal
 import cv2
 import numpy as np
 
-from app.formats.images import read_grey, to_8_bits
+from app.formats.images import read_grey_to_show, to_8_bits
 from app.formats.results.calibration import PosePart
 from app.formats.session.pose_pictures import Pose
 from app.messages.message import Text, message, quantity, rounded
-from app.metrology.colour import LaserColour
+from app.metrology.channel import Channel
 from app.metrology.sensor.camera import Camera
 from app.metrology.targets.crenellated_block import Crenellated, probing_face
 from app.metrology.transforms import Floats
@@ -143,7 +143,7 @@ def _view(
 
 
 def image_figure(
-    pose: Pose, colour: LaserColour | None, part: PosePart, camera: Camera, fitted: FitBasis
+    pose: Pose, channel: Channel | None, part: PosePart, camera: Camera, fitted: FitBasis
 ) -> tuple[Figure[Text], Text]:
     """The image of a pose with the residuals of corners and stripe as arrows, magnified."""
     size = (camera.width_px, camera.height_px)
@@ -151,7 +151,7 @@ def image_figure(
         250, 250 * size[1] / size[0], message("residuals-pose-picture", number=part.number)
     )
     scale = figure.width / size[0]
-    figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose, colour)))
+    figure.items.append(Photo((0, 0), figure.width, figure.height, _encode_jpeg(pose, channel)))
 
     def at(u: float, v: float) -> Point:
         return (u + 0.5) * scale, (v + 0.5) * scale
@@ -194,10 +194,10 @@ def image_figure(
     )
 
 
-def _encode_jpeg(pose: Pose, colour: LaserColour | None) -> bytes:
-    image = read_grey(pose.ambient if pose.laser is None else pose.laser, colour)
-    ambient = read_grey(pose.ambient, colour)
-    both = to_8_bits(np.maximum(image, ambient))
+def _encode_jpeg(pose: Pose, channel: Channel | None) -> bytes:
+    lit = read_grey_to_show(pose.ambient if pose.laser is None else pose.laser, channel)
+    ambient = read_grey_to_show(pose.ambient, channel)
+    both = to_8_bits(np.maximum(lit, ambient))
     height, width = both.shape
     wide = min(width, JPEG_WIDTH)
     small = cv2.resize(both, (wide, round(height * wide / width)), interpolation=cv2.INTER_AREA)

@@ -10,9 +10,11 @@ from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.csv_table import table_text
 from app.formats.images import GreyImage, read_grey
+from app.metrology.bayer import CELL_PX, BayerPlane
+from app.metrology.channel import Channel
 from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
-from app.metrology.colour import LaserColour
 from app.metrology.detection.detect_block import detect_object
+from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
@@ -48,14 +50,14 @@ def detect_targets(
     images: Sequence[Path],
     target: CalibrationTarget,
     axis: str | None = None,
-    colour: LaserColour | None = None,
+    channel: Channel | None = None,
     progress: Progress = no_progress,
 ) -> list[ImageDetection]:
     """Looks for a block or a board in every picture, each by itself.
 
     Args:
         axis: of the laser stripe (``u`` or ``v``), where the pictures show it too.
-        colour: of the laser, whose channel is taken of colour pictures.
+        channel: what of colour or raw pictures is measured.
 
     Raises:
         OperationError: a picture cannot be read.
@@ -63,12 +65,13 @@ def detect_targets(
     found: list[ImageDetection] = []
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        image = read_grey(path, colour)
+        image = read_grey(path, channel)
         stripe = None if axis is None else extract_stripe(image, axis)
         try:
-            found.append(ImageDetection(path, _detect(image, target, stripe)))
+            seen = ImageDetection(path, _detect(image, target, stripe))
         except OperationError as refusal:
-            found.append(ImageDetection(path, (), refusal))
+            seen = ImageDetection(path, (), refusal)
+        found.append(_in_raw_pixels(seen, channel) if isinstance(channel, BayerPlane) else seen)
     progress(1.0, "")
     return found
 
@@ -88,6 +91,27 @@ def _detect(
         DetectedPoint(one.name, one.u, one.v, _largest_sigma_px(one.covariance_px2))
         for one in block.corners
     )
+
+
+def _in_raw_pixels(seen: ImageDetection, plane: BayerPlane) -> ImageDetection:
+    """What a plane of a raw picture shows, in pixels of the picture."""
+
+    def raw(u: float, v: float) -> tuple[float, float]:
+        at = plane.raw_px(np.array([u, v]))
+        return float(at[0]), float(at[1])
+
+    corners = tuple(
+        DetectedPoint(one.number, *raw(one.u, one.v), CELL_PX * one.sigma_px)
+        for one in seen.corners
+    )
+    refusal = seen.refusal
+    if isinstance(refusal, DetectionError):
+        marks = (
+            ImageAnnotation(mark.kind, *raw(mark.u0, mark.v0), *raw(mark.u1, mark.v1))
+            for mark in refusal.marks
+        )
+        refusal = DetectionError(refusal, refusal.fault, tuple(marks))
+    return ImageDetection(seen.file, corners, refusal)
 
 
 def _largest_sigma_px(covariance_px2: Floats) -> float:

@@ -5,15 +5,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.atomic_write import write_atomically
 from app.formats.csv_table import table_text
 from app.formats.file_names import display_path
-from app.formats.images import GreyImage, read_grey
+from app.formats.images import GreyImage, channel_text, read_colours, read_grey
 from app.formats.settings.mask import Mask
-from app.messages.message import message, quantity
-from app.metrology.colour import LaserColour
+from app.messages.message import Text, message, quantity
+from app.metrology.bayer import CELL_PX, BayerPlane
+from app.metrology.channel import Channel
+from app.metrology.colour import ColourWeights, find_weights
 from app.metrology.image import saturation_level
 from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 from app.progress import Progress, no_progress
@@ -29,6 +32,8 @@ class ImageStripe:
 
     file: Path
     stripe: Stripe
+    channel: Text
+    """What of the picture was measured, in words."""
 
 
 def extract_stripes(
@@ -37,12 +42,12 @@ def extract_stripes(
     progress: Progress = no_progress,
     settings: StripeSettings = AUTOMATIC,
     mask: Mask | None = None,
-    colour: LaserColour | None = None,
+    channel: Channel | None = None,
 ) -> list[ImageStripe]:
     """The stripe of every picture, outside the zones of a mask.
 
     Args:
-        colour: of the laser, whose channel is taken of colour pictures.
+        channel: what of colour or raw pictures is measured.
 
     Raises:
         OperationError: a picture cannot be read, has no stripe, or differs in size from the mask.
@@ -51,15 +56,51 @@ def extract_stripes(
     where = None if mask is None else mask.where()
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
-        picture = read_grey(path, colour)
+        picture = read_grey(path, channel)
         if mask is not None:
-            mask.check_size(path, picture.shape[1], picture.shape[0])
-        stripe = extract_stripe(picture, axis, where, settings)
+            cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
+            mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
+        stripe = _extract(picture, axis, where, settings, channel)
         if not len(stripe.u):
             raise _no_stripe_error(path, picture, axis, mask is not None)
-        found.append(ImageStripe(path, stripe))
+        found.append(ImageStripe(path, stripe, channel_text(path, channel)))
     progress(1.0, "")
     return found
+
+
+def _extract(
+    picture: GreyImage,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    channel: Channel | None,
+) -> Stripe:
+    """The stripe in pixels of the file's picture."""
+    if not isinstance(channel, BayerPlane):
+        return extract_stripe(picture, axis, where, settings)
+    of_plane = None if where is None else channel.select_mask(where)
+    stripe = extract_stripe(picture, axis, of_plane, channel.select_settings(settings))
+    return channel.raw_stripe(stripe)
+
+
+def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
+    """The weights of a colour camera's channels, from a picture of each.
+
+    Raises:
+        OperationError: a picture cannot be read or is grey, or as ``find_weights``.
+    """
+    with_laser, without = read_colours(lit), read_colours(unlit)
+    for path, picture in ((lit, with_laser), (unlit, without)):
+        if picture is None:
+            raise OperationError(
+                "weights-of-grey",
+                message("image-is-grey", name=display_path(path)),
+                message("weights-need-colours"),
+                message("leave-out-laser-off"),
+            )
+    assert with_laser is not None
+    assert without is not None
+    return find_weights(with_laser, without)
 
 
 def _no_stripe_error(path: Path, picture: GreyImage, axis: str, masked: bool) -> OperationError:

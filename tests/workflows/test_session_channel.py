@@ -1,0 +1,116 @@
+"""Sessions of colour cameras: what of their pictures is measured, and in whose pixels."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.errors import OperationError
+from app.formats.datasheets.sensor import SensorDatasheet
+from app.formats.session.calibration_session import BoardSession, read_any_session
+from app.metrology.bayer import BayerPattern, BayerPlane
+from app.metrology.colour import PLANES, ColourWeights
+from app.workflows.calibrate import board_inputs, calibrate_session, session_channel
+from tests.colours import mosaic
+from tests.real_sessions import write_real_session
+
+pytestmark = pytest.mark.slow
+PATTERN: BayerPattern = "GBRG"
+LASER = {"blue": 0.05, "green": 0.3, "red": 1.0}
+
+
+@pytest.fixture
+def session(real: Path, tmp_path: Path) -> Path:
+    return write_real_session(real / "robot-laser-chessboard" / "calib3", tmp_path / "session")
+
+
+def colour_pictures(folder: Path) -> dict[Path, NDArray[np.uint8]]:
+    """The session's pictures as a camera takes them whose channels see less of the light."""
+    coloured = {}
+    for path in sorted((folder / "images").glob("*.png")):
+        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        assert grey is not None
+        shares = np.array([LASER[name] for name in PLANES])
+        coloured[path] = np.rint(grey[..., None] * shares).astype(np.uint8)
+    return coloured
+
+
+def state(folder: Path, **fields: object) -> None:
+    sensor = SensorDatasheet.read(folder / "sensor.json")
+    sensor.model_copy(update=fields).write(folder / "sensor.json")
+
+
+def read_session(folder: Path) -> BoardSession:
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    return session
+
+
+def test_raw_pictures_are_calibrated_in_their_own_pixels(session: Path) -> None:
+    whole = read_session(session)
+    few = replace(whole, poses=whole.poses[:3])
+    expected = board_inputs(few).observations
+    for path, colours in colour_pictures(session).items():
+        cv2.imwrite(str(path), mosaic(colours, PATTERN))
+    state(session, bayer=PATTERN, laser_wavelength_nm=660.0)
+    raw = read_session(session)
+    assert session_channel(raw) == BayerPlane(PATTERN, "red")
+    seen = board_inputs(replace(raw, poses=raw.poses[:3])).observations
+    for one, other in zip(seen, expected, strict=True):
+        at = {
+            int(number): uv
+            for number, uv in zip(other.detection.number, other.detection.uv_px, strict=True)
+        }
+        off = [
+            uv - at[int(number)]
+            for number, uv in zip(one.detection.number, one.detection.uv_px, strict=True)
+        ]
+        assert float(np.abs(np.median(off, axis=0)).max()) < 0.05
+        assert len(off) == len(at)
+        assert one.stripe.v.max() > 900
+        rows = np.interp(one.stripe.v, other.stripe.v, other.stripe.u)
+        assert abs(float(np.median(one.stripe.u - rows))) < 0.15
+    with pytest.raises(OperationError, match="not sufficient"):
+        calibrate_session(session, session.parent / "c.json", method="one-pose")
+
+
+def test_a_raw_picture_needs_the_lasers_colour(session: Path) -> None:
+    text = (session / "sensor.json").read_text()
+    (session / "sensor.json").write_text(
+        text.replace('"stripe_axis"', '"bayer": "RGGB", "stripe_axis"')
+    )
+    with pytest.raises(OperationError, match="bayer requires laser_wavelength_nm"):
+        read_any_session(session)
+    (session / "sensor.json").write_text(
+        text.replace('"stripe_axis"', '"bayer": "RGBG", "stripe_axis"')
+    )
+    with pytest.raises(OperationError, match="bayer"):
+        read_any_session(session)
+
+
+def test_weights_are_found_where_the_lasers_colour_is_not_stated(
+    samples: Path, tmp_path: Path
+) -> None:
+    """From the first pose with a picture of each kind."""
+    session = read_any_session(samples / "one-pose")
+    assert session_channel(session) == "red"
+    unstated = replace(
+        session, sensor=session.sensor.model_copy(update={"laser_wavelength_nm": None})
+    )
+    assert session_channel(unstated) is None
+    files = []
+    rng = np.random.default_rng(0)
+    for path in session.poses[0].files:
+        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        assert grey is not None
+        colours = grey[..., None] * np.array([LASER[name] for name in PLANES])
+        noisy = np.clip(np.rint(colours + rng.normal(0, 2, colours.shape)), 0, 255)
+        files.append(tmp_path / path.name)
+        cv2.imwrite(str(files[-1]), noisy.astype(np.uint8))
+    pose = replace(session.poses[0], ambient=files[0], laser=files[1])
+    weights = session_channel(replace(unstated, poses=(pose,)))
+    assert isinstance(weights, ColourWeights)
+    assert weights.red > 2 * weights.green > 4 * weights.blue
