@@ -139,7 +139,8 @@ def real(
     column is agreed where all three have a point within 3 px (a fifth of the line's width where
     that is more), in a run of at least 20 columns and three widths. Missed: agreed columns
     without a point of Crenel. False: points further off than that from the points of all other
-    methods; beside it, the best peer's. Noise: what a quadratic through 21 columns leaves of
+    methods, unless these do not agree and half of the point's run is confirmed; beside it, the
+    best peer's. Noise: what a quadratic through 21 columns leaves of
     the middle one. Scatter / σ: of repeated frames, observed over stated.
 
     Of pictures without a line: the share of columns with points.

@@ -71,7 +71,7 @@ def test_runs_are_connected_over_small_gaps() -> None:
 def test_missed_and_false_points_are_counted() -> None:
     rows: dict[str, Floats] = {name: np.full(100, 50.0) for name in ("crenel", *PEERS)}
     rows["crenel"][:10] = np.nan  # missed
-    rows["crenel"][20:25] = 56.0  # alone
+    rows["crenel"][20:25] = 56.0  # alone, where the others agree
     rows["crenel"][30:33] = 56.0
     rows["steger"][30:33] = 55.0  # beside another's
     rows["steger"][40:43] = 70.0
@@ -83,6 +83,17 @@ def test_missed_and_false_points_are_counted() -> None:
     assert agreed.sum() == 62 - 3 - 3
     assert find_false(rows, "crenel", 4.0).nonzero()[0].tolist() == [*range(20, 25)]
     assert find_false(rows, "steger", 4.0).nonzero()[0].tolist() == [*range(40, 43)]
+
+
+def test_a_spot_that_misleads_the_peers_makes_no_false_point() -> None:
+    rows: dict[str, Floats] = {name: np.full(200, 50.0) for name in ("crenel", *PEERS)}
+    for name in PEERS:
+        rows[name][80:92] = 150.0  # too short for a line
+        rows[name][120:150] = 58.0  # a line of its own
+    assert find_false(rows, "crenel", 4.0).nonzero()[0].tolist() == [*range(120, 150)]
+    rows["crenel"][:] = np.nan
+    rows["crenel"][80:92] = 50.0  # and nothing that confirms it
+    assert find_false(rows, "crenel", 4.0).nonzero()[0].tolist() == [*range(80, 92)]
 
 
 def test_noise_is_that_of_the_points_with_gaps_and_outliers() -> None:

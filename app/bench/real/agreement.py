@@ -9,26 +9,30 @@ from app.metrology.transforms import Floats
 
 APART_PX, APART_SHARE = 3.0, 0.2
 LEAST_RUN, LEAST_WIDTHS = 20, 3.0
+CONFIRMED = 0.5
+"""Share of a run that must be near another method's points, to be the line's."""
 WIDEST_GAP = 3
 STEEPEST_PX = 4.0
 """Rows by which a line may rise from one column to the next."""
 
 
-def find_runs(rows: Floats, least: int) -> NDArray[np.bool_]:
-    """The columns that belong to a run of at least ``least`` columns.
+def split_runs(rows: Floats) -> list[NDArray[np.int64]]:
+    """The columns of each run in which a line goes on.
 
     Args:
         rows: (W,) of the line, NaN where there is none. Gaps of up to three columns belong to
             a run, but their columns do not count.
-        least: the columns that a run must have.
     """
-    kept = np.zeros(len(rows), np.bool_)
     columns = np.flatnonzero(np.isfinite(rows))
-    if not len(columns):
-        return kept
     gaps = np.diff(columns)
     breaks = (gaps > WIDEST_GAP + 1) | (np.abs(np.diff(rows[columns])) > STEEPEST_PX * gaps)
-    for run in np.split(columns, np.flatnonzero(breaks) + 1):
+    return np.split(columns, np.flatnonzero(breaks) + 1)
+
+
+def find_runs(rows: Floats, least: int) -> NDArray[np.bool_]:
+    """The columns (W,) that belong to a run of at least ``least`` columns."""
+    kept = np.zeros(len(rows), np.bool_)
+    for run in split_runs(rows):
         kept[run] = len(run) >= least
     return kept
 
@@ -51,9 +55,16 @@ def find_agreed(rows: Sequence[Floats], width_px: float) -> NDArray[np.bool_]:
 
 
 def find_false(rows: dict[str, Floats], method: str, width_px: float) -> NDArray[np.bool_]:
-    """The columns (W,) in which a method's point is far from those of all others."""
-    others = np.stack([rows[other] for other in rows if other != method])
-    off = np.abs(others - rows[method])
-    beside = np.isfinite(off).any(axis=0)
-    near = (off <= apart_px(width_px)).any(axis=0)
-    return np.asarray(beside & ~near)
+    """The columns (W,) in which a method's point is far from those of all others.
+
+    Where the others disagree or take something short, a point on a run that is mostly
+    confirmed lies on the line, and is not false.
+    """
+    others = [rows[other] for other in rows if other != method]
+    off = np.abs(np.stack(others) - rows[method])
+    beside = np.asarray(np.isfinite(off).any(axis=0))
+    near = np.asarray((off <= apart_px(width_px)).any(axis=0))
+    excused = np.zeros(len(near), np.bool_)
+    for run in split_runs(rows[method]):
+        excused[run] = near[run].sum() >= CONFIRMED * beside[run].sum()
+    return np.asarray(beside & ~near & ~(excused & ~find_agreed(others, width_px)))

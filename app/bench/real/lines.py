@@ -6,7 +6,9 @@ where that is more), in runs of at least 20 columns and three widths, so that ro
 
 - **missed**: Crenel has no point in an agreed column.
 - **false**: a method's point further than 3 px (or a fifth of the width) from the points of all
-  the other three methods, where at least one of them has a point in the column.
+  the other three methods, where at least one of them has a point in the column. If these do not
+  agree on a line there, points of a run of which half is confirmed elsewhere are not false: a
+  bright spot beside the line misleads the others.
 - **noise**: what a quadratic through 21 columns leaves of the middle one (divided by the share of
   its own noise that the fit leaves it), over the columns in which all four methods agree;
   1.4826 times the median of its absolute values.
