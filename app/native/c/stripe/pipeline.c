@@ -253,13 +253,14 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
 {
     PIXEL brightest;
     const PIXEL highest_core = OF(search)(work, &brightest);
-    const float saturated = BITS == 8 ? 255 : saturation_level(brightest);
+    const float full = BITS == 8 ? 255 : saturation_level(brightest);
     /* after the search, which has fetched the pixels */
     const double read = work->known[0] > 0 ? work->known[0] : OF(read_noise)(work);
     const double threshold =
         isnan(work->threshold) ? STANDS_OUT * sqrt(SCORE_VARIANCE * read) : work->threshold;
     const int64_t peaks = OF(list_peaks)(work, threshold);
     const bool linked = choose_peaks(work, peaks);
+    const float saturated = OF(clipping_level)(work, full);
     const int64_t found =
         OF(place_points)(work, read, threshold, saturated, highest_core >= saturated);
     int64_t pieces = list_pieces(work, found);

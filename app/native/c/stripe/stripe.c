@@ -21,9 +21,11 @@
 #include "choice.c"
 
 #define BITS 8
+#include "plateau.c"
 #include "profiles.c"
 #undef BITS
 #define BITS 16
+#include "plateau.c"
 #include "profiles.c"
 #undef BITS
 
