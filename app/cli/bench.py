@@ -129,6 +129,13 @@ def real(
             " tinted, compressed, cut.",
         ),
     ] = False,
+    draw: Annotated[
+        Path | None,
+        typer.Option(
+            help="Also write each picture: points of lines green, false ones yellow, missed red.",
+            file_okay=False,
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Measure real pictures: boards beside OpenCV, laser lines beside three peers.
@@ -149,7 +156,7 @@ def real(
     from app.bench.real import real_pictures
 
     with progress_bar("Searching", not as_json) as progress:
-        found = real_pictures.run(folder, harder, progress)
+        found = real_pictures.run(folder, harder, progress, draw)
     if as_json:
         print_json(asdict(found))
         return

@@ -1,6 +1,8 @@
 """``crenel bench real``: what it counts, on lines whose truth is known, and its folder."""
 
 import json
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -10,11 +12,12 @@ from numpy.typing import NDArray
 
 from app.bench.real.agreement import find_agreed, find_false, find_runs
 from app.bench.real.harder import HARDER
-from app.bench.real.layout import find_sets
+from app.bench.real.layout import LazyPicture, PictureSetNotes, find_sets
 from app.bench.real.lines import measure_lines, measure_no_line, noise_of_columns
 from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
 from app.bench.real.real_pictures import line_table, no_line_table, run
 from app.errors import OperationError
+from app.formats.images import GreyImage
 from app.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 400, 240
@@ -30,6 +33,12 @@ def render_line(
     light = 12 + height * np.exp(-0.5 * (2.3548 * off / width_px) ** 2)
     noisy = light + np.random.default_rng(seed).normal(0, noise, light.shape)
     return np.clip(np.rint(noisy), 0, 255).astype(np.uint8), rows
+
+
+def lazily(images: Sequence[GreyImage]) -> list[LazyPicture]:
+    return [
+        LazyPicture(str(number), partial(np.asarray, image)) for number, image in enumerate(images)
+    ]
 
 
 @pytest.mark.parametrize("width_px", [2.5, 6.0, 15.0, 40.0])
@@ -109,15 +118,18 @@ def test_noise_is_that_of_the_points_with_gaps_and_outliers() -> None:
 
 def test_a_line_is_measured_beside_its_peers() -> None:
     frames = [render_line(15.0, seed=seed)[0] for seed in range(8)]
-    found = measure_lines("clean", lambda: frames, repeated=True)
+    found = measure_lines("clean", lazily(frames), PictureSetNotes(repeated=True))
     assert (found.axis, found.pictures, found.with_line) == ("u", 8, 8)
     assert found.missed == 0
     assert found.agreed > 0.95 * 8 * WIDTH
     assert set(found.false.values()) == {0}
-    assert found.noise_px["crenel"] < found.noise_px["centroid"]
-    assert found.sigma_px == pytest.approx(found.noise_px["crenel"], rel=0.2)
+    own, theirs = found.noise_px["crenel"], found.noise_px["centroid"]
+    assert own is not None
+    assert theirs is not None
+    assert own < theirs
+    assert found.sigma_px == pytest.approx(own, rel=0.2)
     assert found.scatter_ratio == pytest.approx(1.0, abs=0.15)
-    turned = measure_lines("turned", lambda: [frame.T for frame in frames[:2]])
+    turned = measure_lines("turned", lazily([frame.T for frame in frames[:2]]))
     assert (turned.axis, turned.with_line, turned.scatter_ratio) == ("v", 2, None)
     (row,) = line_table([found])
     assert row[6:9] == ["0.0 %", "0", "0"]
@@ -126,10 +138,10 @@ def test_a_line_is_measured_beside_its_peers() -> None:
 def test_pictures_without_a_line_have_no_points() -> None:
     noise = np.random.default_rng(8).normal(20, 2, (HEIGHT, WIDTH))
     image = np.clip(np.rint(noise), 0, 255).astype(np.uint8)
-    found = measure_no_line("room", [image])
+    found = measure_no_line("room", lazily([image]))
     assert (found.columns, found.points, found.share) == (WIDTH + HEIGHT, 0, 0.0)
     assert no_line_table([found]) == [["room", "1", str(WIDTH + HEIGHT), "0", "0.00 %"]]
-    nothing = measure_lines("nothing", lambda: [image])
+    nothing = measure_lines("nothing", lazily([image]))
     assert (nothing.width_px, nothing.agreed, nothing.noise_px) == (None, 0, {})
     assert line_table([nothing])[0][6] == "–"
 
@@ -140,7 +152,7 @@ def test_harder_pictures_still_show_the_line(name: str, kind: type[np.generic]) 
     image, _ = render_line(5.0)
     harder = HARDER[name](image.astype(kind) * (16 if kind is np.uint16 else 1))
     assert harder.dtype in (np.uint8, np.uint16)
-    found = measure_lines(name, lambda: [harder])
+    found = measure_lines(name, lazily([harder]))
     assert found.agreed > 0.9 * harder.shape[1]
 
 
@@ -162,7 +174,9 @@ def test_a_folder_is_read_by_its_layout(tmp_path: Path) -> None:
         "lines/dark",
         "lines/two",
     ]
-    found = run(tmp_path, harder=False)
+    found = run(tmp_path, harder=False, drawings=tmp_path / "drawn")
+    assert (tmp_path / "drawn" / "lines" / "two" / "a, u.png").is_file()
+    assert (tmp_path / "drawn" / "boards" / "wall" / "a, v.png").is_file()
     assert [one.name for one in found.no_line] == ["boards/wall", "lines/dark"]
     (two,) = found.lines
     assert (two.name, two.false, two.width_px) == ("lines/two", {}, 5.0)

@@ -6,8 +6,9 @@
     FOLDER/lines/SET/     pictures of a laser line, and what is known of them as set.json
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import ClassVar, Literal
 
@@ -48,6 +49,14 @@ class PictureSetNotes(Document):
 
 
 @dataclass(frozen=True)
+class LazyPicture:
+    """A picture that is read when it is needed, and its name."""
+
+    name: str
+    load: Callable[[], GreyImage]
+
+
+@dataclass(frozen=True)
 class PictureSet:
     """A folder of pictures of one camera."""
 
@@ -63,13 +72,16 @@ class PictureSet:
         """Whether the laser is off: a board is taken so, a line is not, unless stated."""
         return self.kind == "boards" if self.about.no_line is None else self.about.no_line
 
-    def pictures(self) -> Iterator[GreyImage]:
-        """The pictures one after the other, in the channel of the laser's colour.
+    def pictures(self) -> list[LazyPicture]:
+        """The pictures, in the channel of the laser's colour.
 
-        Raises:
-            OperationError: one cannot be read, or is in colour and the laser's is not stated.
+        Loading raises ``OperationError`` for one that cannot be read, or is in colour while the
+        laser's is not stated.
         """
-        return (read_grey(path, self.about.colour) for path in self.files)
+        return [
+            LazyPicture(path.stem, partial(read_grey, path, self.about.colour))
+            for path in self.files
+        ]
 
 
 def find_sets(folder: Path) -> list[PictureSet]:

@@ -18,13 +18,14 @@ where that is more), in runs of at least 20 columns and three widths, so that ro
   in fewer than four of five frames.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.bench.real.agreement import APART_PX, agree, apart_px, find_agreed, find_false
+from app.bench.real.layout import LazyPicture, PictureSetNotes
 from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
 from app.metrology.image import Image
 from app.metrology.stripe import Stripe, extract_stripe
@@ -36,6 +37,7 @@ METHODS = (CRENEL, *PEERS)
 WINDOW, LEAST_OF_WINDOW = 21, 15
 SIGMA_OF_MEDIAN = 1.4826
 LEAST_FRAMES = 5
+NOTHING_KNOWN = PictureSetNotes()
 OFTEN = 0.8
 """Share of the frames in which a column must have a point, to tell its scatter."""
 MOST_MEASURED = 8
@@ -58,7 +60,7 @@ class LineSet:
     missed: int = 0
     false: dict[str, int] = field(default_factory=dict)
     """By method; empty where several lines may be taken."""
-    noise_px: dict[str, float] = field(default_factory=dict)
+    noise_px: dict[str, float | None] = field(default_factory=dict)
     sigma_px: float | None = None
     """Median of what Crenel states of the columns in which all agree."""
     scatter_ratio: float | None = None
@@ -86,64 +88,92 @@ class _Columns:
     sigma_px: Floats
 
 
+@dataclass(frozen=True)
+class PictureResult:
+    """What was found in a picture, turned so that the line crosses its columns."""
+
+    name: str
+    axis: str
+    turned: Image
+    rows: Floats
+    """(W,) of Crenel's points, NaN where there is none."""
+    peer_rows: Floats
+    """(W,) in the middle of the peers' points."""
+    missed: NDArray[np.bool_]
+    false: NDArray[np.bool_]
+
+
+Show = Callable[[PictureResult], None]
+
+
+def show_nothing(result: PictureResult) -> None:
+    """For callers that do not look at single pictures."""
+
+
 def measure_lines(
     name: str,
-    pictures: Callable[[], Iterable[Image]],
-    axis: str | None = None,
-    width_px: float | None = None,
-    several: bool = False,
-    repeated: bool = False,
+    pictures: Sequence[LazyPicture],
+    about: PictureSetNotes = NOTHING_KNOWN,
+    show: Show = show_nothing,
 ) -> LineSet:
     """Measures a set of pictures with a line.
 
     Args:
-        pictures: a function, because they are looked at twice: for the axis and the width.
-        axis: of the stripe; None: the one along which the peers agree more often.
-        width_px: of the line at half height; None: measured.
-        several: more than one line may be taken: no point is false.
-        repeated: the pictures are frames of one scene that does not move.
+        about: what is known of them: axis and width of the line, whether several may be taken,
+            and whether the pictures are frames of one scene.
+        show: called with what was found in each picture.
     """
-    some = _some(pictures())
+    axis, width_px = about.stripe_axis, about.width_px
+    some = [picture.load() for picture in pictures[:: -(-len(pictures) // MOST_MEASURED)]]
     if axis is None:
-        axis = max(("u", "v"), key=lambda one: _number_agreed(some, one, width_px))
+        axis = "v" if _is_turned(some, width_px) else "u"
     if width_px is None:
         width_px = measure_width_px(orient_image(picture, axis) for picture in some)
-    result = LineSet(name, axis, width_px, false={} if several else dict.fromkeys(METHODS, 0))
-    left: dict[str, list[Floats]] = {method: [] for method in METHODS}
+    false = {} if about.several else dict.fromkeys(METHODS, 0)
+    result = LineSet(name, axis, width_px, len(pictures), false=false)
+    noise: dict[str, list[Floats]] = {method: [] for method in METHODS}
     stated: list[Floats] = []
     frames = []
-    for picture in pictures():
-        result.pictures += 1
-        own = _columns(extract_stripe(picture, axis), _width(picture, axis))
+    for picture in pictures:
+        turned = orient_image(picture.load(), axis)
+        own = _columns(extract_stripe(turned), turned.shape[1])
         result.points += int(np.isfinite(own.rows).sum())
         frames.append(own)
         if width_px is None:
             continue
-        rows = {CRENEL: own.rows, **find_by_peers(orient_image(picture, axis), width_px)}
-        common = _count(result, rows, width_px)
+        rows = {CRENEL: own.rows, **find_by_peers(turned, width_px)}
+        show(_count(result, picture.name, turned, rows, width_px))
+        common = agree(list(rows.values()), apart_px(width_px))
         stated.append(own.sigma_px[common])
         for method in METHODS:
-            left[method].append(noise_of_columns(np.where(common, rows[method], np.nan)))
-    result.noise_px = {
-        method: deviation
-        for method, parts in left.items()
-        if (deviation := robust_deviation(parts)) is not None
-    }
+            noise[method].append(noise_of_columns(np.where(common, rows[method], np.nan)))
     if any(len(part) for part in stated):
+        result.noise_px = {method: robust_deviation(parts) for method, parts in noise.items()}
         result.sigma_px = float(np.median(np.concatenate(stated)))
-    if repeated and len(frames) >= LEAST_FRAMES:
+    if about.repeated and len(frames) >= LEAST_FRAMES:
         result.scatter_ratio = _scatter_ratio(frames)
     return result
 
 
-def measure_no_line(name: str, pictures: Iterable[Image], axis: str | None = None) -> NoLineSet:
+def measure_no_line(
+    name: str,
+    pictures: Sequence[LazyPicture],
+    about: PictureSetNotes = NOTHING_KNOWN,
+    show: Show = show_nothing,
+) -> NoLineSet:
     """Counts the points in pictures without a line, along both axes where none is given."""
-    result = NoLineSet(name)
+    result = NoLineSet(name, len(pictures))
     for picture in pictures:
-        result.pictures += 1
-        for one in ("u", "v") if axis is None else (axis,):
-            result.columns += _width(picture, one)
-            result.points += len(extract_stripe(picture, one).u)
+        image = picture.load()
+        for axis in ("u", "v") if about.stripe_axis is None else (about.stripe_axis,):
+            turned = orient_image(image, axis)
+            rows = _columns(extract_stripe(turned), turned.shape[1]).rows
+            there = np.isfinite(rows)
+            result.columns += len(rows)
+            result.points += int(there.sum())
+            nothing = np.full(len(rows), np.nan)
+            missed = np.zeros(len(rows), np.bool_)
+            show(PictureResult(picture.name, axis, turned, rows, nothing, missed, there))
     return result
 
 
@@ -174,10 +204,9 @@ def robust_deviation(parts: Sequence[Floats]) -> float | None:
     return SIGMA_OF_MEDIAN * float(np.median(np.abs(values))) if len(values) else None
 
 
-def _some(pictures: Iterable[Image]) -> list[Image]:
-    """At most eight pictures, evenly spread."""
-    held = list(pictures)
-    return held[:: -(-len(held) // MOST_MEASURED)]
+def _is_turned(pictures: Sequence[Image], width_px: float | None) -> bool:
+    """Whether the peers agree more often along the pictures' rows than along their columns."""
+    return _number_agreed(pictures, "v", width_px) > _number_agreed(pictures, "u", width_px)
 
 
 def _number_agreed(pictures: Sequence[Image], axis: str, width_px: float | None) -> int:
@@ -189,16 +218,24 @@ def _number_agreed(pictures: Sequence[Image], axis: str, width_px: float | None)
     return sum(int(find_agreed(list(rows.values()), width_px).sum()) for rows in peers)
 
 
-def _count(result: LineSet, rows: dict[str, Floats], width_px: float) -> NDArray[np.bool_]:
-    """Adds a picture's columns to a set's counts; the columns in which all four agree."""
-    agreed = find_agreed([rows[peer] for peer in PEERS], width_px)
-    missed = int((agreed & np.isnan(rows[CRENEL])).sum())
+def _count(
+    result: LineSet, name: str, turned: Image, rows: dict[str, Floats], width_px: float
+) -> PictureResult:
+    """Adds a picture's columns to a set's counts."""
+    theirs = [rows[peer] for peer in PEERS]
+    agreed = find_agreed(theirs, width_px)
+    missed = agreed & np.isnan(rows[CRENEL])
     result.agreed += int(agreed.sum())
-    result.missed += missed
-    result.with_line += bool(agreed.any() and missed <= agreed.sum() / 2)
-    for method in result.false:
-        result.false[method] += int(find_false(rows, method, width_px).sum())
-    return agree([rows[method] for method in METHODS], apart_px(width_px))
+    result.missed += int(missed.sum())
+    result.with_line += bool(agreed.any() and missed.sum() <= agreed.sum() / 2)
+    false = {method: find_false(rows, method, width_px) for method in result.false}
+    for method, columns in false.items():
+        result.false[method] += int(columns.sum())
+    none = np.zeros(len(missed), np.bool_)
+    middle = np.median(np.stack(theirs), axis=0)
+    return PictureResult(
+        name, result.axis, turned, rows[CRENEL], middle, missed, false.get(CRENEL, none)
+    )
 
 
 def _scatter_ratio(frames: Sequence[_Columns]) -> float | None:
@@ -221,7 +258,3 @@ def _columns(stripe: Stripe, width: int) -> _Columns:
     at = np.rint(along).astype(np.int64)
     rows[at], sigma[at] = across, stripe.sigma_px
     return _Columns(rows, sigma)
-
-
-def _width(picture: Image, axis: str) -> int:
-    return int(picture.shape[1] if axis == "u" else picture.shape[0])

@@ -6,15 +6,18 @@ from functools import partial
 from pathlib import Path
 
 from app.bench.metrology.real_boards import BoardSet, measure_boards
+from app.bench.real.drawings import write_drawing
 from app.bench.real.harder import HARDER, WIDTH_FACTORS
-from app.bench.real.layout import PictureSet, find_sets
+from app.bench.real.layout import LazyPicture, PictureSet, PictureSetNotes, find_sets
 from app.bench.real.lines import (
     CRENEL,
     METHODS,
     LineSet,
     NoLineSet,
+    Show,
     measure_lines,
     measure_no_line,
+    show_nothing,
 )
 from app.bench.real.peers import PEERS
 from app.formats.images import GreyImage
@@ -57,13 +60,33 @@ class Variant:
     spoil: Callable[[GreyImage], GreyImage] | None = None
     width_factor: float = 1.0
 
-    def pictures(self) -> Iterator[GreyImage]:
-        pictures = self.source.pictures()
-        return pictures if self.spoil is None else map(self.spoil, pictures)
+    def pictures(self) -> list[LazyPicture]:
+        pictures, spoil = self.source.pictures(), self.spoil
+        if spoil is None:
+            return pictures
+        return [LazyPicture(one.name, _spoil_later(one, spoil)) for one in pictures]
+
+    @property
+    def about(self) -> PictureSetNotes:
+        about = self.source.about
+        if about.width_px is None:
+            return about
+        return about.model_copy(update={"width_px": about.width_px * self.width_factor})
 
 
-def run(folder: Path, harder: bool, progress: Progress = no_progress) -> RealResults:
+def _spoil_later(
+    picture: LazyPicture, spoil: Callable[[GreyImage], GreyImage]
+) -> Callable[[], GreyImage]:
+    return lambda: spoil(picture.load())
+
+
+def run(
+    folder: Path, harder: bool, progress: Progress = no_progress, drawings: Path | None = None
+) -> RealResults:
     """Measures all sets of a folder; with ``harder``, also what is made of each.
+
+    Args:
+        drawings: a folder for each picture with what was found in it.
 
     Raises:
         OperationError: the folder has no sets, or a file of one cannot be read.
@@ -72,7 +95,8 @@ def run(folder: Path, harder: bool, progress: Progress = no_progress) -> RealRes
     results = RealResults()
     for number, variant in enumerate(variants):
         progress(number / len(variants), variant.name)
-        _measure(results, variant)
+        draw = drawings and partial(write_drawing, drawings / variant.name)
+        _measure(results, variant, draw or show_nothing)
     return results
 
 
@@ -82,17 +106,15 @@ def _variants(source: PictureSet, harder: bool) -> Iterator[Variant]:
         yield Variant(f"{source.name}, {name}", source, spoil, WIDTH_FACTORS.get(name, 1.0))
 
 
-def _measure(results: RealResults, variant: Variant) -> None:
-    source, about = variant.source, variant.source.about
+def _measure(results: RealResults, variant: Variant, show: Show) -> None:
+    source, pictures = variant.source, variant.pictures()
     if source.board is not None:
-        results.boards.append(measure_boards(variant.name, variant.pictures(), source.board))
+        loaded = (picture.load() for picture in pictures)
+        results.boards.append(measure_boards(variant.name, loaded, source.board))
     if source.without_line:
-        found = measure_no_line(variant.name, variant.pictures(), about.stripe_axis)
-        results.no_line.append(found)
+        results.no_line.append(measure_no_line(variant.name, pictures, variant.about, show))
     elif source.kind == "lines":
-        width_px = None if about.width_px is None else about.width_px * variant.width_factor
-        measure = partial(measure_lines, variant.name, variant.pictures, about.stripe_axis)
-        results.lines.append(measure(width_px, about.several, about.repeated))
+        results.lines.append(measure_lines(variant.name, pictures, variant.about, show))
 
 
 def line_table(results: Sequence[LineSet]) -> list[list[str]]:
@@ -102,17 +124,21 @@ def line_table(results: Sequence[LineSet]) -> list[list[str]]:
             one.name,
             str(one.pictures),
             str(one.with_line),
-            "–" if one.width_px is None else f"{one.width_px:.1f}",
+            _cell(one.width_px, 1),
             str(one.points),
             str(one.agreed),
             f"{100 * one.missed / one.agreed:.1f} %" if one.agreed else "–",
             str(one.false[CRENEL]) if one.false else "–",
             str(min(one.false[peer] for peer in PEERS)) if one.false else "–",
-            *(f"{one.noise_px[name]:.3f}" if name in one.noise_px else "–" for name in METHODS),
-            "–" if one.scatter_ratio is None else f"{one.scatter_ratio:.2f}",
+            *(_cell(one.noise_px.get(name), 3) for name in METHODS),
+            _cell(one.scatter_ratio, 2),
         ]
         for one in results
     ]
+
+
+def _cell(value: float | None, decimals: int) -> str:
+    return "–" if value is None else f"{value:.{decimals}f}"
 
 
 def no_line_table(results: Sequence[NoLineSet]) -> list[list[str]]:
