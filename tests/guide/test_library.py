@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.session_datasheets import best_guess
 from app.guide.calibration.state import CalibrationState
 from app.guide.common.datasheet_library import DatasheetLibrary, read_library
@@ -44,3 +45,15 @@ def test_the_only_block_is_guessed_beside_chessboards(tmp_path: Path, block: Cre
 def test_of_several_chessboards_none_is_guessed(tmp_path: Path) -> None:
     library = library_with(tmp_path, one=BOARD, two=BOARD)
     assert "object" not in best_guess(library, CalibrationState(), None, None)
+
+
+def test_a_sensor_of_raw_pictures_is_not_chosen_on_a_station(tmp_path: Path) -> None:
+    """Its driver selects the pixels, so that the datasheet describes the picture of these."""
+    fields = {"name": "S", "serial_number": "1", "width_px": 640, "height_px": 480}
+    raw = {**fields, "stripe_axis": "u", "laser_wavelength_nm": 660.0, "bayer": "RGGB"}
+    (tmp_path / "sensors").mkdir()
+    SensorDatasheet.model_validate(raw).write(tmp_path / "sensors" / "raw.json")
+    library = read_library(tmp_path)
+    assert not library.sensors
+    (finding,) = library.findings
+    assert "bayer and laser_colour in [sensor] of station.toml" in str(finding.text)

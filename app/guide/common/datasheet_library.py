@@ -12,7 +12,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
-from app.formats.file_names import check_name
+from app.formats.file_names import check_name, display_path
 from app.messages.message import message
 from app.metrology.arm.kinematics import Arm
 from app.metrology.targets.target import CalibrationTarget
@@ -81,8 +81,21 @@ def read_library(data_folder: Path) -> DatasheetLibrary:
     return DatasheetLibrary(
         arms=_entries(data_folder / "arms", read_arm, findings),
         objects=_entries(data_folder / "objects", read_object, findings),
-        sensors=_entries(data_folder / "sensors", read_sensor, findings),
+        sensors=_entries(data_folder / "sensors", _read_station_sensor, findings),
         findings=tuple(findings),
+    )
+
+
+def _read_station_sensor(path: Path) -> SensorDatasheet:
+    """A sensor whose pictures are grey: a station's driver selects the pixels of raw ones."""
+    sensor = read_sensor(path)
+    if sensor.bayer is None:
+        return sensor
+    raise OperationError(
+        "sensor-raw",
+        message("datasheet-says-raw", path=display_path(path)),
+        message("driver-selects-raw-pixels"),
+        message("move-bayer-to-station-toml"),
     )
 
 
