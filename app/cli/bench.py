@@ -163,6 +163,8 @@ def real(
     if found.boards:
         of_boards = (*real_boards.COLUMNS, *real_boards.COLUMNS_RMS)
         print_table("Chessboards", of_boards, real_boards.table(found.boards))
+    for name in found.unknown_boards:
+        print(f"{name} has no object.json: its board is not looked for")
     if found.lines:
         of_lines = real_pictures.line_table(found.lines)
         print_table("Laser lines", real_pictures.LINE_COLUMNS, of_lines)

@@ -19,6 +19,7 @@ from app.bench.real.real_pictures import line_table, no_line_table, run
 from app.errors import OperationError
 from app.formats.images import GreyImage
 from app.metrology.transforms import Floats
+from tests.cli.test_cli import crenel
 
 WIDTH, HEIGHT = 400, 240
 Grey = NDArray[np.uint8]
@@ -181,6 +182,7 @@ def test_a_folder_is_read_by_its_layout(tmp_path: Path) -> None:
     (two,) = found.lines
     assert (two.name, two.false, two.width_px) == ("lines/two", {}, 5.0)
     assert not found.boards
+    assert found.unknown_boards == ["boards/lit", "boards/wall"]
     many = run(tmp_path, harder=True)
     assert len(many.lines) == 1 + len(HARDER)
     halved = next(one for one in many.lines if one.name == "lines/two, half size")
@@ -198,3 +200,18 @@ def test_a_wrong_folder_is_refused(tmp_path: Path) -> None:
     (tmp_path / "boards" / "b" / "object.json").write_text("{}")
     with pytest.raises(OperationError, match=r"object\.json"):
         find_sets(tmp_path)
+
+
+def test_the_command_prints_tables_or_json(tmp_path: Path) -> None:
+    write_set(tmp_path / "lines" / "one", stripe_axis="u")
+    write_set(tmp_path / "boards" / "wall")
+    shown = crenel("bench", "real", tmp_path)
+    assert shown.exit_code == 0, shown.output
+    for text in ("Laser lines", "lines/one", "Pictures without a laser line", "boards/wall has no"):
+        assert text in shown.stdout
+    found = json.loads(crenel("bench", "real", tmp_path, "--json").stdout)
+    assert set(found) == {"boards", "lines", "no_line", "unknown_boards"}
+    (line,) = found["lines"]
+    assert (line["missed"], line["scatter_ratio"]) == (0, None)
+    refused = crenel("bench", "real", tmp_path / "boards")
+    assert "boards/SET or lines/SET" in refused.stderr

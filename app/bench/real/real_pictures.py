@@ -49,6 +49,8 @@ class RealResults:
     boards: list[BoardSet] = field(default_factory=list)
     lines: list[LineSet] = field(default_factory=list)
     no_line: list[NoLineSet] = field(default_factory=list)
+    unknown_boards: list[str] = field(default_factory=list)
+    """Sets of boards whose board is not stated, and not looked for."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +113,8 @@ def _measure(results: RealResults, variant: Variant, show: Show) -> None:
     if source.board is not None:
         loaded = (picture.load() for picture in pictures)
         results.boards.append(measure_boards(variant.name, loaded, source.board))
+    elif source.kind == "boards":
+        results.unknown_boards.append(variant.name)
     if source.without_line:
         results.no_line.append(measure_no_line(variant.name, pictures, variant.about, show))
     elif source.kind == "lines":
