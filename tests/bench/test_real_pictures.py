@@ -42,7 +42,7 @@ def lazily(images: Sequence[GreyImage]) -> list[LazyPicture]:
     ]
 
 
-@pytest.mark.parametrize("width_px", [2.5, 6.0, 15.0, 40.0])
+@pytest.mark.parametrize("width_px", [2.5, 6.0, 15.0, 29.0])
 def test_the_peers_find_lines_of_any_width(width_px: float) -> None:
     image, rows = render_line(width_px)
     measured = measure_width_px([image])

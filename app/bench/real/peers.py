@@ -23,7 +23,10 @@ PER_FULL_WIDTH = 1 / 2.3548
 """Standard deviation of a Gaussian whose width at half height is one."""
 LEAST_HEIGHT, LEAST_NOISES = 0.02, 6.0
 LEAST_SCALE_PX = 1.0
-SCALES_PX = tuple(2.0**step for step in np.arange(0.0, 5.5, 0.5))
+SCALES_PX = tuple(2.0**step for step in np.arange(0.0, 7.5, 0.5))
+WIDEST_SHARE = 1 / 8
+"""Of the picture's height, the widest line that is looked for."""
+ROUNDS = 3
 STEEPEST = 0.3
 """Least share of a line's normal that points along the columns."""
 OFF_PIXEL = 0.6
@@ -125,7 +128,7 @@ def _width_px(image: Image) -> float | None:
     least = least_height(image)
     strongest, best = 0.0, None
     for scale_px in SCALES_PX:
-        if scale_px / PER_FULL_WIDTH > image.shape[0] / 5:
+        if scale_px / PER_FULL_WIDTH > WIDEST_SHARE * image.shape[0]:
             break
         response = -_filter(grey, np.ones(1), _kernel(scale_px, 2)) * scale_px**2
         rows, along = response.argmax(axis=0), np.arange(image.shape[1])
@@ -135,7 +138,16 @@ def _width_px(image: Image) -> float | None:
         strength = float(heights[kept].sum() / np.sqrt(scale_px))
         if strength > strongest:
             strongest, best = strength, (scale_px, rows, along[kept])
-    return None if best is None else _profile_width_px(grey, *best)
+    if best is None:
+        return None
+    scale_px, rows, along = best
+    width_px: float | None = None
+    for _ in range(ROUNDS):  # a profile that ends on a wider line makes it too narrow
+        width_px = _profile_width_px(grey, scale_px, rows, along)
+        if width_px is None or width_px * PER_FULL_WIDTH < 1.1 * scale_px:
+            break
+        scale_px = width_px * PER_FULL_WIDTH
+    return width_px
 
 
 def _profile_width_px(
