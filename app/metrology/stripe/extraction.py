@@ -13,11 +13,12 @@ from app.metrology.image import Image
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
 from app.metrology.stripe.scales import (
     FULL,
+    THIN_FACTOR,
+    height_at,
     reduce_mask,
     reduce_rows,
-    reduced_height,
     scale_of,
-    usable_factors,
+    wide_factors,
 )
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
 from app.metrology.stripe.workspace import (
@@ -88,7 +89,7 @@ def extract_stripe(
 
 
 @dataclass(slots=True)
-class Extraction:
+class FoundLine:
     """A stripe, and how much of a line it is.
 
     ``evidence``: length of the line, in shares of the image's width, times its height in grey
@@ -116,8 +117,8 @@ def extract_whole(
     axis: str,
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
-    first: Extraction | None = None,
-) -> Extraction:
+    first: FoundLine | None = None,
+) -> FoundLine:
     """The stripe in an image that is already oriented, at the scale that shows most of a line.
 
     Args:
@@ -127,15 +128,17 @@ def extract_whole(
     best = first or extract_parts(grey, axis, whole_image(grey), where, settings)
     if best.is_certain:
         return best
-    for factor in usable_factors(grey.shape[0]):
-        parts = whole_image(grey, factor)
-        found = extract_parts(grey, axis, parts, where, settings, factor=factor)
+    for factor in wide_factors(grey.shape[0]):
+        found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
         width_px = found.sigma_rows * factor / PER_FULL_WIDTH
         is_narrow = width_px < WIDEST_LINE * grey.shape[0]
         if is_narrow and found.evidence > CLEARLY_BETTER * best.evidence:
             best = found
         if found.is_certain:
             break
+    if best.evidence == 0:
+        parts = whole_image(grey, THIN_FACTOR)
+        best = extract_parts(grey, axis, parts, where, settings, factor=THIN_FACTOR)
     return best
 
 
@@ -147,7 +150,7 @@ def extract_parts(
     settings: StripeSettings,
     known: NDArray[np.float32] | None = None,
     factor: float = 1.0,
-) -> Extraction:
+) -> FoundLine:
     """The stripe in parts of an image that is already oriented, at one scale.
 
     Args:
@@ -161,7 +164,7 @@ def extract_parts(
     """
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
-        return Extraction(empty_stripe(axis))
+        return FoundLine(empty_stripe(axis))
     image, scale = grey, FULL
     if factor != 1:
         scale = scale_of(grey, factor)
@@ -182,12 +185,12 @@ def extract_parts(
         points[2] /= scale.gain
         points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if factor < 1 else 0)
     stripe = stripe_from_points(points, axis)
-    return Extraction(stripe, evidence / scale.gain, length, factor, float(known[3]))
+    return FoundLine(stripe, evidence / scale.gain, length, factor, float(known[3]))
 
 
 def whole_image(grey: Image, factor: float = 1.0) -> NDArray[np.int64]:
     """(1, 4) the part that is the complete image with ``factor`` rows made one."""
-    return np.array([[0, reduced_height(grey.shape[0], factor), 0, grey.shape[1]]])
+    return np.array([[0, height_at(grey.shape[0], factor), 0, grey.shape[1]]])
 
 
 def orient_image(image: Image, axis: str) -> Image:

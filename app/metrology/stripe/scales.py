@@ -12,9 +12,10 @@ from app.metrology.stripe.settings import StripeSettings
 from app.native.arguments import I64, U8, U16, Array, Function, Integer
 from app.native.library import CRENEL
 
-FACTORS = (3.0, 9.0, 0.5)
-"""Rows that are made one, in the order in which they are tried after the image itself; at each,
-lines of about 2 to 25 rows are found."""
+WIDE_FACTORS = (3.0, 9.0)
+"""Rows that are made one for wide lines: at each, lines of about 2 to 25 rows are found."""
+THIN_FACTOR = 0.5
+"""Rows that are made one for lines thinner than two pixels."""
 LEAST_ROWS = 64
 """No factor leaves fewer rows."""
 STEEPEST_PX = 4.0
@@ -73,9 +74,9 @@ class Scale:
     def settings(self, settings: StripeSettings) -> StripeSettings:
         """The same settings for the reduced image."""
         return StripeSettings(
-            threshold=_scaled(settings.threshold, self.gain),
-            min_width_px=_scaled(settings.min_width_px, 1 / self.factor),
-            max_width_px=_scaled(settings.max_width_px, 1 / self.factor),
+            threshold=_multiply(settings.threshold, self.gain),
+            min_width_px=_multiply(settings.min_width_px, 1 / self.factor),
+            max_width_px=_multiply(settings.max_width_px, 1 / self.factor),
             min_run=settings.min_run,
             choice=settings.choice,
         )
@@ -84,9 +85,9 @@ class Scale:
 FULL = Scale()
 
 
-def usable_factors(rows: int) -> tuple[float, ...]:
+def wide_factors(rows: int) -> tuple[float, ...]:
     """The factors that leave an image of so many rows enough of them."""
-    return tuple(factor for factor in FACTORS if rows / factor >= LEAST_ROWS)
+    return tuple(factor for factor in WIDE_FACTORS if rows / factor >= LEAST_ROWS)
 
 
 def scale_of(grey: Image, factor: float) -> Scale:
@@ -110,7 +111,7 @@ def saturation_level(brightest: int) -> int:
     return brightest if is_full_scale else FULL_SCALE_16
 
 
-def reduced_height(rows: int, factor: float) -> int:
+def height_at(rows: int, factor: float) -> int:
     """How many rows an image of so many has with ``factor`` of them made one."""
     return int(rows / factor)
 
@@ -118,12 +119,12 @@ def reduced_height(rows: int, factor: float) -> int:
 def reduce_rows(grey: Image, scale: Scale, parts: NDArray[np.int64]) -> Image:
     """The image (H / factor, W) of 16 bits with ``factor`` rows made one by their mean.
 
-    If rows are made one, a pixel is clipped where one of its rows is, and only ``parts`` (n, 4) of the
-    reduced image are filled: first row and the one after the last, first column and the one after
-    the last.
+    If rows are made one, a pixel is clipped where one of its rows is, and only ``parts`` (n, 4) of
+    the reduced image are filled: first row and the one after the last, first column and the one
+    after the last.
     """
     rows, columns = grey.shape
-    out = np.empty((reduced_height(rows, scale.factor), columns), dtype=np.uint16)
+    out = np.empty((height_at(rows, scale.factor), columns), dtype=np.uint16)
     if scale.factor < 1:
         _double[grey.dtype](grey, scale.gain, scale.saturated, out)
     else:
@@ -143,5 +144,5 @@ def reduce_mask(where: NDArray[np.bool_] | None, factor: float) -> NDArray[np.bo
     return np.ascontiguousarray(by_rows.all(axis=1))
 
 
-def _scaled(value: float | None, factor: float) -> float | None:
+def _multiply(value: float | None, factor: float) -> float | None:
     return None if value is None else value * factor

@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 
 from app.metrology.image import Image
 from app.metrology.stripe.extraction import (
-    Extraction,
+    FoundLine,
     extract_parts,
     extract_whole,
     orient_image,
     orient_mask,
 )
 from app.metrology.stripe.points import Stripe
-from app.metrology.stripe.scales import reduced_height
+from app.metrology.stripe.scales import height_at
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
@@ -106,7 +106,7 @@ class StripeTracker:
             found = self._try_scales(grey, found)
         return found.stripe
 
-    def _try_scales(self, grey: Image, found: Extraction) -> Extraction:
+    def _try_scales(self, grey: Image, found: FoundLine) -> FoundLine:
         """What the image shows at the best scale, which is kept for the frames to come."""
         whole = found if found.factor == 1 else None
         best = extract_whole(grey, self._axis, self._allowed, self._settings, whole)
@@ -125,7 +125,7 @@ class StripeTracker:
             self._along,
             self._across if factor == 1 else (self._across - (factor - 1) / 2) / factor,
             whole,
-            reduced_height(rows, factor),
+            height_at(rows, factor),
             columns,
             math.ceil(self._margin_px / factor),
             self._turn,
@@ -133,7 +133,7 @@ class StripeTracker:
         )
         return parts[:count]
 
-    def _extract(self, parts: NDArray[np.int64], grey: Image) -> Extraction:
+    def _extract(self, parts: NDArray[np.int64], grey: Image) -> FoundLine:
         """The stripe in these parts; stores its position."""
         found = extract_parts(
             grey, self._axis, parts, self._allowed, self._settings, self._known, self._factor
@@ -141,14 +141,14 @@ class StripeTracker:
         self._remember(found)
         return found
 
-    def _remember(self, found: Extraction) -> None:
+    def _remember(self, found: FoundLine) -> None:
         """Stores where the stripe lies."""
         self._along, self._across = found.stripe.along_across
         self._counts = np.empty_like(self._counts)
         _count_in_blocks(self._along, self._counts)
 
     def _forget(self) -> None:
-        """Starts anew, for images of another size."""
+        """Forgets the stripe, for images of another size."""
         self._along = self._across = np.zeros(0)
         self._factor = 1.0
         self._turn = 0

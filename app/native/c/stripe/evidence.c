@@ -51,27 +51,27 @@ static double OF(grey_below)(const Workspace *work, const int32_t *point_at, dou
     return (double)level / per_level;
 }
 
-/* How much of a line `count` pieces show: their length as that of one piece and the columns that
- * have a point, in shares of the picture's width (their geometric mean), times their height; 0
- * where they are no line. By n peaks. */
-static double OF(weigh_line)(Workspace *work, int64_t count, int64_t n, double brightest)
+/* Whether `count` pieces are a line, by n peaks. Fills work->length, their length as that of one
+ * piece in shares of the picture's width, and work->evidence, the geometric mean of that and of the
+ * share of columns that have a point, times their height. */
+static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double brightest)
 {
     double height, clutter = 0;
     const int64_t points = count_points(work, count);
     int32_t *point_at = work->columns;
-    work->length = effective_length(work->pieces, count, &height) / (double)work->width;
-    if (!points)
-        return 0;
     const double columns = (double)points / (double)work->width;
+    work->length = effective_length(work->pieces, count, &height) / (double)work->width;
+    work->evidence = sqrt(work->length * columns) * height;
+    if (!points)
+        return false;
     const bool is_long = work->length >= LONG_LINE || columns >= MANY_COLUMNS;
-    const double evidence = sqrt(work->length * columns) * height;
     list_points(work, count, point_at);
     if ((double)find_clutter(work, n, point_at) > (1 - CLUTTER_SHARE) * (double)work->width)
         clutter = clutter_level(work, point_at, 0, work->width, height);
     if (clutter > (is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT))
-        return 0;
+        return false;
     if (columns >= MANY_COLUMNS && clutter < NEARLY_ALONE)
-        return evidence;
+        return true;
     const double grey = OF(grey_below)(work, point_at, brightest);
-    return height < (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey ? 0 : evidence;
+    return height >= (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey;
 }

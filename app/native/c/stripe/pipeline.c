@@ -266,6 +266,8 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
     int64_t pieces = list_pieces(work, found);
     if (work->rule == CONTINUITY)
         pieces = keep_line(work, pieces, peaks, linked);
-    work->evidence = OF(weigh_line)(work, pieces, peaks, BITS == 8 ? 255 : brightest);
-    return work->evidence > 0 || is_specified(work) ? count_points(work, pieces) : 0;
+    if (OF(is_line)(work, pieces, peaks, BITS == 8 ? 255 : brightest) || is_specified(work))
+        return count_points(work, pieces);
+    work->evidence = 0;
+    return 0;
 }
