@@ -36,7 +36,7 @@ EXTRACT = {
     U16: Function(CRENEL, "extract_16", Record(Fields), returns=int),
 }
 
-CERTAIN_LENGTH = 0.35
+CERTAIN_LENGTH, CERTAIN_LENGTH_CLIPPED = 0.35, 0.6
 """A line so long, in shares of the image's width, is looked for at no other scale."""
 CERTAIN_SIGMA_ROWS = 4.0
 """A line at least so wide is looked for at coarser scales, too."""
@@ -108,7 +108,8 @@ class FoundLine:
     @property
     def is_certain(self) -> bool:
         """Whether it is one long, narrow line, so that no other scale would show a better one."""
-        is_long = self.evidence > 0 and self.length >= CERTAIN_LENGTH
+        certain_length = CERTAIN_LENGTH if self.sigma_rows else CERTAIN_LENGTH_CLIPPED
+        is_long = self.evidence > 0 and self.length >= certain_length
         return is_long and self.sigma_rows < CERTAIN_SIGMA_ROWS
 
 

@@ -12,6 +12,8 @@ static const double MOST_CLUTTER = 0.67, MOST_CLUTTER_SHORT = 0.5;
  * need not be if it stands nearly alone, with less clutter than this. */
 static const double NEARLY_ALONE = 0.25;
 static const double ABOVE_GREY = 1.3, ABOVE_GREY_SHORT = 1.8, GREY_SHARE = 0.95;
+/* A line over most of the picture may have any clutter, and be hardly higher than the grey. */
+static const double MOST_OF_PICTURE = 0.6, HARDLY_ABOVE_GREY = 0.95;
 /* Rows and columns from one pixel that shows the picture's grey to the next; levels counted. */
 enum { GREY_ROWS = 8, GREY_COLUMNS = 4, GREY_LEVELS = 256 };
 
@@ -65,13 +67,14 @@ static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double bright
     if (!points)
         return false;
     const bool is_long = work->length >= LONG_LINE || columns >= MANY_COLUMNS;
+    const double most = is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT;
     list_points(work, count, point_at);
     if ((double)find_clutter(work, n, point_at) > (1 - CLUTTER_SHARE) * (double)work->width)
         clutter = clutter_level(work, point_at, 0, work->width, height);
-    if (clutter > (is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT))
-        return false;
     if (columns >= MANY_COLUMNS && clutter < NEARLY_ALONE)
         return true;
     const double grey = OF(grey_below)(work, point_at, brightest);
-    return height >= (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey;
+    if (work->length >= MOST_OF_PICTURE && height > HARDLY_ABOVE_GREY * grey)
+        return true;
+    return clutter <= most && height >= (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey;
 }

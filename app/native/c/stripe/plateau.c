@@ -11,7 +11,7 @@
 enum { PLATEAU_COLUMNS = 64, PLATEAU_ROWS = 64 };
 /* The plateau's lowest level in shares of its top, which so many columns reach; its rows at least,
  * and in shares of those above half its height, in most of them. */
-static const double PLATEAU_LEVEL = 0.96, PLATEAU_SHARE = 0.4;
+static const double PLATEAU_LEVEL = 0.93, PLATEAU_SHARE = 0.4;
 enum { FEWEST_FLAT_ROWS = 4, FEWEST_FLAT_COLUMNS = 6 };
 /* So many rows inside the plateau that lie below full scale, in shares of it, are chance. */
 static const double BELOW_FULL = 0.1;
