@@ -1260,7 +1260,11 @@ let-simulation-do-everything = Simulierten Bediener alles ausführen lassen
 let-kept-time-server-which-moves = Von einem Zeitserver führen lassen, der sie gleitend nachstellt.
 let-laser-come-rest-take-pictures = Laser zur Ruhe kommen lassen und die Bilder neu aufnehmen.
 let-laser-warm-up-check-mount = Laser warmlaufen lassen, seine Befestigung prüfen und die Bilder neu aufnehmen.
-let-line-cross-board-every-picture = die Linie in jedem Bild über die Tafel führen
+let-line-cross-board-in-more-pictures =
+    { $more ->
+        [one] ein weiteres Bild aufnehmen, in dem die Linie über die Tafel verläuft
+       *[other] { $more } weitere Bilder aufnehmen, in denen die Linie über die Tafel verläuft
+    }
 started-simulation = simulierten Bediener gestartet
 lies-face = er liegt { $where }
 lies-no-face-all = er liegt auf keiner Fläche
@@ -1726,6 +1730,7 @@ places-were-held-out-fit-over = An Positionen, die nicht in die Ausgleichung ein
 plane-equation = ({ $x }; { $y }; { $z }) · x = { $offset }
 plane-nearly-boards-does-meet-sharp = eine Ebene, die nahezu in der Tafel liegt, schneidet sie nicht in einer scharfen Linie
 plane-needs-both-directions = für eine Ebene sind { $width } in beiden Richtungen nötig
+plane-needs-lines = die Laserebene braucht Linien in mindestens { $fewest } Bildern; die übrigen Bilder bestimmen Kamera und Lage des Sensors
 plane-swept-straight-across-angle = Gerade überfahrene Ebene: Winkel
 plane-through-cameras-centre-gives-no = eine Ebene durch den Mittelpunkt der Kamera ergibt keine Tiefe
 plug-right-arm-correct-arm-joint = Richtigen Messarm anschließen oder [arm] joint_count berichtigen.
@@ -1763,8 +1768,8 @@ points-here-welcome-beside-those-other = { $place } Punkte hier sind hilfreich, 
 points-laser-stripe-lie-object-levels = { $points } Punkte der Laserlinie liegen auf dem Objekt (von { $found } auf seinen Höhenstufen; { $least } sind auf Zinnen und auf Nutgründen nötig)
 points-lasers-line-lie-board-but-poses =
     { $count ->
-        [one] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Pose { $poses } zeigt keine.
-       *[other] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Die Posen { $poses } zeigen keine.
+        [one] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Pose { $poses } zeigt keine und bestimmt nur Kamera und Lage des Sensors.
+       *[other] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Die Posen { $poses } zeigen keine und bestimmen nur Kamera und Lage des Sensors.
     }
 points-lasers-line-lie-board-rms = { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene.
 points-lie-about-nearest-plane = bei jedem Zeitversatz streuen die Punkte um { $spread } (k = 1) um die Ausgleichsebene
@@ -1810,6 +1815,7 @@ pose-has-no-picture = { $place }: Pose { $pose } hat kein { $missing }-Bild
 pose-is-set-aside = Ausgeschlossen
 pose-left-out = Pose { $number } wurde ausgeschlossen: { CLAUSE($reason) }.
 pose-looks-same-turned-round = Pose { $number }: „{ $name }“ sieht gedreht gleich aus
+pose-needs-a-lit-picture = für eine Pose ist ein Bild „ambient“ nötig oder eines mit beiden Beleuchtungen („both“); auf einem Schachbrett darf das Bild „laser“ fehlen
 pose-needs-both-lightings = für eine Pose sind ein Bild „ambient“ und ein Bild „laser“ nötig oder eines mit beiden Beleuchtungen („both“)
 pose-set-aside = Diese Pose ist nicht ausgeschlossen.
 pose-set-aside-2 = Pose { $n } ist ausgeschlossen

@@ -1256,7 +1256,11 @@ let-simulation-do-everything = Let the simulated operator do everything
 let-kept-time-server-which-moves = Synchronise it with a time server, which adjusts it gradually.
 let-laser-come-rest-take-pictures = Let the laser settle, and take the pictures again.
 let-laser-warm-up-check-mount = Let the laser warm up, check its mount, and take the pictures again.
-let-line-cross-board-every-picture = let the line cross the board in every picture
+let-line-cross-board-in-more-pictures =
+    { $more ->
+        [one] take one more picture in which the line crosses the board
+       *[other] take { $more } more pictures in which the line crosses the board
+    }
 started-simulation = started the simulated operator
 lies-face = it lies { $where }
 lies-no-face-all = it lies on no face
@@ -1717,6 +1721,7 @@ places-were-held-out-fit-over = At places that were left out of the fit, and ove
 plane-equation = ({ $x }, { $y }, { $z }) · x = { $offset }
 plane-nearly-boards-does-meet-sharp = a laser plane nearly parallel to the board does not intersect it sharply
 plane-needs-both-directions = a plane requires { $width } in both directions
+plane-needs-lines = the laser plane requires lines in at least { $fewest } pictures; the other pictures determine camera and mounting
 plane-swept-straight-across-angle = Plane scanned in one straight pass: angle
 plane-through-cameras-centre-gives-no = a plane through the camera's centre gives no depth
 plug-right-arm-correct-arm-joint = Connect the right arm, or correct [arm] joint_count.
@@ -1754,8 +1759,8 @@ points-here-welcome-beside-those-other = { $place } Points here are useful in ad
 points-laser-stripe-lie-object-levels = { $points } points of the laser stripe lie on the object (of { $found } on its levels; { $least } are required on crests and on floors)
 points-lasers-line-lie-board-but-poses =
     { $count ->
-        [one] { $points } points of the laser line lie on the board, { $rms } rms off the plane. Pose { $poses } has none.
-       *[other] { $points } points of the laser line lie on the board, { $rms } rms off the plane. Poses { $poses } have none.
+        [one] { $points } points of the laser line lie on the board, { $rms } rms off the plane. Pose { $poses } has none and determines only camera and mounting.
+       *[other] { $points } points of the laser line lie on the board, { $rms } rms off the plane. Poses { $poses } have none and determine only camera and mounting.
     }
 points-lasers-line-lie-board-rms = { $points } points of the laser line lie on the board, { $rms } rms off the plane.
 points-lie-about-nearest-plane = whatever the delay, the points scatter by { $spread } (k = 1) about the best-fitting plane
@@ -1801,6 +1806,7 @@ pose-has-no-picture = { $place }: pose { $pose } has no { $missing } picture
 pose-is-set-aside = Excluded
 pose-left-out = Pose { $number } was excluded: { CLAUSE($reason) }.
 pose-looks-same-turned-round = pose { $number }: { $name } looks the same when rotated
+pose-needs-a-lit-picture = a pose requires one 'ambient' picture, or one with 'both' lights; on a chessboard, its 'laser' picture may be missing
 pose-needs-both-lightings = a pose requires one 'ambient' and one 'laser' picture, or one with 'both' lights
 pose-set-aside = That pose is not excluded.
 pose-set-aside-2 = Pose { $n } is excluded

@@ -4,6 +4,8 @@ import getpass
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal, TypeVar
 
@@ -11,7 +13,8 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import check_output_path
-from app.formats.images import channel_text, read_colours, read_grey
+from app.formats.datasheets.sensor import SensorDatasheet
+from app.formats.images import GreyImage, channel_text, png_size, read_colours, read_grey
 from app.formats.io_errors import prefix_errors
 from app.formats.json_document import file_sha256
 from app.formats.results.calibration import CalibrationFile, Input, SerialNumbers
@@ -22,7 +25,7 @@ from app.formats.results.calibration_builder import (
     one_pose_document,
 )
 from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
-from app.formats.session.pose_pictures import Pose
+from app.formats.session.pose_pictures import Pose, check_size
 from app.messages.message import Text, message
 from app.metrology.adjustment.block.calibrate import calibrate_block, observe_block
 from app.metrology.adjustment.block.problem import BlockInputs
@@ -34,10 +37,7 @@ from app.metrology.bayer import BayerPlane
 from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
 from app.metrology.channel import Channel
 from app.metrology.colour import find_weights
-from app.metrology.image import Image
 from app.metrology.limits import LIMITS, Limits
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import Crenellated
 from app.progress import Progress, no_progress
 from app.workflows.pictures.raw_observations import raw_block, raw_board
 
@@ -47,7 +47,6 @@ NO_DETECTIONS: Mapping[int, AnyDetection | OperationError] = {}
 # Share of the time that looking at the pictures takes.
 DETECTION_SHARE = 0.8
 DetectionT = TypeVar("DetectionT", BlockObservation, BoardObservation)
-TargetT = TypeVar("TargetT", Crenellated, Chessboard)
 
 
 def calibrate_session(
@@ -152,22 +151,15 @@ def joint_inputs(
 ) -> BlockInputs:
     """The pictures of all poses read and looked at, on all cores.
 
-    Poses that show nothing usable are kept with the reason; ``OperationError`` if a file is
-    damaged. What is ``known`` of a pose, by number, is not looked at again.
+    Poses whose pictures are damaged or show nothing usable are kept with the reason. What is
+    ``known`` of a pose, by number, is not looked at again.
     """
     channel = session_channel(session)
-
-    def see(pose: Pose) -> BlockObservation | OperationError:
-        seen = _detect_one(observe_block, session.block, session, pose, channel)
-        if not isinstance(channel, BayerPlane) or isinstance(seen, OperationError):
-            return seen
-        return raw_block(seen, channel, (session.sensor.width_px, session.sensor.height_px))
-
     seen, unseen = _detect_all(
         session.poses,
         BlockObservation,
         known,
-        see,
+        lambda pose: _observe_block(session, pose, channel),
         progress,
     )
     return BlockInputs(
@@ -190,18 +182,11 @@ def board_inputs(
 ) -> BoardInputs:
     """The same of a session on a chessboard."""
     channel = session_channel(session)
-
-    def see(pose: Pose) -> BoardObservation | OperationError:
-        seen = _detect_one(observe_board, session.board, session, pose, channel)
-        if not isinstance(channel, BayerPlane) or isinstance(seen, OperationError):
-            return seen
-        return raw_board(seen, channel)
-
     seen, unseen = _detect_all(
         session.poses,
         BoardObservation,
         known,
-        see,
+        lambda pose: _observe_board(session, pose, channel),
         progress,
     )
     return BoardInputs(
@@ -245,31 +230,71 @@ def _detect_all(
     return seen, tuple(unseen)
 
 
-def _detect_one(
-    see: Callable[[int, TargetT, Image, Image | None, str], DetectionT],
-    target: TargetT,
-    session: BlockSession | BoardSession,
-    pose: Pose,
-    channel: Channel | None,
-) -> DetectionT | OperationError:
-    """A pose's pictures looked at; the refusal where they show nothing usable."""
-    ambient = read_grey(pose.ambient, channel)
-    laser = None if pose.laser is None else read_grey(pose.laser, channel)
+def _observe_block(
+    session: BlockSession, pose: Pose, channel: Channel | None
+) -> BlockObservation | OperationError:
+    """What a pose's pictures show; the refusal where they show nothing usable."""
+    sensor = session.sensor
     try:
-        return see(pose.number, target, ambient, laser, session.sensor.stripe_axis)
+        ambient = _read_picture(pose.ambient, sensor, channel)
+        laser = None if pose.laser is None else _read_picture(pose.laser, sensor, channel)
+        seen = observe_block(pose.number, session.block, ambient, laser, sensor.stripe_axis)
     except OperationError as refusal:
         return refusal
+    if isinstance(channel, BayerPlane):
+        return raw_block(seen, channel, (sensor.width_px, sensor.height_px))
+    return seen
+
+
+def _observe_board(
+    session: BoardSession, pose: Pose, channel: Channel | None
+) -> BoardObservation | OperationError:
+    """The same of a chessboard, which needs no laser picture; a damaged one is named."""
+    sensor, laser, unreadable = session.sensor, None, None
+    try:
+        ambient = _read_picture(pose.ambient, sensor, channel)
+        try:
+            laser = None if pose.laser is None else _read_picture(pose.laser, sensor, channel)
+        except OperationError as error:
+            unreadable = error
+        laser_on = pose.laser_on and unreadable is None
+        seen = observe_board(
+            pose.number, session.board, ambient, laser, sensor.stripe_axis, laser_on
+        )
+    except OperationError as refusal:
+        return refusal
+    seen = replace(seen, laser_error=unreadable)
+    return raw_board(seen, channel) if isinstance(channel, BayerPlane) else seen
+
+
+def _read_picture(path: Path, sensor: SensorDatasheet, channel: Channel | None) -> GreyImage:
+    """What is measured of a picture of the sensor's size; raises ``OperationError``."""
+    check_size(path, png_size(path), sensor)
+    return read_grey(path, channel)
 
 
 def session_channel(session: BlockSession | BoardSession) -> Channel | None:
     """What of the pictures is measured: by the datasheet; or, of colour pictures whose laser is
     not known, by the first pose that has a picture with the laser and one without."""
-    stated = session.sensor.channel
-    pair = next((pose for pose in session.poses if pose.laser is not None), None)
-    if stated is not None or pair is None or pair.laser is None:
-        return stated
-    lit, unlit = read_colours(pair.laser), read_colours(pair.ambient)
-    return None if lit is None or unlit is None else find_weights(lit, unlit)
+    if session.sensor.channel is not None:
+        return session.sensor.channel
+    for pose in session.poses:
+        if pose.laser is None:
+            continue
+        try:
+            lit, unlit = read_colours(pose.laser), read_colours(pose.ambient)
+        except OperationError:  # a damaged picture excludes its own pose alone
+            continue
+        return None if lit is None or unlit is None else find_weights(lit, unlit)
+    return None
+
+
+def _channel_text(poses: Sequence[Pose], channel: Channel | None) -> Text:
+    """What of the pictures was measured, by the first that can be read."""
+    for pose in poses:
+        with suppress(OperationError):
+            return channel_text(pose.files[-1], channel)
+    return message("channel-grey")
 
 
 def calibration_origin(
@@ -285,7 +310,7 @@ def calibration_origin(
             sensor=session.sensor.serial_number,
         ),
         stripe_axis=session.sensor.stripe_axis,
-        channel=channel_text(poses[0].files[-1], session_channel(session)),
+        channel=_channel_text(poses, session_channel(session)),
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
             for path in (*session.tables, *(file for pose in poses for file in pose.files))

@@ -264,6 +264,48 @@ def test_pictures_of_nothing_are_left_out_and_named(spoilt: Path) -> None:
     assert "No chessboard of 7 × 6" in poses[5]["reason"]
 
 
+def test_damaged_pictures_are_left_out_and_named(spoilt: Path) -> None:
+    """A file cut off, one that is no picture, and one of another size; the rest calibrates."""
+    whole = (spoilt / "images/2.png").read_bytes()
+    (spoilt / "images/2.png").write_bytes(whole[: len(whole) // 2])
+    (spoilt / "images/5.png").write_text("no picture")
+    write_png(spoilt / "images/7.png", np.zeros((100, 100), np.uint8))
+    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
+    assert shown.exit_code == 0, shown.output
+    poses = {pose["number"]: pose for pose in json.loads(shown.stdout)["poses"]}
+    said = {number: pose["reason"] for number, pose in poses.items() if not pose["used"]}
+    assert set(said) == {2, 5, 7}
+    assert "2.png" in said[2]
+    assert "5.png" in said[5]
+    assert "100 × 100" in said[7]
+
+
+def test_laser_pictures_may_be_missing_or_damaged(spoilt: Path) -> None:
+    """The pose then serves camera and mounting."""
+    rows = []
+    for k, T in enumerate(POSES):
+        off, on = f"images/{k + 1}off.png", f"images/{k + 1}on.png"
+        write_png(spoilt / off, picture(T, Look(laser=False), k))
+        write_png(spoilt / on, picture(T, Look(dark=4.0, bright=6.0), k))
+        flange = find_flange_pose(T)
+        rows.append(ImageRow(k + 1, off, "ambient", np.zeros(0), flange))
+        if k != 3:
+            rows.append(ImageRow(k + 1, on, "laser", np.zeros(0), flange))
+    write_images(spoilt / "images.csv", rows)
+    (spoilt / "images/5on.png").write_text("no picture")
+    shown = crenel("calibrate", spoilt, "-o", spoilt / "c.json", "--json")
+    assert shown.exit_code == 0, shown.output
+    document = json.loads(shown.stdout)
+    poses = {pose["number"]: pose for pose in document["poses"]}
+    assert all(pose["used"] for pose in poses.values())
+    assert poses[4]["stripe_points"] == poses[5]["stripe_points"] == 0
+    assert poses[1]["stripe_points"] > 100
+    (named,) = (one for one in document["verdict"]["findings"] if one["code"] == "laser-picture")
+    assert named["quality"] == "attention"
+    assert named["text"].startswith("Pose 5: ")
+    assert "5on.png" in named["text"]
+
+
 def test_pictures_without_the_laser_are_refused(spoilt: Path) -> None:
     for k, T in enumerate(POSES):
         write_png(spoilt / f"images/{k + 1}.png", picture(T, Look(laser=False), k))
@@ -312,6 +354,34 @@ def test_touches_of_another_feature_are_refused(spoilt: Path) -> None:
     edit_text(spoilt / "probing.csv", "board", "crest")
     said = refused("calibrate", spoilt, "-o", spoilt / "c.json")
     assert "feature 'crest': the faces are board" in said
+
+
+def test_a_recording_with_bad_pictures_calibrates_from_the_rest(real: Path, tmp_path: Path) -> None:
+    """Blurred, dark and half of the board; named, and nearly as good without them."""
+    recording = real / "robot-laser-chessboard" / "calib3"
+    session = write_real_session(recording, tmp_path / "session")
+    bad = sorted((session / "images").glob("*.png"))[2:13:5]
+    for path, spoil in zip(
+        bad,
+        (
+            lambda image: cv2.GaussianBlur(image, (0, 0), 30),
+            lambda image: image // 40,
+            lambda image: np.roll(image, 600, axis=1) * (np.arange(image.shape[1]) > 600),
+        ),
+        strict=True,
+    ):
+        image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        assert image is not None
+        write_png(path, np.asarray(spoil(image), np.uint8))
+    out = tmp_path / "calibration.json"
+    shown = crenel("calibrate", session, "-o", out)
+    assert shown.exit_code == 0, shown.output
+    document = CalibrationFile.read(out)
+    left_out = [pose for pose in document.poses if not pose.used]
+    assert {pose.number for pose in left_out} == {int(path.stem[5:]) for path in bad}
+    assert all(pose.reason for pose in left_out)
+    used = [pose.off_um for pose in document.poses if pose.used]
+    assert np.sqrt(np.mean(np.square(used))) < 500
 
 
 @pytest.mark.parametrize(("name", "scatter_mm"), [("calib1", 0.3), ("calib3", 0.5)])

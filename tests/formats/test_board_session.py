@@ -164,3 +164,20 @@ def test_the_real_recordings_read(real: Path, tmp_path: Path, name: str, count: 
     session = read_any_session(folder)
     assert isinstance(session, BoardSession)
     assert len(session.poses) == count
+
+
+def test_a_pose_may_have_no_laser_picture(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    rows = [
+        ImageRow(1, "images/a.png", "ambient", NONE, POSES[0]),
+        ImageRow(1, "images/l.png", "laser", NONE, POSES[0]),
+        ImageRow(2, "images/a.png", "ambient", NONE, POSES[1]),
+    ]
+    write_images(folder / "images.csv", rows)
+    session = read_any_session(folder)
+    assert [pose.laser is not None for pose in session.poses] == [True, False]
+    assert [pose.laser_on for pose in session.poses] == [True, False]
+    dark = ImageRow(2, "images/l.png", "laser", NONE, POSES[1])
+    write_images(folder / "images.csv", [*rows[:2], dark])
+    with pytest.raises(OperationError, match=r"pose 2 has no 'ambient' picture.*may be missing"):
+        read_any_session(folder)

@@ -1,5 +1,6 @@
 """The calibration on a chessboard: truth, Jacobians, contacts, and bad input in words."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -121,6 +122,55 @@ def test_the_views_jacobian_is_right(given: BoardInputs, found: BoardCalibration
             # a line is taken as straight at each point, so its slopes hold to a share
             share = 1e-5 if kind == 0 else 2e-2
             assert np.abs(slope - reported[kind].jacobian[:, k]).max() < share * scale, (k, kind)
+
+
+def without_lines(given: BoardInputs, poses: Sequence[int]) -> BoardInputs:
+    """The same with these poses (by index) as pictures with the laser off show them."""
+    seen = list(given.observations)
+    for k in poses:
+        unlit = picture(POSES[k], Look(laser=False), k)
+        seen[k] = observe_board(k + 1, BOARD, unlit, None, "v", laser_on=False)
+        assert not len(seen[k].stripe.u)
+    return replace(given, observations=tuple(seen))
+
+
+def test_poses_without_a_line_serve_camera_and_mounting(
+    given: BoardInputs, found: BoardCalibration
+) -> None:
+    """Better than without them; the plane follows from the others, and they are named."""
+    unlit = (1, 3, 6)
+    some = calibrate_board(without_lines(given, unlit))
+    assert [pose.number for pose in some.poses if pose.used] == list(range(1, 9))
+    assert [pose.number for pose in some.poses if not pose.stripe_points] == [2, 3, 4, 6, 7]
+    assert not any(pose.reason for pose in some.poses)
+    stripe = next(one for one in some.findings if one.code == "stripe")
+    assert "Poses 2, 3, 4, 6, 7 have none and determine only camera and mounting" in str(
+        stripe.text
+    )
+    kept = [k for k in range(len(POSES)) if k not in unlit]
+    fewer = calibrate_board(
+        replace(
+            given,
+            observations=tuple(given.observations[k] for k in kept),
+            readings=given.readings[kept],
+        )
+    )
+    assert found.uncertainty.total_um <= some.uncertainty.total_um < fewer.uncertainty.total_um
+    assert np.degrees(np.arccos(abs(some.adjustment.state.plane.normal @ NORMAL))) < 0.2
+
+
+def test_two_lines_are_enough_and_one_is_not(given: BoardInputs) -> None:
+    two = calibrate_board(without_lines(given, range(1, 7)))
+    assert [pose.number for pose in two.poses if pose.stripe_points] == [1, 8]
+    assert abs(two.adjustment.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.5)
+    with pytest.raises(OperationError, match=r"in 1 of 8 pictures.*one more picture") as refused:
+        calibrate_board(without_lines(given, range(1, 8)))
+    assert refused.value.code == "stripe-not-found"
+    # the last line but one is that of a pose that contradicts
+    readings = given.readings.copy()
+    readings[0, :3, 3] += [15.0, -10.0, 5.0]
+    with pytest.raises(OperationError, match="in 1 of 7 pictures"):
+        calibrate_board(without_lines(replace(given, readings=readings), range(1, 7)))
 
 
 def touching(count: int, radius_mm: float) -> Floats:

@@ -103,7 +103,8 @@ def read_session(folder: Path) -> BlockSession:
 def read_any_session(folder: Path) -> BlockSession | BoardSession:
     """Reads and checks a session on a block or on a chessboard; ``OperationError`` as above.
 
-    Touching a chessboard is optional.
+    Touching a chessboard is optional, and so are its poses' laser pictures; each of its pictures
+    is judged by itself when it is read.
     """
     _check_folder(folder)
     item = read_object(folder / OBJECT)
@@ -118,7 +119,7 @@ def read_any_session(folder: Path) -> BlockSession | BoardSession:
         board=item,
         sensor=sensor,
         contacts=read_contacts(folder / PROBING, arm, BOARD_FEATURES) if touched else None,
-        poses=read_poses(folder / IMAGES, arm, sensor),
+        poses=read_poses(folder / IMAGES, arm, sensor=None, needs_laser=False),
     )
 
 

@@ -36,6 +36,8 @@ class Pose:
     laser: Path | None
     T_arm_flange: Floats | None = None
     """(4, 4) of a robot that reports its flange's pose."""
+    laser_on: bool = True
+    """Whether the laser was on in one of them."""
 
     @property
     def reading(self) -> Floats:
@@ -59,15 +61,25 @@ class ImageRow:
     """(4, 4) of a robot, whose ``q_rad`` is (0,)."""
 
 
-def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tuple[Pose, ...]:
-    """Reads ``images.csv`` and the headers of its pictures; raises ``OperationError``."""
+def read_poses(
+    path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet | None, needs_laser: bool = True
+) -> tuple[Pose, ...]:
+    """Reads ``images.csv``; raises ``OperationError``.
+
+    Args:
+        sensor: the headers of all pictures must agree with it; None if each picture is judged
+            by itself when it is read.
+        needs_laser: every pose has a picture with the laser on.
+    """
     table = read_table(path, ("pose", "file", "lighting"))
     readings = ArmReadings(table, arm)
     by_pose: dict[int, list[tuple[TableRow, ImageRow]]] = {}
     for row in table.rows:
         at = readings.read_row(row)
         image = ImageRow(row.count("pose"), row.text("file"), _read_lighting(row), *at)
-        _check_picture(row, path.parent / image.file, sensor)
+        _check_file(row, path.parent / image.file)
+        if sensor is not None:
+            check_size(path.parent / image.file, png_size(path.parent / image.file), sensor)
         by_pose.setdefault(image.pose, []).append((row, image))
     if not by_pose:
         raise OperationError(
@@ -77,7 +89,9 @@ def read_poses(path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet) -> tupl
             message("take-picture-object"),
         )
     readings.read_rows(table.rows)
-    return tuple(_build_pose(path.parent, arm, by_pose[number]) for number in sorted(by_pose))
+    return tuple(
+        _build_pose(path.parent, arm, by_pose[number], needs_laser) for number in sorted(by_pose)
+    )
 
 
 def write_images(path: Path, rows: Sequence[ImageRow]) -> None:
@@ -108,7 +122,7 @@ def _read_lighting(row: TableRow) -> str:
     return lighting
 
 
-def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
+def _check_file(row: TableRow, path: Path) -> None:
     relative = PurePosixPath(row.text("file"))
     if relative.is_absolute() or ".." in relative.parts:
         raise OperationError(
@@ -123,7 +137,11 @@ def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
             message("no-such-file"),
             message("restore-picture-delete-row"),
         )
-    width, height = png_size(path)
+
+
+def check_size(path: Path, size_px: tuple[int, int], sensor: SensorDatasheet) -> None:
+    """Refuses a picture whose width and height are not the sensor's; raises ``OperationError``."""
+    width, height = size_px
     if (width, height) != (sensor.width_px, sensor.height_px):
         raise OperationError(
             "image-size",
@@ -133,7 +151,9 @@ def _check_picture(row: TableRow, path: Path, sensor: SensorDatasheet) -> None:
         )
 
 
-def _build_pose(folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, ImageRow]]) -> Pose:
+def _build_pose(
+    folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, ImageRow]], needs_laser: bool
+) -> Pose:
     first_row, first = rows[0]
     files: dict[str, Path] = {}
     for row, image in rows:
@@ -169,13 +189,18 @@ def _build_pose(folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, Im
         return Pose(first.pose, q_rad, files["ambient"], files["laser"], first.T_arm_flange)
     if "both" in files:
         return Pose(first.pose, q_rad, files["both"], None, first.T_arm_flange)
+    if "ambient" in files and not needs_laser:
+        return Pose(first.pose, q_rad, files["ambient"], None, first.T_arm_flange, laser_on=False)
+    why = message("pose-needs-both-lightings")
+    if not needs_laser:
+        why = message("pose-needs-a-lit-picture")
     missing = "laser" if "ambient" in files else "ambient"
     raise OperationError(
         "pose-incomplete",
         message(
             "pose-has-no-picture", place=first_row.place, pose=first.pose, missing=repr(missing)
         ),
-        message("pose-needs-both-lightings"),
+        why,
         message("add-picture-delete-pose"),
     )
 

@@ -13,9 +13,15 @@ from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.laser_lines import (
     estimate_line_scatter,
     line_scatter,
+    refuse_few_lines,
     with_line_scatter,
 )
-from app.metrology.adjustment.board.problem import BoardInputs, BoardStart, board_problem
+from app.metrology.adjustment.board.problem import (
+    BoardInputs,
+    BoardStart,
+    board_problem,
+    number_boards,
+)
 from app.metrology.adjustment.board.results import (
     BoardContacts,
     board_contacts,
@@ -51,7 +57,7 @@ from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.sensor.camera import rays
 from app.metrology.sensor.laser_plane import refuse_edge_on
-from app.metrology.stripe import extract_stripe
+from app.metrology.stripe import empty_stripe, extract_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -70,7 +76,12 @@ class BoardCalibration(AdjustedCalibration):
 
 
 def observe_board(
-    number: int, board: Chessboard, ambient: Image, laser: Image | None, axis: str
+    number: int,
+    board: Chessboard,
+    ambient: Image,
+    laser: Image | None,
+    axis: str,
+    laser_on: bool = True,
 ) -> BoardObservation:
     """What the images of one pose show of a chessboard, each pose on its own.
 
@@ -80,6 +91,7 @@ def observe_board(
         ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
         laser: (H, W) grey with the laser alone.
         axis: along which stripe points are counted, see ``extract_stripe``.
+        laser_on: False if the laser was off in ``ambient`` and there is no other picture.
 
     Returns:
         Detection and stripe in px; the stripe may be empty.
@@ -87,9 +99,11 @@ def observe_board(
     Raises:
         OperationError: as ``detect_board`` and ``extract_stripe``.
     """
-    stripe = extract_stripe(ambient if laser is None else laser, axis)
-    if laser is None:
-        stripe = drop_faint_stripe(ambient, stripe)
+    stripe = empty_stripe(axis)
+    if laser is not None:
+        stripe = extract_stripe(laser, axis)
+    elif laser_on:
+        stripe = drop_faint_stripe(ambient, extract_stripe(ambient, axis))
     detection = detect_board(ambient, board, stripe if laser is None else None)
     return BoardObservation(number, detection, stripe, tuple(image_findings(ambient)))
 
@@ -121,6 +135,7 @@ def calibrate_board(inputs: BoardInputs, progress: Progress = no_progress) -> Bo
     """
     require_observations(inputs.observations, inputs.failed_poses, "board")
     progress(0.0, message("finding-start"))
+    inputs = number_boards(inputs)
     start = board_problem(inputs)
     progress(0.3, message("adjusting-all-poses-together"))
     found, mounting = _adjust_robustly(inputs, start)
@@ -136,6 +151,8 @@ def _adjust_robustly(inputs: BoardInputs, start: BoardStart) -> tuple[Adjustment
     too coarse for that."""
     found = solve_adjustment(start.problem, start.state)
     found, mounting = remove_outlier_poses(found, start.mounting, inputs.board.size_mm)
+    numbers = found.problem.numbers
+    refuse_few_lines(len(start.crossed.intersection(numbers)), len(numbers))
     found = remove_outlier_contacts(found)
     again = reclassify_stripes(found)
     if start.laser_moved:
@@ -211,8 +228,11 @@ def _pose_results(
     numbers = [pose.number for pose in inputs.observations]
     readings: Readings = "angles" if isinstance(inputs.arm, Arm) else "pose"
     results += outlier_pose_results(numbers, start.mounting, readings)
+    unreadable = {one.number: one.laser_error for one in inputs.observations}
     for pose in board_pose_results(found, inputs.observations, inputs.board):
-        results.append(replace(pose, reason=_line_problem(pose.number, start)))
+        error = unreadable[pose.number]
+        reason = _line_problem(pose.number, start) if error is None else error.text
+        results.append(replace(pose, reason=reason))
     return tuple(sorted(results, key=lambda pose: pose.number))
 
 

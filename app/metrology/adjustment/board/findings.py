@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.errors import sentence
 from app.messages.message import message, quantity
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.results import BoardContacts
@@ -76,6 +77,7 @@ def board_findings(evidence: BoardEvidence) -> tuple[CalibrationFinding, ...]:
         *picture_findings((pose.number, pose.image_findings) for pose in evidence.observations),
         *pixel_aspect_findings(result.state.camera, result.covariance[:2, :2]),
         *_line_findings(evidence),
+        *_laser_picture_findings(evidence),
         _stripe_finding(evidence),
     )
     return sort_by_severity(findings)
@@ -161,9 +163,10 @@ def _bend_finding(evidence: BoardEvidence) -> CalibrationFinding:
 def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
     used = [pose for pose in evidence.poses if pose.used]
     observed = {pose.number for pose in evidence.observations}  # other findings have remedies
-    about_lines = (
-        evidence.excluded_lines_mm | evidence.contradicting_lines_mm
-    )  # reported with the lines
+    unreadable = {one.number: one.laser_error for one in evidence.observations if one.laser_error}
+    about_lines = (  # reported with the lines
+        evidence.excluded_lines_mm | evidence.contradicting_lines_mm | unreadable
+    )
     findings = [
         CalibrationFinding(
             "attention",
@@ -234,6 +237,20 @@ def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
         )
         return [CalibrationFinding("bad", "laser-moved", text, remedy)]
     return []
+
+
+def _laser_picture_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
+    """Laser pictures that could not be read."""
+    return [
+        CalibrationFinding(
+            "attention",
+            "laser-picture",
+            message("pose-2", number=one.number, reason=one.laser_error.reason),
+            sentence(one.laser_error.remedy),
+        )
+        for one in evidence.observations
+        if one.laser_error is not None
+    ]
 
 
 def _join_numbers(numbers: Iterable[int]) -> str:

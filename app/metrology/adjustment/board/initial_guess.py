@@ -11,6 +11,7 @@ from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.adjustment.block.initial_guess import solve_pnp
 from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.chessboard.detect_board import BoardDetection
 from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.sensor.camera import Camera
@@ -30,12 +31,17 @@ TURN_DEG = 3.0
 
 @dataclass(frozen=True)
 class BoardObservation:
-    """The detection in the picture of one pose, by itself."""
+    """The detection in the picture of one pose, by itself.
+
+    The stripe is empty if no picture of the pose shows the laser's line; ``laser_error`` says why
+    its laser picture could not be read.
+    """
 
     number: int
     detection: BoardDetection
     stripe: Stripe
     image_findings: tuple[ImageFinding, ...] = ()
+    laser_error: OperationError | None = None
 
 
 def board_camera(
@@ -97,37 +103,63 @@ def _calibrate_camera(
 
 def number_corners(
     seen: Sequence[BoardObservation], board: Chessboard, camera: Camera, T_arm_flange: Floats
-) -> tuple[BoardObservation, ...]:
-    """Numbers the corners of each picture like those of the first, if colours alone are ambiguous.
+) -> tuple[BoardObservation | FailedPose, ...]:
+    """Numbers the corners of all pictures alike, if colours alone are ambiguous.
 
-    The board must turn relative to the camera by as much as the flange turns.
+    The board must turn relative to the camera by as much as the flange turns. The first picture
+    to which most others can be compared gives the numbering; those that cannot be are left out.
 
     Raises:
-        OperationError: the poses of the arm do not decide the numbering either.
+        OperationError: the poses of the arm do not decide the numbering of most either.
     """
     if not any(pose.detection.other_numbers for pose in seen):
         return tuple(seen)
     points = corner_points(board)
-    chosen = [seen[0]]
-    first = solve_pnp(camera, points[seen[0].detection.number], seen[0].detection.uv_px)
-    for pose, T in zip(seen[1:], T_arm_flange[1:], strict=True):
-        wanted = _angle_deg(inverse(T_arm_flange[0]) @ T)
-        ways = (pose.detection.number, *pose.detection.other_numbers)
-        off = []
-        for number in ways:
-            here = solve_pnp(camera, points[number], pose.detection.uv_px)
-            off.append(abs(_angle_deg(first @ inverse(here)) - wanted))
-        order = np.argsort(off)
-        if off[order[0]] > TURN_DEG or off[order[1]] < 2 * TURN_DEG:
-            raise OperationError(
-                "board-ambiguous",
-                message("pose-looks-same-turned-round", number=pose.number, name=board.name),
-                message("neither-colours-nor-arms-poses-tell"),
-                message("use-board-even-odd-count-inner"),
+    ways = [(pose.detection.number, *pose.detection.other_numbers) for pose in seen]
+    T_cam_obj = [
+        [solve_pnp(camera, points[number], pose.detection.uv_px) for number in numbers]
+        for pose, numbers in zip(seen, ways, strict=True)
+    ]
+    error: OperationError | None = None
+    for first in range(len(seen)):
+        chosen = [
+            _choose_numbering(T_cam_obj[first][0], here, T_arm_flange[first], T_arm_flange[p])
+            if p != first
+            else 0
+            for p, here in enumerate(T_cam_obj)
+        ]
+        undecided = [p for p, way in enumerate(chosen) if way is None]
+        if 2 * len(undecided) < len(seen):
+            return tuple(
+                FailedPose(pose.number, _ambiguous(pose, board))
+                if way is None
+                else replace(pose, detection=replace(pose.detection, number=numbers[way]))
+                for pose, numbers, way in zip(seen, ways, chosen, strict=True)
             )
-        detection = replace(pose.detection, number=ways[order[0]])
-        chosen.append(replace(pose, detection=detection))
-    return tuple(chosen)
+        error = error or _ambiguous(seen[undecided[0]], board)
+    assert error is not None
+    raise error
+
+
+def _choose_numbering(
+    first: Floats, ways: Sequence[Floats], T_first: Floats, T_arm_flange: Floats
+) -> int | None:
+    """Which of the board's poses (4, 4) agrees with the flange's turn since the first picture;
+    None where none does, or another one nearly does."""
+    wanted = _angle_deg(inverse(T_first) @ T_arm_flange)
+    off = np.array([abs(_angle_deg(first @ inverse(here)) - wanted) for here in ways])
+    best = int(np.argmin(off))
+    rival = np.delete(off, best).min(initial=np.inf)
+    return None if off[best] > TURN_DEG or rival < 2 * TURN_DEG else best
+
+
+def _ambiguous(pose: BoardObservation, board: Chessboard) -> OperationError:
+    return OperationError(
+        "board-ambiguous",
+        message("pose-looks-same-turned-round", number=pose.number, name=board.name),
+        message("neither-colours-nor-arms-poses-tell"),
+        message("use-board-even-odd-count-inner"),
+    )
 
 
 def _angle_deg(T: Floats) -> float:

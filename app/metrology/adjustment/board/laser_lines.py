@@ -16,7 +16,8 @@ from app.metrology.adjustment.core.observations import AdjustmentProblem
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.transforms import Floats
 
-FEWEST_STRIPE_POINTS = 20
+# Lines of which the laser's plane follows, and points of each.
+FEWEST_LINES, FEWEST_STRIPE_POINTS = 2, 20
 # A line contradicts the others if it is off by more than this, by more than this multiple of the
 # board's flatness, and by more than this number of standard deviations of the lines that agree.
 OFF_MM, OFF_FLATNESSES, OFF_TIMES = 0.5, 3.0, 4.0
@@ -41,10 +42,11 @@ LEAST_SPREAD = 0.02
 class LaserLines:
     """The lines of P poses and the laser plane before the adjustment.
 
-    ``off_mm`` (P,) is the distance of each line from the plane of most lines (NaN without a line).
-    Of the lines that are further off than the scatter of the others explains, ``excluded`` are few,
-    or the others agree closely (Student's test). ``contradicting`` are the remaining ones, or the
-    last ones of a recording: the position of the laser is then unknown, and all lines count.
+    ``off_mm`` (P,) is the distance of each line from the plane of most lines (NaN without a line);
+    ``counting`` are the poses whose lines are used. Of the lines that are further off than the
+    scatter of the others explains, ``excluded`` are few, or the others agree closely (Student's
+    test). ``contradicting`` are the remaining ones, or the last ones of a recording: the position
+    of the laser is then unknown, and all lines count.
     ``laser_moved`` says that they are too many to be mistakes, excluded or not. ``plane`` is the
     plane of all lines that count, in the camera frame; ``scatter_mm`` and ``scatter_rad`` are the
     standard deviations of the offset and rotation of whole lines from it.
@@ -52,6 +54,7 @@ class LaserLines:
 
     plane: LaserPlane
     off_mm: Floats
+    counting: tuple[int, ...]
     excluded: tuple[int, ...]
     contradicting: tuple[int, ...]
     laser_moved: bool
@@ -70,13 +73,7 @@ def fit_laser_lines(
     """
     in_cam = [_line_points(view, found, p) for p, view in enumerate(views)]
     enough = [p for p, points in enumerate(in_cam) if len(points) >= FEWEST_STRIPE_POINTS]
-    if len(enough) < 2:
-        raise OperationError(
-            "stripe-not-found",
-            message("lasers-line-lies-board-pictures", enough=len(enough), views=len(views)),
-            message("one-line-alone-does-fix-lasers"),
-            message("let-line-cross-board-every-picture"),
-        )
+    refuse_few_lines(len(enough), len(views))
     plane = fit_majority_plane([in_cam[p] for p in enough])
     _refuse_one_line([in_cam[p] for p in enough], plane)
     _refuse_parallel([found.cameras[p].rotation[:, 2] for p in enough], plane)
@@ -97,7 +94,19 @@ def fit_laser_lines(
     counting = [p for p in enough if p not in out]
     moved = not _is_minority([*out, *apart], enough)
     plane, (scatter_mm, scatter_rad) = _fit_plane_and_scatter([in_cam[p] for p in counting], moved)
-    return LaserLines(plane, off, out, apart, moved, scatter_mm, scatter_rad)
+    return LaserLines(plane, off, tuple(counting), out, apart, moved, scatter_mm, scatter_rad)
+
+
+def refuse_few_lines(lines: int, pictures: int) -> None:
+    """Refuses pictures of which too few show a line on the board; raises ``OperationError``."""
+    if lines >= FEWEST_LINES:
+        return
+    raise OperationError(
+        "stripe-not-found",
+        message("lasers-line-lies-board-pictures", enough=lines, views=pictures),
+        message("plane-needs-lines", fewest=FEWEST_LINES),
+        message("let-line-cross-board-in-more-pictures", more=FEWEST_LINES - lines),
+    )
 
 
 def _is_minority(far: Sequence[int], seen: Sequence[int]) -> bool:

@@ -13,10 +13,13 @@ from app.metrology.adjustment.board.initial_guess import (
     number_corners,
     refuse_other_size,
 )
-from app.metrology.adjustment.board.laser_lines import LaserLines, fit_laser_lines
+from app.metrology.adjustment.board.laser_lines import (
+    LaserLines,
+    fit_laser_lines,
+    refuse_few_lines,
+)
 from app.metrology.adjustment.board.observations import BoardView
 from app.metrology.adjustment.board.surface import bend_modes, bend_slice, board_prior
-from app.metrology.adjustment.core.arm_errors import FlangeMotion
 from app.metrology.adjustment.core.arm_readings import flange_motion, plane_contacts
 from app.metrology.adjustment.core.hand_eye import (
     Mounting,
@@ -71,14 +74,15 @@ class BoardInputs:
 class BoardStart:
     """The problem, its start values, and what was found while building it.
 
-    ``excluded_lines_mm`` gives the distance of excluded lines by pose number,
-    ``contradicting_lines_mm`` that of lines that contradict but count. ``laser_moved`` says that
-    these are too many to be mistakes.
+    ``crossed`` are the numbers of the poses whose laser line counts. ``excluded_lines_mm`` gives
+    the distance of excluded lines by pose number, ``contradicting_lines_mm`` that of lines that
+    contradict but count. ``laser_moved`` says that these are too many to be mistakes.
     """
 
     problem: AdjustmentProblem
     state: AdjustmentState
     mounting: Mounting
+    crossed: frozenset[int]
     excluded_lines_mm: dict[int, float]
     contradicting_lines_mm: dict[int, float]
     laser_moved: bool
@@ -87,6 +91,9 @@ class BoardStart:
 def board_problem(inputs: BoardInputs) -> BoardStart:
     """The problem without data that contradict the rest, and its start values.
 
+    Args:
+        inputs: numbered alike, as from ``number_boards``.
+
     Raises:
         OperationError: the poses, the pictures or the lines are insufficient or contradict each
             other.
@@ -94,7 +101,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     board, arm = inputs.board, inputs.arm
     moves = flange_motion(arm, inputs.readings)
     numbers = tuple(pose.number for pose in inputs.observations)
-    views, found = _bundle_views(inputs, moves)
+    views, found = _bundle_views(inputs)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(moves.T_arm_flange, T_cam_obj, board.size_mm)
     refuse_other_size(mounting, board)
@@ -113,6 +120,8 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
         prior,
         *inputs.size_px,
     ).without_poses(mounting.contradicts)
+    crossed = frozenset(numbers[p] for p in lines.counting)
+    refuse_few_lines(len(crossed.intersection(problem.numbers)), len(problem.numbers))
     state = AdjustmentState(
         with_identity_pose(found.cameras[0]),
         lines.plane,
@@ -124,17 +133,38 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     )
     lines_out = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.excluded}
     apart = {numbers[p]: float(abs(lines.off_mm[p])) for p in lines.contradicting}
-    return BoardStart(problem, state, mounting, lines_out, apart, lines.laser_moved)
+    return BoardStart(problem, state, mounting, crossed, lines_out, apart, lines.laser_moved)
 
 
-def _bundle_views(inputs: BoardInputs, moves: FlangeMotion) -> tuple[list[BoardView], Bundle]:
+def number_boards(inputs: BoardInputs) -> BoardInputs:
+    """The input with the corners of all pictures numbered alike, without the pictures of which
+    neither the board nor the arm tells the numbering.
+
+    Raises:
+        OperationError: as ``number_corners`` and ``board_camera``; poses that are all alike.
+    """
+    board, seen = inputs.board, inputs.observations
+    T_arm_flange = flange_motion(inputs.arm, inputs.readings).T_arm_flange
+    refuse_alike(T_arm_flange)
+    camera, _ = board_camera(seen, board, inputs.size_px)
+    numbered = number_corners(seen, board, camera, T_arm_flange)
+    kept = [p for p, one in enumerate(numbered) if isinstance(one, BoardObservation)]
+    return replace(
+        inputs,
+        observations=tuple(one for one in numbered if isinstance(one, BoardObservation)),
+        readings=inputs.readings[kept],
+        failed_poses=(
+            *inputs.failed_poses,
+            *(one for one in numbered if isinstance(one, FailedPose)),
+        ),
+    )
+
+
+def _bundle_views(inputs: BoardInputs) -> tuple[list[BoardView], Bundle]:
     """Bundle adjustment of the corners of all pictures."""
     board = inputs.board
-    refuse_alike(moves.T_arm_flange)
-    camera, _ = board_camera(inputs.observations, board, inputs.size_px)
-    seen = number_corners(inputs.observations, board, camera, moves.T_arm_flange)
-    camera, T_cam_obj = board_camera(seen, board, inputs.size_px)
-    views = [_view(pose, board) for pose in seen]
+    camera, T_cam_obj = board_camera(inputs.observations, board, inputs.size_px)
+    views = [_view(pose, board) for pose in inputs.observations]
     found = adjust_bundle(
         views,
         [replace(camera, rotation=T[:3, :3], translation_mm=T[:3, 3]) for T in T_cam_obj],
