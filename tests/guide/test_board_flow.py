@@ -1,23 +1,31 @@
 """The guided calibration on a chessboard: views planned, touching left to the operator."""
 
 from dataclasses import asdict
+from typing import Literal
 
 import numpy as np
 import pytest
 
 from app.guide.calibration.flow import build_view
+from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
+from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.touch.board import WANTED, suggest_board_places
 from app.guide.calibration.touch.report import face_in_use, face_names
 from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
+from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
+from app.station.devices.capture import Capture
+from app.station.devices.joint_buffer import JointMean
+from hardware.interfaces import Frame
 from tests.guide.builders import (
     REST_RAD,
+    SENSOR,
     capture_row,
     make_live,
     point_row,
@@ -25,6 +33,9 @@ from tests.guide.builders import (
     start_row,
     state_after,
 )
+from tests.metrology.boards import BOARD as RENDERED_BOARD
+from tests.metrology.boards import POSES, Look
+from tests.metrology.boards import picture as board_picture
 
 BOARD = Chessboard("board 7", "C-7", (7, 6), 10.0, 0.05, 0.05)
 SEEN: dict[str, object] = {"corners": [{"name": "0,0", "u": 5.0, "v": 5.0, "residual_px": 0.1}]}
@@ -109,7 +120,10 @@ def test_the_first_views_are_planned_and_shown(arm: Arm) -> None:
         assert plan_view(state.listed) == view
         expected = str(view.words) if taken else "straight above"
         assert expected in str(shown.instruction)
-        assert any("laser line must cross" in str(one.text) for one in shown.findings)
+        assert any(
+            "laser line must cross the chessboard in at least 2" in str(one.text)
+            for one in shown.findings
+        )
     assert len(outlines) == len(VIEWS)
     assert plan_view(at("place", *pictures(len(VIEWS), SEEN)).listed) is None
 
@@ -198,6 +212,45 @@ def test_another_pose_is_asked_for_until_the_plan_is_through(arm: Arm) -> None:
     assert str(VIEWS[2].words) in str(view.instruction)
     primary = [action.name for action in view.actions if action.primary]
     assert primary == ["another_pose"]
+
+
+def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
+    """Of a sensor that switches its laser, and of one that does not."""
+    unlit = board_picture(POSES[0], Look(laser=False))
+    dark = np.random.default_rng(0).normal(3, 1, unlit.shape).clip(0, 255).astype(np.uint8)
+    for laser in (None, Frame(1, 0, dark, 5000.0, True)):
+        lighting: Literal["pair", "both"] = "both" if laser is None else "pair"
+        taken = Capture(
+            Frame(0, 0, unlit, 5000.0, False),
+            laser,
+            lighting,
+            JointMean(REST_RAD, REST_RAD, 10, 0, 1),
+        )
+        sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
+        seen, pose = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
+        assert isinstance(pose, BoardObservation)
+        assert len(seen.corners) == 42
+        (finding,) = (one for one in seen.findings if "laser line" in str(one.text))
+        assert not [one for one in seen.findings if one.quality == "bad"]
+        assert finding.quality == "attention"
+        assert "determines only camera and mounting" in str(finding.text)
+
+
+def test_another_pose_is_asked_for_where_only_lines_are_missing(
+    arm: Arm, block: Crenellated
+) -> None:
+    """The pictures taken serve camera and mounting: none is to be taken again."""
+    taken = at("solve", *pictures(6, SEEN))
+    error = {"code": "stripe-not-found", "what": "one line", "why": "two needed", "remedy": "more"}
+    row: tuple[str, dict[str, object]] = ("solve_refused", {"inputs": taken.inputs, **error})
+    state = at("solve", *pictures(6, SEEN), row)
+    view = build_view(state, make_live(state, arm, BOARD))
+    assert [action.name for action in view.actions if action.primary] == ["another_pose"]
+    assert [(one.quality, str(one.text)) for one in view.findings] == [
+        ("attention", "One line: two needed.")
+    ]
+    of_block = build_view(state, make_live(state, arm, block))
+    assert [action.name for action in of_block.actions if action.primary] == ["retake"]
 
 
 def test_a_block_keeps_its_faces(block: Crenellated) -> None:

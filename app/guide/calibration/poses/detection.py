@@ -11,6 +11,7 @@ from app.messages.message import message, word
 from app.metrology.adjustment.block.calibrate import observe_block
 from app.metrology.adjustment.board.calibrate import observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
+from app.metrology.adjustment.board.laser_lines import FEWEST_LINES
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.stripe import Stripe, extract_stripe
 from app.metrology.targets.chessboard import Chessboard
@@ -34,28 +35,27 @@ def detect_in_capture(
     ambient = taken.ambient.image
     laser = None if taken.laser is None else taken.laser.image
     findings = [_as_sentences(finding) for finding in image_findings(ambient)]
-    stripe = extract_stripe(ambient if laser is None else laser, chosen.sensor.stripe_axis)
-    if len(stripe.u) == 0:
-        findings.append(
-            Finding(
-                "bad",
-                message("no-laser-stripe-picture"),
-                message("check-laser-exposure-then-take-new"),
-            )
-        )
+    axis = chosen.sensor.stripe_axis
     seen: AnyDetection
     try:
         if isinstance(item, Chessboard):
-            seen = observe_board(number, item, ambient, laser, chosen.sensor.stripe_axis)
+            seen = observe_board(number, item, ambient, laser, axis)
         else:
-            seen = observe_block(number, item, ambient, laser, chosen.sensor.stripe_axis)
+            seen = observe_block(number, item, ambient, laser, axis)
     except OperationError as refusal:
+        stripe = extract_stripe(ambient if laser is None else laser, axis)
+        if isinstance(item, Crenellated) and not len(stripe.u):
+            findings.append(_line_missing(item))
         return _unusable(refusal, stripe, findings), refusal
+    if not len(seen.stripe.u):
+        findings.append(_line_missing(item))
     found = draw_detection(seen, item)
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px) for corner in found.corners
     ]
-    return CalibrationOutcome(corners, found.outline, thin_stripe(stripe), findings, None), seen
+    return CalibrationOutcome(
+        corners, found.outline, thin_stripe(seen.stripe), findings, None
+    ), seen
 
 
 def draw_detection(seen: AnyDetection, item: CalibrationTarget) -> TargetOverlay:
@@ -65,6 +65,19 @@ def draw_detection(seen: AnyDetection, item: CalibrationTarget) -> TargetOverlay
         return board_overlay(seen.detection, item)
     assert isinstance(item, Crenellated)
     return block_overlay(seen.detection, item)
+
+
+def _line_missing(item: CalibrationTarget) -> Finding:
+    """A block needs the line in every picture; a board, in some."""
+    if isinstance(item, Chessboard):
+        return Finding(
+            "attention",
+            message("no-laser-stripe-picture-serves-camera"),
+            message("plane-needs-lines-in-some", fewest=FEWEST_LINES),
+        )
+    return Finding(
+        "bad", message("no-laser-stripe-picture"), message("check-laser-exposure-then-take-new")
+    )
 
 
 def _as_sentences(finding: Finding) -> Finding:

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from app.errors import sentence
-from app.findings import Finding
+from app.findings import Finding, Quality
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
 from app.guide.calibration.poses.board_views import plan_view, view_instruction
 from app.guide.calibration.rules import offer
-from app.guide.calibration.state import CalibrationState
+from app.guide.calibration.state import CalibrationState, SolveFailure
 from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
@@ -21,6 +21,7 @@ from app.guide.common.view import (
     StillPicture,
 )
 from app.messages.message import Text, mentions, message, quantity
+from app.metrology.adjustment.board.laser_lines import FEWEST_LINES
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 
 FEWEST_CORNERS = 8
@@ -121,7 +122,7 @@ def _about_line(live: CalibrationLive) -> list[Finding]:
     return [
         Finding(
             "neutral",
-            message("lasers-line-must-cross-chessboard-every"),
+            message("lasers-line-must-cross-chessboard", fewest=FEWEST_LINES),
             message("switch-laser-look-where-lies"),
         )
     ]
@@ -155,13 +156,18 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     findings.sort(key=lambda finding: finding.quality != "bad")
     refused = state.refused if state.refused and state.refused.inputs == state.inputs else None
     if refused is not None:
-        error = refused.error.finding("bad", message("go-back-take-picture-points-again"))
+        quality: Quality = "attention" if _only_lines_missing(refused, live) else "bad"
+        error = refused.error.finding(quality, message("go-back-take-picture-points-again"))
         # a finding about the shown picture may give the same reason
         if not any(mentions(finding.text, error.text) for finding in findings):
             findings.insert(0, error)
-    unusable = refused is not None or any(finding.quality == "bad" for finding in findings)
+    lines_missing = refused is not None and _only_lines_missing(refused, live)
+    unusable = (refused is not None and not lines_missing) or any(
+        finding.quality == "bad" for finding in findings
+    )
     planned = _plan_view(state, live)
-    more = not unusable and (planned is not None or (advice is not None and advice.worth_it))
+    wanted = planned is not None or (advice is not None and advice.worth_it)
+    more = not unusable and (lines_missing or wanted)
     if advice is not None and not (more or unusable):
         findings.append(_advice_finding(advice))
     return StepView(
@@ -177,6 +183,11 @@ def solve_step(state: CalibrationState, live: CalibrationLive) -> StepView:
             offer(state, live, "back", message("back-points"), {"to": "touch"}),
         ],
     )
+
+
+def _only_lines_missing(refused: SolveFailure, live: CalibrationLive) -> bool:
+    """Whether the pictures of a chessboard are good, and too few of them show the laser's line."""
+    return live.chosen.board is not None and refused.error.code == "stripe-not-found"
 
 
 def _solve_instruction(
