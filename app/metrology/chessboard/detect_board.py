@@ -7,11 +7,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.messages.message import message
 from app.metrology.chessboard.corner_fit import fit_corner
-from app.metrology.chessboard.failure_evidence import with_board_evidence
+from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure, is_larger
 from app.metrology.chessboard.lattice import Lattice, find_lattices
+from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.opencv_finders import find_by_opencv
 from app.metrology.chessboard.perspective import fit_perspective, map_places, predict_corner
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
@@ -76,9 +75,7 @@ class _Refused:
 
     seen: int
     area_px2: float
-    refusal: OperationError
-    saddles: Saddles
-    lattice: Lattice
+    failure: BoardFailure
 
 
 def detect_board(
@@ -101,8 +98,9 @@ def detect_board(
         board are ambiguous, all numberings are returned.
 
     Raises:
-        DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen`` or
-            ``board-blurred``, with the cause, and with the parts of the board that were detected.
+        DetectionError: ``board-not-found``, ``another-board``, ``board-partly-seen``,
+            ``board-too-small`` or ``board-blurred``, with the cause, and with the parts of the
+            board that were detected.
     """
     columns, rows = board.inner_corners
     blocked = _laser_mask(image, stripe)
@@ -110,19 +108,19 @@ def detect_board(
     for saddles, lattice in _find_grids(image, blocked, board, thorough):
         measured = _measure_corners(image, blocked, saddles, lattice)
         seen, area_px2 = len(measured.index), _hull_area_px2(measured.uv_px)
-        try:
-            if nearest is None or area_px2 > SMALLER * nearest.area_px2:
-                return _number_corners(board, saddles, lattice, measured)
-        except OperationError as refusal:
-            if nearest is None or seen > nearest.seen:
-                area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
-                nearest = _Refused(seen, area_px2, refusal, saddles, lattice)
-            if refusal.code == "another-board" and seen > (1 + SURELY_MORE) * columns * rows:
-                break
+        if nearest is not None and area_px2 <= SMALLER * nearest.area_px2:
+            continue
+        detection = _number_corners(board, saddles, lattice, measured)
+        if detection is not None:
+            return detection
+        failure = _failure(image, blocked, saddles, lattice, measured, board)
+        if nearest is None or seen > nearest.seen:
+            area_px2 = area_px2 if seen > LEAST_VISIBLE * columns * rows else 0.0
+            nearest = _Refused(seen, area_px2, failure)
+        if seen > (1 + SURELY_MORE) * columns * rows and is_larger(board, failure.grid):
+            break
     assert nearest is not None
-    raise with_board_evidence(
-        nearest.refusal, image, nearest.saddles, nearest.lattice
-    ) from nearest.refusal
+    raise explain_failure(board, nearest.failure)
 
 
 def _hull_area_px2(uv: Floats) -> float:
@@ -155,12 +153,13 @@ def _find_grids(
 
 def _number_corners(
     board: Chessboard, saddles: Saddles, lattice: Lattice, measured: _Measured
-) -> BoardDetection:
+) -> BoardDetection | None:
+    """The corners of the one window of the board's size; None where none is certain."""
     columns, rows = board.inner_corners
     places = np.array(list(lattice), dtype=np.int64).reshape(-1, 2)
     within = find_window(places[measured.index], board.inner_corners)
     if within is None or within.sum() < LEAST_VISIBLE * columns * rows:
-        raise _refusal(places, measured, board)
+        return None
     index = measured.index[within]
     uv, covariance = measured.uv_px[within], measured.covariance_px2[within]
     numbers = _numberings(places[index], saddles.phase[list(lattice.values())][index], uv, board)
@@ -168,6 +167,24 @@ def _number_corners(
     return BoardDetection(
         uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
     )
+
+
+def _failure(
+    image: Image,
+    blocked: NDArray[np.bool_],
+    saddles: Saddles,
+    lattice: Lattice,
+    measured: _Measured,
+    board: Chessboard,
+) -> BoardFailure:
+    places = np.array(list(lattice), dtype=np.int64).reshape(-1, 2)
+    can_be_measured = np.zeros(len(places), dtype=np.bool_)
+    can_be_measured[measured.index] = True
+    within = find_window(places, board.inner_corners)
+    if within is not None and within.sum() < LEAST_VISIBLE * np.prod(board.inner_corners):
+        within = None
+    grid = CornerGrid(image, blocked, places, saddles.uv_px[list(lattice.values())])
+    return BoardFailure(grid, can_be_measured, within)
 
 
 def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
@@ -205,54 +222,6 @@ def _laser_mask(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
 def _dilate(mask: NDArray[np.uint8], margin_px: int) -> NDArray[np.uint8]:
     size = 2 * margin_px + 1
     return np.asarray(cv2.dilate(mask, np.ones((size, size), np.uint8)), np.uint8)
-
-
-def _refusal(places: NDArray[np.int64], measured: _Measured, board: Chessboard) -> OperationError:
-    """Why the corners found cannot be numbered for certain."""
-    columns, rows = board.inner_corners
-    if len(places) < 4:
-        return OperationError(
-            "board-not-found",
-            message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows),
-            message("out-picture-covered-blurred-another-object"),
-            message("bring-whole-board-into-picture-sharp"),
-        )
-    within = find_window(places, board.inner_corners)
-    if within is not None and within.sum() >= LEAST_VISIBLE * columns * rows:
-        return OperationError(
-            "board-blurred",
-            message(
-                "corners-can-measured",
-                found=len(measured.index),
-                corners=columns * rows,
-                name=board.name,
-            ),
-            message("picture-blurred-noisy-lasers-line-lies"),
-            message("focus-light-board-evenly"),
-        )
-    seen = places[measured.index] if len(measured.index) >= 4 else places
-    # given in the certificate's order, whichever way the picture lies
-    found = sorted((int(n) for n in np.ptp(seen, axis=0) + 1), reverse=columns >= rows)
-    more = max(found) > max(columns, rows) or min(found) > min(columns, rows)
-    if more or sorted(found) != sorted((columns, rows)):
-        return OperationError(
-            "another-board" if more else "board-partly-seen",
-            message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1]),
-            message("board-has-corners", name=board.name, columns=columns, rows=rows)
-            if more
-            else message(
-                "board-has-corners-outermost-missing", name=board.name, columns=columns, rows=rows
-            ),
-            message("give-certificate-board-picture")
-            if more
-            else message("bring-whole-board-into-picture-outermost"),
-        )
-    return OperationError(
-        "board-partly-seen",
-        message("corners-were-found", found=len(seen), corners=columns * rows, name=board.name),
-        message("others-covered-lost-lasers-light"),
-        message("bring-whole-board-into-picture-sharp"),
-    )
 
 
 def _numberings(

@@ -1,8 +1,13 @@
 """Why the board was not detected in a picture, and where the picture shows it."""
 
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
 from app.errors import OperationError
-from app.metrology.chessboard.lattice import Lattice
-from app.metrology.chessboard.saddle_points import Saddles
+from app.messages.message import Text, message, quantity
+from app.metrology.chessboard.missing_corners import Cause, CornerGrid, common_cause
 from app.metrology.detection.failure_evidence import (
     DetectionError,
     Fault,
@@ -11,33 +16,175 @@ from app.metrology.detection.failure_evidence import (
     prefer_image_fault,
 )
 from app.metrology.detection.image_quality import image_findings
-from app.metrology.image import Image, saturation_level
+from app.metrology.image import saturation_level
+from app.metrology.targets.chessboard import Chessboard
 
-_FAULTS: dict[str, Fault] = {
-    "board-not-found": "framing",
-    "board-partly-seen": "framing",
-    "board-blurred": "focus",
-    "another-board": "object",
+# Squares smaller than this show no regular grid of saddles.
+LEAST_SPACING_PX = 5.0
+# Share of a grid's corners that shows it to be a whole board.
+WHOLE = 0.95
+FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
+
+_CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
+    "outside": (
+        "framing",
+        message("board-partly-out-of-picture"),
+        message("bring-whole-board-into-picture"),
+    ),
+    "laser": (
+        "framing",
+        message("laser-line-covers-others"),
+        message("keep-line-off-outermost-corners"),
+    ),
+    "glare": (
+        "lighting",
+        message("others-are-overexposed"),
+        message("avoid-reflection-or-shorten-exposure"),
+    ),
+    "unknown": (
+        "framing",
+        message("others-are-covered"),
+        message("uncover-board-or-give-its-certificate"),
+    ),
 }
 
 
-def with_board_evidence(
-    refusal: OperationError, image: Image, saddles: Saddles, lattice: Lattice
-) -> DetectionError:
+@dataclass(frozen=True)
+class BoardFailure:
+    """The nearest thing to the board in a picture: which corners there are (N), which of them can
+    be measured (N,), and which lie in the one window of the board's size (N,), if there is one."""
+
+    grid: CornerGrid
+    measured: NDArray[np.bool_]
+    within: NDArray[np.bool_] | None
+
+
+def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
     """The error with its cause, and with the detected lines of the board as marks."""
-    fault = _FAULTS[refusal.code]
-    if refusal.code in ("board-not-found", "board-blurred"):
-        fault, refusal = prefer_image_fault(fault, refusal, image_findings(image), guessed=True)
-    marks = mark_clipped_regions(image >= saturation_level(image)) if fault == "exposure" else []
-    return DetectionError(refusal, fault, (*marks, *_lines(saddles, lattice)))
+    grid = failure.grid
+    columns, rows = board.inner_corners
+    if len(grid.places) < FEWEST_OF_A_GRID:
+        refusal = OperationError(
+            "board-not-found",
+            message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows),
+            message("out-picture-covered-too-small-or-another-object"),
+            message("bring-whole-board-into-picture-sharp"),
+        )
+        return _with_image_fault("framing", refusal, grid)
+    if failure.within is not None:
+        return _explain_unmeasured(board, failure, failure.within)
+    return _explain_size(board, failure)
 
 
-def _lines(saddles: Saddles, lattice: Lattice) -> list[ImageAnnotation]:
+def is_larger(board: Chessboard, grid: CornerGrid) -> bool:
+    """Whether a grid has more columns or rows than the board, whichever way it lies."""
+    return bool(
+        (np.sort(grid.extent) > np.sort(board.inner_corners)).any() and len(grid.places) > 1
+    )
+
+
+def _explain_unmeasured(
+    board: Chessboard, failure: BoardFailure, within: NDArray[np.bool_]
+) -> DetectionError:
+    """The board is there, and too few of its corners can be measured."""
+    grid, measured = failure.grid, failure.measured & within
+    columns, rows = board.inner_corners
+    what = message(
+        "corners-can-measured",
+        found=int(measured.sum()),
+        corners=columns * rows,
+        name=board.name,
+    )
+    cause = common_cause(grid.causes(grid.places[within & ~measured]))
+    if cause in ("laser", "glare"):
+        fault, why, remedy = _CAUSES[cause]
+        return _with_marks(OperationError("board-partly-seen", what, why, remedy), fault, grid)
+    if grid.spacing_px() < LEAST_SPACING_PX:
+        return _with_marks(_too_small(what, grid), "framing", grid)
+    refusal = OperationError(
+        "board-blurred", what, message("picture-blurred-noisy"), message("focus-light-board-evenly")
+    )
+    return _with_image_fault("focus", refusal, grid)
+
+
+def _explain_size(board: Chessboard, failure: BoardFailure) -> DetectionError:
+    """No window of the board's size is certain."""
+    grid = failure.grid
+    columns, rows = board.inner_corners
+    # what cannot be measured may be no corner at all
+    seen = _select(grid, failure.measured) if failure.measured.sum() >= FEWEST_OF_A_GRID else grid
+    # given in the certificate's order, whichever way the picture lies
+    found = sorted(seen.extent.tolist(), reverse=columns >= rows)
+    what = message("chessboard-x-inner-corners-found", columns=found[0], rows=found[1])
+    wanted = message("board-has-corners", name=board.name, columns=columns, rows=rows)
+    if is_larger(board, seen):
+        remedy = message("give-certificate-board-picture")
+        return _with_marks(OperationError("another-board", what, wanted, remedy), "object", grid)
+    short = sorted(found) != sorted(board.inner_corners)
+    if short:
+        cause = seen.cause_beyond(board.inner_corners)
+        whole = len(seen.places) >= WHOLE * seen.extent.prod()
+        if cause == "unknown" and whole and min(seen.extent) >= FEWEST_OF_A_SIDE:
+            remedy = message("give-certificate-or-uncover-board")
+            refusal = OperationError("another-board", what, wanted, remedy)
+            return _with_marks(refusal, "object", grid)
+    else:
+        what = message(
+            "corners-were-found", found=len(seen.places), corners=columns * rows, name=board.name
+        )
+        cause = common_cause(seen.causes(_missing_places(seen)))
+    if cause == "unknown" and grid.spacing_px() < LEAST_SPACING_PX:
+        return _with_marks(_too_small(what, grid), "framing", grid)
+    fault, why, what_to_do = _CAUSES[cause]
+    if short:
+        why = message("board-has-corners-why", name=board.name, columns=columns, rows=rows, why=why)
+    return _with_marks(OperationError("board-partly-seen", what, why, what_to_do), fault, grid)
+
+
+def _select(grid: CornerGrid, which: NDArray[np.bool_]) -> CornerGrid:
+    return CornerGrid(grid.image, grid.laser, grid.places[which], grid.uv_px[which])
+
+
+def _missing_places(grid: CornerGrid) -> NDArray[np.int64]:
+    """(M, 2) places within the grid's extent where no corner is."""
+    taken = {tuple(place) for place in grid.places.tolist()}
+    low = grid.places.min(axis=0)
+    every = [low + (i, j) for i in range(grid.extent[0]) for j in range(grid.extent[1])]
+    return np.array([one for one in every if tuple(one.tolist()) not in taken]).reshape(-1, 2)
+
+
+def _too_small(what: Text, grid: CornerGrid) -> OperationError:
+    return OperationError(
+        "board-too-small",
+        what,
+        message(
+            "squares-too-small-in-picture",
+            width=quantity(grid.spacing_px(), "px", 1),
+            least=quantity(LEAST_SPACING_PX, "px"),
+        ),
+        message("bring-camera-nearer-to-board"),
+    )
+
+
+def _with_image_fault(fault: Fault, refusal: OperationError, grid: CornerGrid) -> DetectionError:
+    """A problem of the picture as such replaces causes that are only listed."""
+    found = image_findings(grid.image)
+    return _with_marks(*prefer_image_fault(fault, refusal, found, guessed=True)[::-1], grid)
+
+
+def _with_marks(refusal: OperationError, fault: Fault, grid: CornerGrid) -> DetectionError:
+    clipped = grid.image >= saturation_level(grid.image)
+    marks = mark_clipped_regions(clipped) if fault in ("exposure", "lighting") else []
+    return DetectionError(refusal, fault, (*marks, *_lines(grid)))
+
+
+def _lines(grid: CornerGrid) -> list[ImageAnnotation]:
     """Lines from each detected corner to its neighbours along the row and the column."""
+    at = {(i, j): k for k, (i, j) in enumerate(grid.places.tolist())}
     marks = []
-    for (i, j), saddle in lattice.items():
+    for (i, j), k in at.items():
         for beside in ((i + 1, j), (i, j + 1)):
-            if beside in lattice:
-                one, other = (saddles.uv_px[k].tolist() for k in (saddle, lattice[beside]))
+            if beside in at:
+                one, other = grid.uv_px[k].tolist(), grid.uv_px[at[beside]].tolist()
                 marks.append(ImageAnnotation("segment", *one, *other))
     return marks
