@@ -4,7 +4,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from app.formats.datasheets.arm import ArmFile, TipPart, arm_document
-from app.formats.datasheets.target import ChessboardFile, ObjectFile
+from app.formats.datasheets.target import CharucoFile, ChessboardFile, ObjectFile
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
@@ -24,5 +24,20 @@ def write_object(path: Path, item: Crenellated | Chessboard) -> None:
     """Writes ``object.json``."""
     if isinstance(item, Crenellated):
         ObjectFile.model_validate(item, from_attributes=True).write(path)
+    elif item.markers is not None:
+        fields = asdict(item)
+        columns, rows = fields.pop("inner_corners")
+        markers = fields.pop("markers")
+        CharucoFile.model_validate(
+            {
+                "kind": "charuco",
+                **fields,
+                "squares_x": columns + 1,
+                "squares_y": rows + 1,
+                "marker_mm": markers["side_mm"],
+                "dictionary": markers["dictionary"],
+                "legacy_pattern": markers["legacy"],
+            }
+        ).write(path)
     else:
         ChessboardFile.model_validate({"kind": "chessboard", **asdict(item)}).write(path)

@@ -182,7 +182,7 @@ def detect(
     draw: Draw = None,
     as_json: AsJson = False,
 ) -> None:
-    """Show what is seen of a block or a chessboard in pictures: corners, or why none.
+    """Show what is seen of a block or a board in pictures: corners, or why none.
 
     The file has the columns image, number, u, v, sigma_px, refusal.
     """

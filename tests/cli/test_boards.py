@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -21,6 +22,7 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.stripe import Stripe
+from app.metrology.targets.chessboard import Markers
 from app.metrology.transforms import Floats, apply, inverse, rigid
 from app.report.reports import render_report
 from tests.cli.test_cli import crenel, names_in, refused
@@ -154,6 +156,43 @@ def test_a_robots_session_gives_the_same_file_as_any_other(
 def camera_place(camera: Camera) -> Floats:
     """``T_cam_sensor``"""
     return rigid(camera.rotation, camera.translation_mm)
+
+
+def test_a_charuco_board_calibrates_though_cut_off_and_covered(
+    robot_session: Path, tmp_path: Path
+) -> None:
+    """From the files alone: as a chessboard, and each corner under its own number."""
+    folder = tmp_path / "session"
+    shutil.copytree(robot_session, folder)
+    marked = replace(BOARD, markers=Markers("DICT_4X4_50", 7.5))
+    write_object(folder / "object.json", marked)
+    for k, T in enumerate(POSES):
+        image = picture(T, Look(board=marked), k)
+        if k == 1:
+            image[:, :230] = 60  # a hand
+        write_png(folder / f"images/{k + 1}.png", image)
+    detected = crenel(
+        "detect",
+        folder / "images/2.png",
+        "--object",
+        folder / "object.json",
+        "--laser",
+        "v",
+        "--draw",
+        tmp_path / "drawn",
+        "--json",
+    )
+    (shown,) = json.loads(detected.stdout)["images"]
+    assert 8 <= len(shown["corners"]) < 42
+    assert (tmp_path / "drawn" / "2.png").exists()
+    out = tmp_path / "calibration.json"
+    done = crenel("calibrate", folder, "-o", out)
+    assert done.exit_code == 0, done.output
+    document = CalibrationFile.read(out)
+    assert [pose.number for pose in document.poses if pose.used] == list(range(1, 9))
+    known = read_calibration(out)
+    found = known.T_flange_sensor @ inverse(camera_place(known.camera))
+    assert np.linalg.norm((found - T_FLANGE_CAM)[:3, 3]) < 0.2
 
 
 def test_limits_of_the_user_decide(robot_session: Path, tmp_path: Path) -> None:

@@ -41,7 +41,7 @@ from app.formats.settings.scan_settings import ScanSettings, Sync
 from app.messages.message import Message
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.chessboard import Chessboard, Markers
 from app.settings.settings import Settings
 from app.settings.station_toml import read_settings
 
@@ -110,6 +110,9 @@ def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:
     assert isinstance(session, BoardSession)
     assert isinstance(read_any_arm(examples / "board/arm.json"), RobotArm)
     assert isinstance(read_object(examples / "board/object.json"), Chessboard)
+    marked = read_object(examples / "charuco/object.json")
+    assert isinstance(marked, Chessboard)
+    assert marked.markers == Markers("DICT_4X4_50", 7.5)
     (pose,) = session.poses
     assert pose.T_arm_flange is not None
     assert pose.T_arm_flange[:3, 3].tolist() == [612.5, -80.25, 433.0]

@@ -19,7 +19,7 @@ from app.formats.session.calibration_session import (
 )
 from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.arm.kinematics import RobotArm, Tip
-from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.chessboard import Chessboard, Markers
 from app.metrology.transforms import rigid
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text, write_session
@@ -181,3 +181,36 @@ def test_a_pose_may_have_no_laser_picture(tmp_path: Path) -> None:
     write_images(folder / "images.csv", [*rows[:2], dark])
     with pytest.raises(OperationError, match=r"pose 2 has no 'ambient' picture.*may be missing"):
         read_any_session(folder)
+
+
+CHARUCO = Chessboard("marked", "C-2", (7, 6), 10.0, 0.02, 0.1, Markers("DICT_5X5_100", 7.0, True))
+
+
+def test_a_charuco_board_reads_back(tmp_path: Path) -> None:
+    folder = board_session(tmp_path / "s")
+    write_object(folder / "object.json", CHARUCO)
+    session = read_any_session(folder)
+    assert isinstance(session, BoardSession)
+    assert session.board == CHARUCO
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"dictionary": "DICT_8X8_50"}, "dictionary is one of DICT_4X4_50"),
+        ({"dictionary": "DICT_APRILTAG_16h5", "squares_x": 12}, "42 markers"),
+        ({"marker_mm": 10}, "marker_mm must be less than square_mm"),
+        ({"squares_x": 3}, "squares_x"),
+        ({"squares_y": 2.5}, "squares_y"),
+        ({"square_mm": 0.01, "marker_mm": 0.007}, "is it in metres"),
+        ({"kind": "aruco"}, "'crenellated', 'chessboard' or 'charuco'"),
+    ],
+)
+def test_a_wrong_charuco_certificate_is_refused(
+    tmp_path: Path, fields: dict[str, object], words: str
+) -> None:
+    write_object(tmp_path / "object.json", CHARUCO)
+    edit_json(tmp_path / "object.json", lambda document: document.update(fields))
+    with pytest.raises(OperationError) as refused:
+        read_object(tmp_path / "object.json")
+    assert words in refused.value.line

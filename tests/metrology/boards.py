@@ -94,6 +94,8 @@ def picture(T_cam_obj: Floats, look: Look, seed: int = 0) -> NDArray[np.uint8]:
     square = np.floor(on).astype(int)
     inside = (square >= -1).all(axis=1) & (square < [columns, rows]).all(axis=1)
     black = inside & (square.sum(axis=1) % 2 == 0)
+    if look.board.markers is not None:
+        black = inside & _is_marked_black(look.board, on)
     level = np.where(black, look.dark, look.bright)
     if look.laser:
         off = points @ look.normal - look.offset_mm
@@ -102,6 +104,22 @@ def picture(T_cam_obj: Floats, look: Look, seed: int = 0) -> NDArray[np.uint8]:
     image = cv2.GaussianBlur(image, (0, 0), look.blur_px)
     image += np.random.default_rng(seed).normal(0, look.noise, image.shape)
     return np.asarray(np.clip(np.round(image), 0, 255), dtype=np.uint8)
+
+
+def _is_marked_black(board: Chessboard, on: Floats) -> NDArray[np.bool_]:
+    """What OpenCV prints of a ChArUco board at places (N, 2) in squares from the first corner."""
+    assert board.markers is not None
+    columns, rows = board.inner_corners
+    dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, board.markers.dictionary))
+    made = cv2.aruco.CharucoBoard(
+        (columns + 1, rows + 1), board.square_mm, board.markers.side_mm, dictionary
+    )
+    made.setLegacyPattern(board.markers.legacy)
+    fine = 200
+    printed = made.generateImage(((columns + 1) * fine, (rows + 1) * fine))
+    u = np.floor((on[:, 0] + 1) * fine).clip(0, printed.shape[1] - 1).astype(int)
+    v = np.floor((rows - on[:, 1]) * fine).clip(0, printed.shape[0] - 1).astype(int)
+    return np.asarray(printed[v, u] < 128)
 
 
 def inputs(look: Look | None = None, robot_mm: float = 0.02) -> BoardInputs:

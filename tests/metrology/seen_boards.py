@@ -11,7 +11,7 @@ from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.observations import intersect_surface
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.board.surface import board_prior, corners_at
-from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points

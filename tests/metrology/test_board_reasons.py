@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
@@ -29,14 +30,14 @@ def moved(right_mm: float) -> Floats:
 
 
 def covered(image: Grey) -> Grey:
-    """A sheet over all but three columns."""
+    """Paper over all but three columns."""
     uv = project(camera_at(POSES[1]), corner_points(BOARD)).reshape(6, 7, 2)
     edge = (uv[:, 2] + uv[:, 3]) / 2
     down = edge[5] - edge[0]
-    sheet = [edge[0] - down, edge[5] + down, edge[5] + down + 8 * (uv[5, 6] - uv[5, 5])]
-    sheet.append(edge[0] - down + 8 * (uv[0, 6] - uv[0, 5]))
+    paper = [edge[0] - down, edge[5] + down, edge[5] + down + 8 * (uv[5, 6] - uv[5, 5])]
+    paper.append(edge[0] - down + 8 * (uv[0, 6] - uv[0, 5]))
     hidden = image.copy()
-    cv2.fillPoly(hidden, [np.round(sheet).astype(np.int32)], (70,))
+    cv2.fillPoly(hidden, [np.round(paper).astype(np.int32)], (70,))
     return hidden
 
 

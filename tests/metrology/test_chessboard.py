@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.detection.failure_evidence import DetectionError
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import Chessboard, corner_points

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.metrology.chessboard.detect_board import BoardDetection, detect_board
+from app.metrology.chessboard.board_detection import BoardDetection
+from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.image import Image
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats

@@ -17,7 +17,8 @@ from app.errors import OperationError
 from app.formats.datasheets.target import read_object
 from app.formats.images import GreyImage, read_grey, to_8_bits
 from app.formats.io_errors import convert_io_errors
-from app.metrology.chessboard.detect_board import BoardDetection, detect_board
+from app.metrology.chessboard.board_detection import BoardDetection
+from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress

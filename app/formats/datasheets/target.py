@@ -1,4 +1,4 @@
-"""``object.json``: the certificate of the crenellated object, or of a flat chessboard."""
+"""``object.json``: the certificate of the crenellated object, or of a board with squares."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -10,7 +10,7 @@ from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, NotNegative, Number, Positive
 from app.messages.message import message
-from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers
 from app.metrology.targets.crenellated_block import Crenellated
 
 COARSEST_MM = 0.1
@@ -24,6 +24,7 @@ MIRROR_TOLERANCE_MM = 0.1
 
 
 InnerCorners = Annotated[int, Field(ge=3, le=200, strict=True)]
+Squares = Annotated[int, Field(ge=4, le=201, strict=True)]
 
 
 Certificate = Annotated[str, Field(max_length=200)]
@@ -68,17 +69,14 @@ class ObjectFile(Document):
         return self
 
 
-class ChessboardFile(Document):
-    """The file for ``kind`` chessboard."""
+class _BoardFile(Document):
+    """What the files of both kinds of boards have."""
 
     FORMAT: ClassVar[str] = "crenel/object"
 
-    kind: Literal["chessboard"]
     name: str
     serial_number: str
     certificate: Certificate = ""
-    inner_corners: tuple[InnerCorners, InnerCorners]
-    """Columns, rows."""
     square_mm: Positive
     standard_uncertainty_mm: NotNegative = PRINTED_MM
     flatness_mm: NotNegative | None = None
@@ -94,6 +92,54 @@ class ChessboardFile(Document):
         return self
 
 
+class ChessboardFile(_BoardFile):
+    """The file for ``kind`` chessboard."""
+
+    kind: Literal["chessboard"]
+    inner_corners: tuple[InnerCorners, InnerCorners]
+    """Columns, rows."""
+
+    def board(self) -> Chessboard:
+        """The chessboard that the file describes."""
+        fields = self.model_dump(exclude={"kind", "certificate"}, exclude_none=True)
+        return Chessboard(**fields)
+
+
+class CharucoFile(_BoardFile):
+    """The file for ``kind`` charuco, with OpenCV's names."""
+
+    kind: Literal["charuco"]
+    squares_x: Squares
+    squares_y: Squares
+    marker_mm: Positive
+    dictionary: str
+    legacy_pattern: bool = False
+    """As OpenCV before 4.6 arranged the markers."""
+
+    @model_validator(mode="after")
+    def _has_markers(self) -> Self:
+        if self.dictionary not in DICTIONARIES:
+            names = ", ".join(DICTIONARIES)
+            raise ValueError(message("dictionary-unknown", names=names))
+        count, known = self.squares_x * self.squares_y // 2, DICTIONARIES[self.dictionary]
+        if count > known:
+            raise ValueError(
+                message("too-few-markers", count=count, dictionary=self.dictionary, known=known)
+            )
+        if self.marker_mm >= self.square_mm:
+            raise ValueError(message("marker-mm-less-than-square-mm"))
+        return self
+
+    def board(self) -> Chessboard:
+        """The board that the file describes."""
+        own = {"name", "serial_number", "square_mm", "standard_uncertainty_mm", "flatness_mm"}
+        return Chessboard(
+            **self.model_dump(include=own, exclude_none=True),
+            inner_corners=(self.squares_x - 1, self.squares_y - 1),
+            markers=Markers(self.dictionary, self.marker_mm, self.legacy_pattern),
+        )
+
+
 class _AnyObject(Document):
     FORMAT: ClassVar[str] = "crenel/object"
 
@@ -107,14 +153,13 @@ def read_object(path: Path) -> Crenellated | Chessboard:
     if kind == "crenellated":
         return Crenellated(**ObjectFile.read(path).model_dump(exclude={"certificate"}))
     if kind == "chessboard":
-        fields = ChessboardFile.read(path).model_dump(
-            exclude={"kind", "certificate"}, exclude_none=True
-        )
-        return Chessboard(**fields)
+        return ChessboardFile.read(path).board()
+    if kind == "charuco":
+        return CharucoFile.read(path).board()
     raise OperationError(
         "object-kind-unsupported",
         message("kind-unknown", path=display_path(path), kind=repr(kind)),
-        message("kind-is-crenellated-or-chessboard"),
+        message("kind-is-block-or-board"),
         message("correct-it"),
     )
 

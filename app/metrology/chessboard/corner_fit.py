@@ -12,6 +12,8 @@ from app.metrology.transforms import Floats
 WINDOW_SHARE, LEAST_WINDOW_PX, MOST_WINDOW_PX = 0.35, 4.0, 20.0
 # Share of the window that must be free of laser light, and inside the picture.
 LEAST_FREE = 0.85
+# Nine unknowns and the noise are estimated from at least so many pixels.
+FEWEST_PIXELS = 24
 MOST_SHIFT_PX = 3.0
 ROUNDS = 30
 SETTLED_PX = 1e-3
@@ -35,7 +37,12 @@ class FittedCorner:
 
 
 def fit_corner(
-    image: Image, blocked: NDArray[np.bool_], uv_px: Floats, phase: float, spacing_px: float
+    image: Image,
+    blocked: NDArray[np.bool_],
+    uv_px: Floats,
+    phase: float,
+    spacing_px: float,
+    marked: NDArray[np.bool_] | None = None,
 ) -> FittedCorner | None:
     """The corner next to a saddle; None if none can be measured.
 
@@ -46,9 +53,10 @@ def fit_corner(
         blocked: (H, W) pixels that do not count.
         phase: phase of the bright sectors, as in ``Saddles``.
         spacing_px: distance to the next corner.
+        marked: (H, W) pixels of markers in the white squares, which are left out.
     """
     radius = float(np.clip(WINDOW_SHARE * spacing_px, LEAST_WINDOW_PX, MOST_WINDOW_PX))
-    window = _window(image, blocked, uv_px, radius)
+    window = _window(image, blocked, marked, uv_px, radius)
     if window is None:
         return None
     places, values = window
@@ -63,7 +71,7 @@ def fit_corner(
     variance = float(left @ left) / (len(values) - len(p))
     if variance > (1 - LEAST_EXPLAINED) * float(np.var(values)) or p[5] <= 0:
         return None
-    if not _has_four_squares(places, values, p):
+    if not _has_four_squares(places, values, p, near_edges=marked is not None):
         return None
     covariance = np.asarray(np.linalg.inv(J.T @ J)[:2, :2], np.float64)
     return FittedCorner(uv_px + p[:2], covariance * max(variance, ROUNDING), float(p[4]))
@@ -94,18 +102,26 @@ def _settle(places: Floats, values: Floats, start: Floats) -> Floats | None:
     return None
 
 
-def _has_four_squares(places: Floats, values: Floats, p: Floats) -> bool:
-    """Whether each of the four sectors (M pixels in all) is as bright or dark as is due."""
+def _has_four_squares(places: Floats, values: Floats, p: Floats, near_edges: bool) -> bool:
+    """Whether each of the four sectors (M pixels in all) is as bright or dark as is due.
+
+    Args:
+        near_edges: most of a sector's pixels may lie on its blurred edges, as beside a marker.
+    """
     f1, f2, _, _ = _edges(places, p)
-    due = (p[6] - values) * np.sign(f1 * f2) / p[5]
+    due = f1 * f2 if near_edges else np.sign(f1 * f2)
     sectors = (f1 > 0).astype(np.int64) + 2 * (f2 > 0)
-    counts = np.bincount(sectors, minlength=4)
-    means = np.bincount(sectors, due, minlength=4) / np.maximum(counts, 1)
-    return bool((means[counts > 0] > LEAST_SQUARE).all())
+    expected = np.bincount(sectors, due**2, minlength=4)
+    found = np.bincount(sectors, due * (p[6] - values) / p[5], minlength=4)
+    return bool((found[expected > 0] > LEAST_SQUARE * expected[expected > 0]).all())
 
 
 def _window(
-    image: Image, blocked: NDArray[np.bool_], uv_px: Floats, radius: float
+    image: Image,
+    blocked: NDArray[np.bool_],
+    marked: NDArray[np.bool_] | None,
+    uv_px: Floats,
+    radius: float,
 ) -> tuple[Floats, Floats] | None:
     """Positions (M, 2) around the saddle and their grey levels (M,), within a circle."""
     height, width = image.shape
@@ -116,8 +132,10 @@ def _window(
     v, u = np.mgrid[v0:v1, u0:u1]
     places = np.column_stack([u.ravel(), v.ravel()]) - uv_px
     inside = np.sum(places**2, axis=1) <= radius**2
+    if marked is not None:
+        inside &= ~marked[v0:v1, u0:u1].ravel()
     free = inside & ~blocked[v0:v1, u0:u1].ravel()
-    if free.sum() < LEAST_FREE * inside.sum():
+    if free.sum() < max(LEAST_FREE * inside.sum(), FEWEST_PIXELS):
         return None
     return places[free], image[v0:v1, u0:u1].ravel()[free].astype(np.float64)
 

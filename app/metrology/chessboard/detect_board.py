@@ -7,28 +7,26 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.metrology.chessboard.board_detection import (
+    BoardDetection,
+    MeasuredCorners,
+    agreeing_corners,
+)
+from app.metrology.chessboard.charuco import detect_charuco
 from app.metrology.chessboard.corner_fit import fit_corner
 from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure, is_larger
+from app.metrology.chessboard.laser_light import laser_mask
 from app.metrology.chessboard.lattice import Lattice, find_lattices
 from app.metrology.chessboard.missing_corners import CornerGrid
 from app.metrology.chessboard.opencv_finders import find_by_opencv
-from app.metrology.chessboard.perspective import fit_perspective, map_places, predict_corner
+from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.chessboard.saddle_points import Saddles, find_saddles
 from app.metrology.chessboard.window import find_window
-from app.metrology.image import Image, saturation_level
-from app.metrology.stripe import Stripe, empty_stripe
+from app.metrology.image import Image
+from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 
-# Pixels this close to clipped ones or to the middle of the stripe show laser light.
-CLIPPED_MARGIN_PX, STRIPE_MARGIN_PX = 8, 12
-# Clipped pixels this near to the stripe's middle are its own, and not a white square's.
-CLIPPED_REACH_PX = 30
-# Weaker points than this share of the stripe's usual brightness are none of it.
-STRIPE_SHARE = 0.5
-# Ratio of the laser line's brightness to the board's, and share of the picture that the white of
-# the board covers.
-OUTSHINES, DARKER_SHARE = 1.15, 0.95
 # A board that covers less than this of one that cannot be numbered is a picture of it, or far off.
 SMALLER = 0.5
 # Share of the corners that must be seen; and by which more than it has show a larger board.
@@ -38,35 +36,6 @@ LEAST_VISIBLE, SURELY_MORE = 0.5, 0.08
 LONGER_SIDES_PX = (1280, 640, 2560)
 ALIKE, MOST_ENLARGED = 1.45, 2.0
 GRIDS = 2
-# Corners further than this off a perspective of all, and this often the usual, are left out.
-MISFIT_PX, MISFIT_TIMES = 0.5, 6.0
-
-
-@dataclass(frozen=True)
-class BoardDetection:
-    """N corners of the board in one picture.
-
-    ``number`` (N,) is the index of each in ``corner_points``; if the colours are ambiguous,
-    ``other_numbers`` holds the other numberings, each equally good. ``covariance_px2`` follows from
-    the picture noise around each corner.
-    """
-
-    uv_px: Floats  # (N, 2)
-    covariance_px2: Floats  # (N, 2, 2)
-    number: NDArray[np.int64]  # (N,)
-    other_numbers: tuple[NDArray[np.int64], ...] = ()
-
-    def __len__(self) -> int:
-        return len(self.number)
-
-
-@dataclass(frozen=True)
-class _Measured:
-    """Corners that could be measured: pixels, covariances, and which of the grid's they are."""
-
-    uv_px: Floats  # (M, 2)
-    covariance_px2: Floats  # (M, 2, 2)
-    index: NDArray[np.int64]  # (M,)
 
 
 @dataclass(frozen=True)
@@ -103,7 +72,9 @@ def detect_board(
             board that were detected.
     """
     columns, rows = board.inner_corners
-    blocked = _laser_mask(image, stripe)
+    blocked = laser_mask(image, stripe)
+    if board.markers is not None:
+        return detect_charuco(image, board, board.markers, blocked, thorough=thorough)
     nearest: _Refused | None = None
     for saddles, lattice in _find_grids(image, blocked, board, thorough):
         measured = _measure_corners(image, blocked, saddles, lattice)
@@ -152,7 +123,7 @@ def _find_grids(
 
 
 def _number_corners(
-    board: Chessboard, saddles: Saddles, lattice: Lattice, measured: _Measured
+    board: Chessboard, saddles: Saddles, lattice: Lattice, measured: MeasuredCorners
 ) -> BoardDetection | None:
     """The corners of the one window of the board's size; None where none is certain."""
     columns, rows = board.inner_corners
@@ -163,7 +134,7 @@ def _number_corners(
     index = measured.index[within]
     uv, covariance = measured.uv_px[within], measured.covariance_px2[within]
     numbers = _numberings(places[index], saddles.phase[list(lattice.values())][index], uv, board)
-    kept = _agreeing(board, uv, numbers[0])
+    kept = agreeing_corners(board, uv, numbers[0])
     return BoardDetection(
         uv[kept], covariance[kept], numbers[0][kept], tuple(other[kept] for other in numbers[1:])
     )
@@ -174,7 +145,7 @@ def _failure(
     blocked: NDArray[np.bool_],
     saddles: Saddles,
     lattice: Lattice,
-    measured: _Measured,
+    measured: MeasuredCorners,
     board: Chessboard,
 ) -> BoardFailure:
     places = np.array(list(lattice), dtype=np.int64).reshape(-1, 2)
@@ -185,43 +156,6 @@ def _failure(
         within = None
     grid = CornerGrid(image, blocked, places, saddles.uv_px[list(lattice.values())])
     return BoardFailure(grid, can_be_measured, within)
-
-
-def drop_faint_stripe(image: Image, stripe: Stripe) -> Stripe:
-    """The stripe, or an empty one if it is not brighter than the white squares.
-
-    Bright squares between black ones look like a stripe if the laser line is outside the image.
-
-    Args:
-        image: (H, W) grey, 8 to 16 bits, with ambient light and laser.
-        stripe: as extracted from this image.
-    """
-    if not len(stripe.u):
-        return stripe
-    u, v = (np.round(x).astype(np.int64) for x in (stripe.u, stripe.v))
-    at = image[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)]
-    white = float(np.quantile(image, DARKER_SHARE))
-    if np.median(at) >= min(OUTSHINES * white, saturation_level(image)):
-        return stripe
-    return empty_stripe(stripe.axis)
-
-
-def _laser_mask(image: Image, stripe: Stripe | None) -> NDArray[np.bool_]:
-    """(H, W) pixels that the laser's line has spoilt: its own, and the clipped ones about it."""
-    if stripe is None or not len(stripe.u):
-        return np.zeros(image.shape, dtype=np.bool_)
-    own = stripe.intensity > STRIPE_SHARE * float(np.median(stripe.intensity))
-    middle = np.zeros(image.shape, np.uint8)
-    u, v = (np.round(x[own]).astype(np.int64) for x in (stripe.u, stripe.v))
-    middle[np.clip(v, 0, image.shape[0] - 1), np.clip(u, 0, image.shape[1] - 1)] = 1
-    near = _dilate(middle, CLIPPED_REACH_PX)
-    clipped = (image >= saturation_level(image)).astype(np.uint8) & near
-    return (_dilate(middle, STRIPE_MARGIN_PX) | _dilate(clipped, CLIPPED_MARGIN_PX)) > 0
-
-
-def _dilate(mask: NDArray[np.uint8], margin_px: int) -> NDArray[np.uint8]:
-    size = 2 * margin_px + 1
-    return np.asarray(cv2.dilate(mask, np.ones((size, size), np.uint8)), np.uint8)
 
 
 def _numberings(
@@ -262,7 +196,7 @@ def _grid_orientations(places: NDArray[np.int64]) -> list[NDArray[np.int64]]:
 
 def _measure_corners(
     image: Image, blocked: NDArray[np.bool_], saddles: Saddles, lattice: Lattice
-) -> _Measured:
+) -> MeasuredCorners:
     uv, covariance, index = [], [], []
     for k, (place, saddle) in enumerate(lattice.items()):
         at = saddles.uv_px[saddle]
@@ -272,7 +206,7 @@ def _measure_corners(
             uv.append(found.uv_px)
             covariance.append(found.covariance_px2)
             index.append(k)
-    return _Measured(
+    return MeasuredCorners(
         np.array(uv).reshape(-1, 2),
         np.array(covariance).reshape(-1, 2, 2),
         np.array(index, dtype=np.int64),
@@ -286,17 +220,3 @@ def _spacing(saddles: Saddles, lattice: Lattice, place: tuple[int, int]) -> floa
     at = saddles.uv_px[lattice[place]]
     away = [float(np.linalg.norm(saddles.uv_px[k] - at)) for k in beside if k is not None]
     return min(away, default=0.0)
-
-
-def _agreeing(board: Chessboard, uv: Floats, number: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which corners lie where a perspective of those around puts them, to a lens's distortion."""
-    columns = board.inner_corners[0]
-    places = np.column_stack([number % columns, number // columns])
-    predicted = [predict_corner(places, uv, place) for place in places]
-    off = np.array(
-        [
-            0.0 if one is None else float(np.linalg.norm(one[0] - at))
-            for one, at in zip(predicted, uv, strict=True)
-        ]
-    )
-    return np.asarray(off < max(MISFIT_PX, MISFIT_TIMES * float(np.median(off))))

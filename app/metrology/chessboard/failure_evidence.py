@@ -1,5 +1,6 @@
 """Why the board was not detected in a picture, and where the picture shows it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ from app.metrology.detection.failure_evidence import (
     prefer_image_fault,
 )
 from app.metrology.detection.image_quality import image_findings
-from app.metrology.image import saturation_level
+from app.metrology.image import Image, saturation_level
 from app.metrology.targets.chessboard import Chessboard
 
 # Squares smaller than this show no regular grid of saddles.
@@ -167,15 +168,36 @@ def _too_small(what: Text, grid: CornerGrid) -> OperationError:
 
 
 def _with_image_fault(fault: Fault, refusal: OperationError, grid: CornerGrid) -> DetectionError:
-    """A problem of the picture as such replaces causes that are only listed."""
-    found = image_findings(grid.image)
-    return _with_marks(*prefer_image_fault(fault, refusal, found, guessed=True)[::-1], grid)
+    return fail_with_marks(refusal, fault, grid.image, _lines(grid), guessed=True)
 
 
 def _with_marks(refusal: OperationError, fault: Fault, grid: CornerGrid) -> DetectionError:
-    clipped = grid.image >= saturation_level(grid.image)
+    return fail_with_marks(refusal, fault, grid.image, _lines(grid))
+
+
+def fail_with_marks(
+    refusal: OperationError,
+    fault: Fault,
+    image: Image,
+    found: Sequence[ImageAnnotation],
+    guessed: bool = False,
+) -> DetectionError:
+    """The error with what was found, and with overexposed regions where they are its cause.
+
+    Args:
+        guessed: its causes are only listed, so that a problem of the picture as such replaces
+            them; a picture that is merely soft is named beside them.
+    """
+    if guessed:
+        found_in_image = image_findings(image)
+        soft = [one for one in found_in_image if one.code == "image-soft"]
+        graver = [one for one in found_in_image if one.code != "image-soft"]
+        if soft and not graver:
+            _, refusal = prefer_image_fault(fault, refusal, soft)
+        fault, refusal = prefer_image_fault(fault, refusal, graver, guessed=True)
+    clipped = image >= saturation_level(image)
     marks = mark_clipped_regions(clipped) if fault in ("exposure", "lighting") else []
-    return DetectionError(refusal, fault, (*marks, *_lines(grid)))
+    return DetectionError(refusal, fault, (*marks, *found))
 
 
 def _lines(grid: CornerGrid) -> list[ImageAnnotation]:

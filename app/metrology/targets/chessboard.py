@@ -2,7 +2,8 @@
 
 Its frame lies at the first inner corner, X along the rows, Z out of the board towards the
 camera. First is the corner whose outermost square is black; where the colours leave a
-choice, every choice is as good as long as all pictures share it.
+choice, every choice is as good as long as all pictures share it. Of a ChArUco board, first is
+the corner at the lower left, where OpenCV has the first marker at the upper left.
 """
 
 from dataclasses import dataclass
@@ -12,6 +13,34 @@ from numpy.typing import NDArray
 
 from app.metrology.transforms import Floats
 
+# Number of markers in each of OpenCV's dictionaries.
+DICTIONARIES = {
+    **{
+        f"DICT_{bits}X{bits}_{count}": count
+        for bits in (4, 5, 6, 7)
+        for count in (50, 100, 250, 1000)
+    },
+    "DICT_ARUCO_ORIGINAL": 1024,
+    "DICT_ARUCO_MIP_36h12": 250,
+    "DICT_APRILTAG_16h5": 30,
+    "DICT_APRILTAG_25h9": 35,
+    "DICT_APRILTAG_36h10": 2320,
+    "DICT_APRILTAG_36h11": 587,
+}
+
+
+@dataclass(frozen=True)
+class Markers:
+    """The markers in the white squares of a ChArUco board, by one of OpenCV's ``DICTIONARIES``.
+
+    ``legacy`` is the arrangement of OpenCV before 4.6, which differs if the rows of squares are
+    even in number.
+    """
+
+    dictionary: str
+    side_mm: float
+    legacy: bool = False
+
 
 @dataclass(frozen=True)
 class Chessboard:
@@ -19,6 +48,7 @@ class Chessboard:
 
     ``standard_uncertainty_mm`` is that of the pattern's width and of its height, between the
     outermost inner corners; ``flatness_mm`` is the typical bend of the board over the pattern.
+    With ``markers`` it is a ChArUco board.
     """
 
     name: str
@@ -27,6 +57,16 @@ class Chessboard:
     square_mm: float
     standard_uncertainty_mm: float
     flatness_mm: float = 0.3
+    markers: Markers | None = None
+
+    @property
+    def first_is_black(self) -> bool:
+        """Whether the outermost square at the first corner is black."""
+        if self.markers is None:
+            return True
+        # the upper left square is black, but in a legacy pattern of an even number of rows
+        rows = self.inner_corners[1] + 1
+        return rows % 2 == 1 or self.markers.legacy
 
     @property
     def extent_mm(self) -> Floats:

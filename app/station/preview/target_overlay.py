@@ -4,7 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.chessboard.detect_board import BoardDetection, detect_board, drop_faint_stripe
+from app.metrology.chessboard.board_detection import BoardDetection
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.chessboard.perspective import fit_perspective, map_places
 from app.metrology.detection.detect_block import ObjectDetection, detect_object
 from app.metrology.detection.image_quality import Image

@@ -134,7 +134,7 @@ def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
         flat_mesh(square * np.array([[i, j, 0], [i + 1, j, 0], [i + 1, j + 1, 0], [i, j + 1, 0.0]]))
         for i in range(-1, columns)
         for j in range(-1, rows)
-        if (i + j) % 2 == 0
+        if ((i + j) % 2 == 0) == board.first_is_black
     ]
     squares = join_meshes(*black)
     return plate, Mesh(squares.vertices_mm + [0.0, 0.0, INK_MM], squares.faces)

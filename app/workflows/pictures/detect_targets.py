@@ -12,7 +12,8 @@ from app.formats.csv_table import table_text
 from app.formats.images import GreyImage, read_grey
 from app.metrology.bayer import CELL_PX, BayerPlane
 from app.metrology.channel import Channel
-from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.detection.detect_block import detect_object
 from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.stripe import Stripe, extract_stripe

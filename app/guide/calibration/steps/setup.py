@@ -7,7 +7,7 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.messages.message import Text, message, quantity, rounded
-from app.metrology.targets.chessboard import Chessboard
+from app.metrology.targets.chessboard import Chessboard, Markers
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
 
@@ -117,6 +117,8 @@ def _object_detail(item: CalibrationTarget) -> Text:
 
 def _board_detail(board: Chessboard) -> Text:
     columns, rows = board.inner_corners
+    if board.markers is not None:
+        return _charuco_detail(board, board.markers)
     if not board.serial_number:
         return message(
             "chessboard-inner-corners-squares-mm",
@@ -130,4 +132,24 @@ def _board_detail(board: Chessboard) -> Text:
         columns=columns,
         rows=rows,
         square=rounded(board.square_mm, "mm"),
+    )
+
+
+def _charuco_detail(board: Chessboard, markers: Markers) -> Text:
+    columns, rows = (count + 1 for count in board.inner_corners)
+    if not board.serial_number:
+        return message(
+            "charuco-squares-mm-markers",
+            columns=columns,
+            rows=rows,
+            square=rounded(board.square_mm, "mm"),
+            dictionary=markers.dictionary,
+        )
+    return message(
+        "serial-number-charuco-squares-markers",
+        serial_number=board.serial_number,
+        columns=columns,
+        rows=rows,
+        square=rounded(board.square_mm, "mm"),
+        dictionary=markers.dictionary,
     )

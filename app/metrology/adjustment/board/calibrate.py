@@ -52,7 +52,8 @@ from app.metrology.adjustment.results.stripes import (
     stripe_rms_mm,
 )
 from app.metrology.arm.kinematics import Arm, RobotArm
-from app.metrology.chessboard.detect_board import detect_board, drop_faint_stripe
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.sensor.camera import rays

@@ -12,7 +12,7 @@ from app.messages.message import message, quantity, rounded
 from app.metrology.adjustment.block.initial_guess import solve_pnp
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import FailedPose
-from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.detection.image_quality import ImageFinding
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe

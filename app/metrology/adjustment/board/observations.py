@@ -15,7 +15,7 @@ from app.metrology.adjustment.board.surface import (
 )
 from app.metrology.adjustment.core.robust_weights import RobustWeights, bin_neighbours, unit_weights
 from app.metrology.calibration.observation_model import BLOCK, PLANE, Rows
-from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.sensor.camera import Camera, rays
 from app.metrology.sensor.laser_plane import LaserPlane, tangents
 from app.metrology.sensor.projection import COUNT, project_with_jacobian

@@ -6,7 +6,7 @@ import numpy as np
 
 from app.metrology.adjustment.block.predicted_view import STRIPE_STEP_PX, ObservationNoise, inside
 from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.chessboard.detect_board import BoardDetection
+from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.stripe import Stripe

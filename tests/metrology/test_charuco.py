@@ -1,0 +1,162 @@
+"""ChArUco boards in pictures as OpenCV prints them: where the corners are, which, and refusals."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.metrology.adjustment.board.calibrate import calibrate_board
+from app.metrology.chessboard.board_detection import BoardDetection
+from app.metrology.chessboard.charuco_grid import charuco_board
+from app.metrology.chessboard.detect_board import detect_board
+from app.metrology.chessboard.laser_light import drop_faint_stripe
+from app.metrology.detection.failure_evidence import DetectionError
+from app.metrology.sensor.camera import project
+from app.metrology.stripe import extract_stripe
+from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers, corner_points
+from app.metrology.transforms import Floats
+from tests.metrology.boards import BOARD, OFFSET_MM, POSES, T_FLANGE_CAM, Look, inputs, picture
+from tests.metrology.seen_boards import camera_at
+
+pytestmark = pytest.mark.slow
+
+CHARUCO = replace(BOARD, name="marked board", markers=Markers("DICT_4X4_50", 7.5))
+EVEN = replace(CHARUCO, inner_corners=(7, 5))
+UNLIT = Look(laser=False, board=CHARUCO)
+
+
+def off_px(found: BoardDetection, board: Chessboard, T: Floats) -> Floats:
+    """(N, 2) from where the truth puts each corner by its number."""
+    true = project(camera_at(T), corner_points(board))[found.number]
+    return np.asarray(found.uv_px - true)
+
+
+@pytest.mark.parametrize(
+    "board",
+    [
+        CHARUCO,
+        EVEN,
+        replace(EVEN, markers=Markers("DICT_4X4_50", 7.5, legacy=True)),
+        replace(BOARD, inner_corners=(5, 4), markers=Markers("DICT_6X6_250", 9.0), square_mm=12.0),
+        replace(BOARD, markers=Markers("DICT_APRILTAG_36h11", 8.0)),
+    ],
+)
+def test_every_corner_is_where_it_is_and_numbered(board: Chessboard) -> None:
+    for k in (1, 4, 6):
+        found = detect_board(picture(POSES[k], replace(UNLIT, board=board), k), board)
+        assert len(found) == len(corner_points(board))
+        assert not found.other_numbers
+        off = off_px(found, board, POSES[k])
+        assert np.abs(off).max() < 0.1
+        said = np.sqrt(np.mean(np.trace(found.covariance_px2, axis1=1, axis2=2)) / 2)
+        assert np.sqrt(np.mean(off**2)) < 2.5 * said
+
+
+def test_the_corners_are_better_than_opencvs() -> None:
+    image = picture(POSES[1], replace(UNLIT, noise=4.0), 1)
+    ours = np.sqrt(np.mean(off_px(detect_board(image, CHARUCO), CHARUCO, POSES[1]) ** 2))
+    assert CHARUCO.markers is not None
+    detector = cv2.aruco.CharucoDetector(charuco_board(CHARUCO, CHARUCO.markers))
+    corners, ids, _, _ = detector.detectBoard(image)
+    columns, rows = CHARUCO.inner_corners
+    number = (rows - 1 - ids.ravel() // columns) * columns + ids.ravel() % columns
+    true = project(camera_at(POSES[1]), corner_points(CHARUCO))[number]
+    theirs = np.sqrt(np.mean((corners.reshape(-1, 2) - true) ** 2))
+    assert ours < 0.3 * theirs
+
+
+@pytest.mark.parametrize(("right_mm", "least"), [(35.0, 33), (55.0, 21), (65.0, 15)])
+def test_a_board_partly_out_of_the_picture_is_taken(right_mm: float, least: int) -> None:
+    T = POSES[1].copy()
+    T[0, 3] += right_mm
+    found = detect_board(picture(T, UNLIT, 1), CHARUCO)
+    assert least <= len(found) < 42
+    assert np.abs(off_px(found, CHARUCO, T)).max() < 0.1
+
+
+def test_a_covered_board_is_taken() -> None:
+    image = picture(POSES[1], UNLIT, 1)
+    cv2.rectangle(image, (250, 150), (420, 330), 70, -1)
+    found = detect_board(image, CHARUCO)
+    assert 20 < len(found) < 30
+    assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
+
+
+def test_the_lasers_line_takes_its_own_corners_alone() -> None:
+    lit = picture(POSES[1], Look(board=CHARUCO), 1)
+    stripe = drop_faint_stripe(lit, extract_stripe(lit, "v"))
+    assert len(stripe.u) > 300
+    found = detect_board(lit, CHARUCO, stripe)
+    assert len(found) >= 30
+    assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.1
+
+
+def jpeg(image: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
+    _, coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
+    return np.asarray(cv2.imdecode(coded, cv2.IMREAD_GRAYSCALE), np.uint8)
+
+
+def test_soft_noisy_compressed_and_clipped_pictures_are_taken() -> None:
+    plain = picture(POSES[1], UNLIT, 1)
+    pictures = (
+        picture(POSES[1], replace(UNLIT, blur_px=2.0), 1),
+        picture(POSES[1], replace(UNLIT, noise=12.0), 1),
+        jpeg(plain, 20),
+        np.clip(plain.astype(np.float64) * 3, 0, 255).astype(np.uint8),
+        plain.astype(np.uint16) * 256,
+    )
+    for image in pictures:
+        found = detect_board(image, CHARUCO)
+        assert len(found) >= 38
+        assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.3
+
+
+@pytest.mark.parametrize(
+    ("board", "code", "words"),
+    [
+        (replace(CHARUCO, inner_corners=(9, 6)), "another-board", "not arranged as on"),
+        (replace(CHARUCO, inner_corners=(5, 6)), "another-board", "not arranged as on"),
+        (replace(CHARUCO, inner_corners=(7, 4)), "another-board", "not arranged as on"),
+        (replace(CHARUCO, markers=Markers("DICT_4X4_50", 5.0)), "another-board", "states 5 mm"),
+        (replace(CHARUCO, markers=Markers("DICT_5X5_50", 7.5)), "board-not-found", "DICT_5X5_50"),
+    ],
+)
+def test_another_board_is_refused(board: Chessboard, code: str, words: str) -> None:
+    with pytest.raises(DetectionError) as refused:
+        detect_board(picture(POSES[1], UNLIT, 1), board)
+    assert refused.value.code == code
+    assert words in refused.value.line
+
+
+def test_the_other_pattern_is_refused() -> None:
+    image = picture(POSES[1], replace(UNLIT, board=EVEN), 1)
+    with pytest.raises(DetectionError, match="legacy_pattern") as refused:
+        detect_board(image, replace(EVEN, markers=Markers("DICT_4X4_50", 7.5, legacy=True)))
+    assert refused.value.code == "another-board"
+    assert len(refused.value.marks) > 60  # the outlines of the markers
+
+
+def test_a_mirrored_picture_and_a_plain_board_are_refused() -> None:
+    mirrored = np.ascontiguousarray(picture(POSES[1], UNLIT, 1)[:, ::-1])
+    for image in (mirrored, picture(POSES[1], Look(laser=False), 1)):
+        with pytest.raises(DetectionError):
+            detect_board(image, CHARUCO)
+    blurred = picture(POSES[1], replace(UNLIT, blur_px=8.0), 1)
+    with pytest.raises(DetectionError, match="blurred") as refused:
+        detect_board(blurred, CHARUCO)
+    assert refused.value.fault == "focus"
+
+
+def test_the_calibration_is_that_of_a_chessboard() -> None:
+    found = calibrate_board(inputs(Look(board=CHARUCO)))
+    assert [pose.number for pose in found.poses if pose.used] == list(range(1, 9))
+    assert np.linalg.norm((found.adjustment.state.T_flange_cam - T_FLANGE_CAM)[:3, 3]) < 0.15
+    assert abs(found.adjustment.state.plane.offset_mm) == pytest.approx(OFFSET_MM, abs=0.1)
+
+
+def test_the_dictionaries_are_opencvs() -> None:
+    for name, count in DICTIONARIES.items():
+        made = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, name))
+        assert len(made.bytesList) == count
