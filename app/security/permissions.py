@@ -89,6 +89,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("DELETE", "/api/view/fits/{fit_id}"): Rule(Right.act),
     ("GET", "/api/flow"): LOOK,
     ("GET", "/api/flow/image/{name}"): LOOK,
+    ("GET", "/api/flow/picture/{number}.zip"): Rule(Right.operate, message("took-picture-bundle")),
     ("POST", "/api/flow/start"): Rule(Right.act, message("began-resumed-calibration")),
     ("POST", "/api/flow/command"): Rule(Right.act, word("calibration")),
     ("GET", "/api/arm"): LOOK,

@@ -282,7 +282,8 @@ def test_a_whole_calibration_on_the_chessboard_by_the_simulated_operator(
     picture, result = view["picture"], view["picture"]["result"]
     reported = "\n".join(f"{each['quality']}: {each['text']}" for each in view["findings"])
     assert result["verdict"] == "good", reported
-    assert picture["object"] == {"kind": "board", "inner_corners": [7, 6], "square_mm": 4.5}
+    drawn = {"kind": "board", "inner_corners": [7, 6], "square_mm": 4.5, "first_is_black": True}
+    assert picture["object"] == drawn
     touched = [point["at_mm"] for point in picture["points"]]
     assert len(touched) == 6
     assert all(-4.5 < x < 31.5 and -4.5 < y < 27 and z == 0 for x, y, z in touched)

@@ -52,7 +52,7 @@ def bundle(context: Context) -> bytes:
 
     A part that cannot be made contains its error; the others are made.
     """
-    redactor = _redactor(context)
+    redactor = context_redactor(context)
     parts: dict[str, Callable[[], str]] = {
         "README.txt": lambda: README.format(at=utc_now()),
         "health.json": lambda: _document(redactor, _health(context)),
@@ -112,7 +112,8 @@ def _audit(context: Context) -> list[dict[str, str]]:
     ]
 
 
-def _redactor(context: Context) -> Redactor:
+def context_redactor(context: Context) -> Redactor:
+    """Takes the station's secrets, its people's names and its folders out of a text."""
     watch, store = context.monitoring, context.store
     webhook = watch.webhook.settings
     secrets = [webhook.secret, *address_secrets(webhook.url), context.authenticator.code or ""]

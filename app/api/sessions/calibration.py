@@ -1,11 +1,15 @@
 """The guided calibration."""
 
 from pathlib import Path
+from typing import Annotated
 
 from fastapi import APIRouter
+from fastapi import Path as PathParameter
 from starlette.responses import Response
 
 from app.api.lookups import send_file
+from app.api.problems import NotFoundError
+from app.api.sessions.picture_bundle import bundle_picture
 from app.api.sessions.routes import add_session_routes
 from app.guide.calibration.commands import COMMANDS
 from app.guide.common.view import FlowView
@@ -28,3 +32,18 @@ def image(name: str, context: TheContext) -> Response:
     """A captured picture of the current session."""
     path: Path | None = context.guide.folder.image(name)
     return send_file(path, message("session-has-no-picture", name=name), "image/png", cached=True)
+
+
+@router.get("/picture/{number}.zip")
+def picture_bundle(
+    number: Annotated[int, PathParameter(ge=1, le=9999)], context: TheContext
+) -> Response:
+    """A pose's pictures with what was found in them and their context, to send for help."""
+    guide = context.guide
+    capture = next((one for one in guide.state.captures if one.number == number), None)
+    if capture is None:
+        raise NotFoundError(message("session-has-no-pose", number=number))
+    name = f"crenel-picture-{guide.state.session_id}-{number}.zip"
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-store"}
+    content = bundle_picture(context, capture)
+    return Response(content, media_type="application/zip", headers=headers)

@@ -50,6 +50,7 @@ class PoseCapture:
     sensor: str
     outcome: Payload
     """What was found in the picture as it was taken."""
+    exposure_us: float | None = None
     gone: str = ""
     """``aside``: set aside, and can be taken back; ``retaken``: another took its place."""
 
@@ -288,6 +289,7 @@ def _capture(state: CalibrationState, payload: Payload) -> PoseCapture:
         width_px=payload["width_px"],
         height_px=payload["height_px"],
         outcome=payload["outcome"],
+        exposure_us=payload.get("exposure_us"),
         arm=state.choices["arm"],
         object=state.choices["object"],
         sensor=state.choices["sensor"],

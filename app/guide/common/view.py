@@ -65,6 +65,8 @@ class BoardGeometry:
 
     inner_corners: tuple[int, int]
     square_mm: float
+    first_is_black: bool = True
+    """The outermost square at the first inner corner."""
     kind: Literal["board"] = "board"
 
 
@@ -178,6 +180,8 @@ class PosePicture:
     action: Action | None
     stripe_off: Sequence[Vec3] = ()
     """Of a result: u, v of some of the stripe's points, and how far each lies off (px)."""
+    bundle_url: str = ""
+    """Of a pose with trouble: its pictures with their context, as one file to send."""
 
 
 @dataclass(frozen=True)

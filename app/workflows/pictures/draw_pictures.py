@@ -38,6 +38,25 @@ def draw_detection(image: GreyImage, found: ImageDetection) -> Drawing:
     return drawing
 
 
+def draw_outcome(
+    image: GreyImage,
+    corners: Iterable[tuple[float, float]],
+    stripe: Iterable[tuple[float, float]],
+    marks: Iterable[tuple[float, float, float, float]],
+) -> Drawing:
+    """Corners, points of the stripe, and lines (u0, v0, u1, v1) that show why a picture was
+    refused."""
+    drawing, size = _canvas(image)
+    for u, v in stripe:
+        cv2.circle(drawing, (round(u), round(v)), round(size), LINE, -1)
+    for u0, v0, u1, v1 in marks:
+        ends = (round(u0), round(v0)), (round(u1), round(v1))
+        cv2.line(drawing, *ends, EVIDENCE, round(size), cv2.LINE_AA)
+    for u, v in corners:
+        cv2.circle(drawing, (round(u), round(v)), round(4 * size), FOUND, round(size), cv2.LINE_AA)
+    return drawing
+
+
 def draw_stripe(image: GreyImage, stripe: Stripe) -> Drawing:
     """The points of a stripe."""
     drawing, size = _canvas(image)
@@ -63,7 +82,12 @@ def write_drawings(folder: Path, drawings: Iterable[tuple[Path, Drawing]]) -> No
             )
         names.add(name)
         folder.mkdir(parents=True, exist_ok=True)
-        write_atomically(folder / name, cv2.imencode(".png", drawing)[1].tobytes())
+        write_atomically(folder / name, encode_drawing(drawing))
+
+
+def encode_drawing(drawing: Drawing) -> bytes:
+    """A drawing as PNG."""
+    return cv2.imencode(".png", drawing)[1].tobytes()
 
 
 def _canvas(image: GreyImage) -> tuple[Drawing, float]:

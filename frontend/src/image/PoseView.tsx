@@ -1,9 +1,11 @@
 import { sendCommand } from "../api/guideCommands";
 import type { PosePicture, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
+import { Download } from "../parts/Download";
 import { PressButton } from "../parts/PressButton";
 import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
+import { useLive } from "../state/store";
 import styles from "./PoseView.module.css";
 import { StillImage } from "./StillImage";
 
@@ -29,31 +31,36 @@ const STATES: Record<PosePicture["state"], PlainId | null> = {
 /** The poses side by side, the picture of one of them, and the button to exclude it. */
 export function PoseView({ poses, selected, onShow, residuals = false, worst = [], part = "ui-edges" }: PoseViewProps) {
   const pose = poses.find(({ number }) => number === selected) ?? poses[poses.length - 1];
+  const role = useLive((s) => s.session?.you?.role);
   if (!pose) return null;
+  const bundle_url = role === "viewer" ? "" : pose.bundle_url;
   return (
     <div className={styles.view}>
-      {poses.length > 1 && (
+      {(poses.length > 1 || bundle_url) && (
         <div className={styles.strip}>
-          <div className={styles.poses} role="group" aria-label={t("ui-poses")}>
-            {poses.map(({ number, state, note }) => (
-              <button
-                key={number}
-                type="button"
-                className={styles.pose}
-                aria-pressed={number === pose.number}
-                aria-label={[t("ui-pose-n", { n: number }), STATES[state] && t(STATES[state])]
-                  .filter(Boolean)
-                  .join(", ")}
-                data-state={state}
-                onClick={() => onShow(number)}
-              >
-                {number}
-                {note !== "" && state !== "aside" && <QualityMark quality="attention" size="1rem" />}
-              </button>
-            ))}
-          </div>
+          {poses.length > 1 && (
+            <div className={styles.poses} role="group" aria-label={t("ui-poses")}>
+              {poses.map(({ number, state, note }) => (
+                <button
+                  key={number}
+                  type="button"
+                  className={styles.pose}
+                  aria-pressed={number === pose.number}
+                  aria-label={[t("ui-pose-n", { n: number }), STATES[state] && t(STATES[state])]
+                    .filter(Boolean)
+                    .join(", ")}
+                  data-state={state}
+                  onClick={() => onShow(number)}
+                >
+                  {number}
+                  {note !== "" && state !== "aside" && <QualityMark quality="attention" size="1rem" />}
+                </button>
+              ))}
+            </div>
+          )}
           <p className={styles.summary}>{summary(pose, part)}</p>
-          {pose.action && <ExcludeButton pose={pose} />}
+          {bundle_url && <Download href={bundle_url}>{t("ui-save-picture-for-support")}</Download>}
+          {poses.length > 1 && pose.action && <ExcludeButton pose={pose} />}
         </div>
       )}
       <StillImage {...pose} residuals={residuals} worst={worst.filter((w) => w.pose === pose.number)} />

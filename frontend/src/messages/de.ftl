@@ -622,6 +622,7 @@ ui-safety = Sicherheit
 ui-save = Speichern
 ui-save-as-ply = Als PLY speichern
 ui-save-picture = Bild speichern
+ui-save-picture-for-support = Für Support speichern
 ui-save-the-support-bundle = Diagnosepaket speichern
 ui-saved-clouds-appear-newest-first-start = Hier erscheinen gespeicherte Punktwolken, die neueste zuerst. Auf der Seite „Scannen“ einen Scan starten.
 ui-saving-the-cloud = Punktwolke wird gespeichert …

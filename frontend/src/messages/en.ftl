@@ -622,6 +622,7 @@ ui-safety = Safety
 ui-save = Save
 ui-save-as-ply = Save as PLY
 ui-save-picture = Save picture
+ui-save-picture-for-support = Save for support
 ui-save-the-support-bundle = Save the support bundle
 ui-saved-clouds-appear-newest-first-start = Saved clouds appear here, newest first. Start a scan on the Scan page.
 ui-saving-the-cloud = Saving the cloud…

@@ -41,13 +41,13 @@ export function printedSide(board: BoardGeometry): Vec3[] {
   return rectangle(x, y, 0);
 }
 
-/** The black squares, of which the one outside the first inner corner is one. */
-export function blackSquares({ inner_corners, square_mm }: BoardGeometry): Vec3[][] {
+/** The black squares. */
+export function blackSquares({ inner_corners, square_mm, first_is_black }: BoardGeometry): Vec3[][] {
   const [columns, rows] = inner_corners;
   const squares: Vec3[][] = [];
   for (let j = -1; j < rows; j++) {
     for (let i = -1; i < columns; i++) {
-      if ((i + j) % 2 !== 0) continue;
+      if (((i + j) % 2 === 0) !== first_is_black) continue;
       const x = { low: i * square_mm, high: (i + 1) * square_mm };
       const y = { low: j * square_mm, high: (j + 1) * square_mm };
       squares.push(rectangle(x, y, 0));

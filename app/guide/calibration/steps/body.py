@@ -33,7 +33,7 @@ class StepView:
 def geometry(item: CalibrationTarget) -> ObjectGeometry:
     """The object for drawing."""
     if isinstance(item, Chessboard):
-        return BoardGeometry(item.inner_corners, item.square_mm)
+        return BoardGeometry(item.inner_corners, item.square_mm, item.first_is_black)
     return BlockGeometry(
         edges_x_mm=item.edges_x_mm,
         front_y_mm=item.front_y_mm,

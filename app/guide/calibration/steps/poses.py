@@ -28,6 +28,7 @@ def pose_pictures(
             live.capture_outcomes.get(capture.number),
             solved,
             None if state.ended else _action(state, live, capture),
+            f"/api/flow/picture/{capture.number}.zip{query}",
         )
         for capture in state.listed
     ]
@@ -56,6 +57,7 @@ def _pose(
     looked_at: CalibrationOutcome | None,
     solved: CalibrationOutcome | None,
     action: Action | None,
+    bundle_url: str = "",
 ) -> PosePicture:
     rows = solved.result.poses if solved and solved.result else ()
     row = next((one for one in rows if one.number == capture.number), None)
@@ -63,10 +65,11 @@ def _pose(
     drawing = next((one for one in drawings if one.number == capture.number), None)
     found = drawing or looked_at
     used = row is not None and row.used and not capture.gone
+    note = _note(capture, row, looked_at)
     return PosePicture(
         number=capture.number,
         state=_state(capture, row),
-        note=_note(capture, row, looked_at),
+        note=note,
         image_url=image_url,
         width_px=capture.width_px,
         height_px=capture.height_px,
@@ -79,6 +82,7 @@ def _pose(
         off_um=row.off_um if row and used else None,
         action=action,
         stripe_off=drawing.stripe_off if drawing else (),
+        bundle_url=bundle_url if note and not capture.gone else "",
     )
 
 
