@@ -1,4 +1,6 @@
-"""The chessboard on the simulated table, calibrated by its datasheet and held against the truth."""
+"""The board on the simulated table, calibrated by its datasheet and held against the truth."""
+
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -7,15 +9,27 @@ from app.guide.calibration.poses.board_views import VIEWS
 from app.metrology.adjustment.planning.next_pose import pose_delta
 from app.metrology.sensor.camera import project
 from app.metrology.transforms import inverse
+from hardware.simulator.scene.world import (
+    Board,
+    BoardMarkers,
+    SceneObject,
+    SimulatedScene,
+    shape_rows,
+)
 from hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 
 pytestmark = pytest.mark.slow
 
 
-@pytest.fixture(scope="module")
-def session(tmp_path_factory: pytest.TempPathFactory) -> RenderedBoards:
-    return RenderedBoards(tmp_path_factory.mktemp("simulation"), SimulationConfig(seed=1))
+@pytest.fixture(scope="module", params=[None, BoardMarkers()], ids=["plain", "charuco"])
+def session(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> RenderedBoards:
+    config = SimulationConfig(seed=1, board=Board(markers=request.param))
+    session = RenderedBoards(tmp_path_factory.mktemp("simulation"), config)
+    assert (session.board.markers is None) == (request.param is None)
+    return session
 
 
 def test_corners_are_seen_where_they_are(session: RenderedBoards) -> None:
@@ -50,3 +64,24 @@ def test_the_simulated_operator_holds_the_sensor_as_the_views_say(session: Rende
         assert abs(done.tilt_right_deg - view.tilt_right_deg) < 8
         assert abs(done.tilt_back_deg - view.tilt_back_deg) < 8
         assert abs(done.turn_deg - view.turn_deg) < 8
+
+
+def test_a_simulated_board_of_even_rows_is_opencvs_too(tmp_path: Path) -> None:
+    marked = Board((6, 5), markers=BoardMarkers("DICT_5X5_100", 0.8))
+    session = RenderedBoards(tmp_path, SimulationConfig(seed=2, board=marked))
+    board = session.simulation._board
+    for shot, seen in zip(session.shots[:3], session.detections[:3], strict=True):
+        assert len(seen.detection) == 30
+        row, column = np.divmod(seen.detection.number, 6)
+        at = np.column_stack([column * board.square_x_mm, row * board.square_y_mm, 0 * row])
+        off = seen.detection.uv_px - project(session.camera(shot.T_board_sensor), at)
+        assert np.abs(off).max() < 0.15
+
+
+def test_too_many_markers_for_the_simulated_board_are_refused() -> None:
+    with pytest.raises(ValueError, match="no room for"):
+        shape_rows(
+            SimulatedScene(
+                (SceneObject("board", Board((11, 9), markers=BoardMarkers()), np.eye(4)),)
+            )
+        )

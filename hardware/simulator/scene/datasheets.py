@@ -77,17 +77,27 @@ def board_datasheet(
     serial_number: str = "TWIN-C1",
 ) -> JsonObject:
     """The file of an object as the chessboard's certificate has it; its squares are square."""
-    return {
+    common: JsonObject = {
         "format": "crenel/object",
         "version": 1,
-        "kind": "chessboard",
         "name": name,
         "serial_number": serial_number,
         "certificate": "simulated",
-        "inner_corners": list(certificate.inner_corners),
         "square_mm": certificate.square_x_mm,
         "standard_uncertainty_mm": standard_uncertainty_mm,
         "flatness_mm": BOARD_FLATNESS_MM,
+    }
+    columns, rows = certificate.inner_corners
+    markers = certificate.markers
+    if markers is None:
+        return {**common, "kind": "chessboard", "inner_corners": [columns, rows]}
+    return {
+        **common,
+        "kind": "charuco",
+        "squares_x": columns + 1,
+        "squares_y": rows + 1,
+        "marker_mm": markers.side * certificate.square_x_mm,
+        "dictionary": markers.dictionary,
     }
 
 

@@ -9,6 +9,7 @@ import time
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,6 +18,8 @@ from hardware.simulator.devices.kinematics import Floats
 ROW = 64
 """Numbers a shape has for the ray caster; see ``tracing``."""
 MAX_EDGES = 32
+MARKER_NUMBERS, MARKER_BITS = 24, 25
+"""Numbers of a row for markers, two of which share one; and the cells of the largest marker."""
 FINISH = 48
 """Where in a row the numbers of a thing's finish begin."""
 
@@ -68,11 +71,21 @@ class FreeformPart:
 
 
 @dataclass(frozen=True)
+class BoardMarkers:
+    """The markers of a ChArUco board, as OpenCV prints it: the first one is at the upper left."""
+
+    dictionary: str = "DICT_4X4_50"
+    side: float = 0.75
+    """Of a square's width."""
+
+
+@dataclass(frozen=True)
 class Board:
     """A flat plate with a chessboard on its top, as truly made.
 
     The frame lies at the first inner corner, X along the rows of corners, Z out of the
-    printed side, which is at z = 0. The outermost square at the first corner is black.
+    printed side, which is at z = 0. The outermost square at the first corner is black; with
+    ``markers``, the square at the upper left is.
     """
 
     inner_corners: tuple[int, int] = (7, 6)
@@ -84,6 +97,7 @@ class Board:
     thickness_mm: float = 4.0
     ink: float = 0.12
     """Brightness of a black square over a white one's."""
+    markers: BoardMarkers | None = None
 
     @property
     def middle_mm(self) -> Floats:
@@ -193,6 +207,28 @@ def _board_row(shape: Board, row: Floats) -> None:
     low[2] = -shape.thickness_mm
     _box_row(low, high, row)
     row[16:21] = *shape.inner_corners, shape.square_x_mm, shape.square_y_mm, shape.ink
+    if shape.markers is not None:
+        _marker_row(shape, shape.markers, row)
+
+
+def _marker_row(shape: Board, markers: BoardMarkers, row: Floats) -> None:
+    """The markers' inner cells, each marker as a number, two of them to each number of the row."""
+    columns, rows = (count + 1 for count in shape.inner_corners)
+    dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, markers.dictionary))
+    bits = dictionary.markerSize
+    if columns * rows // 2 > 2 * MARKER_NUMBERS or bits**2 > MARKER_BITS:
+        raise ValueError(f"no room for {columns * rows // 2} markers of {markers.dictionary}")
+    row[21:24] = markers.side, bits, float(rows % 2 == 0)
+    number = 0
+    for down in range(rows):
+        for column in range(columns):
+            if (down + column) % 2 == 0:
+                continue
+            image = cv2.aruco.generateImageMarker(dictionary, number, bits + 2)[1:-1, 1:-1]
+            cells = sum(1 << k for k, level in enumerate(image.ravel().tolist()) if level)
+            nth = ((rows - 1 - down) * columns + column) // 2
+            row[24 + nth // 2] += cells * 2.0 ** (MARKER_BITS * (nth % 2))
+            number += 1
 
 
 def _max_slope(shell: FreeformPart) -> float:

@@ -5,7 +5,7 @@
  *
  * Faces of blocks and boxes are numbered as below; NEXT times the merlon's or groove's number is
  * added, so that two faces that only look alike have different numbers. Of a chessboard TOP is
- * what is white of its top, and BLACK what is black. */
+ * what is white of its top, and BLACK what is black, its markers included. */
 
 #define MISSED 1e30
 
@@ -32,6 +32,7 @@ typedef struct {
         } shell;
         struct {
             double unused[2], columns, rows, square_x, square_y, ink;
+            double marker, bits, first_white, cells[24]; /* of a ChArUco board; else marker is 0 */
         } board;
     };
     double gloss, sharpness, marks, mark_mm;
@@ -201,15 +202,41 @@ static inline double cross_ball(const Thing *thing, Vector o, Vector d)
     return t > 0.0 ? t : MISSED;
 }
 
+/* The inner cells of a marker as a number, two markers to each double; `nth` white square of the
+ * board, row after row from the one at the lower left. */
+static inline int64_t marker_cells(const Thing *thing, int nth)
+{
+    int64_t both = (int64_t)thing->board.cells[nth / 2];
+    return nth % 2 ? both >> 25 : both & 0x1ffffff;
+}
+
+/* Whether the white square (i, j) has ink at a place on it, 0 to 1 across and up. */
+static inline bool is_marked(const Thing *thing, int i, int j, double across, double up)
+{
+    double rim = (1.0 - thing->board.marker) / 2.0;
+    int bits = (int)thing->board.bits;
+    int column = (int)floor((across - rim) / thing->board.marker * (bits + 2)) - 1;
+    int row = bits - (int)floor((up - rim) / thing->board.marker * (bits + 2));
+    if (column < -1 || column > bits || row < -1 || row > bits)
+        return false;
+    if (column < 0 || column == bits || row < 0 || row == bits)
+        return true;
+    int nth = ((j + 1) * ((int)thing->board.columns + 1) + i + 1) / 2;
+    return !(marker_cells(thing, nth) >> (row * bits + column) & 1);
+}
+
 static inline Crossing cross_board(const Thing *thing, Vector o, Vector d)
 {
     Crossing found = cross_box(thing, o, d);
     if (found.face == TOP && found.t < MISSED) {
         Vector at = along(o, found.t, d);
-        int i = (int)floor(at.x / thing->board.square_x);
-        int j = (int)floor(at.y / thing->board.square_y);
+        double x = at.x / thing->board.square_x, y = at.y / thing->board.square_y;
+        int i = (int)floor(x), j = (int)floor(y);
         bool printed = i >= -1 && i < thing->board.columns && j >= -1 && j < thing->board.rows;
-        found.face = printed && (i + j) % 2 == 0 ? BLACK : TOP;
+        bool black = ((i + j) % 2 == 0) != (thing->board.first_white > 0.0);
+        if (printed && !black && thing->board.marker > 0.0)
+            black = is_marked(thing, i, j, x - i, y - j);
+        found.face = printed && black ? BLACK : TOP;
     }
     return found;
 }
