@@ -17,7 +17,16 @@ from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers, corner_points
 from app.metrology.transforms import Floats
-from tests.metrology.boards import BOARD, OFFSET_MM, POSES, T_FLANGE_CAM, Look, inputs, picture
+from tests.metrology.boards import (
+    BOARD,
+    OFFSET_MM,
+    POSES,
+    T_FLANGE_CAM,
+    Look,
+    camera_pose,
+    inputs,
+    picture,
+)
 from tests.metrology.seen_boards import camera_at
 
 pytestmark = pytest.mark.slow
@@ -111,6 +120,27 @@ def test_soft_noisy_compressed_and_clipped_pictures_are_taken() -> None:
         found = detect_board(image, CHARUCO)
         assert len(found) >= 38
         assert np.abs(off_px(found, CHARUCO, POSES[1])).max() < 0.3
+
+
+@pytest.mark.parametrize("strength", [0.15, 0.3, 0.6])
+def test_a_wide_angle_lens_is_no_hindrance(strength: float) -> None:
+    """A picture bent as by a barrel; the corners lie where the bend puts the true ones."""
+    T = camera_pose(15, 40, 5, 170)
+    plain = cv2.resize(picture(T, UNLIT, 1), None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC)
+    v, u = np.indices(plain.shape, dtype=np.float32)
+    middle = (np.array(plain.shape[::-1]) / 2).astype(np.float32)
+    x, y = (u - middle[0]) / middle[0], (v - middle[1]) / middle[0]
+    bend = 1 + strength * (x * x + y * y)
+    across, down = x * bend * middle[0] + middle[0], y * bend * middle[0] + middle[1]
+    bent = np.asarray(cv2.remap(plain, across, down, cv2.INTER_CUBIC), np.uint8)
+    found = detect_board(bent, CHARUCO)
+    assert len(found) >= 36
+    at = found.uv_px.astype(np.float32)
+    sources = [
+        cv2.remap(one, at[:, 0], at[:, 1], cv2.INTER_LINEAR).ravel() for one in (across, down)
+    ]
+    true = 2 * (project(camera_at(T), corner_points(CHARUCO))[found.number] + 0.5) - 0.5
+    assert np.abs(np.column_stack(sources) - true).max() < 0.25
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import message, quantity, rounded
 from app.metrology.chessboard.board_detection import BoardDetection, agreeing_corners
-from app.metrology.chessboard.charuco_grid import CharucoGrid, charuco_board
+from app.metrology.chessboard.charuco_grid import CharucoGrid, charuco_board, marker_squares
 from app.metrology.chessboard.corner_fit import FittedCorner, fit_corner
 from app.metrology.chessboard.failure_evidence import (
     BoardFailure,
@@ -21,7 +21,7 @@ from app.metrology.chessboard.failure_evidence import (
     fail_with_marks,
 )
 from app.metrology.chessboard.missing_corners import CornerGrid
-from app.metrology.chessboard.perspective import fit_perspective, map_places
+from app.metrology.chessboard.perspective import predict_corner
 from app.metrology.detection.failure_evidence import DetectionError, ImageAnnotation
 from app.metrology.image import Image, saturation_level
 from app.metrology.targets.chessboard import Chessboard, Markers, corner_grid
@@ -34,9 +34,9 @@ SCALES = (1.0, 2.0, 0.5)
 MOST_ENLARGED_PX = 3000
 # The smallest marker's outline as a share of the picture's longer side.
 LEAST_OUTLINE = 0.01
-# A corner is read wrongly that lies so far off the perspective of the others, in squares, and a
-# board is another one where fewer than this share agree.
-MISREAD_SQUARES, LEAST_AGREEING = 0.5, 0.7
+# A corner is read wrongly that lies so far off where those around put it, in squares, and a board
+# is another one where fewer than this share agree.
+MISREAD_SQUARES, LEAST_AGREEING = 0.3, 0.7
 # Share of markers that the board does not have and of their size, beyond which it is another one.
 MOST_FOREIGN, MARKER_SIZE_SHARE = 0.15, 0.12
 # Corners are looked for beside those measured, so often.
@@ -48,12 +48,12 @@ NEAR_PX, NEAR_SQUARES = 2.5, 0.2
 
 @dataclass(frozen=True)
 class _Reading:
-    """What OpenCV reads in a picture: N corners by number, and M markers."""
+    """What OpenCV reads in a picture: N corners by number, and M markers by id."""
 
     number: NDArray[np.int64]  # (N,)
     uv_px: Floats  # (N, 2)
+    markers: NDArray[np.int64]  # (M,)
     outlines_px: Floats  # (M, 4, 2)
-    foreign: int = 0  # markers that the board does not have
 
 
 def detect_charuco(
@@ -78,15 +78,12 @@ def detect_charuco(
     reading = _read_markers(image, board, markers, thorough)
     if len(reading.number) < FEWEST_CORNERS:
         raise _too_little(image, board, markers, blocked, reading)
-    places = corner_grid(board)[reading.number]
-    H = fit_perspective(places, reading.uv_px, cv2.RANSAC)
-    off = np.linalg.norm(map_places(H, places) - reading.uv_px, axis=1)
-    right = off < MISREAD_SQUARES * _square_px(H, places)
-    foreign = reading.foreign > MOST_FOREIGN * len(reading.outlines_px)
-    if foreign or right.mean() < LEAST_AGREEING:
+    right = _agree_with_neighbours(corner_grid(board)[reading.number], reading.uv_px)
+    foreign = float((~np.isin(reading.markers, charuco_board(board, markers).getIds())).mean())
+    if foreign > MOST_FOREIGN or right.mean() < LEAST_AGREEING:
         raise _other_arrangement(image, board, markers, reading)
-    _refuse_other_size(image, board, markers, reading, H)
     known = dict(zip(reading.number[right].tolist(), reading.uv_px[right], strict=True))
+    _refuse_other_size(image, board, markers, reading, CharucoGrid(board, known))
     measured = _measure(image, board, markers, blocked, known)
     number = np.array(sorted(measured), dtype=np.int64)
     if not _enough(board, number):
@@ -97,15 +94,28 @@ def detect_charuco(
     return BoardDetection(uv[kept], covariance[kept], number[kept])
 
 
+def _agree_with_neighbours(places: NDArray[np.int64], uv_px: Floats) -> NDArray[np.bool_]:
+    """Which corners (N,) lie where those around put them; a lens may bend the board's lines."""
+    agree = np.ones(len(places), dtype=np.bool_)
+    for k, (place, uv) in enumerate(zip(places, uv_px, strict=True)):
+        predicted = predict_corner(places, uv_px, place)
+        if predicted is not None:
+            agree[k] = np.linalg.norm(predicted[0] - uv) < MISREAD_SQUARES * predicted[1]
+    return agree
+
+
 def _refuse_other_size(
-    image: Image, board: Chessboard, markers: Markers, reading: _Reading, H: Floats
+    image: Image, board: Chessboard, markers: Markers, reading: _Reading, grid: CharucoGrid
 ) -> None:
-    """Refuses markers whose size is not that of the certificate."""
-    ends = map_places(
-        np.asarray(np.linalg.inv(H), np.float64), reading.outlines_px.reshape(-1, 2)
-    ).reshape(-1, 4, 2)
-    sides = np.linalg.norm(ends - np.roll(ends, -1, axis=1), axis=2)
-    side_mm = float(np.median(sides)) * board.square_mm
+    """Refuses markers whose size, beside that of their squares, is not the certificate's."""
+    squares = marker_squares(board, markers)
+    shares = []
+    for marker, outline in zip(reading.markers.tolist(), reading.outlines_px, strict=True):
+        square = grid.square_px(*squares[marker]) if marker in squares else None
+        if square is not None:
+            areas = [cv2.contourArea(one.astype(np.float32)) for one in (outline, square)]
+            shares.append(float(np.sqrt(areas[0] / max(areas[1], 1.0))))
+    side_mm = float(np.median(shares)) * board.square_mm if shares else markers.side_mm
     if abs(side_mm / markers.side_mm - 1) < MARKER_SIZE_SHARE:
         return
     refusal = OperationError(
@@ -123,28 +133,20 @@ def _enough(board: Chessboard, number: NDArray[np.int64]) -> bool:
     return bool(min(np.ptp(corner_grid(board)[number], axis=0)) >= FEWEST_OF_A_SIDE - 1)
 
 
-def _square_px(H: Floats, places: NDArray[np.int64]) -> float:
-    """Usual width of a square where corners (N, 2) were read."""
-    here = map_places(H, places)
-    beside = [map_places(H, places + np.array(way)) - here for way in ((1, 0), (0, 1))]
-    return float(np.median(np.linalg.norm(np.concatenate(beside), axis=1)))
-
-
 def _read_markers(image: Image, board: Chessboard, markers: Markers, thorough: bool) -> _Reading:
     """The reading with most corners, of the sizes in which the picture is looked at."""
     detector = _detector(board, markers)
     columns, rows = board.inner_corners
-    own_markers = detector.getBoard().getIds()
     best: _Reading | None = None
     for grey, across in _sizes(image, SCALES if thorough else SCALES[:1]):
-        corners, ids, outlines, markers_read = detector.detectBoard(grey)
+        corners, ids, outlines, read = detector.detectBoard(grey)
         uv_px = np.zeros((0, 2)) if corners is None else corners.reshape(-1, 2).astype(np.float64)
         own = np.zeros(0, np.int64) if ids is None else ids.ravel().astype(np.int64)
         reading = _Reading(
             (rows - 1 - own // columns) * columns + own % columns,
             (uv_px + 0.5) * across - 0.5,
+            np.zeros(0, np.int64) if read is None else read.ravel().astype(np.int64),
             (np.array(outlines, np.float64).reshape(-1, 4, 2) + 0.5) * across - 0.5,
-            int((~np.isin(markers_read, own_markers)).sum()) if markers_read is not None else 0,
         )
         if best is None or (len(own), len(outlines)) > (len(best.number), len(best.outlines_px)):
             best = reading

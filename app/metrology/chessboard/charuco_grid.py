@@ -25,6 +25,17 @@ def charuco_board(board: Chessboard, markers: Markers) -> cv2.aruco.CharucoBoard
     return made
 
 
+def marker_squares(board: Chessboard, markers: Markers) -> dict[int, tuple[int, int]]:
+    """The square of each marker by its id: column and row of the corner at its lower left."""
+    made = charuco_board(board, markers)
+    rows = board.inner_corners[1]
+    squares = {}
+    for marker, ends in zip(np.ravel(made.getIds()).tolist(), made.getObjPoints(), strict=True):
+        right, down = (int(x) for x in np.mean(ends, axis=0)[:2] // board.square_mm)
+        squares[marker] = right - 1, rows - 1 - down
+    return squares
+
+
 @dataclass(frozen=True)
 class CornerStart:
     """Where a corner is to be measured."""
@@ -75,6 +86,12 @@ class CharucoGrid:
             self._squares[i, j] = uv
         return self._squares[i, j]
 
+    def square_px(self, i: int, j: int) -> Floats | None:
+        """(4, 2) the pixels of a square's corners, around it; None where they are not known."""
+        ends = [self._at(i + a, j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        known = [end for end in ends if end is not None]
+        return np.array(known) if len(known) == len(ends) else None
+
     def mask_markers(self, shape: tuple[int, ...], markers: Markers) -> NDArray[np.bool_]:
         """(H, W) the pixels of all markers, with their blurred outlines."""
         columns, rows = self._board.inner_corners
@@ -83,13 +100,12 @@ class CharucoGrid:
         mask = np.zeros(shape, np.uint8)
         for i in range(-1, columns):
             for j in range(-1, rows):
-                ends = [self._at(i + a, j + b) for a, b in ((0, 0), (1, 0), (0, 1), (1, 1))]
-                known = [end for end in ends if end is not None]
-                if not self._is_white(i, j) or len(known) < len(ends):
+                square = self.square_px(i, j)
+                if square is None or not self._is_white(i, j):
                     continue
                 a, b = shares.T
-                weights = np.column_stack([(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b])
-                quad = np.clip(weights @ np.array(known), -1e4, 1e4)
+                weights = np.column_stack([(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b])
+                quad = np.clip(weights @ square, -1e4, 1e4)
                 cv2.fillConvexPoly(mask, np.round(quad).astype(np.int32), 1)
         size = 2 * OUTLINE_PX + 1
         return np.asarray(cv2.dilate(mask, np.ones((size, size), np.uint8)) > 0)
