@@ -6,12 +6,15 @@ from typing import Literal
 import numpy as np
 import pytest
 
+from app.errors import OperationError
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import SelectedDatasheets
+from app.guide.calibration.outcome import to_payload
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
 from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.first_pose import first_outline
+from app.guide.calibration.steps.poses import pose_pictures
 from app.guide.calibration.touch.board import WANTED, suggest_board_places
 from app.guide.calibration.touch.report import face_in_use, face_names
 from app.guide.common.view import BoardGeometry, CameraPicture, ChoicesPicture, ObjectPicture
@@ -212,6 +215,31 @@ def test_another_pose_is_asked_for_until_the_plan_is_through(arm: Arm) -> None:
     assert str(VIEWS[2].words) in str(view.instruction)
     primary = [action.name for action in view.actions if action.primary]
     assert primary == ["another_pose"]
+
+
+def test_what_was_found_in_a_refused_picture_is_drawn_and_can_be_saved(arm: Arm) -> None:
+    T = POSES[1].copy()
+    T[0, 3] += 45.0  # partly out of the picture
+    image = board_picture(T, Look(laser=False))
+    mean = JointMean(REST_RAD, REST_RAD, 10, 0, 1)
+    taken = Capture(Frame(0, 0, image, 5000.0, False), None, "both", mean)
+    sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
+    seen, refusal = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
+    assert isinstance(refusal, OperationError)
+    assert seen.fault == "framing"
+    assert "partly out of the picture" in str(seen.findings[0].text)
+    assert len(seen.marks) > 30
+    state = at("solve", capture_row(outcome=to_payload(seen)), *pictures(1, SEEN))
+    refused, good = pose_pictures(state, make_live(state, arm, RENDERED_BOARD))
+    assert refused.marks == seen.marks
+    assert "framing" in str(refused.note)
+    assert refused.bundle_url == "/api/flow/picture/1.zip?session=s1"
+    assert (good.note, good.bundle_url) == ("", "")
+    aside = state_after(
+        start_row("touch"), capture_row(outcome=to_payload(seen)), ("pose_voided", {"number": 1})
+    )
+    (gone,) = pose_pictures(aside, make_live(aside, arm, RENDERED_BOARD))
+    assert gone.bundle_url == ""
 
 
 def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
