@@ -141,6 +141,8 @@ def extract(
             {
                 "image": str(one.file),
                 "channel": str(one.channel),
+                "width_px": one.width_px or None,
+                "rows_made_one": one.rows_made_one,
                 "u": one.stripe.u.tolist(),
                 "v": one.stripe.v.tolist(),
                 "intensity": one.stripe.intensity.tolist(),
@@ -157,11 +159,14 @@ def extract(
             str(one.file),
             str(len(one.stripe.u)),
             f"{float(np.median(one.stripe.sigma_px)):.3f}",
+            f"{one.width_px:.1f}" if one.width_px else "clipped",
+            f"{one.rows_made_one:g}",
             one.channel,
         )
         for one in stripes
     ]
-    print_table("Laser stripe", ("picture", "points", "median σ px", "channel"), rows)
+    columns = ("picture", "points", "median σ px", "width px", "rows made one", "channel")
+    print_table("Laser stripe", columns, rows)
     print(f"{output} written")
 
 

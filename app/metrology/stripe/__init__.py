@@ -15,9 +15,15 @@ computation is in C (``app/native/c/stripe``), one call per frame, in this order
 10. ``sift.c``: peaks with the width and height of a stripe.
 11. ``runs.c``: sufficiently long pieces.
 12. ``speckle.c``: scatter of their points beyond the noise of the pixels.
+13. ``line.c``: pieces that are the line, not clutter or a reflection.
+14. ``evidence.c``: whether that is a line at all.
 
-``pipeline.c`` reads top to bottom. If the core of the line is clipped (``clipped.h``), only
-its flanks show its position:
+All this happens at one scale. ``find_stripe`` tries others where the image itself does not show one
+long narrow line: several rows made one (``reduce.c``, ``scales.py``) for wide and speckled lines,
+rows between the rows for lines of a pixel.
+
+``pipeline.c`` reads top to bottom. If the core of the line is clipped (``clipped.h``), or
+flat below full scale (``plateau.c``), only its flanks show its position:
 
 1. ``clipped_runs.c``: the runs of clipped pixels in every column.
 2. ``cores.c``: those that are the line's core.
@@ -29,13 +35,14 @@ its flanks show its position:
 8. ``join.c``: inserts its points among those of the other columns, with their deviations.
 """
 
-from app.metrology.stripe.extraction import extract_stripe
+from app.metrology.stripe.extraction import FoundLine, extract_stripe, find_stripe
 from app.metrology.stripe.points import Stripe, concatenate_stripes, empty_stripe
 from app.metrology.stripe.settings import AUTOMATIC, PeakChoice, StripeSettings
 from app.metrology.stripe.tracking import StripeTracker
 
 __all__ = [
     "AUTOMATIC",
+    "FoundLine",
     "PeakChoice",
     "Stripe",
     "StripeSettings",
@@ -43,4 +50,5 @@ __all__ = [
     "concatenate_stripes",
     "empty_stripe",
     "extract_stripe",
+    "find_stripe",
 ]

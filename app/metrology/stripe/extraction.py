@@ -60,7 +60,9 @@ def extract_stripe(
     A Gaussian on a constant background is fitted to each peak, weighted by the noise of the pixels,
     which is estimated from the image itself; clipped pixels are excluded. If a broad core is
     clipped, the position of the line follows from its two flanks and is smoothed along the line
-    over the width of the core.
+    over the width of the core. Lines from a pixel to an eighth of the image wide are found. What
+    stands out of the image no more than other things there is no line, unless ``where`` or
+    ``settings`` say what the line is like.
 
     Args:
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
@@ -84,8 +86,21 @@ def extract_stripe(
         >>> len(stripe.u), round(float(np.mean(stripe.v)), 1)
         (64, 20.3)
     """
+    return find_stripe(image, axis, where, settings).stripe
+
+
+def find_stripe(
+    image: Image,
+    axis: str = "u",
+    where: NDArray[np.bool_] | None = None,
+    settings: StripeSettings = AUTOMATIC,
+) -> "FoundLine":
+    """The laser stripe in an image, with its width and the scale at which it was found.
+
+    Arguments and errors are those of ``extract_stripe``.
+    """
     grey = orient_image(image, axis)
-    return extract_whole(grey, axis, orient_mask(where, grey, axis), settings).stripe
+    return extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
 
 
 @dataclass(slots=True)
@@ -94,9 +109,8 @@ class FoundLine:
 
     ``evidence``: length of the line, in shares of the image's width, times its height in grey
     levels; 0 if it does not stand out of the image. ``length``: that of one piece which shows as
-    much.
-    ``factor``: rows of the image that were made one. ``sigma_rows``: the usual width there, as a
-    standard deviation; 0 if the line is clipped.
+    much. ``factor``: rows of the image that were made one. ``sigma_rows``: the usual width there,
+    as a standard deviation; 0 if the line is clipped.
     """
 
     stripe: Stripe
@@ -104,6 +118,11 @@ class FoundLine:
     length: float = 0.0
     factor: float = 1.0
     sigma_rows: float = 0.0
+
+    @property
+    def width_px(self) -> float:
+        """Its usual width at half height in pixels of the image; 0 if it is clipped."""
+        return self.sigma_rows * self.factor / PER_FULL_WIDTH
 
     @property
     def is_certain(self) -> bool:
@@ -131,8 +150,7 @@ def extract_whole(
         return best
     for factor in wide_factors(grey.shape[0]):
         found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
-        width_px = found.sigma_rows * factor / PER_FULL_WIDTH
-        is_narrow = width_px < WIDEST_LINE * grey.shape[0]
+        is_narrow = found.width_px < WIDEST_LINE * grey.shape[0]
         if is_narrow and found.evidence > CLEARLY_BETTER * best.evidence:
             best = found
         if found.is_certain:

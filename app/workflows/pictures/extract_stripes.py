@@ -1,7 +1,7 @@
 """Stripes of pictures as a table."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +18,7 @@ from app.metrology.bayer import CELL_PX, BayerPlane
 from app.metrology.channel import Channel
 from app.metrology.colour import ColourWeights, find_weights
 from app.metrology.image import saturation_level
-from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
+from app.metrology.stripe import AUTOMATIC, FoundLine, Stripe, StripeSettings, find_stripe
 from app.progress import Progress, no_progress
 
 MANY_CLIPPED, DARK = 0.3, 0.1
@@ -34,6 +34,10 @@ class ImageStripe:
     stripe: Stripe
     channel: Text
     """What of the picture was measured, in words."""
+    width_px: float
+    """The line's usual width at half height; 0 if it is clipped."""
+    rows_made_one: float
+    """Rows of the picture that were made one to find the line."""
 
 
 def extract_stripes(
@@ -60,10 +64,13 @@ def extract_stripes(
         if mask is not None:
             cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
             mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
-        stripe = _extract(picture, axis, where, settings, channel)
-        if not len(stripe.u):
+        line = _extract(picture, axis, where, settings, channel)
+        if not len(line.stripe.u):
             raise _no_stripe_error(path, picture, axis, mask is not None)
-        found.append(ImageStripe(path, stripe, channel_text(path, channel)))
+        is_plane = isinstance(channel, BayerPlane)
+        width_px = (CELL_PX if is_plane else 1) * line.width_px
+        text = channel_text(path, channel)
+        found.append(ImageStripe(path, line.stripe, text, width_px, line.factor))
     progress(1.0, "")
     return found
 
@@ -74,13 +81,13 @@ def _extract(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     channel: Channel | None,
-) -> Stripe:
-    """The stripe in pixels of the file's picture."""
+) -> FoundLine:
+    """The stripe in pixels of the file's picture; its width in those that were measured."""
     if not isinstance(channel, BayerPlane):
-        return extract_stripe(picture, axis, where, settings)
+        return find_stripe(picture, axis, where, settings)
     of_plane = None if where is None else channel.select_mask(where)
-    stripe = extract_stripe(picture, axis, of_plane, channel.select_settings(settings))
-    return channel.raw_stripe(stripe)
+    line = find_stripe(picture, axis, of_plane, channel.select_settings(settings))
+    return replace(line, stripe=channel.raw_stripe(line.stripe))
 
 
 def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
