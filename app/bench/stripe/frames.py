@@ -37,10 +37,13 @@ class SimulatedFrame:
     bound: Floats  # (W,) px
 
 
-def simulate_frame(seed: int, grains: tuple[float, float] | None = None) -> SimulatedFrame:
-    """A frame of its own width, shape and noise."""
+def simulate_frame(
+    seed: int, grains: tuple[float, float] | None = None, width_px: float | None = None
+) -> SimulatedFrame:
+    """A frame of its own shape and noise, and width unless that is given."""
     rng = np.random.default_rng(seed)
-    width_px = WIDTHS_PX[seed % len(WIDTHS_PX)]
+    if width_px is None:
+        width_px = WIDTHS_PX[seed % len(WIDTHS_PX)]
     u = np.arange(WIDTH)
     bend = rng.uniform(40, 150) * np.sin(u / rng.uniform(180, 500) + rng.uniform(0, 6))
     centre = HEIGHT / 2 + rng.uniform(-80, 80) + bend + rng.uniform(-0.1, 0.1) * u

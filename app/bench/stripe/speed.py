@@ -34,6 +34,7 @@ def table(rows: Sequence[ComparisonRow]) -> list[list[str]]:
 
 POOL, ROUNDS, BURST = 64, 15, 16
 REBUILT_FRAMES, REBUILT_TIMES = 100, 60
+WIDE_LINES_PX, FULL_WIDTHS = (20, 50), 2.3548
 
 
 def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
@@ -41,21 +42,17 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
     progress(0.0, "rendering")
     base = [simulate_frame(seed).image for seed in range(min(frames, 8))]
     pool = [np.roll(base[i % len(base)], 17 * i, axis=1) for i in range(POOL)]
-    # the stripe goes up and down by a few rows a frame, as over a part that is scanned
-    moved = [
-        np.roll(base[1], round(60 * np.sin(2 * np.pi * i / POOL)), axis=0) for i in range(POOL)
-    ]
-    band = StripeTracker()
+    wide = [simulate_frame(1, width_px=width / FULL_WIDTHS).image for width in WIDE_LINES_PX]
     camera, plane = make_sensor()
     progress(0.2, "timing")
-    once, crenel, opencv, gravity, tracked, placed = median_seconds(
+    once, crenel, opencv, gravity, placed, tracked, *tracked_wide = median_seconds(
         [
             (lambda image: np.max(image), pool),
             (extract_stripe, pool),
             (fit_blurred_parabola, pool),
             (centroid, pool),
-            (band.extract, moved),
             (lambda image: to_points(image, camera, plane), pool),
+            *((StripeTracker().extract, _move(image)) for image in (base[1], *wide)),
         ]
     )
     points = float(np.mean([len(extract_stripe(image).u) for image in pool[:8]]))
@@ -69,11 +66,21 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
             *(f"{100 * once / s:.1f} %" for s in (crenel, opencv, gravity)),
         ),
         ComparisonRow("with the stripe followed", f"{1 / tracked:.0f} /s"),
+        *(
+            ComparisonRow(f"the same, {width} px wide at half height", f"{1 / seconds:.0f} /s")
+            for width, seconds in zip(WIDE_LINES_PX, tracked_wide, strict=True)
+        ),
         ComparisonRow("image to points in the arm frame", f"{points / placed / 1e6:.2f} million/s"),
         ComparisonRow(
             "recorded profiles to the arm frame", f"{rebuild_rate() / 1e6:.0f} million/s"
         ),
     ]
+
+
+def _move(image: Image) -> list[Image]:
+    """Frames in which the stripe goes up and down by a few rows each, as over a scanned part."""
+    shifts = [round(60 * np.sin(2 * np.pi * i / POOL)) for i in range(POOL)]
+    return [np.roll(image, shift, axis=0) for shift in shifts]
 
 
 def median_seconds(

@@ -38,12 +38,12 @@ EXTRACT = {
 
 CERTAIN_LENGTH, CERTAIN_LENGTH_CLIPPED = 0.35, 0.6
 """A line so long, in shares of the image's width, is looked for at no other scale."""
-CERTAIN_SIGMA_ROWS = 4.0
+CERTAIN_SIGMA_ROWS = 5.0
 """A line at least so wide is looked for at coarser scales, too."""
 WIDEST_LINE = 1 / 8
 """A line is at most so wide at half height, in shares of the image's height."""
-CLEARLY_BETTER = 1.05
-"""Another scale shows this much more of the line than the image itself if it is chosen."""
+CLEARLY_BETTER, AS_GOOD = 1.05, 0.97
+"""A coarser scale is chosen if it shows this much more of the line; of a wide line, as much."""
 UNRESOLVED_PX = 12**-0.5
 """The standard deviation of a point of a line that is thinner than a pixel: it may lie anywhere in
 the pixel."""
@@ -125,11 +125,15 @@ class FoundLine:
         return self.sigma_rows * self.factor / PER_FULL_WIDTH
 
     @property
+    def is_long(self) -> bool:
+        """Whether it is one long line."""
+        long = CERTAIN_LENGTH if self.sigma_rows else CERTAIN_LENGTH_CLIPPED
+        return self.evidence > 0 and self.length >= long
+
+    @property
     def is_certain(self) -> bool:
         """Whether it is one long, narrow line, so that no other scale would show a better one."""
-        certain_length = CERTAIN_LENGTH if self.sigma_rows else CERTAIN_LENGTH_CLIPPED
-        is_long = self.evidence > 0 and self.length >= certain_length
-        return is_long and self.sigma_rows < CERTAIN_SIGMA_ROWS
+        return self.is_long and self.sigma_rows < CERTAIN_SIGMA_ROWS
 
 
 def extract_whole(
@@ -150,8 +154,9 @@ def extract_whole(
         return best
     for factor in wide_factors(grey.shape[0]):
         found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
-        is_narrow = found.width_px < WIDEST_LINE * grey.shape[0]
-        if is_narrow and found.evidence > CLEARLY_BETTER * best.evidence:
+        is_line = found.width_px < WIDEST_LINE * grey.shape[0]
+        enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else AS_GOOD
+        if is_line and found.evidence > enough * best.evidence:
             best = found
         if found.is_certain:
             break
@@ -184,14 +189,15 @@ def extract_parts(
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
         return FoundLine(empty_stripe(axis))
-    image, scale = grey, FULL
+    image, scale, kind = grey, FULL, grey.dtype
     if factor != 1:
-        scale = scale_of(grey, factor)
-        image, where = reduce_rows(grey, scale, parts), reduce_mask(where, factor)
-        settings = scale.settings(settings)
+        scale, kind = scale_of(grey, factor), U16
+        where, settings = reduce_mask(where, factor), scale.settings(settings)
     known = np.zeros(4, dtype=np.float32) if known is None else known
-    workspace = acquire_workspace(image)
+    workspace = acquire_workspace(height_at(grey.shape[0], factor), grey.shape[1], kind)
     try:
+        if factor != 1:
+            image = reduce_rows(grey, scale, parts, workspace.reduced)
         workspace.set_frame(image, parts, where, known)
         workspace.set_settings(settings, scale.climb_rows)
         count = EXTRACT[image.dtype](workspace.fields)

@@ -116,15 +116,15 @@ def height_at(rows: int, factor: float) -> int:
     return int(rows / factor)
 
 
-def reduce_rows(grey: Image, scale: Scale, parts: NDArray[np.int64]) -> Image:
-    """The image (H / factor, W) of 16 bits with ``factor`` rows made one by their mean.
+def reduce_rows(
+    grey: Image, scale: Scale, parts: NDArray[np.int64], out: NDArray[np.uint16]
+) -> Image:
+    """Fills ``out``, the image (H / factor, W) with ``factor`` rows made one by their mean.
 
     If rows are made one, a pixel is clipped where one of its rows is, and only ``parts`` (n, 4) of
     the reduced image are filled: first row and the one after the last, first column and the one
     after the last.
     """
-    rows, columns = grey.shape
-    out = np.empty((height_at(rows, scale.factor), columns), dtype=np.uint16)
     if scale.factor < 1:
         _double[grey.dtype](grey, scale.gain, scale.saturated, out)
     else:

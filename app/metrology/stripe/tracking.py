@@ -90,7 +90,7 @@ class StripeTracker:
             self._counts = np.zeros(-(-grey.shape[1] // BLOCK_PX), dtype=np.int64)
             self._forget()
         whole = np.zeros(len(self._counts), dtype=np.bool_)
-        is_turn = self._turn % NOISE_FRAMES == 0
+        is_first, is_turn = self._turn == 0, self._turn % NOISE_FRAMES == 0
         if is_turn:
             self._known[:] = 0
         self._turn += 1
@@ -102,7 +102,7 @@ class StripeTracker:
             whole |= lost if len(self._along) else True
             self._known[:] = 0
             found = self._extract(self._parts(whole), grey)
-        if is_turn and not found.is_certain:
+        if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
         return found.stripe
 

@@ -14,7 +14,7 @@ from app.native.arguments import BOOL, F32, I64, Array, Function, Integer, point
 from app.native.library import CRENEL
 
 ALIGNED_BYTES = 64
-MOST_SIZES, MOST_WORKSPACES = 4, 16
+MOST_SIZES, MOST_WORKSPACES = 12, 16
 PER_FULL_WIDTH = 1 / 2.3548
 """Standard deviation of a Gaussian whose width at half height is one."""
 # As in workspace.h, search.c and read_noise.c.
@@ -30,7 +30,8 @@ KNOWN = Array(F32, 4, written=True)
 
 _clipped_bytes = Function(CRENEL, "clipped_bytes", Integer(), returns=int)
 
-Key = tuple[tuple[int, int], "np.dtype[np.uint8] | np.dtype[np.uint16]"]
+PixelType = np.dtype[np.uint8] | np.dtype[np.uint16]
+Key = tuple[tuple[int, int], PixelType]
 
 
 class Fields(ctypes.Structure):
@@ -78,6 +79,7 @@ class Workspace:
             count_levels=levels,
         )
         self._memory: dict[str, NDArray[np.uint8]] = {}
+        self._reduced: NDArray[np.uint16] | None = None
         self._image = Array(kind, height, width)
         self._give("ring", (RING_ROWS, padded), kind)
         self._give("score", (strips, padded), kind)
@@ -102,6 +104,13 @@ class Workspace:
         self._give("levels", (width,), np.float32)
         self._give("clipped", (_clipped_bytes(width),), np.uint8)
         self.fields.points = self.points.ctypes.data
+
+    @property
+    def reduced(self) -> NDArray[np.uint16]:
+        """Memory for an image of 16 bits that is made of another one."""
+        if self._reduced is None:
+            self._reduced = np.empty(self.key[0], dtype=np.uint16)
+        return self._reduced
 
     def set_frame(
         self,
@@ -153,9 +162,9 @@ def _sigma(width_px: float | None) -> float:
 _free: dict[Key, deque[Workspace]] = {}
 
 
-def acquire_workspace(image: Image) -> Workspace:
+def acquire_workspace(rows: int, columns: int, kind: PixelType) -> Workspace:
     """A workspace for such images, reserved for the caller until it is returned."""
-    key: Key = ((image.shape[0], image.shape[1]), image.dtype)
+    key: Key = ((rows, columns), kind)
     try:
         return _free[key].pop()
     except (KeyError, IndexError):

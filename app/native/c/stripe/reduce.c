@@ -10,7 +10,9 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
                               const PIXEL *pixels, const int64_t *parts, int64_t factor,
                               int64_t gain, int64_t saturated, uint16_t *out)
 {
-    const uint64_t per_sum = (uint64_t)((gain << 12) / factor);
+    /* saturated * gain is within 16 bits, so that products are within 32 */
+    const uint32_t per_sum = (uint32_t)((gain << 12) / factor);
+    const uint32_t full = (uint32_t)saturated;
     const int64_t rows = min_i64(reduced, height / factor);
     for (const int64_t *part = parts; part < parts + 4 * part_count; part += 4) {
         const int64_t columns = part[3] - part[2];
@@ -29,8 +31,8 @@ EXPORT(void, OF(reduce_rows))(int64_t height, int64_t width, int64_t part_count,
                     }
                 }
                 for (int64_t i = 0; i < n; i++) {
-                    const uint32_t mean = (uint32_t)((sum[i] * per_sum) >> 12);
-                    to[begin + i] = (uint16_t)(most[i] >= saturated ? saturated * gain : mean);
+                    const uint32_t mean = (sum[i] * per_sum) >> 12;
+                    to[begin + i] = (uint16_t)(most[i] >= full ? full * (uint32_t)gain : mean);
                 }
             }
         }
