@@ -27,7 +27,8 @@ def identify(
     folder: Annotated[
         Path,
         typer.Argument(
-            help="Folder of arm.json and articulation.csv, spheres.csv or ballbars.csv."
+            help="Folder of arm.json and articulation.csv, spheres.csv, ballbars.csv or "
+            "coordinates.csv."
         ),
     ],
     output: Annotated[Path, typer.Option("-o", "--output", help="Output file.")] = Path("arm.json"),
@@ -36,7 +37,8 @@ def identify(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Identify the arm's own geometry from seats, spheres and ball bars touched with it."""
+    """Identify the arm's own geometry from seats, spheres and ball bars touched with it, or from
+    coordinates that a laser tracker or a measuring machine measured."""
     from app.workflows.identify_arm import (
         correlation_figures,
         identification_summary,

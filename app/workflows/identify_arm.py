@@ -1,4 +1,4 @@
-"""From a folder of seats, spheres and ball bars to an identified ``arm.json``."""
+"""From a folder of seats, spheres, ball bars and coordinates to an identified ``arm.json``."""
 
 import os
 from dataclasses import asdict, dataclass
@@ -13,8 +13,10 @@ from app.formats.datasheets.arm_identification import (
     CorrelationPart,
     DeviationsPart,
     FixedParameterPart,
+    FramePart,
     IdentificationInput,
     IdentificationPart,
+    MarkerPart,
     ParameterPart,
     ValidationPart,
 )
@@ -23,7 +25,13 @@ from app.formats.json_document import SOFTWARE, file_sha256
 from app.formats.session.arm_session import TABLES, read_identification_session, read_observations
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.cross_validation import Deviations, Validation
-from app.metrology.arm.identification.identify import Identification, Outlier, identify
+from app.metrology.arm.identification.identify import (
+    FoundFrame,
+    FoundMarker,
+    Identification,
+    Outlier,
+    identify,
+)
 from app.metrology.arm.identification.parameter_selection import REASONS, FixedReason
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
@@ -97,7 +105,13 @@ def identification_part(
         volume_before_um=result.volume_before_mm * 1e3,
         volume_after_um=result.volume_after_mm * 1e3,
         size_known=result.size_known,
-        scatter_um=result.scatter_mm * 1e3,
+        scatter_um=result.scatter.touch_mm * 1e3 if result.touched else None,
+        coordinates_scatter_um=result.scatter.point_mm * 1e3 if result.markers else None,
+        rotations_scatter_deg=float(np.rad2deg(result.scatter.turn_rad))
+        if any(marker.rotation is not None for marker in result.markers)
+        else None,
+        frames=tuple(_frame_part(frame) for frame in result.frames),
+        markers=tuple(_marker_part(marker) for marker in result.markers),
         validation=_validation_part(result.validation),
         outliers=tuple(outlier_text(outlier) for outlier in result.outliers),
         warnings=result.warnings,
@@ -111,10 +125,49 @@ def identification_part(
     )
 
 
+def _frame_part(frame: FoundFrame) -> FramePart:
+    from scipy.spatial.transform import Rotation  # slow to import, and seldom needed
+
+    x, y, z = frame.T_frame_arm[:3, 3].tolist()
+    qx, qy, qz, qw = Rotation.from_matrix(frame.T_frame_arm[:3, :3]).as_quat().tolist()
+    return FramePart(
+        name=frame.name,
+        x_mm=x,
+        y_mm=y,
+        z_mm=z,
+        qx=qx,
+        qy=qy,
+        qz=qz,
+        qw=qw,
+        standard_uncertainty_mm=frame.standard_uncertainty_mm,
+    )
+
+
+def _marker_part(marker: FoundMarker) -> MarkerPart:
+    from scipy.spatial.transform import Rotation
+
+    x, y, z = marker.offset_mm.tolist()
+    sds, rotation = marker.standard_uncertainty_mm, marker.rotation
+    return MarkerPart(
+        name=marker.name,
+        x_mm=x,
+        y_mm=y,
+        z_mm=z,
+        standard_uncertainty_mm=None if sds is None else tuple(sds.tolist()),
+        quaternion=None
+        if rotation is None
+        else tuple(Rotation.from_matrix(rotation).as_quat().tolist()),
+    )
+
+
 def outlier_text(outlier: Outlier) -> Text:
     """One point that was left out."""
     far_mm = outlier.distance_mm
     far = quantity(1e3 * far_mm, "µm") if far_mm < 1.0 else quantity(far_mm, "mm", 1)
+    if outlier.is_coordinate:
+        return message(
+            "coordinate-left-out-off", place=outlier.place, number=outlier.number, distance=far
+        )
     return message("point-left-out-off", place=outlier.place, number=outlier.number, distance=far)
 
 
@@ -135,13 +188,23 @@ def identification_summary(result: Identification) -> list[tuple[str, str]]:
         ("  seats", before.seats_um, after.seats_um),
         ("  spheres", before.spheres_um, after.spheres_um),
         ("  lengths of ball bars", before.lengths_um, after.lengths_um),
+        ("  measured coordinates", before.coordinates_um, after.coordinates_um),
     ):
         if was is not None and now is not None:
             figures.append((title, f"{was:8.1f} µm {now:8.1f} µm rms"))
-    figures += [
-        ("  in standard deviations", f"{before.normalised:8.1f}    {after.normalised:8.2f}"),
-        ("scatter beyond the encoders", f"{result.scatter_mm * 1e3:.1f} µm per coordinate"),
-    ]
+    if before.rotations_deg is not None and after.rotations_deg is not None:
+        was, now = before.rotations_deg, after.rotations_deg
+        figures.append(("  measured rotations", f"{was:8.4f} °  {now:8.4f} °  rms"))
+    figures.append(
+        ("  in standard deviations", f"{before.normalised:8.1f}    {after.normalised:8.2f}")
+    )
+    if result.touched:
+        scatter = f"{result.scatter.touch_mm * 1e3:.1f} µm per coordinate"
+        figures.append(("scatter beyond the encoders", scatter))
+    if result.markers:
+        scatter = f"{result.scatter.point_mm * 1e3:.1f} µm per coordinate"
+        figures.append(("coordinates, beyond what is stated", scatter))
+    figures += _instrument_figures(result)
     if result.radius_excess_sd_mm is not None:
         sd_um = 2e3 * result.radius_excess_sd_mm
         figures.append(
@@ -149,6 +212,20 @@ def identification_summary(result: Identification) -> list[tuple[str, str]]:
         )
     for k, outlier in enumerate(result.outliers):
         figures.append(("excluded" if k == 0 else "", str(outlier_text(outlier))))
+    return figures
+
+
+def _instrument_figures(result: Identification) -> list[tuple[str, str]]:
+    """Where the arm's base is in each frame, and each marker on the flange."""
+    figures: list[tuple[str, str]] = []
+    for frame in result.frames:
+        x, y, z = frame.T_frame_arm[:3, 3]
+        sd = frame.standard_uncertainty_mm
+        known = "as given" if sd is None else f"± {sd:.3f} mm"
+        figures.append((f"base in frame {frame.name}", f"{x:.3f}, {y:.3f}, {z:.3f} mm, {known}"))
+    for marker in result.markers:
+        x, y, z = marker.offset_mm
+        figures.append((f"marker {marker.name} on the flange", f"{x:.3f}, {y:.3f}, {z:.3f} mm"))
     return figures
 
 

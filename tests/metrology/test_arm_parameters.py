@@ -5,11 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.identification.least_squares import (
-    initial_unknowns,
-    reduce_system,
-    settle_centres,
-)
+from app.metrology.arm.identification.initial_unknowns import initial_unknowns
+from app.metrology.arm.identification.least_squares import reduce_system, settle_centres
 from app.metrology.arm.identification.observations import ArmObservations
 from app.metrology.arm.identification.parameter_selection import (
     candidates,
@@ -23,6 +20,7 @@ from app.metrology.arm.identification.parameters import (
     tip_jacobian,
     with_parameters,
 )
+from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from hardware.simulator.devices.kinematics import ArmLink, ArmModel
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
@@ -100,10 +98,10 @@ def chosen(
     arm: Arm, observations: ArmObservations, columns_mm: float = 0.01
 ) -> tuple[set[str], Arm]:
     data = observations.stacked
-    everything = np.ones(len(data.q_rad))
-    at = settle_centres(data, initial_unknowns(arm, data), everything, columns_mm)
+    everything, scatter = np.ones(data.points), Scatter(touch_mm=columns_mm)
+    at = settle_centres(data, initial_unknowns(arm, data), everything, scatter)
     choice = candidates(arm, bool(observations.bars))
-    system = reduce_system(data, at, choice.order, everything, columns_mm)
+    system = reduce_system(data, at, choice.order, everything, scatter)
     moved, held = select_parameters(
         system.rows, system.others, choice.order, parameter_limits(arm, choice.order)
     )

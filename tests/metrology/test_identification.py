@@ -122,7 +122,7 @@ def test_noisy_solves_scatter_as_the_covariance_says(joints: int) -> None:
 def test_the_touch_noise_is_found(session: SimulatedArmSession) -> None:
     rough = draw_arm_session(11, replace(PLAN, touch_sd_mm=0.02))
     found = [
-        identify(nominal_arm(s.nominal_arm), collect_observations(s)).scatter_mm
+        identify(nominal_arm(s.nominal_arm), collect_observations(s)).scatter.touch_mm
         for s in (session, rough)
     ]
     assert found[0] == pytest.approx(0.003, abs=0.0015)

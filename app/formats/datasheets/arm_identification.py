@@ -37,12 +37,43 @@ class CorrelationPart(DocumentPart):
     coefficient: Number
 
 
+class FramePart(DocumentPart):
+    """The arm's base in the frame of an instrument: a point there is ``R q + (x, y, z)``."""
+
+    name: str
+    x_mm: Number
+    y_mm: Number
+    z_mm: Number
+    qx: Number
+    qy: Number
+    qz: Number
+    qw: Number
+    standard_uncertainty_mm: NotNegative | None = None
+    """Of the base's origin, each coordinate; None if the frame was given."""
+
+
+class MarkerPart(DocumentPart):
+    """A marker on the last link, in the flange frame."""
+
+    name: str
+    x_mm: Number
+    y_mm: Number
+    z_mm: Number
+    standard_uncertainty_mm: tuple[NotNegative, NotNegative, NotNegative] | None = None
+    """None if the place was given, or is that of the tip, which is among the parameters."""
+    quaternion: tuple[Number, Number, Number, Number] | None = None
+    """x, y, z, w of its rotation, if poses were measured."""
+
+
 class DeviationsPart(DocumentPart):
-    """How far places that the fit did not see disagree; None where none was touched so."""
+    """How far places that the fit did not see disagree; None where none was measured so."""
 
     seats_um: NotNegative | None = None
     spheres_um: NotNegative | None = None
     lengths_um: NotNegative | None = None
+    coordinates_um: NotNegative | None = None
+    """Rms distance of markers from where an instrument measured them."""
+    rotations_deg: NotNegative | None = None
     normalised: NotNegative
     """Rms in standard deviations of the points: 1 where noise explains everything."""
 
@@ -73,9 +104,16 @@ class IdentificationPart(DocumentPart):
     volume_after_um: NotNegative
     """Rms standard uncertainty of the tip over the reach, by the parameters moved."""
     size_known: bool
-    """False where no ball bar determined the arm's size: it comes on top of ``volume_after_um``."""
-    scatter_um: NotNegative
-    """Per coordinate, of single points beyond the encoders' noise."""
+    """False where neither ball bar nor coordinates determined the arm's size: it comes on top of
+    ``volume_after_um``."""
+    scatter_um: NotNegative | None = None
+    """Per coordinate, of single touches beyond the encoders' noise; None without touches."""
+    coordinates_scatter_um: NotNegative | None = None
+    """Per coordinate, of an instrument's points beyond encoders and stated uncertainty."""
+    rotations_scatter_deg: NotNegative | None = None
+    """The same of rotations, about each axis."""
+    frames: Annotated[tuple[FramePart, ...], Field(default=())]
+    markers: Annotated[tuple[MarkerPart, ...], Field(default=())]
     validation: ValidationPart
     outliers: Annotated[tuple[Text, ...], Field(default=())]
     warnings: Annotated[tuple[Text, ...], Field(default=())]

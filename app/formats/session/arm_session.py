@@ -4,6 +4,7 @@
 ``articulation.csv``   set,q1_deg,…,qN_deg                  the tip in one seat a set, the arm swung
 ``spheres.csv``        sphere,diameter_mm,q1_deg,…          touches of calibrated spheres
 ``ballbars.csv``       bar,position,length_mm,standard_uncertainty_mm,end,q1_deg,…
+``coordinates.csv``    x_mm,y_mm,z_mm,q1_deg,…              markers that a tracker measured
 
 One row per point. Some of the tables may be missing, but not all. ``sphere`` names a sphere at one
 place, ``bar`` an artefact: its positions share the error of its calibrated length.
@@ -20,6 +21,7 @@ from app.formats.atomic_write import write_atomically
 from app.formats.csv_table import CsvTable, TableRow, read_table, table_text
 from app.formats.datasheets.arm import read_arm
 from app.formats.file_names import display_path
+from app.formats.session.coordinates_table import COORDINATES, read_coordinates
 from app.formats.session.pose_columns import JointAngles, joint_columns
 from app.messages.message import Text, message
 from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
@@ -30,7 +32,7 @@ ARM = "arm.json"
 IDENTIFIED = "identified.json"
 """The identified arm, if it is stored with the data of its identification."""
 ARTICULATION, SPHERES, BALLBARS = "articulation.csv", "spheres.csv", "ballbars.csv"
-TABLES = (ARTICULATION, SPHERES, BALLBARS)
+TABLES = (ARTICULATION, SPHERES, BALLBARS, COORDINATES)
 
 LARGEST_UNCERTAINTY_MM = 1.0
 
@@ -66,7 +68,9 @@ def read_observations(folder: Path, arm: Arm) -> ArmObservations:
     seats = read_seats(folder / ARTICULATION, arm) if (folder / ARTICULATION).exists() else ()
     spheres = read_spheres(folder / SPHERES, arm) if (folder / SPHERES).exists() else ()
     bars = read_bars(folder / BALLBARS, arm) if (folder / BALLBARS).exists() else ()
-    return ArmObservations(seats, spheres, bars)
+    measured = folder / COORDINATES
+    coordinates = read_coordinates(measured, arm) if measured.exists() else ()
+    return ArmObservations(seats, spheres, bars, coordinates)
 
 
 def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
@@ -77,7 +81,7 @@ def read_seats(path: Path, arm: Arm) -> tuple[Seat, ...]:
 
 
 def write_observations(folder: Path, found: ArmObservations) -> None:
-    """Updates the tables of a folder, each atomically; a table without points is removed."""
+    """Updates the tables of touches, each atomically; a table without points is removed."""
     _write(folder / ARTICULATION, ("set",), [((s.name,), s.q_rad) for s in found.seats])
     _write(
         folder / SPHERES,

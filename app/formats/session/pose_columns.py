@@ -76,16 +76,8 @@ class FlangePoses:
         """``T_arm_flange`` (4, 4) of a row; ``OperationError`` if the quaternion is invalid."""
         from scipy.spatial.transform import Rotation  # slow to import; most arms have angles
 
-        values = np.array([row.number(column) for column in COLUMNS])
-        length = float(np.linalg.norm(values[3:]))
-        if abs(length - 1) > UNIT_TOLERANCE:
-            raise OperationError(
-                "quaternion-not-unit",
-                message("quaternion-length", place=row.place, length=quantity(length, "", 4)),
-                message("rotations-quaternion-has-length-1"),
-                message("give-qx-qy-qz-qw-order"),
-            )
-        return rigid(Rotation.from_quat(values[3:]).as_matrix(), values[:3])
+        position = np.array([row.number(column) for column in COLUMNS[:3]])
+        return rigid(Rotation.from_quat(unit_quaternion(row)).as_matrix(), position)
 
     def refuse_metres(self, poses: Sequence[Floats]) -> None:
         """Refuses a table whose lengths are clearly in metres."""
@@ -101,6 +93,20 @@ class FlangePoses:
                 message("these-metres-where-millimetres-expected"),
                 message("convert-columns-x-mm-y-mm"),
             )
+
+
+def unit_quaternion(row: TableRow) -> Floats:
+    """(4,) qx, qy, qz, qw of a row; ``OperationError`` unless it has the length 1."""
+    values = np.array([row.number(column) for column in COLUMNS[3:]])
+    length = float(np.linalg.norm(values))
+    if abs(length - 1) > UNIT_TOLERANCE:
+        raise OperationError(
+            "quaternion-not-unit",
+            message("quaternion-length", place=row.place, length=quantity(length, "", 4)),
+            message("rotations-quaternion-has-length-1"),
+            message("give-qx-qy-qz-qw-order"),
+        )
+    return values
 
 
 def pose_cells(T_arm_flange: Floats) -> tuple[float, ...]:

@@ -91,12 +91,17 @@ def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> Facts[
 def _observation_facts(observed: ArmObservations) -> list[tuple[Text, Text]]:
     """The number of seats and artefacts that the tip measured."""
     bars = len({bar.name for bar in observed.bars})
+    points, frames = observed.coordinates_count, {one.frame for one in observed.coordinates}
     return [
         (message("seats"), str(len(observed.seats)) if observed.seats else NONE),
         (message("spheres"), str(len(observed.spheres)) if observed.spheres else NONE),
         (
             message("ball-bars"),
             message("positions", bars=bars, positions=len(observed.bars)) if bars else NONE,
+        ),
+        (
+            message("coordinates-measured"),
+            message("poses-measured", points=points, frames=len(frames)) if points else NONE,
         ),
     ]
 
@@ -108,6 +113,7 @@ def _pairs(found: IdentificationPart) -> list[Pair]:
         (message("seats-held-out"), before.seats_um, after.seats_um),
         (message("spheres-held-out"), before.spheres_um, after.spheres_um),
         (message("lengths-ball-bars-held-out"), before.lengths_um, after.lengths_um),
+        (message("coordinates-held-out"), before.coordinates_um, after.coordinates_um),
     )
     return [
         (message("tip-over-whole-reach"), found.volume_before_um, found.volume_after_um),
@@ -119,8 +125,12 @@ def _results(found: IdentificationPart) -> ReportTable[Text]:
     rows: list[tuple[Text, ...]] = [
         (name, *in_both_units(was), *in_both_units(now), NONE) for name, was, now in _pairs(found)
     ]
-    single = message("scatter-single-points-beyond-encoders")
-    rows.append((single, "", "", *in_both_units(found.scatter_um), NONE))
+    for name, scatter_um in (
+        (message("scatter-single-points-beyond-encoders"), found.scatter_um),
+        (message("scatter-coordinates-beyond-uncertainty"), found.coordinates_scatter_um),
+    ):
+        if scatter_um is not None:
+            rows.append((name, "", "", *in_both_units(scatter_um), NONE))
     head = (
         message("result-rms"),
         message("before"),

@@ -10,7 +10,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
-from app.metrology.arm.identification.input_checks import NO_SEAT_MM, check_swing
+from app.metrology.arm.identification.checks.points import NO_SEAT_MM, check_swing
 from app.metrology.arm.identification.parameters import encoder_covariances, tip_jacobian
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.transforms import Floats

@@ -2,15 +2,14 @@
 after."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.errors import OperationError
+from app.metrology.arm.identification.initial_unknowns import align_frames, initial_unknowns
 from app.metrology.arm.identification.least_squares import (
-    Unknowns,
-    initial_unknowns,
-    mahalanobis,
     predict_tips,
     residuals,
     settle_centres,
@@ -22,8 +21,10 @@ from app.metrology.arm.identification.observations import (
     Sphere,
     StackedObservations,
 )
-from app.metrology.arm.identification.parameter_selection import candidates
-from app.metrology.arm.identification.robust_solve import fit_arm
+from app.metrology.arm.identification.parameter_selection import candidates_of
+from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm, settle_frames
+from app.metrology.arm.identification.scatter import Scatter
+from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -41,9 +42,19 @@ class Deviations:
     """Rms distance of the tips from their sphere."""
     lengths_um: float | None
     """Rms error of the bar lengths."""
+    coordinates_um: float | None
+    """Rms distance of markers from where another instrument measured them."""
+    rotations_deg: float | None
+    """Rms angle between measured and predicted rotations of markers."""
     normalised: float
     """Rms of all deviations relative to their standard deviations: 1 if the noise explains
     everything."""
+
+    @property
+    def largest_mm(self) -> float | None:
+        """The largest of the lengths above."""
+        found = (self.seats_um, self.spheres_um, self.lengths_um, self.coordinates_um)
+        return max((um / 1e3 for um in found if um is not None), default=None)
 
 
 @dataclass(frozen=True)
@@ -53,7 +64,8 @@ class Validation:
     before: Deviations
     after: Deviations
     places: int
-    """Seats, spheres and bar positions that were held out, in folds or as a separate set."""
+    """Seats, spheres, bar positions and coordinates that were held out, in folds or as a separate
+    set."""
     separate: bool
     """True if the places are a separate set, False if each fold was held out in turn."""
 
@@ -70,50 +82,73 @@ class _DeviationSquares:
     seats: Floats
     spheres: Floats
     lengths: Floats
+    coordinates: Floats
+    rotations: Floats
     normalised: Floats
 
 
-def cross_validate(arm: Arm, observations: ArmObservations, scatter_mm: float) -> Validation:
+def cross_validate(arm: Arm, observations: ArmObservations, scatter: Scatter) -> Validation:
     """Holds out every k-th place in turn and repeats the fit on the remaining places.
 
     Raises:
         OperationError: the remaining places of a fold are too few to identify the arm.
     """
-    count = observations.groups_count
+    count = observations.places_count
     folds = min(FOLDS, count)
     before: list[_DeviationSquares] = []
     after: list[_DeviationSquares] = []
     for fold in range(folds):
-        out = [i for i in range(count) if i % folds == fold]
+        held_out = observations.part([i for i in range(count) if i % folds == fold]).stacked
         rest = observations.part([i for i in range(count) if i % folds != fold])
-        fit = fit_arm(arm, rest.stacked, candidates(arm, bool(rest.bars)))
-        held_out = observations.part(out).stacked
-        before.append(_deviation_squares(arm, 0.0, held_out, scatter_mm))
-        after.append(_deviation_squares(fit.at.arm, fit.at.radius_excess_mm, held_out, scatter_mm))
+        fit = fit_arm(arm, rest.stacked, candidates_of(arm, rest))
+        given = settle_frames(rest.stacked, initial_unknowns(arm, rest.stacked))
+        before.append(_deviation_squares(given, rest.stacked, held_out, scatter))
+        after.append(_deviation_squares(fit.at, rest.stacked, held_out, scatter))
     return Validation(_pool_deviations(before), _pool_deviations(after), count, False)
 
 
+NOTHING_HELD_OUT = Deviations(None, None, None, None, None, 0.0)
+
+
+def deviations_held_out(arm: Arm, observations: ArmObservations, scatter: Scatter) -> Deviations:
+    """How far places deviate that a fit did not see; of too few of them nothing is known."""
+    if observations.places_count < FOLDS:
+        return NOTHING_HELD_OUT
+    try:
+        return cross_validate(arm, observations, scatter).after
+    except OperationError:
+        return NOTHING_HELD_OUT
+
+
 def compare_arms(
-    before: Arm, after: Arm, radius_excess_mm: float, check: ArmObservations, scatter_mm: float
+    arm: Arm, fit: ArmFit, data: StackedObservations, check: ArmObservations
 ) -> Validation:
-    """Both arms on a separate set of places."""
-    data = check.stacked
+    """The given and the fitted arm on a separate set of places.
+
+    Args:
+        data: what the arm was fitted to.
+    """
+    held_out = check.stacked
+    given = settle_frames(data, initial_unknowns(arm, data))
     return Validation(
-        _pool_deviations([_deviation_squares(before, 0.0, data, scatter_mm)]),
-        _pool_deviations([_deviation_squares(after, radius_excess_mm, data, scatter_mm)]),
-        check.groups_count,
+        _pool_deviations([_deviation_squares(given, data, held_out, fit.scatter)]),
+        _pool_deviations([_deviation_squares(fit.at, data, held_out, fit.scatter)]),
+        check.places_count,
         True,
     )
 
 
 def without_points(observations: ArmObservations, kept: NDArray[np.bool_]) -> ArmObservations:
-    """The observations with only the points of a mask (N,) over ``stacked``."""
+    """The observations with only the points of a mask (N + M,) over ``stacked``."""
     at = 0
 
-    def own(q_rad: Floats) -> Floats:
+    def own_mask(count: int) -> NDArray[np.bool_]:
         nonlocal at
-        at += len(q_rad)
-        return np.asarray(q_rad[kept[at - len(q_rad) : at]])
+        at += count
+        return kept[at - count : at]
+
+    def own(q_rad: Floats) -> Floats:
+        return np.asarray(q_rad[own_mask(len(q_rad))])
 
     seats = tuple(Seat(seat.name, own(seat.q_rad)) for seat in observations.seats)
     spheres = tuple(
@@ -131,38 +166,63 @@ def without_points(observations: ArmObservations, kept: NDArray[np.bool_]) -> Ar
         )
         for bar in observations.bars
     )
-    return ArmObservations(seats, spheres, bars)
+    coordinates = tuple(one.part(own_mask(len(one.q_rad))) for one in observations.coordinates)
+    coordinates = tuple(one for one in coordinates if len(one.q_rad))
+    return ArmObservations(seats, spheres, bars, coordinates)
 
 
-def fit_centres(
-    arm: Arm, data: StackedObservations, radius_excess_mm: float, scatter_mm: float
+def fit_places(
+    known: Unknowns, fitted: StackedObservations, data: StackedObservations, scatter: Scatter
 ) -> Unknowns:
-    """The places as an arm measures them, by their own points alone."""
-    at = initial_unknowns(arm, data)
-    at = Unknowns(arm, at.centres_mm, radius_excess_mm, at.bar_errors_mm)
-    return settle_centres(data, at, np.ones(len(data.q_rad)), scatter_mm)
+    """Other places as an arm measures them: each by its own points alone, in frames and with
+    markers that are known from the fit.
+
+    Args:
+        known: the arm, and what was found of ``fitted``.
+    """
+    at = replace(
+        initial_unknowns(known.arm, data),
+        radius_excess_mm=known.radius_excess_mm,
+    )
+    offsets, rotations = at.offsets_mm.copy(), at.R_flange_markers.copy()
+    names = [marker.name for marker in fitted.coordinates.markers]
+    for k, marker in enumerate(data.coordinates.markers):
+        if marker.name in names:
+            offsets[k] = known.offsets_mm[names.index(marker.name)]
+            rotations[k] = known.R_flange_markers[names.index(marker.name)]
+    at = align_frames(data, replace(at, offsets_mm=offsets, R_flange_markers=rotations))
+    frames = at.T_arm_frames.copy()
+    for i, name in enumerate(data.coordinates.frames):
+        if name in fitted.coordinates.frames:
+            frames[i] = known.T_arm_frames[fitted.coordinates.frames.index(name)]
+    at = replace(at, T_arm_frames=frames)
+    return settle_centres(data, at, np.ones(data.points), scatter)
 
 
 def _deviation_squares(
-    arm: Arm, radius_excess_mm: float, data: StackedObservations, scatter_mm: float
+    known: Unknowns, fitted: StackedObservations, data: StackedObservations, scatter: Scatter
 ) -> _DeviationSquares:
-    at = fit_centres(arm, data, radius_excess_mm, scatter_mm)
+    at = fit_places(known, fitted, data, scatter)
     sight = predict_tips(data, at)
     counts = np.bincount(data.place_of)[data.place_of]
     # the centre of a place uses up three of its coordinates
     spare = np.where(data.on_sphere, 1 - 3.0 / counts, 1 - 1.0 / counts)
     has_spare = spare > 1e-9
-    found = residuals(data, at, scatter_mm)
-    squares = found.distances_mm**2
-    normalised = mahalanobis(data, at, sight, scatter_mm) ** 2
-    normalised /= np.where(data.on_sphere, 1.0, 3.0)
-    sds = _length_sds(data, sight.covariances, scatter_mm)
+    found = residuals(data, at, scatter)
+    distances = found.distances_mm
+    squares = distances[: data.touches] ** 2
+    normalised = found.touches**2 / np.where(data.on_sphere, 1.0, 3.0)
+    sds = _length_sds(data, sight.covariances, scatter.touch_mm)
     scale = np.where(has_spare, 1 / np.where(has_spare, spare, 1.0), 0.0)
+    turned = data.coordinates.has_rotation
+    measured = np.sum(found.coordinates**2, axis=1) / np.where(turned, 6.0, 3.0)
     return _DeviationSquares(
         (squares * scale)[has_spare & ~data.on_sphere],
         (squares * scale)[has_spare & data.on_sphere],
         found.bars_mm**2,
-        np.concatenate([(normalised * scale)[has_spare], (found.bars_mm / sds) ** 2]),
+        distances[data.touches :] ** 2,
+        found.angles_rad[turned] ** 2,
+        np.concatenate([(normalised * scale)[has_spare], (found.bars_mm / sds) ** 2, measured]),
     )
 
 
@@ -182,14 +242,15 @@ def _length_sds(data: StackedObservations, covariances: Floats, scatter_mm: floa
 
 
 def _pool_deviations(parts: Sequence[_DeviationSquares]) -> Deviations:
-    def rms_um(name: str) -> float | None:
+    def rms(name: str, scale: float = 1e3) -> float | None:
         squares = np.concatenate([getattr(part, name) for part in parts])
-        return 1e3 * float(np.sqrt(np.mean(squares))) if len(squares) else None
+        return scale * float(np.sqrt(np.mean(squares))) if len(squares) else None
 
-    normalised = np.concatenate([part.normalised for part in parts])
     return Deviations(
-        rms_um("seats"),
-        rms_um("spheres"),
-        rms_um("lengths"),
-        float(np.sqrt(np.mean(normalised))) if len(normalised) else 0.0,
+        rms("seats"),
+        rms("spheres"),
+        rms("lengths"),
+        rms("coordinates"),
+        rms("rotations", float(np.rad2deg(1.0))),
+        rms("normalised", 1.0) or 0.0,
     )

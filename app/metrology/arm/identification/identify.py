@@ -6,10 +6,23 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
-from app.metrology.arm.identification.artefact_checks import (
+from app.metrology.arm.identification.checks.artefacts import (
     check_bars,
     check_spheres,
     check_tip_diameter,
+)
+from app.metrology.arm.identification.checks.coordinates import (
+    check_coordinates,
+    check_coordinates_agree,
+    coordinate_warnings,
+)
+from app.metrology.arm.identification.checks.places import check_places_fixed
+from app.metrology.arm.identification.checks.points import (
+    check_arm_fits,
+    check_disjoint,
+    check_enough,
+    check_scatter,
+    identification_warnings,
 )
 from app.metrology.arm.identification.cross_validation import (
     Validation,
@@ -17,25 +30,22 @@ from app.metrology.arm.identification.cross_validation import (
     cross_validate,
     without_points,
 )
-from app.metrology.arm.identification.input_checks import (
-    check_arm_fits,
-    check_disjoint,
-    check_enough,
-    check_places_fixed,
-    check_scatter,
-    identification_warnings,
-)
 from app.metrology.arm.identification.least_squares import residuals
 from app.metrology.arm.identification.observations import ArmObservations, StackedObservations
-from app.metrology.arm.identification.parameter_selection import REASONS, FixedReason, candidates
+from app.metrology.arm.identification.parameter_selection import (
+    REASONS,
+    FixedReason,
+    candidates_of,
+)
 from app.metrology.arm.identification.parameters import parameter_names, parameter_values
 from app.metrology.arm.identification.robust_solve import ArmFit, fit_arm
+from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.volumetric_error import (
     volumetric_difference_mm,
     volumetric_uncertainty_mm,
 )
 from app.metrology.arm.kinematics import Arm
-from app.metrology.transforms import Floats
+from app.metrology.transforms import Floats, inverse
 from app.progress import Progress, no_progress
 
 CORRELATED = 0.95
@@ -71,11 +81,37 @@ class FixedParameter:
 
 @dataclass(frozen=True)
 class Outlier:
-    """A point that was excluded: the ``number``-th at its place, counted from 1."""
+    """A point that was excluded."""
 
     place: Text
     number: int
+    """Of a touch at its place, counted from 1; of a coordinate the line in its file."""
     distance_mm: float
+    is_coordinate: bool = False
+
+
+@dataclass(frozen=True)
+class FoundFrame:
+    """Where an instrument saw the arm's base."""
+
+    name: str
+    T_frame_arm: Floats
+    """(4, 4)"""
+    standard_uncertainty_mm: float | None
+    """Of each coordinate of the base's origin, rms; None if the frame was given."""
+
+
+@dataclass(frozen=True)
+class FoundMarker:
+    """A marker on the last link, in the flange frame."""
+
+    name: str
+    offset_mm: Floats
+    """(3,)"""
+    standard_uncertainty_mm: Floats | None
+    """(3,); None if the place was given, or is that of the tip, which the arm has."""
+    rotation: Floats | None
+    """(3, 3), if its full pose was measured."""
 
 
 @dataclass(frozen=True)
@@ -89,12 +125,16 @@ class Identification:
     """(p, p) of ``moved``, mm and rad, k = 1."""
     correlations: tuple[tuple[str, str, float], ...]
     """Pairs of ``moved`` beyond ±0.95, the strongest first."""
-    scatter_mm: float
-    """Scatter of the points per coordinate, beyond the encoders' noise."""
+    touched: bool
+    """Whether the tip measured seats, spheres or bars."""
+    scatter: Scatter
+    """Beyond what the encoders and the stated uncertainties explain."""
     radius_excess_mm: float
     """How much larger the spheres are measured than the radii of sphere and tip state."""
     radius_excess_sd_mm: float | None
     """None without spheres."""
+    frames: tuple[FoundFrame, ...]
+    markers: tuple[FoundMarker, ...]
     outliers: tuple[Outlier, ...]
     validation: Validation
     volume_before_mm: float
@@ -136,8 +176,10 @@ def identify(
         OperationError: too few or unsuitable points (``too-few-places``, ``too-few-points``,
             ``points-twice``, ``arm-hardly-moved``, ``joint-still``, ``check-seen``); points that
             contradict the arm or each other (``arm-does-not-fit``, ``seat-moved``,
-            ``place-disagrees``, ``bar-length``, ``sphere-diameter``, ``tip-diameter``); or no
-            useful result (``identification-diverges``, ``identification-explains-nothing``,
+            ``place-disagrees``, ``bar-length``, ``sphere-diameter``, ``tip-diameter``);
+            coordinates in another unit, frame or of another marker (``coordinates-unit``,
+            ``frames-mixed``, ``rotations-do-not-fit``, ``marker-not-tip``); or no useful result
+            (``identification-diverges``, ``identification-explains-nothing``,
             ``identification-no-better``).
 
     Source:
@@ -145,22 +187,24 @@ def identify(
     """
     check_enough(arm, observations)
     check_arm_fits(arm, observations)
+    check_coordinates(arm, observations)
     if check is not None:
         check_disjoint(observations, check)
     data = observations.stacked
     progress(0.1, message("fitting-arm"))
-    fit = fit_arm(arm, data, candidates(arm, bool(observations.bars)))
+    fit = fit_arm(arm, data, candidates_of(arm, observations))
     spheres = check_spheres(data, fit)
-    check_places_fixed(data, fit)
+    check_places_fixed(arm, observations, data, fit)
+    check_coordinates_agree(data, fit)
     bars = check_bars(arm, observations, fit)
     check_scatter(fit)
     check_tip_diameter(arm, data, fit)
     progress(0.4, message("checking-places-held-out"))
     good = without_points(observations, fit.inliers)
     if check is None:
-        validation = cross_validate(arm, good, fit.scatter_mm)
+        validation = cross_validate(arm, good, fit.scatter)
     else:
-        validation = compare_arms(arm, fit.at.arm, fit.at.radius_excess_mm, check, fit.scatter_mm)
+        validation = compare_arms(arm, fit, data, check)
     if validation.ratio < BETTER:
         raise _no_improvement_error(validation)
     progress(0.9, "")
@@ -171,9 +215,12 @@ def identify(
         fixed=_list_fixed(arm, fit),
         covariance=fit.covariance,
         correlations=_correlations(arm, fit),
-        scatter_mm=fit.scatter_mm,
+        touched=data.touches > 0,
+        scatter=fit.scatter,
         radius_excess_mm=fit.at.radius_excess_mm if on_spheres else 0.0,
         radius_excess_sd_mm=float(np.sqrt(fit.others_covariance[0, 0])) if on_spheres else None,
+        frames=_frames(data, fit),
+        markers=_markers(data, fit),
         outliers=_outliers(data, fit),
         validation=validation,
         volume_before_mm=volumetric_difference_mm(arm, fit.at.arm),
@@ -181,6 +228,7 @@ def identify(
         warnings=(
             *bars,
             *spheres,
+            *coordinate_warnings(arm, observations),
             *identification_warnings(arm, observations, fit),
             *_deviation_warning(validation),
         ),
@@ -236,10 +284,43 @@ def _correlations(arm: Arm, fit: ArmFit) -> tuple[tuple[str, str, float], ...]:
     return tuple(sorted(found, key=lambda pair: -abs(pair[2])))
 
 
+def _frames(data: StackedObservations, fit: ArmFit) -> tuple[FoundFrame, ...]:
+    found: list[FoundFrame] = []
+    names = data.coordinates.frames
+    for name, T, own in zip(names, fit.at.T_arm_frames, data.others.frames, strict=True):
+        sd: float | None = None
+        if own is not None:
+            # the base's origin as the frame has it: moved by the frame's own rotation, too
+            by_twist = np.hstack([np.zeros((3, 3)), -T[:3, :3].T])
+            covariance = by_twist @ fit.others_covariance[own, own] @ by_twist.T
+            sd = float(np.sqrt(np.trace(covariance) / 3))
+        found.append(FoundFrame(name, inverse(T), sd))
+    return tuple(found)
+
+
+def _markers(data: StackedObservations, fit: ArmFit) -> tuple[FoundMarker, ...]:
+    found: list[FoundMarker] = []
+    for k, marker in enumerate(data.coordinates.markers):
+        own = data.others.offsets[k]
+        sds = None if own is None else np.sqrt(np.diag(fit.others_covariance[own, own]))
+        offset = fit.at.arm_with(k, marker).tip.centre_mm
+        rotation = fit.at.R_flange_markers[k] if marker.has_rotation else None
+        found.append(FoundMarker(marker.name, offset, sds, rotation))
+    return tuple(found)
+
+
 def _outliers(data: StackedObservations, fit: ArmFit) -> tuple[Outlier, ...]:
-    off = residuals(data, fit.at, fit.scatter_mm).distances_mm
+    off = residuals(data, fit.at, fit.scatter).distances_mm
     found: list[Outlier] = []
     for i in np.flatnonzero(~fit.inliers):
-        place = data.places[data.place_of[i]]
-        found.append(Outlier(place.label, int(i) - place.rows.start + 1, float(off[i])))
+        if i < data.touches:
+            place = data.places[data.place_of[i]]
+            label, number = place.label, int(i) - place.rows.start + 1
+        else:
+            measured = data.coordinates
+            label = message(
+                "frame-named", name=measured.frames[measured.frame_of[i - data.touches]]
+            )
+            number = measured.lines[i - data.touches]
+        found.append(Outlier(label, number, float(off[i]), bool(i >= data.touches)))
     return tuple(found)

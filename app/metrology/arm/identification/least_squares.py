@@ -1,72 +1,69 @@
 """The weighted least squares of the parameters of an arm and the centres of the measured places.
 
 The centre of each place is unknown and affects only its own points: it is eliminated place by place
-(QR), and a small system for the arm's parameters remains.
+(QR), and a small system for the arm's parameters remains. Coordinates of another instrument add
+their rows to it.
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 
-from app.errors import OperationError
-from app.messages.message import join, message
+from app.metrology.arm.identification.coordinate_rows import (
+    coordinate_residuals,
+    coordinate_rows,
+)
 from app.metrology.arm.identification.observations import Group, StackedObservations
 from app.metrology.arm.identification.parameters import (
+    Indices,
     encoder_covariances,
     parameter_values,
     tip_jacobian,
     with_parameters,
 )
-from app.metrology.arm.kinematics import Arm
-from app.metrology.fitting.plane_sphere import fit_sphere
+from app.metrology.arm.identification.scatter import Scatter
+from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.transforms import Floats
-
-Indices = NDArray[np.intp]
 
 CONSTRAINT_MM = 1e-4
 """The two ends of a bar are at its true length to this; the error of its length is a parameter."""
-LEAST_SCATTER_MM = 5e-4
 RADIUS_PRIOR_MM = 10.0
 """A weak prior of the tip radius, which only keeps the solution finite."""
 
 
 @dataclass(frozen=True)
-class Unknowns:
-    """All unknowns of the adjustment."""
-
-    arm: Arm
-    centres_mm: Floats
-    """(P, 3) centre of each place, arm frame."""
-    radius_excess_mm: float
-    """How much larger the spheres are measured than the radii of sphere and tip state."""
-    bar_errors_mm: Floats
-    """(B,) of each artefact: true minus calibrated length."""
-
-
-@dataclass(frozen=True)
 class PointResiduals:
-    """Deviations of the points at given unknowns."""
+    """Deviations of the points at given unknowns, touches first, then coordinates."""
 
     vectors_mm: Floats
-    """(N, 3) tip minus centre; on spheres, only along the outward direction."""
-    whitened: Floats
+    """(N + M, 3) tip minus centre, on spheres only along the outward direction; marker minus
+    measured point."""
+    touches: Floats
     """(N,) the same relative to its own standard deviation (Mahalanobis distance)."""
+    coordinates: Floats
+    """(M, 6) the same of each coordinate, then of the rotations; 0 where none was measured."""
+    angles_rad: Floats
+    """(M,) between measured and predicted rotation; 0 where none was measured."""
     bars_mm: Floats
     """(G,) distance of the ends minus the true length, for each position of a bar."""
 
     @property
+    def whitened(self) -> Floats:
+        """(N + M,) Mahalanobis distance of each point."""
+        return np.concatenate([self.touches, _norms(self.coordinates)])
+
+    @property
     def distances_mm(self) -> Floats:
-        """(N,)"""
-        return np.asarray(np.linalg.norm(self.vectors_mm, axis=1))
+        """(N + M,)"""
+        return _norms(self.vectors_mm)
 
 
 @dataclass(frozen=True)
 class ReducedSystem:
     """The system for the parameters alone: ``rows @ change = right``, in standard deviations.
 
-    The first ``others`` columns belong to the spheres' radius excess and the bars' errors, the
+    The first ``others`` columns belong to the unknowns that are no parameters of the arm, the
     remaining ones to the arm's parameters in the requested order.
     """
 
@@ -75,30 +72,14 @@ class ReducedSystem:
     others: int
     back: tuple[Floats, ...]
     """For each group: the upper triangle from which its centres are recovered."""
-
-
-def initial_unknowns(arm: Arm, data: StackedObservations) -> Unknowns:
-    """The given arm, with the centre of each place where most of its points have it."""
-    tips, _ = tip_jacobian(arm, data.q_rad)
-    centres = np.empty((len(data.places), 3))
-    for i, place in enumerate(data.places):
-        points = tips[place.rows]
-        if place.diameter_mm is None:
-            centres[i] = np.median(points, axis=0)
-            continue
-        try:
-            centres[i] = fit_sphere(points).centre_mm
-        except OperationError as refusal:
-            what = join([place.label, refusal.what], ": ")
-            raise OperationError(
-                refusal.code, what, refusal.why, message("touch-more-sphere")
-            ) from refusal
-    return Unknowns(arm, centres, 0.0, np.zeros(len(data.bar_names)))
+    kinds: tuple[Floats, Floats, Floats]
+    """The same rows (without the right side) of touches and certified lengths, of coordinates, and
+    of rotations."""
 
 
 @dataclass(frozen=True)
 class TipPrediction:
-    """The tip at every point, by an arm."""
+    """The tip at every touch, by an arm."""
 
     tips_mm: Floats  # (N, 3)
     J: Floats  # (N, 3, 10 n + 3) by every parameter of the arm
@@ -106,7 +87,7 @@ class TipPrediction:
 
 
 def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
-    """The tips of all points, by the arm of the unknowns."""
+    """The tips of all touches, by the arm of the unknowns."""
     tips, J = tip_jacobian(at.arm, data.q_rad)
     return TipPrediction(tips, J, encoder_covariances(at.arm, J))
 
@@ -114,61 +95,78 @@ def predict_tips(data: StackedObservations, at: Unknowns) -> TipPrediction:
 def mahalanobis(
     data: StackedObservations, at: Unknowns, sight: TipPrediction, scatter_mm: float
 ) -> Floats:
-    """(N,) distance of each point from its place relative to its standard deviation."""
+    """(N,) distance of each touch from its place relative to its standard deviation."""
     return _norms(_linearise(data, at, sight, scatter_mm).right)
 
 
 @dataclass(frozen=True)
 class _WhitenedRows:
-    """Whitened rows of every point: seats use three, spheres the first of three."""
+    """Whitened rows of every touch: seats use three, spheres the first of three."""
 
     vectors_mm: Floats
     right: Floats  # (N, 3)
     by_tip: Floats  # (N, 3, 3): whitened derivative by the position of the tip
 
 
-def residuals(data: StackedObservations, at: Unknowns, scatter_mm: float) -> PointResiduals:
-    """Position of every point relative to its place; ``scatter_mm`` is added to the encoders'
-    noise."""
-    linear = _linearise(data, at, predict_tips(data, at), scatter_mm)
+def residuals(data: StackedObservations, at: Unknowns, scatter: Scatter) -> PointResiduals:
+    """Position of every touch relative to its place, of every coordinate relative to the arm."""
+    linear = _linearise(data, at, predict_tips(data, at), scatter.touch_mm)
+    measured = coordinate_residuals(data, at, scatter)
     bars = np.array(
         [_bar_distance(at, group) - _true_length(data, at, group) for group in _bar_groups(data)]
     )
-    return PointResiduals(linear.vectors_mm, np.linalg.norm(linear.right, axis=1), bars)
+    vectors = np.concatenate([linear.vectors_mm, measured.off[:, :3]])
+    angles = _norms(measured.off[:, 3:])
+    return PointResiduals(vectors, _norms(linear.right), measured.whitened, angles, bars)
 
 
 def reduce_system(
-    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter: Scatter
 ) -> ReducedSystem:
     """The linear system at given unknowns, with all centres eliminated.
 
     Args:
         columns: the parameters that move.
-        weights: (N,) of each point, 0 to exclude it.
+        weights: (N + M,) of each point, 0 to exclude it.
     """
+    others = data.others
+    width = others.count + len(columns)
+    touched, back = _touch_rows(data, at, columns, weights[: data.touches], scatter.touch_mm)
+    measured = coordinate_rows(data, at, columns, scatter)
+    measured *= np.sqrt(weights[data.touches :])[:, None, None]
+    points, turns = (measured[:, own].reshape(-1, width + 1) for own in (slice(3), slice(3, 6)))
+    lengths, radius = _length_rows(data, at, width), _radius_rows(data, at, width)
+    touched = np.concatenate([touched, lengths])
+    rows = _triangle(np.concatenate([touched, points, turns, radius]))
+    kinds = (touched[:, :width], points[:, :width], turns[:, :width])
+    return ReducedSystem(rows[:, :width], rows[:, width], others.count, tuple(back), kinds)
+
+
+def _touch_rows(
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+) -> tuple[Floats, list[Floats]]:
+    """Rows of the touches without their centres, and what recovers the centres of each group."""
+    others = data.others
+    width = others.count + len(columns)
     sight = predict_tips(data, at)
     linear = _linearise(data, at, sight, scatter_mm)
     root = np.sqrt(weights)
-    others = (1 if data.on_sphere.any() else 0) + len(data.bar_names)
-    width = others + len(columns)
-    body = np.zeros((len(data.q_rad), 3, width + 1))
-    if data.on_sphere.any():
+    body = np.zeros((data.touches, 3, width + 1))
+    if others.radius is not None:
         # on spheres, only the first row counts, along the outward direction
-        body[data.on_sphere, 0, 0] = -_norms(linear.by_tip[data.on_sphere, 0])
-    body[:, :, others:width] = linear.by_tip @ sight.J[:, :, columns]
+        body[data.on_sphere, 0, others.radius] = -_norms(linear.by_tip[data.on_sphere, 0])
+    body[:, :, others.count : width] = linear.by_tip @ sight.J[:, :, columns]
     body[:, :, width] = -linear.right
     body *= root[:, None, None]
     by_centre = -linear.by_tip * root[:, None, None]
-    left: list[Floats] = []
+    left: list[Floats] = [np.zeros((0, width + 1))]
     back: list[Floats] = []
     for group in data.groups:
         triangle = _triangle(_group_rows(data, at, group, by_centre, body))
         unknown = 3 * len(group.places)
         back.append(triangle[:unknown])
         left.append(triangle[unknown:, unknown:])
-    left.append(_prior_rows(data, at, width))
-    rows = _triangle(np.concatenate(left))
-    return ReducedSystem(rows[:, :width], rows[:, width], others, tuple(back))
+    return np.concatenate(left), back
 
 
 def step(
@@ -197,20 +195,15 @@ def apply_change(
         centres[list(group.places)] += shift.reshape(-1, 3)
     values = parameter_values(at.arm)
     values[columns] += change[system.others :]
-    spheres = 1 if data.on_sphere.any() else 0
-    return Unknowns(
-        with_parameters(at.arm, values),
-        centres,
-        at.radius_excess_mm + (float(change[0]) if spheres else 0.0),
-        at.bar_errors_mm + change[spheres : system.others],
-    )
+    moved = replace(at, arm=with_parameters(at.arm, values), centres_mm=centres)
+    return moved.change_others(data, change[: system.others])
 
 
 def settle_centres(
-    data: StackedObservations, at: Unknowns, weights: Floats, scatter_mm: float
+    data: StackedObservations, at: Unknowns, weights: Floats, scatter: Scatter
 ) -> Unknowns:
-    """The best centres for a fixed arm, radius and bar lengths: the places as this arm measures
-    them.
+    """The best centres for a fixed arm, radius, bar lengths, frames and markers: the places as
+    this arm measures them.
 
     The ends of a bar are then independent of each other.
     """
@@ -220,10 +213,10 @@ def settle_centres(
     bar_errors, at = at.bar_errors_mm, replace(at, bar_errors_mm=np.zeros(0))
     none = np.zeros(0, dtype=np.intp)
     for _ in range(20):
-        system = reduce_system(free, at, none, weights, scatter_mm)
+        system = reduce_system(free, at, none, weights, scatter)
         held = np.zeros(system.others)
         after = apply_change(free, at, none, held, system)
-        far = float(np.max(np.abs(after.centres_mm - at.centres_mm)))
+        far = float(np.max(np.abs(after.centres_mm - at.centres_mm), initial=0.0))
         at = after
         if far < 1e-7:
             break
@@ -280,18 +273,33 @@ def _group_rows(
     return np.concatenate(blocks)
 
 
-def _prior_rows(data: StackedObservations, at: Unknowns, width: int) -> Floats:
-    """Prior rows for the lengths of the bars and, weakly, for the radius of the tip."""
-    spheres = 1 if data.on_sphere.any() else 0
-    rows = np.zeros((spheres + len(data.bar_names), width + 1))
-    if spheres:
-        rows[0, 0], rows[0, -1] = 1.0, -at.radius_excess_mm
-        rows[0] /= RADIUS_PRIOR_MM
-    for k, name in enumerate(data.bar_names):
-        sd = next(bar.standard_uncertainty_mm for bar in data.bars if bar.name == name)
-        rows[spheres + k, spheres + k], rows[spheres + k, -1] = 1.0, -at.bar_errors_mm[k]
-        rows[spheres + k] /= max(sd, CONSTRAINT_MM)
+def length_deviations(data: StackedObservations, at: Unknowns) -> Floats:
+    """(B,) error of each bar's length relative to the uncertainty of its certificate."""
+    return np.asarray(at.bar_errors_mm / length_uncertainties_mm(data))
+
+
+def length_uncertainties_mm(data: StackedObservations) -> Floats:
+    """(B,) of the certificates; infinite of a bar whose length is free."""
+    stated = {bar.name: bar.standard_uncertainty_mm for bar in data.bars}
+    return np.array([max(stated[name], CONSTRAINT_MM) for name in data.bar_names])
+
+
+def _length_rows(data: StackedObservations, at: Unknowns, width: int) -> Floats:
+    """Rows of the certified lengths of the bars."""
+    rows = np.zeros((len(data.bar_names), width + 1))
+    rows[:, data.others.bars] = np.diag(1 / length_uncertainties_mm(data))
+    rows[:, -1] = -length_deviations(data, at)
     return rows
+
+
+def _radius_rows(data: StackedObservations, at: Unknowns, width: int) -> Floats:
+    """The weak prior row of the radius of the tip, if spheres were touched."""
+    radius = data.others.radius
+    if radius is None:
+        return np.zeros((0, width + 1))
+    row = np.zeros((1, width + 1))
+    row[0, radius], row[0, -1] = 1.0, -at.radius_excess_mm
+    return row / RADIUS_PRIOR_MM
 
 
 def _bar_groups(data: StackedObservations) -> list[Group]:
@@ -300,8 +308,8 @@ def _bar_groups(data: StackedObservations) -> list[Group]:
 
 def _bar_column(data: StackedObservations, group: Group) -> int:
     assert group.bar is not None
-    spheres = 1 if data.on_sphere.any() else 0
-    return spheres + data.bar_names.index(data.bars[group.bar].name)
+    first: int = data.others.bars.start
+    return first + data.bar_names.index(data.bars[group.bar].name)
 
 
 def _true_length(data: StackedObservations, at: Unknowns, group: Group) -> float:

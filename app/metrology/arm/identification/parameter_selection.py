@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.messages.message import Text, message
+from app.metrology.arm.identification.observations import BASE, ArmObservations
 from app.metrology.arm.identification.parameters import (
     ALPHA,
     ERROR_RY,
@@ -39,6 +40,7 @@ REASONS: dict[FixedReason, Text] = {
 LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
 TIP_MM = 1.0
 """Of the tip, which is exchangeable and may be unknown."""
+LARGEST_SCALE = 30.0
 PARALLEL = 0.1
 """Axes with a smaller sine between them are parallel: E's ry is their angle (Hayati), not d."""
 INDEPENDENT = 0.02
@@ -53,13 +55,31 @@ class Candidates:
     fixed: dict[int, FixedReason]
 
 
-def candidates(arm: Arm, with_lengths: bool) -> Candidates:
+def candidates_of(arm: Arm, observations: ArmObservations) -> Candidates:
+    """The parameters that may move, by what was measured."""
+    coordinates = observations.coordinates
+    return candidates(
+        arm,
+        observations.knows_lengths,
+        base_known=any(one.frame == BASE for one in coordinates),
+        flange_known=any(one.offset_mm is not None for one in coordinates),
+    )
+
+
+def candidates(
+    arm: Arm, with_lengths: bool, base_known: bool = False, flange_known: bool = False
+) -> Candidates:
     """The parameters that may move, for the layout of the arm.
 
     The base frame is that of joint 1 and the flange frame follows the last joint, so their own
     terms are held, and of the last link only the tip moves. D-H parameters are complete if adjacent
     axes are not parallel; otherwise the angle about y between them (an error term, Eq. 3) replaces
     d. Without a calibrated length, the longest link fixes the scale.
+
+    Args:
+        with_lengths: lengths were measured: ball bars or coordinates.
+        base_known: coordinates in the base frame were measured.
+        flange_known: coordinates of a marker were measured whose place on the flange is given.
     """
     last = arm.joint_count - 1
     links = range(last)
@@ -73,6 +93,10 @@ def candidates(arm: Arm, with_lengths: bool) -> Candidates:
     ]
     order += [parameter_index(i, A) for i in links]
     order += [parameter_index(i, D) for i in links if i > 0]
+    if base_known:
+        order += [parameter_index(0, THETA), parameter_index(0, D)]
+    if flange_known:
+        order += [parameter_index(last, term) for term in (D, A, THETA, ALPHA)]
     held: dict[int, FixedReason] = {
         parameter_index(i, term): "error term" for i in range(last) for term in range(4, TERMS)
     }
@@ -89,12 +113,34 @@ def candidates(arm: Arm, with_lengths: bool) -> Candidates:
     return Candidates(np.array(order, dtype=np.intp), held)
 
 
-def parameter_limits(arm: Arm, indices: NDArray[np.intp]) -> Floats:
-    """(p,) standard uncertainty (mm or rad) above which a parameter is not moved."""
+def parameter_limits(arm: Arm, indices: NDArray[np.intp], scale: float = 1.0) -> Floats:
+    """(p,) standard uncertainty (mm or rad) above which a parameter is not moved.
+
+    Args:
+        scale: of the errors of the links of this arm, from ``error_scale``.
+    """
     term = indices % TERMS
     angles = np.isin(term, (ALPHA, THETA, ERROR_RY))
-    found = np.where(angles, ANGLE_RAD, LENGTH_MM)
+    found = scale * np.where(angles, ANGLE_RAD, LENGTH_MM)
     return np.asarray(np.where(indices >= tip_index(arm), TIP_MM, found))
+
+
+def error_scale(changes: Floats, covariance: Floats, limits: Floats) -> float:
+    """How much larger the errors of this arm are than those of a typical one, at least 1.
+
+    The maximum of the likelihood of the changes (p,), which are errors of the arm (``limits`` times
+    the scale) and of the estimate (``covariance``).
+    """
+    if not len(changes):
+        return 1.0
+    scaled = changes / limits
+    # in the directions in which the estimates are independent of each other
+    variances, directions = np.linalg.eigh(covariance / np.outer(limits, limits))
+    squares = (directions.T @ scaled) ** 2
+    scales = np.geomspace(1.0, LARGEST_SCALE, 100)
+    spread = scales[:, None] ** 2 + np.maximum(variances, 0.0)
+    likelihood = -np.sum(np.log(spread) + squares / spread, axis=1)
+    return float(scales[int(np.argmax(likelihood))])
 
 
 def select_parameters(

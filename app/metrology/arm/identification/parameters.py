@@ -1,14 +1,17 @@
 """The arm's geometry as one vector of named parameters, and the derivatives of the tip by each."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.metrology.arm.kinematics import Arm, Joint, LinkError, Tip, error_transform
 from app.metrology.transforms import Floats
 
 LINK_TERMS = ("a_mm", "alpha_rad", "d_mm", "theta_rad")
 ERROR_TERMS = ("x_mm", "y_mm", "z_mm", "rx_rad", "ry_rad", "rz_rad")
+Indices = NDArray[np.intp]
+
 TERMS = len(LINK_TERMS) + len(ERROR_TERMS)
 A, ALPHA, D, THETA, ERROR = 0, 1, 2, 3, 4
 ERROR_RY = ERROR + ERROR_TERMS.index("ry_rad")
@@ -75,7 +78,33 @@ def with_parameters(arm: Arm, values: Floats) -> Arm:
 
 
 def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
-    """Tip centres, and their exact derivatives by every parameter of the arm.
+    """Tip centres, and their exact derivatives by every parameter of the arm: ``pose_jacobian``
+    without the rotations.
+
+    Returns:
+        (N, 3) in mm, arm frame, and (N, 3, 10 n + 3) in mm per mm and mm per rad, in the order of
+        ``parameter_names``.
+    """
+    poses = pose_jacobian(arm, q_rad)
+    return poses.tips_mm, poses.by_parameters
+
+
+@dataclass(frozen=True)
+class PoseJacobian:
+    """Tips and flange rotations, and their derivatives by every parameter of the arm."""
+
+    tips_mm: Floats
+    """(N, 3) arm frame."""
+    rotations: Floats
+    """(N, 3, 3) of ``T_arm_flange``."""
+    by_parameters: Floats
+    """(N, 3, 10 n + 3) of the tips, in mm per mm and mm per rad."""
+    turns: Floats
+    """(N, 3, 10 n + 3) rotation of the flange about the arm's axes, in rad per mm and per rad."""
+
+
+def pose_jacobian(arm: Arm, q_rad: Floats) -> PoseJacobian:
+    """Tips and flange rotations, and their exact derivatives by every parameter of the arm.
 
     Each parameter moves the tip along an axis, or turns it about one, of the frame that the
     parameter belongs to.
@@ -84,8 +113,7 @@ def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
-        (N, 3) in mm, arm frame, and (N, 3, 10 n + 3) in mm per mm and mm per rad, in the order of
-        ``parameter_names``.
+        Parameters are in the order of ``parameter_names``.
 
     Source:
         Eq. 2 and 3 of the article.
@@ -122,9 +150,12 @@ def tip_jacobian(arm: Arm, q_rad: Floats) -> tuple[Floats, Floats]:
         J[:, :, index] = axis
     axes = np.stack([axis for _, axis, _ in turns], axis=2)
     levers = tips[:, :, None] - np.stack([point for _, _, point in turns], axis=2)
-    J[:, :, [index for index, _, _ in turns]] = np.cross(axes, levers, axis=1)
+    turning = [index for index, _, _ in turns]
+    J[:, :, turning] = np.cross(axes, levers, axis=1)
     J[:, :, -3:] = R
-    return tips, J
+    W = np.zeros(J.shape)
+    W[:, :, turning] = axes
+    return PoseJacobian(tips, R, J, W)
 
 
 def encoder_covariances(arm: Arm, J: Floats) -> Floats:

@@ -1,18 +1,24 @@
 """The robust fit: identifies outliers, estimates the scatter beyond the encoders, then least
 squares."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.messages.message import message, quantity
+from app.messages.message import Text, message, quantity
+from app.metrology.arm.identification.coordinate_rows import (
+    coordinate_residuals,
+    coordinate_rows,
+    predict_poses,
+)
+from app.metrology.arm.identification.initial_unknowns import initial_unknowns
 from app.metrology.arm.identification.least_squares import (
-    LEAST_SCATTER_MM,
-    Indices,
-    Unknowns,
-    initial_unknowns,
+    ReducedSystem,
+    length_deviations,
+    length_uncertainties_mm,
     mahalanobis,
     predict_tips,
     reduce_system,
@@ -20,14 +26,23 @@ from app.metrology.arm.identification.least_squares import (
     settle_centres,
     step,
 )
-from app.metrology.arm.identification.observations import StackedObservations
+from app.metrology.arm.identification.observations import TIP, StackedObservations
 from app.metrology.arm.identification.parameter_selection import (
     Candidates,
     FixedReason,
+    error_scale,
     parameter_limits,
     select_parameters,
     system_covariance,
 )
+from app.metrology.arm.identification.parameters import (
+    Indices,
+    parameter_values,
+    tip_index,
+    with_parameters,
+)
+from app.metrology.arm.identification.scatter import Scatter, distance_limit
+from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
 
@@ -35,16 +50,26 @@ HUBER = 2.0
 ROBUST_STEPS, STEPS = 12, 30
 SMALL_STEP = 1e-4
 """The iteration ends at a step this small relative to the standard deviations."""
-# One in a million good points lies beyond: in one direction, and in space.
-SPHERE_SIGMAS, SEAT_SIGMAS = 4.9, 5.5
 OUTLIER_ROUNDS = 20
+MEDIAN_OF_ONE, MEDIAN_OF_THREE = 0.6745, 1.5382
+"""Medians of the chi distributions with one and three degrees of freedom."""
+ROUGH = Scatter(0.1, 0.1, 1e-3)
+NEARLY_NOTHING = Scatter(0.02, 0.02, 1e-4)
+SCATTER_STEPS, LARGEST_GROWTH = 12, 100.0
+"""Of the scatter until it is found, and its largest growth in one step."""
+WORTH = 2.0
+"""A parameter moves up to this uncertainty, in errors that it has by the datasheet: those of
+correlated parameters compensate each other."""
+MANY = 1e6
+"""Degrees of freedom while it is not known how many there are."""
 BACK_AGAIN = 0.9
 """An excluded point returns within this share of the limit, so that no point alternates."""
 
 
 @dataclass(frozen=True)
 class ArmFit:
-    """A solution and its statistics."""
+    """A solution and its statistics. Parameters that are not among the moved ones have exactly the
+    values of the given arm."""
 
     at: Unknowns
     moved: Indices
@@ -52,18 +77,25 @@ class ArmFit:
     covariance: Floats
     """(p, p) covariance of the moved parameters, mm and rad, k = 1."""
     others_covariance: Floats
-    """(o, o) covariance of the spheres' radius excess (if there are spheres) and the bars'
-    errors."""
-    scatter_mm: float
-    """Scatter of the points per coordinate, beyond what the encoders explain."""
+    """(o, o) covariance of the other unknowns, as ``data.others`` arranges them."""
+    scatter: Scatter
+    """Beyond what the encoders and the stated uncertainties explain."""
     inliers: NDArray[np.bool_]
-    """(N,) points that are no outliers."""
+    """(N + M,) points that are no outliers."""
+    freedom: float
+    """Degrees of freedom of all points."""
+    error_scale: float
+    """How much larger the errors of this arm are than those of a typical one."""
 
 
 def fit_arm(
     arm: Arm, data: StackedObservations, choice: Candidates, moving: Indices | None = None
 ) -> ArmFit:
     """The best arm for the points.
+
+    A robust fit of all parameters that good points could determine gives the scatter, and how far
+    off the given arm is. By both it is decided which parameters move; the others return to their
+    values before the final fit.
 
     Args:
         choice: the parameters that may move.
@@ -72,20 +104,21 @@ def fit_arm(
     Raises:
         OperationError: too few points for the parameters, or a fit that diverges.
     """
-    at, scatter = initial_unknowns(arm, data), LEAST_SCATTER_MM
-    everything = np.ones(len(data.q_rad))
-    at = settle_centres(data, at, everything, 0.1)
+    everything = np.ones(data.points)
+    at = settle_centres(data, initial_unknowns(arm, data), everything, ROUGH)
+    at = settle_frames(data, at)
     columns = _first_choice(data, at, choice) if moving is None else moving
     at, scatter = _robust(data, at, columns)
-    kept = residuals(data, at, scatter).whitened < _limits(data, everything > 0)
+    no_levers, many = np.zeros(data.points - data.touches), np.full(3, MANY)
+    kept = residuals(data, at, scatter).whitened < _limits(data, everything > 0, no_levers, many)
     kept = _enough_left(data, kept)
     held: dict[int, FixedReason] = {}
+    scale = 1.0
     for _ in range(2):
         if moving is None:
-            system = reduce_system(data, at, choice.order, kept.astype(float), scatter)
-            worth = parameter_limits(arm, choice.order)
-            columns, held = select_parameters(system.rows, system.others, choice.order, worth)
-            columns = np.sort(columns)
+            scale = _error_scale(arm, data, at, columns, kept, scatter)
+            columns, held = _choose(data, at, choice, kept, scatter, scale)
+            at = _at_given_values(arm, at, columns)
         at, scatter, kept = _without_outliers(data, at, columns, kept, scatter)
     system = reduce_system(data, at, columns, kept.astype(float), scatter)
     covariance, others = system_covariance(system.rows), system.others
@@ -97,52 +130,105 @@ def fit_arm(
         covariance[:others, :others],
         scatter,
         kept,
+        float(np.sum(redundancies(data, kept, system))),
+        scale,
     )
 
 
+def _choose(
+    data: StackedObservations,
+    at: Unknowns,
+    choice: Candidates,
+    kept: NDArray[np.bool_],
+    scatter: Scatter,
+    scale: float,
+) -> tuple[Indices, dict[int, FixedReason]]:
+    """The parameters that move, in the order of the vector, and why the others do not."""
+    system = reduce_system(data, at, choice.order, kept.astype(float), scatter)
+    limits = parameter_limits(at.arm, choice.order, WORTH * scale)
+    columns, held = select_parameters(system.rows, system.others, choice.order, limits)
+    return np.sort(columns), held
+
+
+def _error_scale(
+    arm: Arm,
+    data: StackedObservations,
+    at: Unknowns,
+    columns: Indices,
+    kept: NDArray[np.bool_],
+    scatter: Scatter,
+) -> float:
+    """By how much the links have moved; the tip may be another one."""
+    system = reduce_system(data, at, columns, kept.astype(float), scatter)
+    links = columns < tip_index(arm)
+    own = np.flatnonzero(links) + system.others
+    covariance = system_covariance(system.rows)[np.ix_(own, own)]
+    moved = columns[links]
+    changes = (parameter_values(at.arm) - parameter_values(arm))[moved]
+    return error_scale(changes, covariance, parameter_limits(arm, moved))
+
+
+def _at_given_values(arm: Arm, at: Unknowns, columns: Indices) -> Unknowns:
+    """The unknowns with all parameters but these at the values of the given arm."""
+    values = parameter_values(arm)
+    values[columns] = parameter_values(at.arm)[columns]
+    return replace(at, arm=with_parameters(arm, values))
+
+
 def descend(
-    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter_mm: float
+    data: StackedObservations, at: Unknowns, columns: Indices, weights: Floats, scatter: Scatter
 ) -> Unknowns:
     """Gauss-Newton to convergence, with fixed weights; ``OperationError`` if it does not
     converge."""
     start_of_search = at
     for _ in range(STEPS):
-        system = reduce_system(data, at, columns, weights, scatter_mm)
+        system = reduce_system(data, at, columns, weights, scatter)
         at, size = step(data, at, columns, system)
-        if not np.isfinite(size) or float(np.max(np.abs(at.centres_mm))) > 1e6:
+        if not np.isfinite(size) or float(np.max(np.abs(at.centres_mm), initial=0.0)) > 1e6:
             break
         if size < SMALL_STEP:
             return at
-    off = residuals(data, start_of_search, scatter_mm).distances_mm
-    rms = [float(np.sqrt(np.mean(off[place.rows] ** 2))) for place in data.places]
-    worst = int(np.argmax(rms))
+    label, rms_mm = _worst_place(data, residuals(data, start_of_search, scatter).distances_mm)
     raise OperationError(
         "identification-diverges",
-        message(
-            "no-arm-near-given-one-explains",
-            label=data.places[worst].label,
-            rms=quantity(rms[worst], "mm", 1),
-        ),
+        message("no-arm-near-given-one-explains", label=label, rms=quantity(rms_mm, "mm", 1)),
         message("fit-does-settle"),
         message("check-arm-json-against-arm-signs"),
     )
 
 
+def _worst_place(data: StackedObservations, off_mm: Floats) -> tuple[Text, float]:
+    """The place or frame whose points deviate most, and their rms."""
+    rms_mm: list[tuple[float, Text]] = [
+        (float(np.sqrt(np.mean(off_mm[place.rows] ** 2))), place.label) for place in data.places
+    ]
+    measured = off_mm[data.touches :]
+    for i, name in enumerate(data.coordinates.frames):
+        own = measured[data.coordinates.frame_of == i]
+        rms_mm.append((float(np.sqrt(np.mean(own**2))), message("frame-named", name=name)))
+    worst, label = max(rms_mm, key=lambda one: one[0])
+    return label, worst
+
+
+def settle_frames(data: StackedObservations, at: Unknowns) -> Unknowns:
+    """The best frames and markers for the given arm; of the arm, only the tip moves."""
+    if not len(data.coordinates.q_rad):
+        return at
+    tip = tip_index(at.arm) + np.arange(3)
+    seen = any(one.name == TIP for one in data.coordinates.markers) and not data.touches
+    return _robust(data, at, tip if seen else tip[:0])[0]
+
+
 def _first_choice(data: StackedObservations, at: Unknowns, choice: Candidates) -> Indices:
     """The parameters to move before the scatter is known: as if the encoders were almost the only
     noise."""
-    everything = np.ones(len(data.q_rad))
-    system = reduce_system(data, at, choice.order, everything, 0.02)
-    columns, _ = select_parameters(
-        system.rows, system.others, choice.order, parameter_limits(at.arm, choice.order)
-    )
-    return columns
+    everything = np.ones(data.points)
+    return _choose(data, at, choice, everything > 0, NEARLY_NOTHING, 1.0)[0]
 
 
-def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[Unknowns, float]:
+def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[Unknowns, Scatter]:
     """Huber's M-estimate with the scatter estimated on the way, so that outliers do not
     dominate."""
-    scatter = LEAST_SCATTER_MM
     for _ in range(ROBUST_STEPS):
         scatter = _median_scatter(data, at)
         off = residuals(data, at, scatter).whitened
@@ -154,15 +240,36 @@ def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[
     return at, _median_scatter(data, at)
 
 
-def _median_scatter(data: StackedObservations, at: Unknowns) -> float:
-    """Scatter per coordinate beyond the encoders for which the median point has the expected
+def _median_scatter(data: StackedObservations, at: Unknowns) -> Scatter:
+    """Scatter per coordinate beyond what is stated for which the median point has the expected
     distance."""
-    found = residuals(data, at, LEAST_SCATTER_MM)
+    found = residuals(data, at, Scatter())
     by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
-    # medians of the chi distributions with one and three degrees of freedom
-    typical = np.where(data.on_sphere, 0.6745, 1.5382)
-    scale = float(np.median(found.distances_mm / typical))
-    return float(np.sqrt(max(scale**2 - float(np.median(by_encoders)), LEAST_SCATTER_MM**2)))
+    measured = coordinate_residuals(data, at, Scatter())
+    variances = measured.variances
+    typical = np.where(data.on_sphere, MEDIAN_OF_ONE, MEDIAN_OF_THREE)
+    turned = data.coordinates.has_rotation
+    kinds = (
+        (found.distances_mm[: data.touches] / typical, by_encoders),
+        (_lengths(measured.off[:, :3]) / MEDIAN_OF_THREE, variances[:, :3].mean(axis=1)),
+        (
+            _lengths(measured.off[turned, 3:]) / MEDIAN_OF_THREE,
+            variances[turned, 3:].mean(axis=1),
+        ),
+    )
+    values = [
+        max(_median(distances) ** 2 - _median(explained), least**2)
+        for (distances, explained), least in zip(kinds, Scatter().floors, strict=True)
+    ]
+    return Scatter(*np.sqrt(values).tolist())
+
+
+def _median(values: Floats) -> float:
+    return float(np.median(values)) if len(values) else 0.0
+
+
+def _lengths(vectors: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(vectors, axis=1))
 
 
 def _without_outliers(
@@ -170,26 +277,31 @@ def _without_outliers(
     at: Unknowns,
     columns: Indices,
     kept: NDArray[np.bool_],
-    scatter: float,
-) -> tuple[Unknowns, float, NDArray[np.bool_]]:
+    scatter: Scatter,
+) -> tuple[Unknowns, Scatter, NDArray[np.bool_]]:
     """Least squares on the points that agree.
 
-    The worst point of each place is excluded in turn; an excluded point that agrees returns.
+    The worst touch of each place is excluded in turn, and every coordinate beyond the limit; an
+    excluded point that agrees returns.
     """
     for _ in range(OUTLIER_ROUNDS):
-        for _ in range(3):
+        system = reduce_system(data, at, columns, kept.astype(float), scatter)
+        freedoms = _require_redundancy(data, kept, system)
+        for _ in range(SCATTER_STEPS):
             at = descend(data, at, columns, kept.astype(float), scatter)
-            found = _scatter(data, at, columns, kept)
-            done = abs(found - scatter) < 0.02 * scatter
+            found = _scatter(data, at, kept, scatter, freedoms)
+            done = found.is_close(scatter, 0.02)
             scatter = found
             if done:
                 break
-        off = residuals(data, at, scatter).whitened / _limits(data, kept)
+        levers = _leverages(data, at, columns, system, scatter)
+        off = residuals(data, at, scatter).whitened / _limits(data, kept, levers, freedoms)
         chosen = kept | (off < BACK_AGAIN)
         for number in range(len(data.places)):
-            own = np.flatnonzero(kept & (data.place_of == number))
+            own = np.flatnonzero(kept[: data.touches] & (data.place_of == number))
             if len(own) and off[worst := own[np.argmax(off[own])]] > 1.0:
                 chosen[worst] = False
+        chosen[data.touches :] &= off[data.touches :] <= 1.0
         chosen = _enough_left(data, chosen)
         if np.array_equal(chosen, kept):
             break
@@ -197,54 +309,143 @@ def _without_outliers(
     return at, scatter, kept
 
 
-def _limits(data: StackedObservations, kept: NDArray[np.bool_]) -> Floats:
-    """(N,) Mahalanobis distance beyond which a point is an outlier.
+def _leverages(
+    data: StackedObservations,
+    at: Unknowns,
+    columns: Indices,
+    system: ReducedSystem,
+    scatter: Scatter,
+) -> Floats:
+    """(M,) mean share of each coordinate's rows that the fit explains by them themselves."""
+    if not len(data.coordinates.q_rad):
+        return np.zeros(0)
+    rows = coordinate_rows(data, at, columns, scatter)[:, :, :-1]
+    covariance = system_covariance(system.rows)
+    explained = np.einsum("nij,jk,nik->n", rows, covariance, rows)
+    return np.asarray(explained / np.where(data.coordinates.has_rotation, 6.0, 3.0))
+
+
+def _limits(
+    data: StackedObservations, kept: NDArray[np.bool_], levers: Floats, freedoms: Floats
+) -> Floats:
+    """(N + M,) Mahalanobis distance beyond which a point is an outlier.
 
     A point pulls the centre of its own place, more so if there are few points; an excluded point
     does not, and lies further off.
     """
-    counts = np.bincount(data.place_of[kept], minlength=len(data.places))[data.place_of]
+    touched = kept[: data.touches]
+    counts = np.bincount(data.place_of[touched], minlength=len(data.places))[data.place_of]
     share = np.where(data.on_sphere, 4.0, 1.0) / np.maximum(counts, 1)
+    share = np.concatenate([share, levers])
     spare = np.sqrt(np.where(kept, np.maximum(1 - share, 0.1), 1 + share))
-    return np.asarray(np.where(data.on_sphere, SPHERE_SIGMAS, SEAT_SIGMAS) * spare)
+    touches, coordinates = freedoms[0], freedoms[1]
+    by_touch = np.where(data.on_sphere, distance_limit(1, touches), distance_limit(3, touches))
+    by_coordinate = np.where(
+        data.coordinates.has_rotation,
+        distance_limit(6, coordinates),
+        distance_limit(3, coordinates),
+    )
+    return np.asarray(np.concatenate([by_touch, by_coordinate]) * spare)
 
 
 def _enough_left(data: StackedObservations, kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """No place is left without points: if it would be, all of its points count again."""
-    counts = np.bincount(data.place_of[kept], minlength=len(data.places))
-    return np.asarray(kept | (counts[data.place_of] == 0))
+    counts = np.bincount(data.place_of[kept[: data.touches]], minlength=len(data.places))
+    again = np.zeros(data.points, dtype=bool)
+    again[: data.touches] = counts[data.place_of] == 0
+    return np.asarray(kept | again)
 
 
-def _freedom(data: StackedObservations, kept: NDArray[np.bool_], unknowns: int) -> int:
-    """Degrees of freedom of the points."""
-    rows = int(np.sum(np.where(data.on_sphere[kept], 1, 3)))
+def redundancies(
+    data: StackedObservations, kept: NDArray[np.bool_], system: ReducedSystem
+) -> Floats:
+    """(3,) degrees of freedom of touches and certified lengths, coordinates, and rotations.
+
+    Each unknown takes its share of those kinds of rows that determine it.
+    """
+    touched, measured = kept[: data.touches], kept[data.touches :]
     bars = sum(group.bar is not None for group in data.groups)
-    return rows + bars + len(data.bar_names) - 3 * len(data.places) - unknowns
+    lengths = int(np.isfinite(length_uncertainties_mm(data)).sum())
+    turned = data.coordinates.has_rotation & measured
+    rows = np.array(
+        [
+            np.sum(np.where(data.on_sphere[touched], 1, 3)) + bars + lengths - 3 * len(data.places),
+            3 * int(measured.sum()),
+            3 * int(turned.sum()),
+        ]
+    )
+    covariance = system_covariance(system.rows)
+    taken = [np.einsum("ij,jk,ik->", own, covariance, own) for own in system.kinds]
+    return np.asarray(rows - taken)
 
 
-def _scatter(
-    data: StackedObservations, at: Unknowns, columns: Indices, kept: NDArray[np.bool_]
-) -> float:
-    """The scatter beyond the encoders for which the chi-squared of the points is as expected."""
-    freedom = _freedom(data, kept, len(columns) + 1)
-    if freedom < 1:
+def _require_redundancy(
+    data: StackedObservations, kept: NDArray[np.bool_], system: ReducedSystem
+) -> Floats:
+    """The same; raises ``OperationError`` if nothing checks the fit."""
+    freedoms = redundancies(data, kept, system)
+    if np.sum(freedoms) < 1:
+        columns = system.rows.shape[1] - system.others
         raise OperationError(
             "too-few-points",
             message("points-places", points=int(kept.sum()), places=len(data.places)),
-            message("they-leave-nothing-over-check-parameters", columns=len(columns)),
+            message("they-leave-nothing-over-check-parameters", columns=columns),
             message("take-more-points-more-places"),
         )
+    return freedoms
 
+
+def _scatter(
+    data: StackedObservations,
+    at: Unknowns,
+    kept: NDArray[np.bool_],
+    scatter: Scatter,
+    freedoms: Floats,
+) -> Scatter:
+    """The scatter beyond what is stated for which the chi-squared of each kind is as expected."""
+    sight, poses = predict_tips(data, at), predict_poses(data, at)
+    touched, measured = kept[: data.touches], kept[data.touches :]
+
+    by_lengths = float(np.sum(length_deviations(data, at) ** 2))
+
+    def touches(scatter_mm: float) -> float:
+        return float(np.sum(mahalanobis(data, at, sight, scatter_mm)[touched] ** 2)) + by_lengths
+
+    def coordinates(tried: Scatter, rows: slice) -> float:
+        whitened = coordinate_residuals(data, at, tried, poses).whitened
+        return float(np.sum(whitened[measured, rows] ** 2))
+
+    def points(scatter_mm: float) -> float:
+        return coordinates(replace(scatter, point_mm=scatter_mm), slice(3))
+
+    def turns(scatter_rad: float) -> float:
+        return coordinates(replace(scatter, turn_rad=scatter_rad), slice(3, 6))
+
+    values = [
+        _matching_scatter(squares, float(freedom), float(least), float(now))
+        for squares, freedom, least, now in zip(
+            (touches, points, turns), freedoms, scatter.floors, scatter.values, strict=True
+        )
+    ]
+    if freedoms[0] < 1:  # touches that nothing checks scatter as the coordinates do
+        values[0] = max(values[0], values[1])
+    return Scatter(*values)
+
+
+def _matching_scatter(
+    squares: Callable[[float], float], freedom: float, least: float, now: float
+) -> float:
+    """The scatter for which the squared deviations sum up to the freedom, at least ``least``.
+
+    Where lengths deviate that a larger scatter lets deviate less after the next fit, it grows step
+    by step from ``now``.
+    """
     from scipy.optimize import brentq  # slow to import, and seldom needed
 
-    sight = predict_tips(data, at)
-
-    def excess(scatter_mm: float) -> float:
-        return float(np.sum(mahalanobis(data, at, sight, scatter_mm)[kept] ** 2)) - freedom
-
-    if excess(LEAST_SCATTER_MM) <= 0:
-        return LEAST_SCATTER_MM
-    largest = LEAST_SCATTER_MM
-    while excess(largest) > 0:
-        largest *= 10
-    return float(brentq(excess, LEAST_SCATTER_MM, largest, rtol=1e-3))
+    if freedom < 1 or squares(least) <= freedom:
+        return least
+    if squares(LARGEST_GROWTH * now) > freedom:
+        return now * float(np.sqrt(min(squares(now) / freedom, LARGEST_GROWTH)))
+    return float(
+        brentq(lambda value: squares(value) - freedom, least, LARGEST_GROWTH * now, rtol=1e-3)
+    )

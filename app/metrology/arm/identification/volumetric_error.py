@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from app.metrology.arm.identification.least_squares import Indices
 from app.metrology.arm.identification.parameter_selection import LENGTH_MM
-from app.metrology.arm.identification.parameters import tip_jacobian
+from app.metrology.arm.identification.parameters import Indices, tip_jacobian
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats, apply, rigid_fit, skew
 

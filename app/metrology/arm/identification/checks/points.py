@@ -1,4 +1,4 @@
-"""Checks of the points: too few, too similar, of another arm, or a place that moved."""
+"""Checks of the points: too few, too similar, or of another arm."""
 
 from collections.abc import Sequence
 
@@ -6,8 +6,8 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity, rounded, signed
-from app.metrology.arm.identification.artefact_checks import size_warnings
-from app.metrology.arm.identification.least_squares import residuals
+from app.metrology.arm.identification.checks.artefacts import size_warnings
+from app.metrology.arm.identification.checks.places import find_split
 from app.metrology.arm.identification.observations import ArmObservations, Bar, StackedObservations
 from app.metrology.arm.identification.parameter_selection import parameter_limits
 from app.metrology.arm.identification.parameters import (
@@ -23,11 +23,6 @@ LEAST_TURN_RAD = np.deg2rad(1.0)
 LEAST_SEAT, LEAST_SPHERE, LEAST_PLACES = 6, 6, 4
 LEAST_SWING_RAD = np.deg2rad(15.0)
 """Minimum range of the joint that turns most in a seat."""
-OUTLIER_SHARE = 0.25
-"""A place with a larger share of excluded points is not trusted."""
-MOVED_SIGMAS = 4.0
-"""Distance of first and later points of a seat relative to the scatter of single points."""
-LEAST_HEAP = 4
 LARGEST_SCATTER_MM = 1.0
 DIFFERENT = 0.8
 """Minimum share of the points with distinct angles."""
@@ -42,7 +37,7 @@ FAR_LIMITS = 20.0
 
 def check_enough(arm: Arm, observations: ArmObservations) -> None:
     """Refuses too few places or points, and places at which the arm hardly moved."""
-    if observations.groups_count < LEAST_PLACES:
+    if observations.places_count < LEAST_PLACES:
         raise OperationError(
             "too-few-places",
             message("too-few-places-were-touched", count=observations.groups_count),
@@ -91,7 +86,8 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
     """Refuses an arm far from the given one, a joint that never moved, and seats with points of two
     places."""
     data = observations.stacked
-    still = np.ptp(data.q_rad, axis=0) < LEAST_TURN_RAD
+    q_rad = data.all_q_rad
+    still = np.ptp(q_rad, axis=0) < LEAST_TURN_RAD
     if still.any():
         joint = arm.joints[int(np.argmax(still))].name
         raise OperationError(
@@ -100,7 +96,7 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
             message("moved-encoder-read"),
             message("check-encoder-swing-arm-so-every"),
         )
-    if len(np.unique(data.q_rad, axis=0)) < DIFFERENT * len(data.q_rad):
+    if _different_rows(data) < DIFFERENT * len(q_rad):
         raise OperationError(
             "points-twice",
             message("many-points-have-very-same-angles"),
@@ -118,7 +114,7 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
             message("check-signs-lengths-joints-order"),
         )
     for name, points in tips.items():
-        split, gap_mm = _find_split(points)
+        split, gap_mm = find_split(points)
         if gap_mm > MIXED_MM:
             raise OperationError(
                 "seat-moved",
@@ -134,6 +130,13 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
                 message("give-each-seat-name-own"),
             )
     _check_bars_kind(arm, observations.bars)
+
+
+def _different_rows(data: StackedObservations) -> int:
+    """Number of points with angles of their own; two markers may be measured in one posture."""
+    found = data.coordinates
+    measured = np.column_stack([found.q_rad, found.marker_of, found.frame_of])
+    return len(np.unique(data.q_rad, axis=0)) + len(np.unique(measured, axis=0))
 
 
 def _split_reason(far_mm: list[float]) -> Text:
@@ -169,48 +172,15 @@ def _typical_distance(points: Floats) -> float:
     return float(np.median(np.linalg.norm(points - np.median(points, axis=0), axis=1)))
 
 
-def check_places_fixed(data: StackedObservations, fit: ArmFit) -> None:
-    """Refuses a place whose points disagree; reports if it moved in between."""
-    vectors = residuals(data, fit.at, fit.scatter_mm).vectors_mm
-    sd = _typical_sd(data, fit, vectors)
-    for number, place in enumerate(data.places):
-        own = data.place_of == number
-        points = vectors[own]
-        out = int(np.sum(~fit.inliers[own]))
-        untrusted = out >= 3 and out > OUTLIER_SHARE * len(points)
-        split, gap_mm = _find_split(points) if place.diameter_mm is None else (0, 0.0)
-        if gap_mm > max(MOVED_SIGMAS * sd, 1e-2):
-            raise OperationError(
-                "seat-moved",
-                message(
-                    "points-1-lie-apart-while-single",
-                    label=place.label,
-                    split=split,
-                    next=split + 1,
-                    points=len(points),
-                    gap=quantity(1e3 * gap_mm, "µm"),
-                    sd=quantity(1e3 * sd, "µm"),
-                ),
-                message("seat-moved-between"),
-                message("clamp-seat-take-place-again-delete"),
-            )
-        if untrusted:
-            raise OperationError(
-                "place-disagrees",
-                message("points-disagree-rest", label=place.label, out=out, points=len(points)),
-                message("tip-seated-seat-loose-points-another"),
-                message("take-place-again-delete-rows"),
-            )
-
-
 def check_disjoint(observations: ArmObservations, check: ArmObservations) -> None:
     """Refuses to check a fit with points that were in the fit."""
-    fitted = {row.tobytes() for row in observations.stacked.q_rad}
-    shared = sum(row.tobytes() in fitted for row in check.stacked.q_rad)
+    fitted = {row.tobytes() for row in observations.stacked.all_q_rad}
+    checking = check.stacked.all_q_rad
+    shared = sum(row.tobytes() in fitted for row in checking)
     if shared:
         raise OperationError(
             "check-seen",
-            message("points-check-among-those-fit", shared=shared, count=len(check.stacked.q_rad)),
+            message("points-check-among-those-fit", shared=shared, count=len(checking)),
             message("they-cannot-show-whether-arm-better"),
             message("name-folder-other-places-none-some"),
         )
@@ -218,12 +188,11 @@ def check_disjoint(observations: ArmObservations, check: ArmObservations) -> Non
 
 def check_scatter(fit: ArmFit) -> None:
     """Refuses a fit that explains almost nothing."""
-    if fit.scatter_mm > LARGEST_SCATTER_MM:
+    scatter_mm = fit.scatter.touch_mm
+    if scatter_mm > LARGEST_SCATTER_MM:
         raise OperationError(
             "identification-explains-nothing",
-            message(
-                "even-best-arm-points-still-scatter", scatter=quantity(fit.scatter_mm, "mm", 1)
-            ),
+            message("even-best-arm-points-still-scatter", scatter=quantity(scatter_mm, "mm", 1)),
             message("they-do-come-arm-kind-tip"),
             message("check-encoders-arm-json-how-points"),
         )
@@ -247,42 +216,3 @@ def _far_moves(arm: Arm, fit: ArmFit) -> list[Text]:
             by = signed(np.rad2deg(change), "°", 3) if angle else signed(change, "mm", 2)
             far.append(message("moves-check-arm-json-bars-lengths", name=names[i], change=by))
     return far
-
-
-def _typical_sd(data: StackedObservations, fit: ArmFit, vectors: Floats) -> float:
-    """Typical distance of a point in a seat from the centre, per coordinate, mm."""
-    seated = fit.inliers & ~data.on_sphere
-    if not seated.any():
-        return fit.scatter_mm
-    return float(np.sqrt(np.median(np.sum(vectors[seated] ** 2, axis=1))) / 1.5382)
-
-
-def _find_split(points: Floats) -> tuple[int, float]:
-    """The index at which points (m, 3) split in time into two clusters, and the distance of these
-    (mm).
-
-    (0, 0) if they do not split: most points of each part must be close to their own cluster.
-    Medians are used, so that a few bad points do not form a cluster.
-    """
-    heaps: tuple[Floats, Floats] | None = None
-    strongest = 0.0
-    for k in range(LEAST_HEAP, len(points) - LEAST_HEAP + 1):
-        first, later = points[:k], points[k:]
-        a, b = np.median(first, axis=0), np.median(later, axis=0)
-        apart = float(np.linalg.norm(a - b))
-        strength = apart * np.sqrt(k * (len(points) - k))
-        if strength > strongest and _heap(first, a, apart) and _heap(later, b, apart):
-            strongest, heaps = strength, (a, b)
-    if heaps is None:
-        return 0, 0.0
-    a, b = heaps
-    nearer_first = np.linalg.norm(points - a, axis=1) < np.linalg.norm(points - b, axis=1)
-    # the split that assigns most points to their own cluster
-    right = np.cumsum(np.where(nearer_first, 1, -1))
-    return int(np.argmax(right)) + 1, float(np.linalg.norm(a - b))
-
-
-def _heap(points: Floats, middle: Floats, apart_mm: float) -> bool:
-    """Whether three quarters of the points are closer to their middle than to the other cluster."""
-    off = np.linalg.norm(points - middle, axis=1)
-    return float(np.mean(off < 0.5 * apart_mm)) >= 0.75

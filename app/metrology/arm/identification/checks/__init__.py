@@ -1,0 +1,1 @@
+"""Checks of what was measured, before and after the fit: points, places, artefacts, coordinates."""

@@ -1,0 +1,222 @@
+"""``coordinates.csv``: read, identified with its frames and markers, and refused with the place."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.errors import OperationError
+from app.formats.csv_table import table_text
+from app.formats.datasheets.arm import ArmFile, arm_document, read_arm
+from app.formats.session.arm_session import read_observations
+from app.formats.session.coordinates_table import COORDINATES, read_coordinates
+from app.formats.session.pose_columns import joint_columns
+from app.metrology.arm.kinematics import Arm
+from app.workflows.identify_arm import identification_summary, identify_folder
+from tests.simulated_robots import Tracker, built, measure, postures, robot
+
+HEAD: tuple[str, ...] = ("frame", "marker", "x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw")
+HEAD += ("standard_uncertainty_mm", "rotation_standard_uncertainty_deg")
+
+
+@pytest.fixture(scope="module")
+def rows() -> tuple[Arm, list[list[float | str]]]:
+    """A robot, and the cells of fifty full poses."""
+    from scipy.spatial.transform import Rotation
+
+    rng = np.random.default_rng(1)
+    arm = robot(6)
+    found = measure(built(arm, rng), postures(arm, 50, rng), Tracker.somewhere(rng), rng, True)
+    assert found.rotations is not None
+    quaternions = Rotation.from_matrix(found.rotations).as_quat()
+    cells = zip(found.points_mm, quaternions, found.q_rad, strict=True)
+    return arm, [
+        ["hall", "tip", *point, *quaternion, 0.05, np.degrees(2e-4), *np.degrees(q)]
+        for point, quaternion, q in cells
+    ]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, rows: tuple[Arm, list[list[float | str]]]) -> Path:
+    arm, cells = rows
+    arm_document(arm).write(tmp_path / "arm.json")
+    text = table_text((*HEAD, *joint_columns(6)), cells)
+    (tmp_path / COORDINATES).write_text(text)
+    return tmp_path
+
+
+def test_what_is_read_is_what_was_measured(
+    folder: Path, rows: tuple[Arm, list[list[float | str]]]
+) -> None:
+    (found,) = read_coordinates(folder / COORDINATES, rows[0])
+    assert (found.frame, found.marker) == ("hall", "tip")
+    assert found.lines == tuple(range(2, 52))
+    written = np.array([[float(cell) for cell in row[2:5]] for row in rows[1]])
+    np.testing.assert_allclose(found.points_mm, written, rtol=1e-12)
+    assert found.rotations is not None
+    np.testing.assert_allclose(found.standard_uncertainty_mm, 0.05)
+    assert found.rotation_uncertainty_rad is not None
+    np.testing.assert_allclose(found.rotation_uncertainty_rad, 2e-4)
+    assert found.offset_mm is None
+
+
+def columns(folder: Path, names: str, change: Callable[[list[str]], list[str]]) -> None:
+    """The table with other columns: ``change`` is given the cells of each row."""
+    _, *lines = (folder / COORDINATES).read_text().splitlines()
+    new = [",".join(change(line.split(","))) for line in lines]
+    joints = ",".join(joint_columns(6))
+    (folder / COORDINATES).write_text("\n".join([f"{names},{joints}", *new]) + "\n")
+
+
+def test_points_alone_are_enough(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
+    columns(folder, "x_mm,y_mm,z_mm", lambda row: row[2:5] + row[11:])
+    (found,) = read_coordinates(folder / COORDINATES, rows[0])
+    assert (found.frame, found.marker) == ("instrument", "tip")
+    assert found.rotations is None
+    assert found.rotation_uncertainty_rad is None
+    assert not found.standard_uncertainty_mm.any()
+
+
+def test_angles_and_a_given_marker_are_read(
+    folder: Path, rows: tuple[Arm, list[list[float | str]]]
+) -> None:
+    from scipy.spatial.transform import Rotation
+
+    def turned(row: list[str]) -> list[str]:
+        rz, ry, rx = Rotation.from_quat([float(one) for one in row[5:9]]).as_euler("ZYX", True)
+        return [*row[2:5], str(rx), str(ry), str(rz), "10", "20", "30", *row[11:]]
+
+    (by_quaternion,) = read_coordinates(folder / COORDINATES, rows[0])
+    given = "marker_x_mm,marker_y_mm,marker_z_mm"
+    columns(folder, f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{given}", turned)
+    (by_angles,) = read_coordinates(folder / COORDINATES, rows[0])
+    assert by_quaternion.rotations is not None
+    assert by_angles.rotations is not None
+    np.testing.assert_allclose(by_angles.rotations, by_quaternion.rotations, atol=1e-9)
+    assert by_angles.offset_mm is not None
+    assert by_angles.offset_mm.tolist() == [10.0, 20.0, 30.0]
+
+
+@pytest.mark.slow
+def test_the_result_says_where_instrument_and_markers_were(folder: Path) -> None:
+    document, result = identify_folder(folder, folder / "new.json")
+    assert ArmFile.read(folder / "new.json") == document
+    part = document.identification
+    assert part is not None
+    assert part.scatter_um is None
+    assert part.coordinates_scatter_um is not None
+    assert part.validation.after.coordinates_um is not None
+    assert part.validation.after.coordinates_um < 150
+    (frame,), (marker,) = part.frames, part.markers
+    assert (frame.name, marker.name) == ("hall", "tip")
+    assert marker.quaternion is not None
+    assert {one.file for one in part.inputs} == {"arm.json", COORDINATES}
+    text = " ".join(f"{name} {value}" for name, value in identification_summary(result))
+    assert "measured coordinates" in text
+    assert "base in frame hall" in text
+    tip = read_arm(folder / "new.json").tip
+    assert (tip.x_mm, tip.y_mm) == (marker.x_mm, marker.y_mm)
+
+
+Edit = Callable[[list[list[str]]], None]
+
+
+def set_cell(row: int, column: int, text: str) -> Edit:
+    def edit(cells: list[list[str]]) -> None:
+        cells[row][column] = text
+
+    return edit
+
+
+def every(row: slice, column: slice, change: Callable[[float], float]) -> Edit:
+    def edit(cells: list[list[str]]) -> None:
+        for one in cells[row]:
+            one[column] = [repr(float(change(float(text)))) for text in one[column]]
+
+    return edit
+
+
+def without_column(column: int) -> Edit:
+    def edit(cells: list[list[str]]) -> None:
+        for row in cells:
+            del row[column]
+
+    return edit
+
+
+@pytest.mark.parametrize(
+    ("edit", "code", "place"),
+    [
+        (set_cell(3, 2, "nan"), "cell-not-a-number", "line 4"),
+        (set_cell(3, 2, ""), "cell-empty", "line 4"),
+        (set_cell(5, 8, "3"), "quaternion-not-unit", "line 6"),
+        (set_cell(5, 11, "700"), "joint-outside-limits", "line 6"),
+        (set_cell(7, 9, "-1"), "uncertainty-senseless", "line 8"),
+        (set_cell(7, 9, "50"), "uncertainty-senseless", "line 8"),
+        (set_cell(0, 4, "z_m"), "columns-missing", "z_mm"),
+        (without_column(7), "columns-missing", "qz"),
+        (without_column(-1), "joint-count", "5"),
+        (every(slice(1, None), slice(11, None), np.radians), "joints-in-radians", COORDINATES),
+        (every(slice(1, None), slice(2, 5), lambda x: x / 1e3), "coordinates-unit", "hall"),
+        (lambda cells: cells.__delitem__(slice(5, None)), "too-few-points", "4 points"),
+        (lambda cells: cells.__delitem__(slice(1, None)), "no-points", COORDINATES),
+        (lambda cells: cells[0].__setitem__(5, "rx_deg"), "columns-missing", "qx"),
+        (every(slice(30, None), slice(2, 5), lambda x: x + 40), "frames-mixed", "line 31"),
+    ],
+)
+def test_bad_tables_are_refused(folder: Path, edit: Edit, code: str, place: str) -> None:
+    path = folder / COORDINATES
+    cells = [line.split(",") for line in path.read_text().splitlines()]
+    edit(cells)
+    path.write_text("\n".join(",".join(row) for row in cells) + "\n")
+    with pytest.raises(OperationError) as caught:
+        identify_folder(folder, folder / "new.json")
+    assert caught.value.code == code
+    assert COORDINATES in str(caught.value.text)
+    assert place in str(caught.value.text)
+    assert caught.value.remedy or caught.value.code in ("cell-empty",)
+    assert not (folder / "new.json").exists()
+
+
+def test_angles_in_radians_and_two_rotations_are_refused(
+    folder: Path, rows: tuple[Arm, list[list[float | str]]]
+) -> None:
+    both = (folder / COORDINATES).read_text().replace("qw,", "qw,rx_deg,ry_deg,rz_deg,", 1)
+    lines = both.splitlines()
+    doubled = [",".join([*c[:9], "1", "2", "3", *c[9:]]) for c in (x.split(",") for x in lines[1:])]
+    (folder / COORDINATES).write_text("\n".join([lines[0], *doubled]) + "\n")
+    with pytest.raises(OperationError) as caught:
+        read_observations(folder, rows[0])
+    assert caught.value.code == "two-rotations"
+    joints = ",".join(joint_columns(6))
+    radians = [",".join([*c[2:5], "1.1", "-0.2", "3.1", *c[14:]]) for c in map(_cells, doubled)]
+    head = f"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,{joints}"
+    (folder / COORDINATES).write_text("\n".join([head, *radians]) + "\n")
+    with pytest.raises(OperationError) as caught:
+        read_observations(folder, rows[0])
+    assert caught.value.code == "rotations-in-radians"
+
+
+def _cells(line: str) -> list[str]:
+    return line.split(",")
+
+
+def test_a_marker_has_one_place(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
+    given = "marker_x_mm,marker_y_mm,marker_z_mm"
+    columns(folder, f"x_mm,y_mm,z_mm,{given}", lambda row: [*row[2:5], "1", "2", "3", *row[11:]])
+    text = (folder / COORDINATES).read_text()
+    (folder / COORDINATES).write_text(text.replace(",1,2,3,", ",1,2,4,", 1))
+    with pytest.raises(OperationError) as caught:
+        read_coordinates(folder / COORDINATES, rows[0])
+    assert caught.value.code == "marker-moved"
+    assert "line 3" in str(caught.value.what)
+
+
+def test_limits_of_the_arm_hold(folder: Path, rows: tuple[Arm, list[list[float | str]]]) -> None:
+    arm = rows[0]
+    joints = (replace(arm.joints[0], limits_rad=(-0.1, 0.1)), *arm.joints[1:])
+    with pytest.raises(OperationError) as caught:
+        read_coordinates(folder / COORDINATES, replace(arm, joints=joints))
+    assert caught.value.code == "joint-outside-limits"
