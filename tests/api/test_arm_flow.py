@@ -6,15 +6,19 @@ from collections.abc import Callable
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
 
+from app.formats.csv_table import table_text
 from app.formats.datasheets.arm import ArmFile, read_arm
 from app.formats.session.arm_session import read_observations
+from app.formats.session.pose_columns import joint_columns
 from app.metrology.arm.identification.articulation import ArticulationLimits
 from app.workflows.check_articulation import check_table
 from tests.api.conftest import Server, run_command
 from tests.metrology.arm_sessions import volumetric_error_um
 from tests.sent_texts import english
+from tests.simulated_robots import Tracker, built, measure, postures
 
 pytestmark = pytest.mark.slow
 
@@ -185,7 +189,7 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     assert seats["after_um"] < seats["before_um"]
     assert result["volume_after_um"] < result["volume_before_um"] / 2
     assert any("ball bar" in english(finding["text"]) for finding in view["findings"])
-    (identified,) = server.http.get("/api/arm/identifications").json()
+    identified = server.http.get("/api/arm/identifications").json()[0]
     assert identified["volume_after_um"] == result["volume_after_um"]
     report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
     assert "Operator: Demo" in report
@@ -207,6 +211,44 @@ def test_several_seats_identify_the_arm_and_the_old_one_is_kept(
     view = view_of(server)
     assert english(view["title"]) == "Before and after"
     assert view["actions"][0]["name"] == "save"
+    do(server, "end")
+
+
+def test_coordinates_of_a_tracker_identify_the_arm(
+    server: Server, session: Callable[[str], View]
+) -> None:
+    view = session("identify")
+    refused = command(server, "take_coordinates", text="x_mm,y_mm\n1,2\n")
+    assert refused.status_code == 422
+    assert "z_mm" in refused.json()["detail"]
+    assert "coordinates.csv" in refused.json()["detail"]
+    assert view_of(server)["coordinates"] == 0
+    assert command(server, "drop_coordinates").status_code == 422
+    rng = np.random.default_rng(1)
+    arm = read_arm(server.data / "arms" / "simulated.json")
+    tracker = Tracker.somewhere(rng)
+    found = measure(built(arm, rng), postures(arm, 60, rng), tracker, rng)
+    rows = np.hstack([found.points_mm, np.degrees(found.q_rad)]).tolist()
+    text = table_text(("x_mm", "y_mm", "z_mm", *joint_columns(arm.joint_count)), rows)
+    view = do(server, "take_coordinates", text=text)
+    assert view["coordinates"] == 60
+    names = {action["name"]: action for action in view["actions"]}
+    assert names["fit"]["primary"]
+    assert command(server, "take_coordinates", text=text.replace("x_mm", "x")).status_code == 422
+    assert view_of(server)["coordinates"] == 60
+    do(server, "fit")
+    view = wait(server, lambda view: view["busy"] is None)
+    assert view["step"] == "result", view["findings"]
+    (line,) = view["picture"]["result"]["lines"]
+    assert english(line["title"]) == "Measured coordinates"
+    assert line["after_um"] < line["before_um"] / 4
+    identified = server.http.get("/api/arm/identifications").json()[0]
+    report = server.http.get(f"/api/arm/identifications/{identified['id']}/report.html").text
+    assert "Measured coordinates" in report
+    assert "60 points in 1 frame" in report
+    do(server, "reopen")
+    assert do(server, "drop_coordinates")["coordinates"] == 0
+    assert not (server.data / "sessions" / view["session_id"] / "coordinates.csv").exists()
     do(server, "end")
 
 

@@ -47,6 +47,8 @@ ACTS: dict[str, Act[ArmGuide]] = {
     "finish": lambda guide, args, key: finish_seat(guide, key),
     "drop_swing": _drop,
     "drop_seat": _drop,
+    "take_coordinates": lambda guide, args, key: guide.take_coordinates(str(args["text"]), key),
+    "drop_coordinates": lambda guide, args, key: guide.drop_coordinates(key),
     "fit": _fit,
     "save": lambda guide, args, key: tasks.save(guide, key),
     "restore": lambda guide, args, key: tasks.restore(guide, key),

@@ -67,6 +67,7 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
         ],
         arm=state.arm,
         artefact=state.artefact,
+        coordinates=state.coordinates,
         steps=list_steps(_titles(state), step, step),
         step=step,
         title=title,
@@ -168,6 +169,7 @@ def _findings(state: ArmState, live: ArmLive, picture: ArmPicture) -> list[Findi
     if state.refused is not None:
         findings.append(error_from_payload(state.refused).finding("bad"))
     bar = state.bar_ends > 0 or state.artefact.kind == "bar"
+    bar = bar or state.coordinates > 0
     if state.purpose == "identify" and state.step == "seat" and state.seats and not bar:
         findings.append(
             Finding(
@@ -244,10 +246,13 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
         main = offer("begin", BEGIN[state.artefact.kind], primary=True)
         if state.purpose != "identify":
             return [main, *operator_actions, leave]
-        enough = places_taken(state) >= SEATS_WANTED and not state.half_bar
+        enough = places_taken(state) >= SEATS_WANTED or state.coordinates > 0
+        enough = enough and not state.half_bar
         main = offer("begin", main.label, primary=not enough)
         fit = offer("fit", message("identify-arm"), primary=enough)
         undo = [offer("drop_seat", message("drop-last-place"))] if state.seats else []
+        if state.coordinates:
+            undo.append(offer("drop_coordinates", message("drop-coordinates")))
         return [main, fit, *undo, *operator_actions, leave]
     if state.purpose != "identify":
         return [

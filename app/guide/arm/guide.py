@@ -10,6 +10,7 @@ from app.formats.datasheets.arm import read_arm
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.session.arm_session import ARM, write_observations
+from app.formats.session.coordinates_table import COORDINATES, read_coordinates
 from app.guide.arm.flow import build_view
 from app.guide.arm.history import KIND, ArmHistory, ArmJournal
 from app.guide.arm.observations import HOLD_NS, collect_observations, sample_points
@@ -86,11 +87,11 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def library(self) -> DatasheetLibrary:
         """What the station knows; read again only while an arm can be chosen."""
-        return self._library.latest(choosing=not self.running or not self.state.seats)
+        return self._library.latest(choosing=not self.running or not self.state.has_points)
 
     def arm(self) -> Arm | None:
-        """The session's own copy of the arm once a seat was begun, before it the library's."""
-        if not self.state.seats:
+        """The session's own copy of the arm once points were taken, before it the library's."""
+        if not self.state.has_points:
             entry = self.library().arms.get(self.state.arm)
             return entry.datasheet if entry else None
         if self._session_arm[0] != self.state.session_id:
@@ -164,7 +165,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
 
     def begin_seat(self, key: str | None) -> None:
         """From now on points are taken while the arm swings."""
-        if not self.state.seats:
+        if not self.state.has_points:
             self._keep_arm()
         newest = self.station.rig.arm.latest()
         self._sampled_ns = newest.stamp_ns if newest else 0
@@ -234,6 +235,41 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         self._left_mm = picked.left_mm
         if picked.q_rad:
             self.append(POINTS, {"q_rad": picked.q_rad})
+
+    # -- coordinates -----------------------------------------------------------
+
+    def take_coordinates(self, text: str, key: str | None) -> None:
+        """Takes the text of a ``coordinates.csv`` for those of the session, in place of earlier
+        ones.
+
+        Raises:
+            OperationError: the table is not in order; earlier coordinates then stay.
+        """
+        arm = self.arm()
+        assert arm is not None
+        if not self.state.has_points:
+            self._keep_arm()
+        path = self.folder / COORDINATES
+        with convert_io_errors(path):
+            before = read_bounded(path) if self.state.coordinates else None
+            write_atomically(path, text.encode())
+        try:
+            found = read_coordinates(path, arm)
+        except OperationError:
+            with convert_io_errors(path):
+                if before is None:
+                    path.unlink()
+                else:
+                    write_atomically(path, before)
+            raise
+        points = sum(len(one.q_rad) for one in found)
+        self.append("coordinates_taken", {"points": points}, key)
+
+    def drop_coordinates(self, key: str | None) -> None:
+        """The session goes on without the coordinates."""
+        with convert_io_errors(self.folder):
+            (self.folder / COORDINATES).unlink(missing_ok=True)
+        self.append("coordinates_dropped", {}, key)
 
     # -- the session's folder -------------------------------------------------
 

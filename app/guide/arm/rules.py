@@ -117,7 +117,7 @@ def _finish(state: ArmState, live: ArmLive, args: Args) -> Text:
 def _fit(state: ArmState, live: ArmLive, args: Args) -> Text:
     if state.purpose != "identify":
         return message("check-one-seat")
-    if places_taken(state) < SEATS_LEAST:
+    if not state.coordinates and places_taken(state) < SEATS_LEAST:
         return message(
             "least-places-taken", places_taken=places_taken(state), seats_least=SEATS_LEAST
         )
@@ -127,7 +127,7 @@ def _fit(state: ArmState, live: ArmLive, args: Args) -> Text:
 
 
 def _choose_arm(state: ArmState, live: ArmLive, args: Args) -> Text:
-    if state.seats:
+    if state.has_points:
         return message("seats-were-taken-another-arm")
     chosen = args.get("id")
     known = isinstance(chosen, str) and chosen in live.library.arms
@@ -148,6 +148,16 @@ def _drop_seat(state: ArmState, live: ArmLive, args: Args) -> Text:
     return "" if state.seats else message("no-seat-taken-yet")
 
 
+def _take_coordinates(state: ArmState, live: ArmLive, args: Args) -> Text:
+    if state.purpose != "identify":
+        return message("coordinates-identify-only")
+    return message("choose-arm-first") if live.arm is None else ""
+
+
+def _drop_coordinates(state: ArmState, live: ArmLive, args: Args) -> Text:
+    return "" if state.coordinates else message("no-coordinates-taken-yet")
+
+
 def _save(state: ArmState, live: ArmLive, args: Args) -> Text:
     if state.saved:
         return message("arm-use-already")
@@ -160,6 +170,11 @@ def _restore(state: ArmState, live: ArmLive, args: Args) -> Text:
 
 class _Limit(Arguments):
     limit_um: float | None = None
+
+
+class _Coordinates(Arguments):
+    text: str
+    """Of the file."""
 
 
 class _Artefact(Arguments):
@@ -178,6 +193,8 @@ RULES = CommandRules[ArmState, ArmLive](
         "finish": Command(("swing",), _finish),
         "drop_swing": Command(("swing",)),
         "drop_seat": Command(("seat",), _drop_seat),
+        "take_coordinates": Command(("seat",), _take_coordinates, _Coordinates),
+        "drop_coordinates": Command(("seat",), _drop_coordinates),
         "fit": Command(("seat",), _fit),
         "save": Command(("result",), _save),
         "restore": Command(("result",), _restore),

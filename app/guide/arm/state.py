@@ -87,6 +87,8 @@ class ArmState:
     artefact: Artefact = Artefact()
     """What comes next."""
     seats: tuple[SeatSamples, ...] = ()
+    coordinates: int = 0
+    """Points that a tracker or measuring machine measured, of the file taken last."""
     swinging: bool = False
     """Whether points are being taken in the last seat."""
     checked: Payload | None = None
@@ -97,6 +99,11 @@ class ArmState:
     replaced: str = ""
     """Name that the file of the arm before is kept by."""
     ended: bool = False
+
+    @property
+    def has_points(self) -> bool:
+        """Whether anything was taken with the arm that was chosen."""
+        return bool(self.seats) or self.coordinates > 0
 
     @property
     def touching(self) -> bool:
@@ -187,6 +194,12 @@ CHANGES: dict[str, Callable[[ArmState, Payload], ArmState]] = {
     POINTS: _points,
     "seat_ended": lambda state, payload: replace(state, swinging=False, solved=None, refused=None),
     "seat_dropped": _seat_dropped,
+    "coordinates_taken": lambda state, payload: replace(
+        state, coordinates=payload["points"], solved=None, refused=None
+    ),
+    "coordinates_dropped": lambda state, payload: replace(
+        state, coordinates=0, solved=None, refused=None
+    ),
     "checked": lambda state, payload: replace(state, checked=payload),
     "tip_checked": lambda state, payload: replace(state, checked=payload),
     "solved": lambda state, payload: replace(state, solved=payload, refused=None),

@@ -101,6 +101,7 @@ def _payload(result: Identification) -> dict[str, object]:
             (message("seats"), before.seats_um, after.seats_um),
             (message("spheres"), before.spheres_um, after.spheres_um),
             (message("ball-bars-lengths"), before.lengths_um, after.lengths_um),
+            (message("coordinates-measured"), before.coordinates_um, after.coordinates_um),
         )
         if was is not None and now is not None
     ]

@@ -129,6 +129,8 @@ class ArmView(SessionView):
     arm: str
     artefact: Artefact
     """What the tip is put to next, in an identification."""
+    coordinates: int
+    """Number of points of a tracker or measuring machine that were uploaded."""
     picture: ArmPicture
 
 

@@ -6,6 +6,8 @@ AUDIT_LABELS = {
     "choose": message("chose-what-use"),
     "choose_arm": message("chose-arm"),
     "choose_artefact": message("chose-artefact"),
+    "take_coordinates": message("took-coordinates"),
+    "drop_coordinates": message("dropped-coordinates"),
     "choose_gauge": message("chose-gauge"),
     "confirm_gauge": message("confirmed-gauge"),
     "confirm_devices": message("confirmed-devices"),

@@ -3,11 +3,12 @@ import { SessionCard } from "../flow/SessionCard";
 import { newFindings } from "../parts/findings";
 import { ArmChoice } from "./ArmChoice";
 import { ArtefactField } from "./ArtefactField";
+import { CoordinatesField } from "./CoordinatesField";
 import { LimitField } from "./LimitField";
 
 /** What to do in this step of a check or an identification. */
 export function ArmCard({ view }: { view: ArmView }) {
-  const choosing = view.step === "seat" && view.picture.seats.length === 0;
+  const choosing = view.step === "seat" && view.picture.seats.length === 0 && view.coordinates === 0;
   /* A sphere is touched, a seat is swung in. */
   const touching = view.step === "swing" && view.artefact.kind === "sphere";
   return (
@@ -21,6 +22,9 @@ export function ArmCard({ view }: { view: ArmView }) {
       {choosing && view.arms.length > 1 && <ArmChoice arms={view.arms} arm={view.arm} />}
       {view.step === "seat" && view.purpose !== "check" && (
         <ArtefactField artefact={view.artefact} disabled={view.busy !== null} only={view.purpose === "tip"} />
+      )}
+      {view.step === "seat" && view.purpose === "identify" && (
+        <CoordinatesField points={view.coordinates} disabled={view.busy !== null} />
       )}
       {choosing && view.purpose !== "identify" && (
         <LimitField limit_um={view.picture.limit_um} tip={view.purpose === "tip"} />

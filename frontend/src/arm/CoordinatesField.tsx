@@ -1,0 +1,25 @@
+import type { ChangeEvent } from "react";
+
+import { sendCommand } from "../api/guideCommands";
+import styles from "../parts/Field.module.css";
+import { t } from "../state/language";
+
+/** Takes a file of what a tracker or measuring machine measured into the identification. */
+export function CoordinatesField({ points, disabled }: { points: number; disabled: boolean }) {
+  const take = async (event: ChangeEvent<HTMLInputElement>) => {
+    const field = event.currentTarget;
+    const file = field.files?.[0];
+    if (!file) return;
+    await sendCommand("arm", "take_coordinates", { text: await file.text() });
+    // the same file can be chosen once more after it was corrected
+    field.value = "";
+  };
+  return (
+    <div className={styles.field}>
+      <label className={styles.label} htmlFor="coordinates-file">
+        {points ? t("ui-coordinates-points-taken", { points }) : t("ui-coordinates-of-a-tracker")}
+      </label>
+      <input id="coordinates-file" type="file" accept=".csv,text/csv" disabled={disabled} onChange={take} />
+    </div>
+  );
+}
