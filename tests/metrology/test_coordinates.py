@@ -147,7 +147,7 @@ def test_the_covariance_is_the_scatter_of_repeated_measurements(full: bool) -> N
 
 
 @pytest.mark.parametrize("axes", [6, 7])
-@pytest.mark.parametrize("poses", [14, 25, 60])
+@pytest.mark.parametrize("poses", [15, 25, 60])
 def test_held_is_held_and_what_moved_is_listed(axes: int, poses: int) -> None:
     rng = np.random.default_rng(poses)
     arm = robot(axes)
@@ -318,8 +318,8 @@ def test_fewer_poses_than_unknowns_are_refused(
     assert refusal.code == "too-few-points"
     assert "coordinates.csv" in str(refusal.what)
     assert "8 poses" in str(refusal.what)
-    few = identified(arm, measure(true, postures(arm, 13, rng), tracker, rng))
-    assert any("13 poses" in str(text) for text in few.warnings)
+    few = identified(arm, measure(true, postures(arm, 15, rng), tracker, rng))
+    assert any("15 poses" in str(text) for text in few.warnings)
     assert refused(arm, measure(true, postures(arm, 3, rng), tracker, rng)).code.startswith("too")
 
 

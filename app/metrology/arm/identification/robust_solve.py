@@ -62,6 +62,7 @@ WORTH = 2.0
 correlated parameters compensate each other."""
 MANY = 1e6
 """Degrees of freedom while it is not known how many there are."""
+LEAST_SPARE = 0.05
 BACK_AGAIN = 0.9
 """An excluded point returns within this share of the limit, so that no point alternates."""
 
@@ -109,9 +110,7 @@ def fit_arm(
     at = settle_frames(data, at)
     columns = _first_choice(data, at, choice) if moving is None else moving
     at, scatter = _robust(data, at, columns)
-    no_levers, many = np.zeros(data.points - data.touches), np.full(3, MANY)
-    kept = residuals(data, at, scatter).whitened < _limits(data, everything > 0, no_levers, many)
-    kept = _enough_left(data, kept)
+    kept = _enough_left(data, _agreeing(data, at, columns, scatter))
     held: dict[int, FixedReason] = {}
     scale = 1.0
     for _ in range(2):
@@ -230,27 +229,48 @@ def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[
     """Huber's M-estimate with the scatter estimated on the way, so that outliers do not
     dominate."""
     for _ in range(ROBUST_STEPS):
-        scatter = _median_scatter(data, at)
+        scatter = _median_scatter(data, at, len(columns))
         off = residuals(data, at, scatter).whitened
         weights = np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
         system = reduce_system(data, at, columns, weights, scatter)
         at, size = step(data, at, columns, system)
         if not np.isfinite(size) or size < 0.1:
             break
-    return at, _median_scatter(data, at)
+    return at, _median_scatter(data, at, len(columns))
 
 
-def _median_scatter(data: StackedObservations, at: Unknowns) -> Scatter:
+def _agreeing(
+    data: StackedObservations, at: Unknowns, columns: Indices, scatter: Scatter
+) -> NDArray[np.bool_]:
+    """(N + M,) points that agree with a robust fit of all of them."""
+    everything = np.ones(data.points)
+    system = reduce_system(data, at, columns, everything, scatter)
+    levers = _leverages(data, at, columns, system, scatter)
+    freedoms = redundancies(data, everything > 0, system)
+    freedoms[0] = MANY
+    limits = _limits(data, everything > 0, levers, freedoms)
+    return np.asarray(residuals(data, at, scatter).whitened < limits)
+
+
+def _median_scatter(data: StackedObservations, at: Unknowns, parameters: int) -> Scatter:
     """Scatter per coordinate beyond what is stated for which the median point has the expected
-    distance."""
-    found = residuals(data, at, Scatter())
+    distance.
+
+    Args:
+        parameters: number of parameters that follow the points. Coordinates, which may be few,
+            then deviate less than they scatter.
+    """
+    found = data.coordinates
+    rows = 3 * (data.points - len(data.places) + int(found.has_rotation.sum()))
+    spare = max(1.0 - (parameters + data.others.count) / max(rows, 1), LEAST_SPARE)
+    deviations = residuals(data, at, Scatter()).distances_mm
     by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
     measured = coordinate_residuals(data, at, Scatter())
     variances = measured.variances
     typical = np.where(data.on_sphere, MEDIAN_OF_ONE, MEDIAN_OF_THREE)
-    turned = data.coordinates.has_rotation
+    turned = found.has_rotation
     kinds = (
-        (found.distances_mm[: data.touches] / typical, by_encoders),
+        (deviations[: data.touches] / typical, by_encoders),
         (_lengths(measured.off[:, :3]) / MEDIAN_OF_THREE, variances[:, :3].mean(axis=1)),
         (
             _lengths(measured.off[turned, 3:]) / MEDIAN_OF_THREE,
@@ -258,8 +278,10 @@ def _median_scatter(data: StackedObservations, at: Unknowns) -> Scatter:
         ),
     )
     values = [
-        max(_median(distances) ** 2 - _median(explained), least**2)
-        for (distances, explained), least in zip(kinds, Scatter().floors, strict=True)
+        max(_median(distances) ** 2 / share - _median(explained), least**2)
+        for (distances, explained), share, least in zip(
+            kinds, (1.0, spare, spare), Scatter().floors, strict=True
+        )
     ]
     return Scatter(*np.sqrt(values).tolist())
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
+from app.metrology.arm.identification.cross_validation import FOLDS
 from app.metrology.arm.identification.initial_unknowns import (
     TYPICAL,
     align_frame,
@@ -78,13 +79,15 @@ def _check_enough(arm: Arm, observations: ArmObservations, data: StackedObservat
     if observations.groups_count:
         return
     figures, unknown = _figures_and_unknowns(arm, observations)
-    if figures <= unknown:
-        per_pose = figures / len(found.q_rad)
+    per_pose = figures / len(found.q_rad)
+    # what is left while a fold is held out must determine them, too
+    least = ceil(FOLDS / (FOLDS - 1) * unknown / per_pose) + 1
+    if len(found.q_rad) < least:
         raise OperationError(
             "too-few-points",
             message("coordinates-give-figures", poses=len(found.q_rad), figures=figures),
             message("arm-and-frame-have-unknowns", unknown=unknown),
-            message("measure-more-poses", least=ceil(unknown / per_pose) + 1, wanted=WANTED_POSES),
+            message("measure-more-poses", least=least, wanted=WANTED_POSES),
         )
 
 
