@@ -38,15 +38,18 @@ EXTRACT = {
 
 CERTAIN_LENGTH, CERTAIN_LENGTH_CLIPPED = 0.35, 0.6
 """A line so long, in shares of the image's width, is looked for at no other scale."""
-CERTAIN_SIGMA_ROWS = 5.0
-"""A line at least so wide is looked for at coarser scales, too."""
+THIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN, CERTAIN_SIGMA_ROWS = 0.8, 1.2, 5.0
+"""A thinner line, or a thinner one that is not long, is looked for between the rows, too; one at
+least so wide at coarser scales."""
 WIDEST_LINE = 1 / 8
 """A line is at most so wide at half height, in shares of the image's height."""
 CLEARLY_BETTER, AS_GOOD = 1.05, 0.97
 """A coarser scale is chosen if it shows this much more of the line; of a wide line, as much."""
-UNRESOLVED_PX = 12**-0.5
-"""The standard deviation of a point of a line that is thinner than a pixel: it may lie anywhere in
-the pixel."""
+THIN_AS_GOOD = 0.85
+"""Rows between the rows are if they show this much: a thin line is less high there."""
+UNRESOLVED_PX, UNRESOLVED_SIGMA_ROWS = 12**-0.5, 1.2
+"""The standard deviation of a point of a line that is thinner than a pixel, as it may lie anywhere
+in the pixel; the width that such a line has between the rows."""
 
 
 def extract_stripe(
@@ -132,8 +135,14 @@ class FoundLine:
 
     @property
     def is_certain(self) -> bool:
-        """Whether it is one long, narrow line, so that no other scale would show a better one."""
-        return self.is_long and self.sigma_rows < CERTAIN_SIGMA_ROWS
+        """Whether it is one long line of such a width that no other scale would show a better one."""
+        return self.is_long and not self.is_thin and self.sigma_rows < CERTAIN_SIGMA_ROWS
+
+    @property
+    def is_thin(self) -> bool:
+        """Whether rows between the rows would show more of it."""
+        thin = THIN_SIGMA_ROWS if self.is_long else THIN_SIGMA_ROWS_BROKEN
+        return self.factor == 1 and 0 < self.sigma_rows < thin
 
 
 def extract_whole(
@@ -152,7 +161,7 @@ def extract_whole(
     best = first or extract_parts(grey, axis, whole_image(grey), where, settings)
     if best.is_certain:
         return best
-    for factor in wide_factors(grey.shape[0]):
+    for factor in () if best.is_thin else wide_factors(grey.shape[0]):
         found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
         is_line = found.width_px < WIDEST_LINE * grey.shape[0]
         enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else AS_GOOD
@@ -160,9 +169,11 @@ def extract_whole(
             best = found
         if found.is_certain:
             break
-    if best.evidence == 0:
+    if best.evidence == 0 or best.is_thin:
         parts = whole_image(grey, THIN_FACTOR)
-        best = extract_parts(grey, axis, parts, where, settings, factor=THIN_FACTOR)
+        found = extract_parts(grey, axis, parts, where, settings, factor=THIN_FACTOR)
+        if found.evidence > THIN_AS_GOOD * best.evidence:
+            best = found
     return best
 
 
@@ -208,7 +219,8 @@ def extract_parts(
     if factor != 1:
         points[1] = scale.across_px(points[1])
         points[2] /= scale.gain
-        points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if factor < 1 else 0)
+        unresolved = factor < 1 and known[3] < UNRESOLVED_SIGMA_ROWS
+        points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if unresolved else 0)
     stripe = stripe_from_points(points, axis)
     return FoundLine(stripe, evidence / scale.gain, length, factor, float(known[3]))
 

@@ -6,8 +6,9 @@
 
 /* A peak so many rows from a point is another one; so few, the same. */
 enum { BESIDE_LINE = 20, ON_LINE = 8 };
-/* A piece is a main one if it has this share of the strongest one's light. */
-static const double MAIN = 0.3;
+/* A piece is a main one if it has this share of the strongest one's light, or some of it and this
+ * share of its height. Where they have less than a share of the columns, all columns show clutter. */
+static const double MAIN = 0.3, MAIN_LIGHT = 0.03, MAIN_HEIGHT = 0.6, MAIN_COLUMNS = 0.3;
 /* The share of columns that have no more clutter than is counted; how far above it a piece by
  * itself is line. */
 static const double CLUTTER_SHARE = 0.9, ABOVE_CLUTTER = 1.3;
@@ -146,19 +147,26 @@ static void keep_continued(const Workspace *work, Piece *pieces, int64_t n)
         pieces[k - 1].kept |= pieces[k].kept && goes_on_in(work, &pieces[k - 1], &pieces[k]);
 }
 
-/* Marks the pieces that hold most of the light; returns their mean height. */
-static double keep_main(Piece *pieces, int64_t n)
+static double light_of(const Piece *piece) { return (double)piece->count * piece->height; }
+
+/* Marks the main pieces; fills their mean height and returns how many points they have. */
+static int64_t keep_main(Piece *pieces, int64_t n, double *height)
 {
-    double most = 0, light = 0, points = 0;
-    for (int64_t k = 0; k < n; k++)
-        most = max_f64(most, (double)pieces[k].count * pieces[k].height);
+    const Piece *strongest = pieces;
+    double light = 0;
+    int64_t points = 0;
+    for (int64_t k = 1; k < n; k++)
+        if (light_of(&pieces[k]) > light_of(strongest))
+            strongest = &pieces[k];
     for (int64_t k = 0; k < n; k++) {
-        const double own = (double)pieces[k].count * pieces[k].height;
-        pieces[k].kept = own >= MAIN * most;
-        light += pieces[k].kept ? own : 0;
-        points += pieces[k].kept ? (double)pieces[k].count : 0;
+        const double share = light_of(&pieces[k]) / light_of(strongest);
+        pieces[k].kept = share >= MAIN || (share >= MAIN_LIGHT &&
+                                           pieces[k].height >= MAIN_HEIGHT * strongest->height);
+        light += pieces[k].kept ? light_of(&pieces[k]) : 0;
+        points += pieces[k].kept ? pieces[k].count : 0;
     }
-    return light / points;
+    *height = light / (double)points;
+    return points;
 }
 
 /* Moves kept pieces and their points to the front; returns how many pieces. */
@@ -202,13 +210,18 @@ static int64_t keep_line(Workspace *work, int64_t count, int64_t n, bool linked)
     if (count < 2)
         return count;
     list_points(work, count, point_at);
-    find_clutter(work, n, point_at);
     if (linked)
         count_columns(work, n, point_at);
-    const double height = keep_main(pieces, count);
+    double height;
+    const int64_t points = keep_main(pieces, count, &height);
     list_points(work, count, main_at);
-    const double least =
-        ABOVE_CLUTTER * height * clutter_level(work, main_at, 0, work->width, 0);
+    /* the pieces in question are themselves clutter, as far as a short line shows */
+    const bool everywhere = (double)points < MAIN_COLUMNS * (double)work->width;
+    find_clutter(work, n, everywhere ? main_at : point_at);
+    const double least = ABOVE_CLUTTER * height *
+                         clutter_level(work, main_at, 0, work->width, everywhere ? height : 0);
+    if (everywhere)
+        find_clutter(work, n, point_at);
     for (int64_t k = 0; k < count; k++)
         pieces[k].kept |= is_bright(work, &pieces[k], point_at, least, height);
     keep_continued(work, pieces, count);

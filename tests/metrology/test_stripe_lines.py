@@ -1,0 +1,209 @@
+"""Lines as cameras of others see them: of any width, flat, broken, reflected, compressed, tinted,
+before a room full of things; and rooms without a line."""
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_stripe, find_stripe
+from app.metrology.transforms import Floats
+
+WIDTH, HEIGHT = 960, 720
+PER_FULL_WIDTH = 1 / 2.3548
+Grey = NDArray[np.uint8]
+
+
+def room(seed: int, brightest: float) -> Floats:
+    """Boxes, edges and thin bars of any direction, softened as by a lens."""
+    rng = np.random.default_rng(seed)
+    image = np.full((HEIGHT, WIDTH), 0.2 * brightest, np.float32)
+    for _ in range(60):
+        x, y = rng.integers(0, WIDTH), rng.integers(0, HEIGHT)
+        size = tuple(int(value) for value in rng.integers(10, 200, 2))
+        box = cv2.boxPoints(((float(x), float(y)), size, float(rng.uniform(0, 180))))
+        cv2.fillPoly(image, [box.astype(np.int32)], float(rng.uniform(0, brightest)))
+    for _ in range(40):
+        begin = rng.integers(0, (WIDTH, HEIGHT))
+        end = begin + rng.integers(-200, 200, 2)
+        level, thick = float(rng.uniform(0, brightest)), int(rng.integers(1, 6))
+        cv2.line(image, begin.tolist(), end.tolist(), level, thick)
+    return np.asarray(cv2.GaussianBlur(image, (0, 0), 1.0), dtype=np.float64)
+
+
+def course(seed: int) -> Floats:
+    """(W,) the rows of a line over a bent surface with a step."""
+    rng = np.random.default_rng(seed)
+    u = np.arange(WIDTH)
+    rows = HEIGHT * rng.uniform(0.4, 0.6) + 25 * np.sin(u / rng.uniform(100, 300))
+    rows[rng.integers(300, 600) :] += rng.choice((-1, 1)) * 40
+    return np.asarray(rows)
+
+
+def beam(rows: Floats, width_px: float, height: Floats | float, power: float = 2) -> Floats:
+    """(H, W) light of a line: a bell, or flatter with a higher power."""
+    half = width_px / 2 / np.log(2) ** (1 / power)
+    off = np.abs(np.arange(HEIGHT)[:, None] - rows) / half
+    return np.asarray(height * np.exp(-(off**power)))
+
+
+def expose(light: Floats, seed: int, full: float = 255) -> Grey:
+    noise = np.random.default_rng(seed).standard_normal(light.shape)
+    seen = light + noise * np.sqrt(4 + 0.02 * light)
+    return np.clip(np.rint(np.minimum(seen, full)), 0, 255).astype(np.uint8)
+
+
+def shares(stripe: Stripe, rows: Floats, width_px: float) -> tuple[float, float]:
+    """Of the columns: those with a point on the line, and those with another one."""
+    along, across = stripe.along_across
+    near = np.abs(across - rows[along.astype(int)]) < max(3, 0.35 * width_px)
+    return float(np.mean(np.isfinite(rows)) and near.sum() / np.isfinite(rows).sum()), float(
+        (~near).sum() / len(rows)
+    )
+
+
+@pytest.mark.parametrize(
+    ("height", "power", "light", "width_px"),
+    [(150, 2, 50, width_px) for width_px in (2, 3, 5, 10, 20, 35, 50, 70)]
+    + [(600, 2, 50, width_px) for width_px in (3, 5, 10, 20, 35, 50, 70)]
+    + [(150, 8, 15, width_px) for width_px in (2, 3, 5, 10, 20, 35, 50, 70)],
+)
+def test_a_line_of_any_width_is_found_and_nothing_beside_it(
+    height: float, power: float, light: float, width_px: float
+) -> None:
+    for seed in range(3):
+        rows = course(seed)
+        image = expose(room(seed, light) + beam(rows, width_px, height, power), seed)
+        on, beside = shares(extract_stripe(image), rows, width_px)
+        assert on > 0.95
+        assert beside < 0.005
+
+
+@pytest.mark.parametrize("width_px", [1.2, 1.5])
+def test_a_line_of_hardly_a_pixel_is_found_with_a_true_uncertainty(width_px: float) -> None:
+    squares = []
+    for seed in range(4):
+        rows = course(seed)
+        stripe = extract_stripe(expose(15 + beam(rows, width_px, 120), seed))
+        on, beside = shares(stripe, rows, width_px)
+        assert on > 0.98
+        assert beside == 0
+        squares.append(((stripe.v - rows[stripe.u.astype(int)]) / stripe.sigma_px) ** 2)
+    assert 0.5 < np.sqrt(np.mean(np.concatenate(squares))) < 1.25
+
+
+def test_the_width_is_stated() -> None:
+    rows = course(0)
+    for width_px in (4.0, 12.0, 40.0):
+        line = find_stripe(expose(20 + beam(rows, width_px, 120), 0))
+        assert line.width_px == pytest.approx(width_px, rel=0.1)
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("brightest", [60, 200, 400])
+def test_a_room_without_a_line_shows_none(seed: int, brightest: float) -> None:
+    image = expose(room(seed, brightest), seed)
+    for axis in ("u", "v"):
+        assert not len(extract_stripe(image, axis).u)
+
+
+def test_what_the_operator_says_of_the_line_overrides_that() -> None:
+    image = expose(room(1, 200), 1)
+    assert not len(extract_stripe(image).u)
+    assert len(extract_stripe(image, settings=StripeSettings(threshold=15)).u)
+
+
+def test_a_wide_line_is_found_by_the_widths_that_the_operator_sets() -> None:
+    rows = course(3)
+    image = expose(room(3, 100) + beam(rows, 45, 150), 3)
+    settings = StripeSettings(min_width_px=30, max_width_px=80)
+    on, _ = shares(extract_stripe(image, settings=settings), rows, 45)
+    assert on > 0.7
+
+
+@pytest.mark.parametrize("width_px", [6, 20])
+def test_a_short_line_over_a_small_part_is_found(width_px: float) -> None:
+    rows = course(2)
+    rows[:420], rows[540:] = np.nan, np.nan
+    light = np.nan_to_num(beam(rows, width_px, 180))
+    on, beside = shares(extract_stripe(expose(room(2, 50) + light, 2)), rows, width_px)
+    assert on > 0.9
+    assert beside < 0.03
+
+
+def test_clutter_does_not_make_the_width() -> None:
+    """Many thin bright bars, and one line 20 px wide on a small part."""
+    rng = np.random.default_rng(5)
+    light = np.full((HEIGHT, WIDTH), 15.0)
+    for u in range(0, WIDTH, 24):
+        v = int(rng.integers(40, 250))
+        light[v : v + 3, u : u + 20] += 110
+    rows = np.full(WIDTH, np.nan)
+    rows[300:700] = 500
+    light += np.nan_to_num(beam(rows, 20, 170))
+    on, beside = shares(extract_stripe(expose(light, 5)), rows, 20)
+    assert on > 0.95
+    assert beside < 0.005
+
+
+def test_a_reflection_in_a_gap_of_the_line_is_none() -> None:
+    rows = course(4)
+    light = beam(rows, 6, 180)
+    light[:, 450:520] = 0
+    light += beam(rows + 60, 6, 63)
+    lit = rows.copy()
+    lit[450:520] = np.nan
+    on, beside = shares(extract_stripe(expose(10 + light, 4)), lit, 6)
+    assert on > 0.98
+    assert beside == 0
+
+
+def test_a_dimmer_half_of_the_line_is_line() -> None:
+    rows = course(6)
+    height = np.where(np.arange(WIDTH) < 500, 200.0, 70.0)
+    on, _ = shares(extract_stripe(expose(10 + beam(rows, 6, height), 6)), rows, 6)
+    assert on > 0.98
+
+
+@pytest.mark.parametrize("full", [255, 204, 120])
+def test_a_top_that_is_cut_off_below_full_scale_is_clipped_too(full: float) -> None:
+    rows = course(7)
+    stripe = extract_stripe(expose(8 + beam(rows, 14, 900), 7, full))
+    along, across = stripe.along_across
+    error = across - rows[along.astype(int)]
+    assert len(along) > 0.97 * WIDTH
+    assert np.sqrt(np.mean(np.sort(np.abs(error))[: int(0.97 * len(error))] ** 2)) < 0.1
+
+
+@pytest.mark.parametrize("quality", [80, 40])
+@pytest.mark.parametrize("width_px", [5, 18])
+def test_a_compressed_saturated_line_is_found(quality: int, width_px: float) -> None:
+    rows = course(8)
+    image = expose(room(8, 50) + beam(rows, width_px, 700), 8)
+    packed = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]
+    seen = np.asarray(cv2.imdecode(packed, cv2.IMREAD_GRAYSCALE), dtype=np.uint8)
+    on, beside = shares(extract_stripe(seen), rows, width_px)
+    assert on > 0.95
+    assert beside < 0.01
+
+
+def test_a_wide_line_is_followed_and_a_narrow_one_after_it() -> None:
+    tracker = StripeTracker()
+    for turn in range(40):
+        width_px = 45 if turn < 20 else 4
+        rows = course(9) + 3 * turn
+        stripe = tracker.extract(expose(10 + beam(rows, width_px, 150), turn))
+        on, beside = shares(stripe, rows, width_px)
+        if turn % 20 > 8:
+            assert on > 0.97
+        assert beside < 0.01
+
+
+@pytest.mark.parametrize("shift", [2, 4, 6])
+def test_pictures_of_more_bits_are_scaled_alike(shift: int) -> None:
+    rows = course(10)
+    light = 10 + beam(rows, 40, 150)
+    image = (expose(light, 10).astype(np.uint16)) << shift
+    on, beside = shares(extract_stripe(image), rows, 40)
+    assert on > 0.98
+    assert beside == 0
