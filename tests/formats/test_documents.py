@@ -147,7 +147,7 @@ def test_a_spoilt_arm_is_refused(tmp_path: Path, spoil: Any, code: str, said: st
         (lambda block: block.update(crest_z_mm=-1), "crest_z_mm"),
         (lambda block: block.update(front_y_mm=99), "front_y_mm"),
         (lambda block: block.update(standard_uncertainty_mm=2), "micrometres"),
-        (lambda block: block.update(kind="chessboard"), "inner_corners is missing"),
+        (lambda block: block.update(kind="chessboard"), "square_mm is missing"),
         (lambda block: block.update(kind="ball"), "ball"),
         (lambda block: block.pop("serial_number"), "serial_number is missing"),
     ],
