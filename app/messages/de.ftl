@@ -1232,6 +1232,7 @@ largest-max-min-2 = Größtes (max − min)/2
 largest-swing = { $points }, größter Schwenk { $swing }
 laser-beside-object-may-too-dark = Der Laser ist an; neben der Linie ist das Objekt für die Erkennung vielleicht zu dunkel.
 laser-colour-not-known = die Farbe des Lasers, in deren Kanal gemessen würde, ist nicht angegeben
+laser-did-not-switch-on = Der Laser hat sich nicht eingeschaltet: Dieses Bild bestimmt nur Kamera und Lage des Sensors.
 laser-line-covers-others = die Laserlinie verdeckt die übrigen
 laser-line-left-out-off-plane = ihre Laserlinie wurde ausgeschlossen, { $off } neben der Ebene der übrigen
 laser-line-lies-off-plane-others = ihre Laserlinie liegt { $off } neben der Ebene der übrigen

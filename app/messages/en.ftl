@@ -1228,6 +1228,7 @@ largest-max-min-2 = Largest (max − min)/2
 largest-swing = { $points }, largest swing { $swing }
 laser-beside-object-may-too-dark = The laser is on. Away from its line the object may be too dark to be detected.
 laser-colour-not-known = the laser's colour, whose channel would be measured, is not stated
+laser-did-not-switch-on = The laser did not switch on: this picture determines only camera and mounting.
 laser-line-covers-others = the laser line covers the others
 laser-line-left-out-off-plane = its laser line was excluded, { $off } off the plane of the others
 laser-line-lies-off-plane-others = its laser line lies { $off } off the plane of the others

@@ -1,7 +1,7 @@
 """The guided calibration on a chessboard: views planned, touching left to the operator."""
 
 from dataclasses import asdict
-from typing import Literal
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.outcome import to_payload
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
 from app.guide.calibration.poses.detection import detect_in_capture
+from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
@@ -23,7 +24,7 @@ from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
-from app.station.devices.capture import Capture
+from app.station.devices.capture import Capture, Lighting
 from app.station.devices.joint_buffer import JointMean
 from hardware.interfaces import Frame
 from tests.guide.builders import (
@@ -246,8 +247,9 @@ def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
     """Of a sensor that switches its laser, and of one that does not."""
     unlit = board_picture(POSES[0], Look(laser=False))
     dark = np.random.default_rng(0).normal(3, 1, unlit.shape).clip(0, 255).astype(np.uint8)
-    for laser in (None, Frame(1, 0, dark, 5000.0, True)):
-        lighting: Literal["pair", "both"] = "both" if laser is None else "pair"
+    lit = Frame(1, 0, dark, 5000.0, True)
+    captures: list[tuple[Frame | None, Lighting]] = [(None, "both"), (lit, "pair")]
+    for laser, lighting in [*captures, (None, "ambient")]:
         taken = Capture(
             Frame(0, 0, unlit, 5000.0, False),
             laser,
@@ -258,10 +260,27 @@ def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
         seen, pose = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
         assert isinstance(pose, BoardObservation)
         assert len(seen.corners) == 42
-        (finding,) = (one for one in seen.findings if "laser line" in str(one.text))
+        (finding,) = (one for one in seen.findings if "camera and mounting" in str(one.text))
         assert not [one for one in seen.findings if one.quality == "bad"]
         assert finding.quality == "attention"
         assert "determines only camera and mounting" in str(finding.text)
+        assert ("did not switch on" in str(finding.text)) == (lighting == "ambient")
+
+
+def test_pictures_are_listed_as_they_were_lit(tmp_path: Path) -> None:
+    """Rows of earlier versions name no lighting."""
+    folder = SessionFolder(tmp_path)
+    state = at(
+        "solve",
+        capture_row(),
+        capture_row(laser=None),
+        capture_row(laser=None, lighting="both"),
+        capture_row(laser=None, lighting="ambient"),
+    )
+    folder.keep_images(state.pictures)
+    rows = (tmp_path / "images.csv").read_text().splitlines()[1:]
+    lit = [row.split(",")[2] for row in rows]
+    assert lit == ["ambient", "laser", "both", "both", "ambient"]
 
 
 def test_another_pose_is_asked_for_where_only_lines_are_missing(

@@ -246,6 +246,17 @@ def test_a_laser_that_does_not_obey_is_named(rig: Rig, bench: Bench) -> None:
     assert refused.value.code == "laser-stuck"
 
 
+def test_where_the_laser_may_be_missing_the_ambient_picture_is_kept(rig: Rig, bench: Bench) -> None:
+    ready(rig)
+    rig.sensor.set_laser(False)
+    until(lambda: not bench.laser_on)
+    bench.laser_obeys = False
+    taken = rig.capture_pair(needs_laser=False)
+    assert (taken.lighting, taken.laser) == ("ambient", None)
+    assert not taken.ambient.laser_on
+    assert taken.joints.samples > 10
+
+
 def test_a_sensor_without_a_laser_switch_gives_one_picture(rig: Rig, bench: Bench) -> None:
     bench.has_laser_switch, bench.laser_on = False, True
     ready(rig)

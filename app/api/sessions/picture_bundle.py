@@ -85,7 +85,7 @@ def _redact(redactor: Redactor, value: object, key: str = "") -> object:
 def _describe_capture(capture: PoseCapture) -> dict[str, object]:
     return {
         "pose": capture.number,
-        "lighting": "both" if capture.laser is None else "pair",
+        "lighting": capture.lighting,
         "exposure_us": capture.exposure_us,
         "width_px": capture.width_px,
         "height_px": capture.height_px,

@@ -84,7 +84,7 @@ class SessionFolder:
         names: dict[str, str | None] = {"ambient": None, "laser": None}
         for lighting, frame in (("ambient", capture.ambient), ("laser", capture.laser)):
             if frame is not None:
-                shown = lighting if capture.laser is not None else "both"
+                shown = "both" if capture.lighting == "both" else lighting
                 name = f"{PICTURES}/capture-{number}-{shown}.png"
                 write_png(self.path / name, frame.image)
                 names[lighting] = name
@@ -95,7 +95,7 @@ class SessionFolder:
         rows = []
         for picture in pictures:
             lightings = [(picture.ambient, "ambient"), (picture.laser, "laser")]
-            if picture.laser is None:
+            if picture.lighting == "both":
                 lightings = [(picture.ambient, "both")]
             q_rad = np.array(picture.q_rad)
             rows += [

@@ -12,6 +12,7 @@ from app.guide.common.journal import (
     put_back,
     take_back,
 )
+from app.station.devices.capture import Lighting
 
 STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")
@@ -41,7 +42,7 @@ class PoseCapture:
     ambient: str
     """File names within the session's folder."""
     laser: str | None
-    """None: the ambient picture shows the stripe too (lighting ``both``)."""
+    lighting: Lighting
     q_rad: tuple[float, ...]
     width_px: int
     height_px: int
@@ -285,6 +286,8 @@ def _capture(state: CalibrationState, payload: Payload) -> PoseCapture:
         number=len(state.captures) + 1,
         ambient=payload["ambient"],
         laser=payload["laser"],
+        # rows of earlier versions do not name it
+        lighting=payload.get("lighting") or ("pair" if payload["laser"] else "both"),
         q_rad=tuple(payload["q_rad"]),
         width_px=payload["width_px"],
         height_px=payload["height_px"],

@@ -39,7 +39,8 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
     """
     progress(message("taking-picture"), 0.1)
     chosen = guide.datasheets.selection(guide.state)
-    taken = guide.station.rig.capture_pair()
+    # a chessboard without the laser's line serves camera and mounting
+    taken = guide.station.rig.capture_pair(needs_laser=chosen.board is None)
     progress(message("looking-object-picture"), 0.4)
     number = len(guide.state.captures) + 1
     with guide.station.preview.resting():  # this picture is what counts now
@@ -51,6 +52,7 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
             "image_captured",
             {
                 **names,
+                "lighting": taken.lighting,
                 "q_rad": taken.joints.q_rad.tolist(),
                 "scatter_rad": taken.joints.scatter_rad.tolist(),
                 "samples": taken.joints.samples,

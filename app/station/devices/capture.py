@@ -18,19 +18,27 @@ MeanOver = Callable[[int, int], JointMean]
 SwitchLaser = Callable[[bool], None]
 
 
+Lighting = Literal["pair", "both", "ambient"]
+"""``both`` in one picture if the sensor has no laser switch; ``ambient`` alone if the laser did
+not switch on, and it may be missing."""
+
+
 @dataclass(frozen=True)
 class Capture:
     """One pose of the sensor: its picture or pictures, and the mean joints of the arm."""
 
     ambient: Frame
     laser: Frame | None
-    """None if the sensor has no laser switch: ``ambient`` then shows both."""
-    lighting: Literal["pair", "both"]
+    lighting: Lighting
     joints: JointMean
 
 
 def capture(
-    hub: FrameHub, set_laser: SwitchLaser | None, laser_was_on: bool, mean_over: MeanOver
+    hub: FrameHub,
+    set_laser: SwitchLaser | None,
+    laser_was_on: bool,
+    mean_over: MeanOver,
+    needs_laser: bool = True,
 ) -> Capture:
     """Takes a pair of pictures (or one), then checks that the arm was still.
 
@@ -38,6 +46,7 @@ def capture(
         set_laser: switches the laser; None if the sensor has no switch.
         mean_over: mean of the joints between two time stamps; raises ``OperationError`` if the
             arm moved between them.
+        needs_laser: without a picture with the laser on, there is none at all.
 
     Raises:
         OperationError: no frame arrived, the laser did not switch, or the arm moved.
@@ -50,13 +59,23 @@ def capture(
     try:
         set_laser(False)
         ambient = _wait_for_frame(hub, now_ns(), False)
-        set_laser(True)
-        laser = _wait_for_frame(hub, now_ns(), True)
+        laser = _take_lit(hub, set_laser, needs_laser)
     finally:
         set_laser(laser_was_on)
-    closed_ns = _exposure_end_ns(laser)
+    closed_ns = _exposure_end_ns(ambient if laser is None else laser)
     joints = mean_over(min(_exposure_start_ns(ambient), closed_ns - SHORTEST_MEAN_NS), closed_ns)
-    return Capture(ambient, laser, "pair", joints)
+    return Capture(ambient, laser, "ambient" if laser is None else "pair", joints)
+
+
+def _take_lit(hub: FrameHub, set_laser: SwitchLaser, needed: bool) -> Frame | None:
+    """A picture with the laser on; None if it does not switch on, and is not needed."""
+    try:
+        set_laser(True)
+        return _wait_for_frame(hub, now_ns(), True)
+    except OperationError as error:
+        if needed or error.code != "laser-stuck":
+            raise
+        return None
 
 
 def _exposure_start_ns(frame: Frame) -> int:

@@ -89,8 +89,11 @@ class Rig:
             disk_free_gb=shutil.disk_usage(self._data_dir).free / 1e9,
         )
 
-    def capture_pair(self) -> Capture:
+    def capture_pair(self, needs_laser: bool = True) -> Capture:
         """The calibration picture: ambient and laser while the arm is still, or one with both.
+
+        Args:
+            needs_laser: False if the ambient picture will do where the laser does not switch on.
 
         Raises:
             OperationError: ``arm-moving`` before, ``arm-moved`` during the capture,
@@ -106,6 +109,7 @@ class Rig:
                 self.sensor.set_laser if info.has_laser_switch else None,
                 self.sensor.laser_on,
                 lambda first_ns, last_ns: self.arm.mean_over(first_ns, last_ns, "arm-moved"),
+                needs_laser,
             )
         finally:
             self._capturing.release()

@@ -13,7 +13,7 @@ from app.metrology.adjustment.board.calibrate import observe_board
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.laser_lines import FEWEST_LINES
 from app.metrology.detection.failure_evidence import DetectionError
-from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe import Stripe, empty_stripe, extract_stripe
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 from app.metrology.targets.target import CalibrationTarget
@@ -39,16 +39,19 @@ def detect_in_capture(
     seen: AnyDetection
     try:
         if isinstance(item, Chessboard):
-            seen = observe_board(number, item, ambient, laser, axis)
+            laser_on = taken.lighting != "ambient"
+            seen = observe_board(number, item, ambient, laser, axis, laser_on)
         else:
             seen = observe_block(number, item, ambient, laser, axis)
     except OperationError as refusal:
-        stripe = extract_stripe(ambient if laser is None else laser, axis)
+        stripe = empty_stripe(axis)
+        if taken.lighting != "ambient":
+            stripe = extract_stripe(ambient if laser is None else laser, axis)
         if isinstance(item, Crenellated) and not len(stripe.u):
-            findings.append(_line_missing(item))
+            findings.append(_line_missing(item, taken))
         return _unusable(refusal, stripe, findings), refusal
     if not len(seen.stripe.u):
-        findings.append(_line_missing(item))
+        findings.append(_line_missing(item, taken))
     found = draw_detection(seen, item)
     corners = [
         ImageCorner(corner.name, corner.u, corner.v, corner.residual_px) for corner in found.corners
@@ -67,8 +70,14 @@ def draw_detection(seen: AnyDetection, item: CalibrationTarget) -> TargetOverlay
     return block_overlay(seen.detection, item)
 
 
-def _line_missing(item: CalibrationTarget) -> Finding:
+def _line_missing(item: CalibrationTarget, taken: Capture) -> Finding:
     """A block needs the line in every picture; a board, in some."""
+    if taken.lighting == "ambient":
+        return Finding(
+            "attention",
+            message("laser-did-not-switch-on"),
+            sentence(message("check-lasers-interlock-key-switch-capture")),
+        )
     if isinstance(item, Chessboard):
         return Finding(
             "attention",
