@@ -135,7 +135,7 @@ class FoundLine:
 
     @property
     def is_certain(self) -> bool:
-        """Whether it is one long line of such a width that no other scale would show a better one."""
+        """Whether it is one long line, of a width that no other scale would show better."""
         return self.is_long and not self.is_thin and self.sigma_rows < CERTAIN_SIGMA_ROWS
 
     @property
