@@ -1,7 +1,6 @@
 """The robust fit: identifies outliers, estimates the scatter beyond the encoders, then least
 squares."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,17 +9,11 @@ from numpy.typing import NDArray
 from app.errors import OperationError
 from app.messages.message import Text, message, quantity
 from app.metrology.arm.identification.coordinate_rows import (
-    coordinate_residuals,
     coordinate_rows,
-    predict_poses,
 )
 from app.metrology.arm.identification.initial_unknowns import initial_unknowns
 from app.metrology.arm.identification.least_squares import (
     ReducedSystem,
-    length_deviations,
-    length_uncertainties_mm,
-    mahalanobis,
-    predict_tips,
     reduce_system,
     residuals,
     settle_centres,
@@ -42,6 +35,12 @@ from app.metrology.arm.identification.parameters import (
     with_parameters,
 )
 from app.metrology.arm.identification.scatter import Scatter, distance_limit
+from app.metrology.arm.identification.scatter_estimates import (
+    match_scatter,
+    median_scatter,
+    redundancies,
+    require_redundancy,
+)
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
 from app.metrology.transforms import Floats
@@ -51,18 +50,15 @@ ROBUST_STEPS, STEPS = 12, 30
 SMALL_STEP = 1e-4
 """The iteration ends at a step this small relative to the standard deviations."""
 OUTLIER_ROUNDS = 20
-MEDIAN_OF_ONE, MEDIAN_OF_THREE = 0.6745, 1.5382
-"""Medians of the chi distributions with one and three degrees of freedom."""
 ROUGH = Scatter(0.1, 0.1, 1e-3)
 NEARLY_NOTHING = Scatter(0.02, 0.02, 1e-4)
-SCATTER_STEPS, LARGEST_GROWTH = 12, 100.0
-"""Of the scatter until it is found, and its largest growth in one step."""
+SCATTER_STEPS = 12
+"""Fits until the scatter is found."""
 WORTH = 2.0
 """A parameter moves up to this uncertainty, in errors that it has by the datasheet: those of
 correlated parameters compensate each other."""
 MANY = 1e6
 """Degrees of freedom while it is not known how many there are."""
-LEAST_SPARE = 0.05
 BACK_AGAIN = 0.9
 """An excluded point returns within this share of the limit, so that no point alternates."""
 
@@ -229,14 +225,14 @@ def _robust(data: StackedObservations, at: Unknowns, columns: Indices) -> tuple[
     """Huber's M-estimate with the scatter estimated on the way, so that outliers do not
     dominate."""
     for _ in range(ROBUST_STEPS):
-        scatter = _median_scatter(data, at, len(columns))
+        scatter = median_scatter(data, at, len(columns))
         off = residuals(data, at, scatter).whitened
         weights = np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
         system = reduce_system(data, at, columns, weights, scatter)
         at, size = step(data, at, columns, system)
         if not np.isfinite(size) or size < 0.1:
             break
-    return at, _median_scatter(data, at, len(columns))
+    return at, median_scatter(data, at, len(columns))
 
 
 def _agreeing(
@@ -250,48 +246,6 @@ def _agreeing(
     freedoms[0] = MANY
     limits = _limits(data, everything > 0, levers, freedoms)
     return np.asarray(residuals(data, at, scatter).whitened < limits)
-
-
-def _median_scatter(data: StackedObservations, at: Unknowns, parameters: int) -> Scatter:
-    """Scatter per coordinate beyond what is stated for which the median point has the expected
-    distance.
-
-    Args:
-        parameters: number of parameters that follow the points. Coordinates, which may be few,
-            then deviate less than they scatter.
-    """
-    found = data.coordinates
-    rows = 3 * (data.points - len(data.places) + int(found.has_rotation.sum()))
-    spare = max(1.0 - (parameters + data.others.count) / max(rows, 1), LEAST_SPARE)
-    deviations = residuals(data, at, Scatter()).distances_mm
-    by_encoders = np.trace(predict_tips(data, at).covariances, axis1=1, axis2=2) / 3
-    measured = coordinate_residuals(data, at, Scatter())
-    variances = measured.variances
-    typical = np.where(data.on_sphere, MEDIAN_OF_ONE, MEDIAN_OF_THREE)
-    turned = found.has_rotation
-    kinds = (
-        (deviations[: data.touches] / typical, by_encoders),
-        (_lengths(measured.off[:, :3]) / MEDIAN_OF_THREE, variances[:, :3].mean(axis=1)),
-        (
-            _lengths(measured.off[turned, 3:]) / MEDIAN_OF_THREE,
-            variances[turned, 3:].mean(axis=1),
-        ),
-    )
-    values = [
-        max(_median(distances) ** 2 / share - _median(explained), least**2)
-        for (distances, explained), share, least in zip(
-            kinds, (1.0, spare, spare), Scatter().floors, strict=True
-        )
-    ]
-    return Scatter(*np.sqrt(values).tolist())
-
-
-def _median(values: Floats) -> float:
-    return float(np.median(values)) if len(values) else 0.0
-
-
-def _lengths(vectors: Floats) -> Floats:
-    return np.asarray(np.linalg.norm(vectors, axis=1))
 
 
 def _without_outliers(
@@ -308,10 +262,10 @@ def _without_outliers(
     """
     for _ in range(OUTLIER_ROUNDS):
         system = reduce_system(data, at, columns, kept.astype(float), scatter)
-        freedoms = _require_redundancy(data, kept, system)
+        freedoms = require_redundancy(data, kept, system)
         for _ in range(SCATTER_STEPS):
             at = descend(data, at, columns, kept.astype(float), scatter)
-            found = _scatter(data, at, kept, scatter, freedoms)
+            found = match_scatter(data, at, kept, scatter, freedoms)
             done = found.is_close(scatter, 0.02)
             scatter = found
             if done:
@@ -376,98 +330,3 @@ def _enough_left(data: StackedObservations, kept: NDArray[np.bool_]) -> NDArray[
     again = np.zeros(data.points, dtype=bool)
     again[: data.touches] = counts[data.place_of] == 0
     return np.asarray(kept | again)
-
-
-def redundancies(
-    data: StackedObservations, kept: NDArray[np.bool_], system: ReducedSystem
-) -> Floats:
-    """(3,) degrees of freedom of touches and certified lengths, coordinates, and rotations.
-
-    Each unknown takes its share of those kinds of rows that determine it.
-    """
-    touched, measured = kept[: data.touches], kept[data.touches :]
-    bars = sum(group.bar is not None for group in data.groups)
-    lengths = int(np.isfinite(length_uncertainties_mm(data)).sum())
-    turned = data.coordinates.has_rotation & measured
-    rows = np.array(
-        [
-            np.sum(np.where(data.on_sphere[touched], 1, 3)) + bars + lengths - 3 * len(data.places),
-            3 * int(measured.sum()),
-            3 * int(turned.sum()),
-        ]
-    )
-    covariance = system_covariance(system.rows)
-    taken = [np.einsum("ij,jk,ik->", own, covariance, own) for own in system.kinds]
-    return np.asarray(rows - taken)
-
-
-def _require_redundancy(
-    data: StackedObservations, kept: NDArray[np.bool_], system: ReducedSystem
-) -> Floats:
-    """The same; raises ``OperationError`` if nothing checks the fit."""
-    freedoms = redundancies(data, kept, system)
-    if np.sum(freedoms) < 1:
-        columns = system.rows.shape[1] - system.others
-        raise OperationError(
-            "too-few-points",
-            message("points-places", points=int(kept.sum()), places=len(data.places)),
-            message("they-leave-nothing-over-check-parameters", columns=columns),
-            message("take-more-points-more-places"),
-        )
-    return freedoms
-
-
-def _scatter(
-    data: StackedObservations,
-    at: Unknowns,
-    kept: NDArray[np.bool_],
-    scatter: Scatter,
-    freedoms: Floats,
-) -> Scatter:
-    """The scatter beyond what is stated for which the chi-squared of each kind is as expected."""
-    sight, poses = predict_tips(data, at), predict_poses(data, at)
-    touched, measured = kept[: data.touches], kept[data.touches :]
-
-    by_lengths = float(np.sum(length_deviations(data, at) ** 2))
-
-    def touches(scatter_mm: float) -> float:
-        return float(np.sum(mahalanobis(data, at, sight, scatter_mm)[touched] ** 2)) + by_lengths
-
-    def coordinates(tried: Scatter, rows: slice) -> float:
-        whitened = coordinate_residuals(data, at, tried, poses).whitened
-        return float(np.sum(whitened[measured, rows] ** 2))
-
-    def points(scatter_mm: float) -> float:
-        return coordinates(replace(scatter, point_mm=scatter_mm), slice(3))
-
-    def turns(scatter_rad: float) -> float:
-        return coordinates(replace(scatter, turn_rad=scatter_rad), slice(3, 6))
-
-    values = [
-        _matching_scatter(squares, float(freedom), float(least), float(now))
-        for squares, freedom, least, now in zip(
-            (touches, points, turns), freedoms, scatter.floors, scatter.values, strict=True
-        )
-    ]
-    if freedoms[0] < 1:  # touches that nothing checks scatter as the coordinates do
-        values[0] = max(values[0], values[1])
-    return Scatter(*values)
-
-
-def _matching_scatter(
-    squares: Callable[[float], float], freedom: float, least: float, now: float
-) -> float:
-    """The scatter for which the squared deviations sum up to the freedom, at least ``least``.
-
-    Where lengths deviate that a larger scatter lets deviate less after the next fit, it grows step
-    by step from ``now``.
-    """
-    from scipy.optimize import brentq  # slow to import, and seldom needed
-
-    if freedom < 1 or squares(least) <= freedom:
-        return least
-    if squares(LARGEST_GROWTH * now) > freedom:
-        return now * float(np.sqrt(min(squares(now) / freedom, LARGEST_GROWTH)))
-    return float(
-        brentq(lambda value: squares(value) - freedom, least, LARGEST_GROWTH * now, rtol=1e-3)
-    )
