@@ -43,8 +43,9 @@ THIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN, CERTAIN_SIGMA_ROWS = 0.8, 1.2, 5.0
 least so wide at coarser scales."""
 WIDEST_LINE = 1 / 8
 """A line is at most so wide at half height, in shares of the image's height."""
-CLEARLY_BETTER, AS_GOOD = 1.05, 0.97
-"""A coarser scale is chosen if it shows this much more of the line; of a wide line, as much."""
+CLEARLY_BETTER, BETTER = 1.05, 1.02
+"""A coarser scale is chosen if it shows this much more of the line; the latter of a wide line. The
+finer one measures a line that is no bell more exactly."""
 THIN_AS_GOOD = 0.85
 """Rows between the rows are if they show this much: a thin line is less high there."""
 UNRESOLVED_PX, UNRESOLVED_SIGMA_ROWS = 12**-0.5, 1.2
@@ -164,15 +165,17 @@ def extract_whole(
     for factor in () if best.is_thin else wide_factors(grey.shape[0]):
         found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
         is_line = found.width_px < WIDEST_LINE * grey.shape[0]
-        enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else AS_GOOD
+        enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else BETTER
         if is_line and found.evidence > enough * best.evidence:
             best = found
         if found.is_certain:
             break
-    if best.evidence == 0 or best.is_thin:
+    if best.is_thin or not best.is_long:
         parts = whole_image(grey, THIN_FACTOR)
         found = extract_parts(grey, axis, parts, where, settings, factor=THIN_FACTOR)
-        if found.evidence > THIN_AS_GOOD * best.evidence:
+        enough = THIN_AS_GOOD if best.is_thin else CLEARLY_BETTER
+        is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
+        if is_thin and found.evidence > enough * best.evidence:
             best = found
     return best
 

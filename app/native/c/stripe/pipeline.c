@@ -83,8 +83,11 @@ static int64_t finish(Workspace *work, int64_t n, double saturated)
     double *unsure = points + UNSURE * width;
     const double scatter = speckle_variance(points + ALONG * width, points + ACROSS * width, unsure,
                                             found, SPECKLE_LAG, 0, work->scratch);
+    const double share = scatter > 0 ? 1
+                                     : scatter_share(points + ALONG * width, points + ACROSS * width,
+                                                     unsure, found, SPECKLE_LAG, work->scratch);
     for (int64_t i = 0; i < found; i++)
-        unsure[i] = sqrt(unsure[i] + scatter);
+        unsure[i] = sqrt(share * unsure[i] + scatter);
     return found;
 }
 #endif

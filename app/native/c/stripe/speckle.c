@@ -11,6 +11,7 @@ static const double MEDIAN_OF_SQUARE = 0.4549; /* of a standard normal deviate *
 /* The standard deviation of such a median of n, times the root of n, in shares of itself. */
 static const double CHANCE = 2.33;
 static const double LEAST_SPECKLE = 1e-12; /* px squared, to begin a search with */
+static const double LEAST_SHARE_OF_KNOWN = 1e-3; /* of the variances, to end a search with */
 enum { FEWEST_DIFFERENCES = 30, HALVINGS = 9 };
 
 /* How many squares lie below the median that they would have with so much speckle. */
@@ -23,6 +24,29 @@ static int64_t number_below(const double *squares, const double *known, int64_t 
     return below;
 }
 
+/* Fills the squared fourth differences of points (n) in ascending order of columns over a lag, and
+ * the sums of known variances that they have; returns how many are not over a gap, 0 for too few.
+ *
+ * squares, known (n - 4 lag). */
+static int64_t fourth_differences(const double *along, const double *across,
+                                  const double *variance, int64_t n, int64_t lag, double *squares,
+                                  double *known)
+{
+    int64_t found = 0;
+    for (int64_t i = 0; i < n - 4 * lag; i++) {
+        int64_t j = i + lag, k = i + 2 * lag, l = i + 3 * lag, m = i + 4 * lag;
+        bool whole = along[m] - along[i] == 4 * lag;
+        double fourth = across[i] + across[m] - 4 * (across[j] + across[l]) + 6 * across[k];
+        double own = variance[i] + 16 * (variance[j] + variance[l]) + variance[m];
+        own += 36 * variance[k];
+        /* over a gap there is no difference; it is never below anything */
+        squares[i] = whole ? fourth * fourth : INFINITY;
+        known[i] = whole ? own : 0.0;
+        found += whole;
+    }
+    return found < FEWEST_DIFFERENCES ? 0 : found;
+}
+
 /* In px squared, of points (n) in ascending order of columns with known variances.
  *
  * lag: columns apart at which the scatter is independent.
@@ -32,25 +56,13 @@ static int64_t number_below(const double *squares, const double *known, int64_t 
 static double speckle_variance(const double *along, const double *across, const double *variance,
                                int64_t n, int64_t lag, int64_t alike, double *workspace)
 {
-    n -= 4 * lag;
-    if (n < FEWEST_DIFFERENCES)
-        return 0.0;
     double *squares = workspace, *known = workspace + n, total = 0.0;
-    int64_t found = 0;
-    for (int64_t i = 0; i < n; i++) {
-        int64_t j = i + lag, k = i + 2 * lag, l = i + 3 * lag, m = i + 4 * lag;
-        bool whole = along[m] - along[i] == 4 * lag;
-        double fourth = across[i] + across[m] - 4 * (across[j] + across[l]) + 6 * across[k];
-        double own = variance[i] + 16 * (variance[j] + variance[l]) + variance[m];
-        own += 36 * variance[k];
-        /* over a gap there is no difference; it is never below anything */
-        squares[i] = whole ? fourth * fourth : INFINITY;
-        known[i] = whole ? own : 0.0;
-        total += known[i];
-        found += whole;
-    }
-    if (found < FEWEST_DIFFERENCES)
+    const int64_t found = fourth_differences(along, across, variance, n, lag, squares, known);
+    if (!found)
         return 0.0;
+    n -= 4 * lag;
+    for (int64_t i = 0; i < n; i++)
+        total += known[i];
     /* a scatter that chance may give is none */
     double excused = 1 + CHANCE * sqrt((double)alike / (double)found);
     if (2 * number_below(squares, known, n, excused, 0.0) >= found)
@@ -68,6 +80,32 @@ static double speckle_variance(const double *along, const double *across, const 
             low = middle;
     }
     return 0.5 * (low + high);
+}
+
+/* The share of the known variances that points (n) scatter by, at most 1.
+ *
+ * Where a line is no bell, what the fits leave looks like noise and is none: it is alike in all
+ * columns. What chance may give is no share below 1. workspace (2 n). */
+static double scatter_share(const double *along, const double *across, const double *variance,
+                            int64_t n, int64_t lag, double *workspace)
+{
+    double *squares = workspace, *known = workspace + n;
+    const int64_t found = fourth_differences(along, across, variance, n, lag, squares, known);
+    if (!found)
+        return 1.0;
+    n -= 4 * lag;
+    const double excused = 1 + CHANCE / sqrt((double)found);
+    if (2 * number_below(squares, known, n, 1 / excused, 0.0) < found)
+        return 1.0;
+    double low = LEAST_SHARE_OF_KNOWN, high = 1.0;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = sqrt(low * high);
+        if (2 * number_below(squares, known, n, middle, 0.0) >= found)
+            high = middle;
+        else
+            low = middle;
+    }
+    return min_f64(excused * high, 1.0);
 }
 
 EXPORT(double, speckle_variance)(int64_t n, const double *along, const double *across,
