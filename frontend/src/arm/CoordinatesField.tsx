@@ -1,11 +1,13 @@
-import type { ChangeEvent } from "react";
+import { type ChangeEvent, useRef } from "react";
 
 import { sendCommand } from "../api/guideCommands";
 import styles from "../parts/Field.module.css";
+import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 
 /** Takes a file of what a tracker or measuring machine measured into the identification. */
 export function CoordinatesField({ points, disabled }: { points: number; disabled: boolean }) {
+  const chooser = useRef<HTMLInputElement>(null);
   const take = async (event: ChangeEvent<HTMLInputElement>) => {
     const field = event.currentTarget;
     const file = field.files?.[0];
@@ -19,7 +21,10 @@ export function CoordinatesField({ points, disabled }: { points: number; disable
       <label className={styles.label} htmlFor="coordinates-file">
         {points ? t("ui-coordinates-points-taken", { points }) : t("ui-coordinates-of-a-tracker")}
       </label>
-      <input id="coordinates-file" type="file" accept=".csv,text/csv" disabled={disabled} onChange={take} />
+      <input ref={chooser} id="coordinates-file" type="file" accept=".csv,text/csv" hidden onChange={take} />
+      <PressButton disabled={disabled} onPress={() => chooser.current?.click()}>
+        {t("ui-choose-a-file")}
+      </PressButton>
     </div>
   );
 }

@@ -119,6 +119,7 @@ ui-checking-the-station = Station wird geprüft …
 ui-checks = Prüfungen
 ui-checks-could-not-loaded-they-reload = Die Prüfungen konnten nicht geladen werden. Sie werden neu geladen, sobald die Station wieder da ist.
 ui-checks-over-time = Prüfungen im zeitlichen Verlauf
+ui-choose-a-file = Datei wählen
 ui-choose-the-arm = Messarm wählen
 ui-clamp-gauge-within-arms-reach = Prüfnormal in Reichweite des Messarms aufspannen.
 ui-clamp-must-not-move-between-first = Prüfnormal aufspannen. Zwischen dem ersten Antastpunkt und der letzten Punktwolke darf es sich nicht bewegen.

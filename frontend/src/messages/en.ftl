@@ -119,6 +119,7 @@ ui-checking-the-station = Checking the station…
 ui-checks = Checks
 ui-checks-could-not-loaded-they-reload = The checks could not be loaded. They reload when the station is back.
 ui-checks-over-time = Checks over time
+ui-choose-a-file = Choose a file
 ui-choose-the-arm = Choose the arm
 ui-clamp-gauge-within-arms-reach = Clamp a gauge within the arm's reach.
 ui-clamp-must-not-move-between-first = Clamp the gauge. It must not move between the first contact point and the last cloud.
