@@ -203,7 +203,7 @@ def test_a_wide_line_is_followed_and_a_narrow_one_after_it() -> None:
 def test_pictures_of_more_bits_are_scaled_alike(shift: int) -> None:
     rows = course(10)
     light = 10 + beam(rows, 40, 150)
-    image = (expose(light, 10).astype(np.uint16)) << shift
+    image = np.left_shift(expose(light, 10).astype(np.uint16), np.uint16(shift))
     on, beside = shares(extract_stripe(image), rows, 40)
     assert on > 0.98
     assert beside == 0

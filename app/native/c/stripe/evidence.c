@@ -68,8 +68,12 @@ static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double bright
         return false;
     const bool is_long = work->length >= LONG_LINE || columns >= MANY_COLUMNS;
     const double most = is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT;
+    const double few = (1 - CLUTTER_SHARE) * (double)work->width;
+    /* a point that was fitted has a peak, which is no clutter */
+    if (!work->is_clipped && (double)(n - points) <= few && columns >= MANY_COLUMNS)
+        return true;
     list_points(work, count, point_at);
-    if ((double)find_clutter(work, n, point_at) > (1 - CLUTTER_SHARE) * (double)work->width)
+    if ((double)find_clutter(work, n, point_at) > few)
         clutter = clutter_level(work, point_at, 0, work->width, height);
     if (columns >= MANY_COLUMNS && clutter < NEARLY_ALONE)
         return true;

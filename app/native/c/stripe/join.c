@@ -77,7 +77,7 @@ static double speckle_beside(Clipped *c, PointTable peaks, int64_t kept, int64_t
         c->across[rest] = peaks.across[k];
         variance[rest++] = peaks.unsure[k];
     }
-    return speckle_variance(c->along, c->across, variance, rest, SPECKLE_LAG, 0, c->workspace);
+    return speckle_variance(c->along, c->across, variance, rest, SPECKLE_LAG, 0, c->workspace, NULL);
 }
 
 /* What the smoothed clipped points scatter by. Those that share no column are as far apart as the
@@ -90,7 +90,7 @@ static double speckle_of_flanks(Clipped *c)
         c->along[i] = c->flank_column[i];
         variance[i] = c->by_noise[i] + c->by_surface[i];
     }
-    return speckle_variance(c->along, c->centre, variance, c->flanks, lag, lag, c->workspace);
+    return speckle_variance(c->along, c->centre, variance, c->flanks, lag, lag, c->workspace, NULL);
 }
 
 /* Joins n peaks beside the cores and the flanks; fills the points; returns how many there are.

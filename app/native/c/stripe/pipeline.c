@@ -81,11 +81,9 @@ static int64_t finish(Workspace *work, int64_t n, double saturated)
     for (int64_t i = 0; i < found; i++)
         points[HEIGHT * width + i] = min_f64(points[HEIGHT * width + i], saturated);
     double *unsure = points + UNSURE * width;
+    double share;
     const double scatter = speckle_variance(points + ALONG * width, points + ACROSS * width, unsure,
-                                            found, SPECKLE_LAG, 0, work->scratch);
-    const double share = scatter > 0 ? 1
-                                     : scatter_share(points + ALONG * width, points + ACROSS * width,
-                                                     unsure, found, SPECKLE_LAG, work->scratch);
+                                            found, SPECKLE_LAG, 0, work->scratch, &share);
     for (int64_t i = 0; i < found; i++)
         unsure[i] = sqrt(share * unsure[i] + scatter);
     return found;
@@ -234,13 +232,15 @@ static int64_t OF(place_points)(Workspace *work, double read, double threshold, 
                                 bool overexposed)
 {
     int64_t chosen, found = 0;
+    work->is_clipped = false;
     if (!overexposed) {
         chosen = list_chosen(work, NULL, 0);
         found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);
     }
     if (overexposed || most_clipped(work, chosen) >= CLIPPED_CORE) {
         Clipped clipped;
-        if (OF(find_cores)(work, &clipped, saturated))
+        work->is_clipped = OF(find_cores)(work, &clipped, saturated) > 0;
+        if (work->is_clipped)
             return OF(place_by_flanks)(work, &clipped, read, threshold, saturated);
     }
     if (overexposed) {

@@ -47,26 +47,13 @@ static int64_t fourth_differences(const double *along, const double *across,
     return found < FEWEST_DIFFERENCES ? 0 : found;
 }
 
-/* In px squared, of points (n) in ascending order of columns with known variances.
- *
- * lag: columns apart at which the scatter is independent.
- * alike: neighbours that share their noise, so that fewer points are independent; what their
- * median may exceed the known variance by in chance is none.
- * workspace (2 n). */
-static double speckle_variance(const double *along, const double *across, const double *variance,
-                               int64_t n, int64_t lag, int64_t alike, double *workspace)
+/* What such squares show beyond the known variances, in px squared; of n, of which `found` are not
+ * over a gap. */
+static double search_speckle(const double *squares, const double *known, int64_t n, int64_t found)
 {
-    double *squares = workspace, *known = workspace + n, total = 0.0;
-    const int64_t found = fourth_differences(along, across, variance, n, lag, squares, known);
-    if (!found)
-        return 0.0;
-    n -= 4 * lag;
+    double total = 0.0;
     for (int64_t i = 0; i < n; i++)
         total += known[i];
-    /* a scatter that chance may give is none */
-    double excused = 1 + CHANCE * sqrt((double)alike / (double)found);
-    if (2 * number_below(squares, known, n, excused, 0.0) >= found)
-        return 0.0;
     double low = 0.0, high = max_f64(total / (double)found / FOURTH, LEAST_SPECKLE);
     while (high < INFINITY && 2 * number_below(squares, known, n, 1.0, high) < found) {
         low = high;
@@ -82,21 +69,9 @@ static double speckle_variance(const double *along, const double *across, const 
     return 0.5 * (low + high);
 }
 
-/* The share of the known variances that points (n) scatter by, at most 1.
- *
- * Where a line is no bell, what the fits leave looks like noise and is none: it is alike in all
- * columns. What chance may give is no share below 1. workspace (2 n). */
-static double scatter_share(const double *along, const double *across, const double *variance,
-                            int64_t n, int64_t lag, double *workspace)
+/* The share of the known variances that such squares show, where that is less than 1. */
+static double search_share(const double *squares, const double *known, int64_t n, int64_t found)
 {
-    double *squares = workspace, *known = workspace + n;
-    const int64_t found = fourth_differences(along, across, variance, n, lag, squares, known);
-    if (!found)
-        return 1.0;
-    n -= 4 * lag;
-    const double excused = 1 + CHANCE / sqrt((double)found);
-    if (2 * number_below(squares, known, n, 1 / excused, 0.0) < found)
-        return 1.0;
     double low = LEAST_SHARE_OF_KNOWN, high = 1.0;
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = sqrt(low * high);
@@ -105,12 +80,41 @@ static double scatter_share(const double *along, const double *across, const dou
         else
             low = middle;
     }
-    return min_f64(excused * high, 1.0);
+    return high;
+}
+
+/* What points (n) in ascending order of columns scatter by beyond known variances, in px squared.
+ *
+ * share: if given, what they scatter by less than them in shares of them; else it is 1. Where a
+ * line is no bell, what the fits leave looks like noise and is none: it is alike in all columns.
+ * lag: columns apart at which the scatter is independent.
+ * alike: neighbours that share their noise, so that fewer points are independent; what their
+ * median may differ from the known variance by in chance is none.
+ * workspace (2 n). */
+static double speckle_variance(const double *along, const double *across, const double *variance,
+                               int64_t n, int64_t lag, int64_t alike, double *workspace,
+                               double *share)
+{
+    double *squares = workspace, *known = workspace + n;
+    const int64_t found = fourth_differences(along, across, variance, n, lag, squares, known);
+    if (share)
+        *share = 1.0;
+    if (!found)
+        return 0.0;
+    n -= 4 * lag;
+    const double excused = 1 + CHANCE * sqrt((double)alike / (double)found);
+    if (2 * number_below(squares, known, n, excused, 0.0) < found)
+        return search_speckle(squares, known, n, found);
+    /* never less than chance may have made it */
+    const double doubt = 1 + CHANCE * sqrt(1.0 / (double)found);
+    if (share && 2 * number_below(squares, known, n, 1 / doubt, 0.0) >= found)
+        *share = min_f64(doubt * search_share(squares, known, n, found), 1.0);
+    return 0.0;
 }
 
 EXPORT(double, speckle_variance)(int64_t n, const double *along, const double *across,
                                  const double *variance, double *workspace, int64_t lag,
                                  int64_t alike)
 {
-    return speckle_variance(along, across, variance, n, lag, alike, workspace);
+    return speckle_variance(along, across, variance, n, lag, alike, workspace, NULL);
 }

@@ -95,6 +95,7 @@ typedef struct {
 
     /* results: how much of a line the points are, and how long, see evidence.c */
     double evidence, length;
+    int64_t is_clipped; /* some points lie where the line is clipped, and have no peak */
 } Workspace;
 
 #endif
