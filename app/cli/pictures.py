@@ -92,6 +92,14 @@ def extract(
     choice: Annotated[
         PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
     ] = PeakOption.CONTINUITY,
+    smoothing: Annotated[
+        float,
+        typer.Option(
+            metavar="PX",
+            help="Smooth along the line: standard deviation in pixels, 0 for none. Structures of"
+            " period λ keep exp(-2(π·PX/λ)²) of their height, half at λ = 5.3·PX.",
+        ),
+    ] = 0.0,
     mask: Annotated[
         Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
     ] = None,
@@ -121,7 +129,9 @@ def extract(
 
     check_output_path(output, images if mask is None else [*images, mask])
     zones = None if mask is None else Mask.read(mask)
-    settings = StripeSettings(threshold, min_width, max_width, choice=choice.value)
+    settings = StripeSettings(
+        threshold, min_width, max_width, choice=choice.value, smoothing_px=smoothing
+    )
     channel = _choose_channel(colour, bayer)
     if laser_off is not None:
         if channel is not None:

@@ -76,12 +76,17 @@ class BayerPlane:
         return np.asarray(np.logical_and.reduce(parts))
 
     def select_settings(self, settings: StripeSettings) -> StripeSettings:
-        """Settings whose widths are in the plane's pixels."""
+        """Settings whose widths and smoothing are in the plane's pixels."""
         least, most = (
             None if width_px is None else width_px / CELL_PX
             for width_px in (settings.min_width_px, settings.max_width_px)
         )
-        return replace(settings, min_width_px=least, max_width_px=most)
+        return replace(
+            settings,
+            min_width_px=least,
+            max_width_px=most,
+            smoothing_px=settings.smoothing_px / CELL_PX,
+        )
 
     def raw_px(self, uv_px: Floats) -> Floats:
         """(N, 2) pixels of the raw picture, of those of the plane."""

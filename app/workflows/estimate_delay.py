@@ -20,6 +20,7 @@ from app.formats.settings.scan_settings import Sync
 from app.messages.message import message, word
 from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.stripe import number_sharing_noise
 from app.metrology.time_delay.delay import ClockDelay, estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass
 from app.metrology.transforms import Floats
@@ -124,6 +125,7 @@ class _PassReader:
         self._track = JointTrack(arm.joint_count)
         self._points: list[Points] = []
         self._stamps_ns: list[int] = []
+        self._found = 0
 
     def take(self, block: Block) -> None:
         """The block's joints, and its frames' points."""
@@ -150,6 +152,7 @@ class _PassReader:
         first = len(self._stamps_ns)
         here = np.tile(np.eye(4), (len(frames), 1, 1))
         found, _ = reconstruct_frames(placing, block, frames, here, first)
+        self._found += len(found)
         self._points.append(_thin_points(found))
         self._stamps_ns += [frame.stamp_ns for frame in frames]
 
@@ -167,7 +170,14 @@ class _PassReader:
             np.column_stack([points[axis] for axis in "xyz"]),
             np.maximum(sigma_mm, LEAST_SIGMA_MM),
             _poses(self._track, self._arm, self._calibration.T_flange_sensor),
+            self._number_sharing_noise(),
         )
+
+    def _number_sharing_noise(self) -> float:
+        """Of the points kept, if the station smoothed the stripes along the line."""
+        kept = sum(len(points) for points in self._points)
+        sharing = number_sharing_noise(self._recording.smoothing_px)
+        return max(1.0, sharing * kept / max(self._found, 1))
 
 
 def _thin_points(points: Points) -> Points:

@@ -29,6 +29,7 @@ from app.workflows.reconstruct_messages import (
     implausible_joints_warning,
     missing_joints_warning,
     no_joints_error,
+    smoothing_warning,
 )
 
 PointConsumer = Callable[[Points, int], None]
@@ -298,6 +299,8 @@ class _Job:
 
     def _warnings(self, joints: ClockReport, frames: ClockReport) -> list[Text]:
         warnings = [self._recording.cut] if self._recording.cut else []
+        if self._recording.smoothing_px:
+            warnings.append(smoothing_warning(self._recording.smoothing_px))
         start_ns, unplaced = self._recording.first_ns or 0, self._unplaced_ns
         if unplaced:
             warnings.append(

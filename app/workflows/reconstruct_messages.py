@@ -6,8 +6,9 @@ from typing import Literal
 from app.errors import OperationError
 from app.formats.recording.clock_check import ClockReport
 from app.formats.recording.joint_track import JointTrack
-from app.messages.message import Quantity, Text, message, quantity
+from app.messages.message import Quantity, Text, message, quantity, rounded
 from app.metrology.arm.joint_plausibility import ImplausibleReading
+from app.metrology.stripe import HALF_HEIGHT_PERIOD
 
 Stream = Literal["joints", "frames"]
 
@@ -63,6 +64,15 @@ def clock_warnings(stream: Stream, clock: ClockReport, start_ns: int) -> list[Te
             )
         )
     return warnings
+
+
+def smoothing_warning(smoothing_px: float) -> Text:
+    """The station smoothed the stripes along the line before it recorded them."""
+    return message(
+        "stripes-were-smoothed",
+        smoothing=rounded(smoothing_px, "px"),
+        half=rounded(HALF_HEIGHT_PERIOD * smoothing_px, "px", 3),
+    )
 
 
 def no_joints_error(

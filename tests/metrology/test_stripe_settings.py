@@ -102,6 +102,9 @@ def test_masked_zones_hold_no_points() -> None:
         StripeSettings(min_width_px=5, max_width_px=4),
         StripeSettings(min_run=0),
         StripeSettings(choice="brightest"),  # type: ignore[arg-type]
+        StripeSettings(smoothing_px=-1),
+        StripeSettings(smoothing_px=float("nan")),
+        StripeSettings(smoothing_px=float("inf")),
     ],
 )
 def test_settings_that_cannot_be_meant_are_refused(wrong: StripeSettings) -> None:

@@ -62,7 +62,7 @@ def test_settings_reach_a_running_scan_and_its_recording(
     operator.change(SettingsChange(zones=LEFT_HALF))
     frames = scanner.state().frames
     until(lambda: scanner.state().frames > frames + 60)
-    operator.change(SettingsChange(threshold=250.0))
+    operator.change(SettingsChange(threshold=250.0, smoothing_px=2.0))
     frames = scanner.state().frames
     until(lambda: scanner.state().frames > frames + 60)
     scanner.stop()
@@ -76,6 +76,7 @@ def test_settings_reach_a_running_scan_and_its_recording(
     list(recording.records())
     reported = json.loads(recording.station[EXTRACTION])
     assert reported["threshold"] == 250.0
+    assert recording.smoothing_px == reported["smoothing_px"] == 2.0
     assert len(reported["mask"]["zones"][0]) == 4
     assert recording.station["arm_serial"] == "A-1"
     assert kept.settings.threshold == 250.0
@@ -89,6 +90,8 @@ def test_settings_reach_a_running_scan_and_its_recording(
         ("threshold", 1e6),
         ("min_width_px", 0.1),
         ("choice", "second"),
+        ("smoothing_px", -1.0),
+        ("smoothing_px", 51.0),
         ("exposure_us", -5.0),
         ("blur_limit_mm", float("nan")),
         ("record_pictures", 1),

@@ -25,6 +25,7 @@ SETTINGS: dict[str, object] = {
     "threshold": None,
     "min_width_px": None,
     "choice": "continuity",
+    "smoothing_px": None,
     "exposure_us": 4000.0,
     "blur_limit_mm": None,
     "record_pictures": False,

@@ -1,5 +1,7 @@
 """Reads a scan recording (MCAP) as a stream, even if it was truncated."""
 
+import json
+import math
 import os
 from collections.abc import Iterator
 from contextlib import suppress
@@ -23,6 +25,7 @@ STATION_METADATA = "crenel/station"
 ARM_DELAY = "arm_delay_ns"
 EXTRACTION = "extraction"
 """Settings of stripe extraction, as JSON; empty if all were automatic."""
+SMOOTHING = "smoothing_px"
 SCAN_NAME, SCAN_STARTED, SCAN_CALIBRATION = "scan_name", "scan_started_at", "scan_calibration"
 """The name under which the scan of a killed process is listed."""
 LARGEST_PREAMBLE = 256 << 10
@@ -51,6 +54,15 @@ class Recording:
         with suppress(ValueError):
             return int(self.station.get(ARM_DELAY, "0"))
         return 0
+
+    @property
+    def smoothing_px(self) -> float:
+        """By how much the stripes were smoothed along the line before they were recorded; 0 if they
+        were not."""
+        with suppress(ValueError, TypeError, AttributeError):
+            smoothing_px = float(json.loads(self.station.get(EXTRACTION, "{}")).get(SMOOTHING, 0))
+            return max(smoothing_px, 0.0) if math.isfinite(smoothing_px) else 0.0
+        return 0.0
 
     def records(self) -> Iterator[Record]:
         """Joints, images and stripes in the order of the file.

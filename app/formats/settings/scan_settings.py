@@ -10,12 +10,14 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool
 
 from app.formats.json_document import Document, NotNegative, Number
 from app.formats.settings.mask import Mask
-from app.metrology.stripe import PeakChoice, StripeSettings
+from app.metrology.stripe import MOST_SMOOTHING_PX, PeakChoice, StripeSettings
 
 Threshold = Annotated[Number, Field(gt=0, le=60_000)]
 """Grey levels over the surroundings."""
 Width = Annotated[Number, Field(ge=0.5, le=200)]
 """Pixels at half height."""
+Smoothing = Annotated[Number, Field(ge=0, le=MOST_SMOOTHING_PX)]
+"""Standard deviation in pixels along the line."""
 Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
 """Microseconds."""
 Blur = Annotated[Number, Field(ge=0.001, le=100)]
@@ -45,13 +47,14 @@ class Sync(Document):
 
 
 class ScanOptions(BaseModel):
-    """Settings that are a number or a choice; None means automatic."""
+    """Settings that are a number or a choice; None means automatic, or no smoothing."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
     threshold: Threshold | None = None
     min_width_px: Width | None = None
     choice: PeakChoice = "continuity"
+    smoothing_px: Smoothing | None = None
     exposure_us: Exposure | None = None
     blur_limit_mm: Blur | None = None
     record_pictures: StrictBool = False
@@ -68,7 +71,12 @@ class ScanSettings(ScanOptions, Document):
     @property
     def stripe(self) -> StripeSettings:
         """What the extraction goes by."""
-        return StripeSettings(self.threshold, self.min_width_px, choice=self.choice)
+        return StripeSettings(
+            self.threshold,
+            self.min_width_px,
+            choice=self.choice,
+            smoothing_px=self.smoothing_px or 0.0,
+        )
 
     @property
     def extraction_text(self) -> str:
@@ -80,6 +88,8 @@ class ScanSettings(ScanOptions, Document):
             chosen["min_width_px"] = self.min_width_px
         if self.choice != "continuity":
             chosen["choice"] = self.choice
+        if self.smoothing_px:
+            chosen["smoothing_px"] = self.smoothing_px
         if self.mask is not None:
             chosen["mask"] = self.mask.fields()
         return json.dumps(chosen) if chosen else ""

@@ -33,16 +33,26 @@ flat below full scale (``plateau.c``), only its flanks show its position:
 6. ``flank_fit.c``: the iterations of the fit.
 7. ``smooth.c``: the line smoothed along itself over its core's width.
 8. ``join.c``: inserts its points among those of the other columns, with their deviations.
+
+``smoothing`` smooths the points along the line if the operator chooses so.
 """
 
 from app.metrology.stripe.extraction import FoundLine, extract_stripe, find_stripe
 from app.metrology.stripe.points import Stripe, concatenate_stripes, empty_stripe
-from app.metrology.stripe.settings import AUTOMATIC, PeakChoice, StripeSettings
+from app.metrology.stripe.settings import (
+    AUTOMATIC,
+    MOST_SMOOTHING_PX,
+    PeakChoice,
+    StripeSettings,
+)
+from app.metrology.stripe.smoothing import HALF_HEIGHT_PERIOD, number_sharing_noise
 from app.metrology.stripe.tracking import StripeTracker
 
 __all__ = [
     "AUTOMATIC",
     "FoundLine",
+    "HALF_HEIGHT_PERIOD",
+    "MOST_SMOOTHING_PX",
     "PeakChoice",
     "Stripe",
     "StripeSettings",
@@ -51,4 +61,5 @@ __all__ = [
     "empty_stripe",
     "extract_stripe",
     "find_stripe",
+    "number_sharing_noise",
 ]

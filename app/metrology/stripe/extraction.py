@@ -1,6 +1,6 @@
 """Stripe extraction from an image: checks, the call into C, and its result."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 import cv2
@@ -21,6 +21,7 @@ from app.metrology.stripe.scales import (
     wide_factors,
 )
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings, check_settings
+from app.metrology.stripe.smoothing import smooth_stripe
 from app.metrology.stripe.workspace import (
     LEAST_ROWS,
     PER_FULL_WIDTH,
@@ -72,7 +73,7 @@ def extract_stripe(
         image: (H, W) of uint8 or uint16 (9 to 16 significant bits).
         axis: ``u`` for one point in each column, v measured; ``v`` for one point in each row.
         where: (H, W) pixels in which the stripe may lie; None: anywhere.
-        settings: threshold, widths and the choice between several peaks.
+        settings: threshold, widths, the choice between several peaks, and smoothing along the line.
 
     Returns:
         The points in ascending order, each with its standard deviation; none if the image
@@ -104,7 +105,8 @@ def find_stripe(
     Arguments and errors are those of ``extract_stripe``.
     """
     grey = orient_image(image, axis)
-    return extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
+    found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
+    return replace(found, stripe=smooth_stripe(found.stripe, settings.smoothing_px))
 
 
 @dataclass(slots=True)

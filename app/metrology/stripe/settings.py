@@ -10,6 +10,7 @@ PeakChoice = Literal["continuity", "strength", "first", "last"]
 CHOICES: tuple[PeakChoice, ...] = ("continuity", "strength", "first", "last")
 SHORTEST_RUN = 6
 """A point belongs to a run of at least this many adjacent points."""
+MOST_SMOOTHING_PX = 50.0
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,9 @@ class StripeSettings:
     column is the stripe. ``continuity``: the one whose piece of line is the brightest on average,
     where pieces of less than 40 points count by the square of their length; ``strength``: the
     brightest; ``first`` and ``last``: the uppermost and the lowest (axis v: leftmost and rightmost)
-    that belongs to a piece.
+    that belongs to a piece. ``smoothing_px``: standard deviation of the Gaussian by which points
+    are smoothed along the line; structures of period λ keep exp(-2 (π smoothing_px / λ)²) of their
+    height.
     """
 
     threshold: float | None = None
@@ -31,6 +34,7 @@ class StripeSettings:
     max_width_px: float | None = None
     min_run: int = SHORTEST_RUN
     choice: PeakChoice = "continuity"
+    smoothing_px: float = 0.0
 
 
 AUTOMATIC = StripeSettings()
@@ -40,7 +44,8 @@ def check_settings(settings: StripeSettings) -> None:
     """Checks that the settings make sense.
 
     Raises:
-        OperationError: a value is negative, widths do not ascend, or the choice is unknown.
+        OperationError: a value is negative or not finite, widths do not ascend, the choice is
+            unknown, or the smoothing exceeds ``MOST_SMOOTHING_PX``.
     """
     least, most = settings.min_width_px, settings.max_width_px
     wrong: Text = ""
@@ -54,9 +59,15 @@ def check_settings(settings: StripeSettings) -> None:
         wrong = message("stripe-pieces-of", points=settings.min_run)
     elif settings.choice not in CHOICES:
         wrong = message("stripe-choice-is", choice=str(settings.choice))
+    elif not 0 <= settings.smoothing_px <= MOST_SMOOTHING_PX:
+        wrong = message("stripe-smoothing-is", smoothing=rounded(settings.smoothing_px, "px"))
     if wrong:
         raise OperationError(
             "stripe-settings",
             wrong,
-            message("widths-positive-ascend-choice-one", choices=", ".join(CHOICES)),
+            message(
+                "widths-positive-ascend-choice-one",
+                choices=", ".join(CHOICES),
+                smoothing=rounded(MOST_SMOOTHING_PX, "px"),
+            ),
         )

@@ -27,6 +27,8 @@ class PlanePass:
     """(N,) standard uncertainty of a point (k = 1) from its own fit."""
     poses_at: Callable[[Stamps], Floats]
     """``T_arm_sensor`` (F, 4, 4) at the arm's time stamps (F,); NaN if unknown."""
+    number_sharing_noise: float = 1.0
+    """How many neighbouring points of a frame share their noise."""
 
     @property
     def frame(self) -> NDArray[np.int64]:
@@ -50,6 +52,7 @@ class PlanePass:
             self.points_mm[at],
             self.sigma_mm[at],
             self.poses_at,
+            self.number_sharing_noise,
         )
 
 
@@ -101,4 +104,5 @@ def fit_stripe_lines(passed: PlanePass, on_plane: NDArray[np.bool_]) -> StripeLi
         moments[:, i, j] = summed(weight * off[:, i] * off[:, j]) / total
     spread, axes = np.linalg.eigh(moments[enough])
     half = axes[:, :, 2] * np.sqrt(spread[:, 2])[:, None]
-    return StripeLines(passed.stamps_ns[enough], centre[enough], half, 1.0 / total[enough])
+    variance = passed.number_sharing_noise / total[enough]
+    return StripeLines(passed.stamps_ns[enough], centre[enough], half, variance)

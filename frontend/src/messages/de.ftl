@@ -668,6 +668,8 @@ ui-simulated-operator-passes-over-plate = Der simulierte Bediener fährt über d
 ui-since = seit { $when }
 ui-six-places-determine-the-arms-geometry = Sechs Positionen bestimmen die Geometrie des Messarms
 ui-six-seats-spheres-ball-bar-places = Sechs Pfannen, Kugeln oder Kugelstabpositionen über die ganze Reichweite bestimmen die Geometrie des Messarms. Erforderlich, wenn eine Prüfung nicht bestanden ist, oder vor der ersten Kalibrierung.
+ui-smoothing-along-the-line = Glättung entlang der Linie
+ui-smoothing-quieter-points-less-detail = Ruhigere Punkte, aber weniger Details: Standardabweichung in Pixeln entlang der Linie. Strukturen der Periode λ behalten exp(−2(π·Wert/λ)²) ihrer Höhe; die Hälfte bei λ = 5,3-mal dem Wert. Leer: keine.
 ui-sounds-off = Töne aus
 ui-sounds-on = Töne an
 ui-source = Quelle

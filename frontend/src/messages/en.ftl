@@ -668,6 +668,8 @@ ui-simulated-operator-passes-over-plate = The simulated operator is scanning the
 ui-since = since { $when }
 ui-six-places-determine-the-arms-geometry = Six places determine the arm's geometry
 ui-six-seats-spheres-ball-bar-places = Six seats, spheres or ball bar places over the whole reach determine the arm's geometry. Do this when a check fails, or before the first calibration.
+ui-smoothing-along-the-line = Smoothing along the line
+ui-smoothing-quieter-points-less-detail = Quieter points, but less detail: standard deviation in pixels along the line. Structures of period λ keep exp(−2(π·value/λ)²) of their height; half at λ = 5.3 times the value. Empty: none.
 ui-sounds-off = Sounds off
 ui-sounds-on = Sounds on
 ui-source = Source

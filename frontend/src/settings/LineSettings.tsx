@@ -45,6 +45,14 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         help={t("ui-narrower-lines-glints-automatic-about-half")}
         settings={settings}
       />
+      <NumberSetting
+        name="smoothing_px"
+        label={t("ui-smoothing-along-the-line")}
+        unit="px"
+        placeholder={t("ui-none")}
+        help={t("ui-smoothing-quieter-points-less-detail")}
+        settings={settings}
+      />
       <label className={fields.field}>
         <span className={fields.label}>{t("ui-where-several-lines-cross-a-column")}</span>
         <select

@@ -9,7 +9,7 @@ import { UnitInput } from "../parts/UnitInput";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
-type Name = "threshold" | "min_width_px" | "exposure_us" | "blur_limit_mm";
+type Name = "threshold" | "min_width_px" | "smoothing_px" | "exposure_us" | "blur_limit_mm";
 
 interface NumberSettingProps {
   name: Name;
