@@ -136,6 +136,9 @@ def real(
             file_okay=False,
         ),
     ] = None,
+    smoothing: Annotated[
+        float, typer.Option(metavar="PX", help="Smooth lines along themselves, as crenel extract.")
+    ] = 0.0,
     as_json: AsJson = False,
 ) -> None:
     """Measure real pictures: boards beside OpenCV, laser lines beside three peers.
@@ -154,9 +157,11 @@ def real(
     """
     from app.bench.metrology import real_boards
     from app.bench.real import real_pictures
+    from app.metrology.stripe import StripeSettings
 
     with progress_bar("Searching", not as_json) as progress:
-        found = real_pictures.run(folder, harder, progress, draw)
+        settings = StripeSettings(smoothing_px=smoothing)
+        found = real_pictures.run(folder, harder, progress, draw, settings)
     if as_json:
         print_json(asdict(found))
         return

@@ -79,6 +79,28 @@ def test_drawings_of_one_name_are_refused(tmp_path: Path, board: Path) -> None:
     assert "two pictures are named a" in result.stderr
 
 
+def test_stripes_are_smoothed_as_wished(tmp_path: Path) -> None:
+    rows = np.arange(80.0)[:, None]
+    grey = 20 + 100 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 300))
+    noise = np.random.default_rng(0).normal(0, 3.0, grey.shape)
+    line, table = tmp_path / "line.png", tmp_path / "s.csv"
+    cv2.imwrite(str(line), (grey + noise).round().astype(np.uint8))
+    scatter, stated = [], []
+    for smoothing in ("0", "4"):
+        result = crenel("extract", line, "-o", table, "--smoothing", smoothing)
+        assert result.exit_code == 0, result.output
+        _, v, _, sigma_px = np.loadtxt(table, delimiter=",", skiprows=1).T
+        scatter.append(np.std(v))
+        stated.append(np.median(sigma_px))
+    assert scatter[1] < 0.5 * scatter[0]
+    assert stated[1] < 0.5 * stated[0]
+    for smoothing in ("-1", "nan", "inf"):
+        result = crenel("extract", line, "-o", table, "--smoothing", smoothing)
+        assert result.exit_code == 1
+        assert "the smoothing of the stripe is" in result.stderr
+        assert "at most 50 px" in result.stderr
+
+
 def test_stripes_are_drawn(tmp_path: Path) -> None:
     rows = np.arange(80.0)[:, None]
     grey = 20 + 150 * np.exp(-((rows - 40.3) ** 2) / 4.5) + np.zeros((80, 120))

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from app.errors import OperationError
 from app.metrology.arm.joint_interpolation import interpolate_angles
 from app.metrology.time_delay.delay import estimate_delay
-from app.metrology.time_delay.plane_pass import PlanePass
+from app.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
 
 pytestmark = pytest.mark.slow
@@ -88,6 +88,14 @@ def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
     assert found.rms_um < 13.0
     assert (found.rms_without_um > 100.0) == (delay_ms != 0.0)
     assert found.reversals == pytest.approx(7, abs=1)
+
+
+def test_points_that_share_their_noise_tell_less_of_a_frames_line() -> None:
+    plane = passed(Setting())
+    everything = np.ones(len(plane.points_mm), dtype=np.bool_)
+    independent = fit_stripe_lines(plane, everything).variance
+    shared = fit_stripe_lines(replace(plane, number_sharing_noise=7.0), everything).variance
+    np.testing.assert_allclose(shared, 7 * independent)
 
 
 def test_the_stated_uncertainty_is_the_scatter() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
 
-from app.bench.stripe.frames import GRAINS, simulate_frame
+from app.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
 from app.metrology.fitting.plane_sphere import PlaneFit
 from app.metrology.fitting.shape import measure_shape
 from app.metrology.sensor.triangulation import frame_points
@@ -133,6 +133,16 @@ def test_smoothed_frames_scatter_as_stated(kind: str) -> None:
         true_line = smooth_stripe(Stripe(*parts), smoothing_px)
         off.append((found.v[lit] - true_line.v) / found.sigma_px[lit])
     assert 0.8 < 1 / np.sqrt(np.mean(np.concatenate(off) ** 2)) < 1.25
+
+
+def test_points_of_a_clipped_core_claim_no_more() -> None:
+    image, _, _ = simulate_overexposure(0)
+    plain = extract_stripe(image)
+    smoothed = extract_stripe(image, settings=StripeSettings(smoothing_px=3.0))
+    clipped = plain.intensity == 255
+    assert clipped.sum() > 100
+    np.testing.assert_array_equal(smoothed.sigma_px[clipped], plain.sigma_px[clipped])
+    assert np.median((smoothed.sigma_px / plain.sigma_px)[~clipped]) < 0.5
 
 
 def test_a_line_too_short_to_tell_is_taken_to_be_speckled() -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
+from app.formats.recording.reader import EXTRACTION
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.stripe import Stripe
@@ -69,6 +70,26 @@ def test_stripes_and_joints_become_points(tmp_path: Path) -> None:
     np.testing.assert_allclose(points, expected(stamps), atol=1e-8)
     frame = read_cloud(tmp_path / "cloud.ply").frame
     np.testing.assert_array_equal(frame, np.repeat(np.arange(150), 25))
+
+
+@pytest.mark.parametrize(
+    ("extraction", "words"),
+    [
+        ('{"smoothing_px": 3.0}', ["smoothed along the laser line by 3 px", "16 px"]),
+        ('{"smoothing_px": 0}', []),
+        ('{"smoothing_px": "much"}', []),
+        ('{"smoothing_px": null}', []),
+        ("[]", []),
+        ("", []),
+    ],
+)
+def test_the_cost_of_smoothing_is_said(tmp_path: Path, extraction: str, words: list[str]) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES, {EXTRACTION: extraction}) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        record_stripe(writer, 100 * MS)
+    warnings = [str(one) for one in rebuilt(tmp_path)[0].warnings]
+    assert len(warnings) == (1 if words else 0)
+    assert all(word in warnings[0] for word in words)
 
 
 def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ from app.bench.real.agreement import APART_PX, agree, apart_px, find_agreed, fin
 from app.bench.real.layout import LazyPicture, PictureSetNotes
 from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
 from app.metrology.image import Image
-from app.metrology.stripe import Stripe, extract_stripe
+from app.metrology.stripe import AUTOMATIC, Stripe, StripeSettings, extract_stripe
 from app.metrology.stripe.extraction import orient_image
 from app.metrology.transforms import Floats
 
@@ -115,6 +115,7 @@ def measure_lines(
     pictures: Sequence[LazyPicture],
     about: PictureSetNotes = NOTHING_KNOWN,
     show: Show = show_nothing,
+    settings: StripeSettings = AUTOMATIC,
 ) -> LineSet:
     """Measures a set of pictures with a line.
 
@@ -122,6 +123,7 @@ def measure_lines(
         about: what is known of them: axis and width of the line, whether several may be taken,
             and whether the pictures are frames of one scene.
         show: called with what was found in each picture.
+        settings: of Crenel's extraction.
     """
     axis, width_px = about.stripe_axis, about.width_px
     some = [picture.load() for picture in pictures[:: -(-len(pictures) // MOST_MEASURED)]]
@@ -136,7 +138,7 @@ def measure_lines(
     frames = []
     for picture in pictures:
         turned = orient_image(picture.load(), axis)
-        own = _columns(extract_stripe(turned), turned.shape[1])
+        own = _columns(extract_stripe(turned, settings=settings), turned.shape[1])
         result.points += int(np.isfinite(own.rows).sum())
         frames.append(own)
         if width_px is None:

@@ -21,6 +21,7 @@ from app.bench.real.lines import (
 )
 from app.bench.real.peers import PEERS
 from app.formats.images import GreyImage
+from app.metrology.stripe import AUTOMATIC, StripeSettings
 from app.progress import Progress, no_progress
 
 LINE_COLUMNS = (
@@ -83,12 +84,17 @@ def _spoil_later(
 
 
 def run(
-    folder: Path, harder: bool, progress: Progress = no_progress, drawings: Path | None = None
+    folder: Path,
+    harder: bool,
+    progress: Progress = no_progress,
+    drawings: Path | None = None,
+    settings: StripeSettings = AUTOMATIC,
 ) -> RealResults:
     """Measures all sets of a folder; with ``harder``, also what is made of each.
 
     Args:
         drawings: a folder for each picture with what was found in it.
+        settings: of the extraction of lines, where there are some.
 
     Raises:
         OperationError: the folder has no sets, or a file of one cannot be read.
@@ -98,7 +104,7 @@ def run(
     for number, variant in enumerate(variants):
         progress(number / len(variants), variant.name)
         draw = drawings and partial(write_drawing, drawings / variant.name)
-        _measure(results, variant, draw or show_nothing)
+        _measure(results, variant, draw or show_nothing, settings)
     return results
 
 
@@ -108,7 +114,7 @@ def _variants(source: PictureSet, harder: bool) -> Iterator[Variant]:
         yield Variant(f"{source.name}, {name}", source, spoil, WIDTH_FACTORS.get(name, 1.0))
 
 
-def _measure(results: RealResults, variant: Variant, show: Show) -> None:
+def _measure(results: RealResults, variant: Variant, show: Show, settings: StripeSettings) -> None:
     source, pictures = variant.source, variant.pictures()
     if source.board is not None:
         loaded = (picture.load() for picture in pictures)
@@ -118,7 +124,8 @@ def _measure(results: RealResults, variant: Variant, show: Show) -> None:
     if source.without_line:
         results.no_line.append(measure_no_line(variant.name, pictures, variant.about, show))
     elif source.kind == "lines":
-        results.lines.append(measure_lines(variant.name, pictures, variant.about, show))
+        found = measure_lines(variant.name, pictures, variant.about, show, settings)
+        results.lines.append(found)
 
 
 def line_table(results: Sequence[LineSet]) -> list[list[str]]:

@@ -1,6 +1,6 @@
 """Stripe extraction from an image: checks, the call into C, and its result."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import cast
 
 import cv2
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.messages.message import message
-from app.metrology.image import Image
+from app.metrology.image import Image, saturation_level
 from app.metrology.stripe.points import Stripe, empty_stripe, stripe_from_points
 from app.metrology.stripe.scales import (
     FULL,
@@ -106,7 +106,16 @@ def find_stripe(
     """
     grey = orient_image(image, axis)
     found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
-    return replace(found, stripe=smooth_stripe(found.stripe, settings.smoothing_px))
+    if settings.smoothing_px:
+        found.stripe = smooth_as_set(found.stripe, grey, settings)
+    return found
+
+
+def smooth_as_set(stripe: Stripe, grey: Image, settings: StripeSettings) -> Stripe:
+    """The stripe of an image, smoothed along itself if the settings say so."""
+    if settings.smoothing_px == 0:
+        return stripe
+    return smooth_stripe(stripe, settings.smoothing_px, saturation_level(grey))
 
 
 @dataclass(slots=True)

@@ -41,17 +41,19 @@ MEDIAN_OF_SQUARE = 0.4549
 """Of a standard normal deviate."""
 
 
-def smooth_stripe(stripe: Stripe, smoothing_px: float) -> Stripe:
+def smooth_stripe(stripe: Stripe, smoothing_px: float, saturated: float = math.inf) -> Stripe:
     """The stripe with every point moved onto a line through its neighbours.
 
     Args:
         stripe: points in ascending order, as extracted.
         smoothing_px: standard deviation of the Gaussian along the line; 0: the stripe as it is.
+        saturated: grey level at which pixels are clipped.
 
     Returns:
         The points of the same columns. Their standard deviations follow from those of the
         neighbours, and from how much more the points scatter than if their noise were independent,
-        as under speckle.
+        as under speckle. Points of a clipped core keep theirs: they are smoothed over its width
+        already.
     """
     if smoothing_px == 0 or len(stripe.u) == 0:
         return stripe
@@ -59,7 +61,8 @@ def smooth_stripe(stripe: Stripe, smoothing_px: float) -> Stripe:
     points = _lay_out(along, across, stripe.sigma_px)
     fitted = _fit_lines(points, smoothing_px)
     variance = fitted.variance * _excess_variance(points, fitted, smoothing_px)
-    sigma_px = np.sqrt(np.minimum(variance, stripe.sigma_px**2))
+    claims_less = (stripe.intensity < saturated) & (variance < stripe.sigma_px**2)
+    sigma_px = np.where(claims_less, np.sqrt(variance), stripe.sigma_px)
     if stripe.axis == "u":
         return replace(stripe, v=fitted.across, sigma_px=sigma_px)
     return replace(stripe, u=fitted.across, sigma_px=sigma_px)

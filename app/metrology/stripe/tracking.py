@@ -12,11 +12,11 @@ from app.metrology.stripe.extraction import (
     extract_whole,
     orient_image,
     orient_mask,
+    smooth_as_set,
 )
 from app.metrology.stripe.points import Stripe
 from app.metrology.stripe.scales import height_at
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
-from app.metrology.stripe.smoothing import smooth_stripe
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
 
@@ -105,7 +105,7 @@ class StripeTracker:
             found = self._extract(self._parts(whole), grey)
         if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
-        return smooth_stripe(found.stripe, self._settings.smoothing_px)
+        return smooth_as_set(found.stripe, grey, self._settings)
 
     def _try_scales(self, grey: Image, found: FoundLine) -> FoundLine:
         """What the image shows at the best scale, which is kept for the frames to come."""
