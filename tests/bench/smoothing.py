@@ -30,8 +30,10 @@ def simulated_stripes(kind: str) -> list[tuple[Stripe, Floats]]:
         stripe = extract_stripe(image)
         truth = centre[stripe.u.astype(np.int64)]
         near = np.abs(stripe.v - truth) < NEAR_PX
-        parts = (stripe.u, stripe.v, stripe.intensity, stripe.sigma_px)
-        found.append((Stripe(*(part[near] for part in parts)), truth[near]))
+        close = Stripe(
+            stripe.u[near], stripe.v[near], stripe.intensity[near], stripe.sigma_px[near]
+        )
+        found.append((close, truth[near]))
     return found
 
 
