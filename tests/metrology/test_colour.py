@@ -79,10 +79,11 @@ def test_interpolated_pixels_state_a_wrong_uncertainty() -> None:
 
 
 def test_settings_are_stated_in_pixels_of_the_raw_picture() -> None:
-    settings = StripeSettings(threshold=9.0, min_width_px=4.0, choice="first")
+    settings = StripeSettings(threshold=9.0, min_width_px=4.0, choice="first", smoothing_px=3.0)
     of_plane = BayerPlane("RGGB", "red").select_settings(settings)
     assert (of_plane.min_width_px, of_plane.max_width_px) == (2.0, None)
     assert (of_plane.threshold, of_plane.choice) == (9.0, "first")
+    assert of_plane.smoothing_px == 1.5
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])

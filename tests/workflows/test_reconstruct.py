@@ -12,6 +12,7 @@ from app.formats.recording.writer import RecordingWriter
 from app.metrology.arm.kinematics import flange_pose
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply, inverse
+from app.workflows.estimate_delay import read_plane_pass
 from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
 from tests.formats.builders import (
     ARM,
@@ -90,6 +91,20 @@ def test_the_cost_of_smoothing_is_said(tmp_path: Path, extraction: str, words: l
     warnings = [str(one) for one in rebuilt(tmp_path)[0].warnings]
     assert len(warnings) == (1 if words else 0)
     assert all(word in warnings[0] for word in words)
+
+
+@pytest.mark.parametrize(("points", "sharing"), [(25, 10.6), (600, 2.7), (60_000, 1.0)])
+def test_a_delay_counts_points_that_share_their_noise(
+    tmp_path: Path, points: int, sharing: float
+) -> None:
+    smoothed = {EXTRACTION: '{"smoothing_px": 3.0}'}
+    u = np.linspace(0, WIDTH - 1, points)
+    stripe = Stripe(u, np.full(points, HEIGHT / 2), np.full(points, 99.0), np.full(points, 0.05))
+    with RecordingWriter(tmp_path / "scan.mcap", NAMES, smoothed) as writer:
+        joints_every(writer, 0, 400 * MS, 4 * MS)
+        writer.stripe(100 * MS, stripe, WIDTH, HEIGHT)
+    passed, _ = read_plane_pass(tmp_path / "scan.mcap", little_calibration(), ARM)
+    assert passed.number_sharing_noise == pytest.approx(sharing, abs=0.05)
 
 
 def test_the_order_in_the_file_does_not_matter(tmp_path: Path) -> None:

@@ -105,10 +105,9 @@ def _lay_out(along: Floats, across: Floats, sigma_px: Floats) -> _PiecedPoints:
     return _PiecedPoints(columns, across, sigma_px, np.cumsum(np.append(0, is_end)))
 
 
-@lru_cache(maxsize=8)
-def _kernels(smoothing_px: float) -> tuple[Floats, Floats]:
+@lru_cache(maxsize=64)
+def _kernels(smoothing_px: float, reach: int) -> tuple[Floats, Floats]:
     """The Gaussian, and its square, each times the distance to the powers 0, 1 and 2: (3, K)."""
-    reach = math.ceil(REACH * smoothing_px)
     distance = np.arange(-reach, reach + 1.0)
     gaussian = np.exp(-0.5 * (distance / smoothing_px) ** 2)
     powers = distance ** np.arange(3)[:, None]
@@ -116,8 +115,9 @@ def _kernels(smoothing_px: float) -> tuple[Floats, Floats]:
 
 
 def _fit_lines(points: _PiecedPoints, smoothing_px: float) -> _FittedPoints:
-    kernels, squared_kernels = _kernels(smoothing_px)
-    reach = kernels.shape[1] // 2
+    longest = LARGEST_GAP * int(np.bincount(points.piece).max())
+    reach = min(math.ceil(REACH * smoothing_px), longest)
+    kernels, squared_kernels = _kernels(smoothing_px, reach)
     # in cells of a column each, the pieces so far apart that none reaches into another
     cells = points.columns - points.columns[0] + reach * points.piece
     middle = float(np.mean(points.across))  # small numbers lose no digits
