@@ -50,9 +50,9 @@ from app.metrology.stripe.tracking import StripeTracker
 
 __all__ = [
     "AUTOMATIC",
-    "FoundLine",
     "HALF_HEIGHT_PERIOD",
     "MOST_SMOOTHING_PX",
+    "FoundLine",
     "PeakChoice",
     "Stripe",
     "StripeSettings",

@@ -7,7 +7,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.image import Image
+from app.metrology.image import Image, saturation_level
 from app.metrology.stripe.settings import StripeSettings
 from app.native.arguments import I64, U8, U16, Array, Function, Integer
 from app.native.library import CRENEL
@@ -21,7 +21,6 @@ LEAST_ROWS = 64
 STEEPEST_PX = 4.0
 """Pixels by which a line may climb from one column to the next."""
 FULL_SCALE_16 = 65535
-FEWEST_LEVELS = 0x100
 
 _reduce = {
     kind: Function(
@@ -94,21 +93,11 @@ def scale_of(grey: Image, factor: float) -> Scale:
     """The scale that makes ``factor`` rows of such an image one."""
     if grey.dtype == U8:
         return Scale(factor, FULL_SCALE_16 // 255, 255)
-    saturated = saturation_level(int(grey.max(initial=0)))
+    saturated = int(saturation_level(grey))
     gain = 1
     while saturated * gain * 2 <= FULL_SCALE_16:
         gain *= 2
     return Scale(factor, gain, saturated)
-
-
-def saturation_level(brightest: int) -> int:
-    """The level at which pixels of 16 bits are clipped, by the brightest of them: the sensor's
-    full scale (1023, 4095, ..., also in the upper bits) if that is it, else 65535."""
-    significant = brightest
-    while significant and significant % 2 == 0:
-        significant //= 2
-    is_full_scale = significant >= FEWEST_LEVELS and significant & (significant + 1) == 0
-    return brightest if is_full_scale else FULL_SCALE_16
 
 
 def height_at(rows: int, factor: float) -> int:
