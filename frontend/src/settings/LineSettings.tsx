@@ -1,6 +1,7 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
 import type { PlainId } from "../messages/text";
+import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
@@ -56,7 +57,7 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
       <label className={fields.field}>
         <span className={fields.label}>{t("ui-where-several-lines-cross-a-column")}</span>
         <select
-          className={fields.input}
+          className={`${look.input} ${fields.input}`}
           value={settings.choice}
           onChange={(event) => void changeSettings({ choice: event.target.value as StationSettings["choice"] })}
         >
