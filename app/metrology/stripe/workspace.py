@@ -102,7 +102,7 @@ class Workspace:
         self._give("scratch", (2, width), np.float64)
         self._give("pieces", (width, PIECE_BYTES), np.uint8)
         self._give("clutter", (width,), np.float32)
-        self._give("levels", (width,), np.float32)
+        self._give("levels", (padded,), np.float32)
         self._give("clipped", (_clipped_bytes(width),), np.uint8)
         self.fields.points = self.points.ctypes.data
 

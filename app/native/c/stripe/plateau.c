@@ -7,7 +7,7 @@
 
 #ifndef CRENEL_STRIPE_PLATEAU
 #define CRENEL_STRIPE_PLATEAU
-/* Columns looked at, and rows up and down. */
+/* Columns looked at, no more than a padded row has, and rows up and down. */
 enum { PLATEAU_COLUMNS = 64, PLATEAU_ROWS = 64 };
 /* The plateau's lowest level in shares of its top, which so many columns reach; its rows at least,
  * and in shares of those above half its height, in most of them. */

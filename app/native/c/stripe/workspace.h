@@ -90,7 +90,8 @@ typedef struct {
     double *points;   /* (4, width), the result */
     double *scratch;  /* (2, width) */
     Piece *pieces;    /* (width) */
-    float *clutter, *levels; /* (width) */
+    float *clutter; /* (width) */
+    float *levels;  /* (padded) */
     uint8_t *clipped; /* (clipped_bytes) for lines whose core is clipped */
 
     /* results: how much of a line the points are, and how long, see evidence.c */
