@@ -13,6 +13,7 @@ from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import frame_points
 from app.metrology.stripe import StripeTracker, extract_stripe
+from app.metrology.stripe.workspace import PER_FULL_WIDTH
 from app.progress import Progress
 
 COLUMNS = ("measure", "Crenel", "OpenCV Gauss + parabola", "numpy argmax + centroid")
@@ -34,7 +35,7 @@ def table(rows: Sequence[ComparisonRow]) -> list[list[str]]:
 
 POOL, ROUNDS, BURST = 64, 15, 16
 REBUILT_FRAMES, REBUILT_TIMES = 100, 60
-WIDE_LINES_PX, FULL_WIDTHS = (20, 50), 2.3548
+WIDE_LINES_PX = (20, 50)
 
 
 def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
@@ -42,7 +43,7 @@ def speeds(frames: int, progress: Progress) -> list[ComparisonRow]:
     progress(0.0, "rendering")
     base = [simulate_frame(seed).image for seed in range(min(frames, 8))]
     pool = [np.roll(base[i % len(base)], 17 * i, axis=1) for i in range(POOL)]
-    wide = [simulate_frame(1, width_px=width / FULL_WIDTHS).image for width in WIDE_LINES_PX]
+    wide = [simulate_frame(1, width_px=width * PER_FULL_WIDTH).image for width in WIDE_LINES_PX]
     camera, plane = make_sensor()
     progress(0.2, "timing")
     once, crenel, opencv, gravity, placed, tracked, *tracked_wide = median_seconds(

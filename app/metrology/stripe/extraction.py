@@ -106,8 +106,7 @@ def find_stripe(
     """
     grey = orient_image(image, axis)
     found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
-    if settings.smoothing_px:
-        found.stripe = smooth_as_set(found.stripe, grey, settings)
+    found.stripe = smooth_as_set(found.stripe, grey, settings)
     return found
 
 
@@ -170,11 +169,11 @@ def extract_whole(
         grey, where: (H, W) from ``orient_image``, ``orient_mask``.
         first: what the image shows at full scale, if that is known already.
     """
-    best = first or extract_parts(grey, axis, whole_image(grey), where, settings)
+    best = first or _extract_at(grey, axis, where, settings, 1.0)
     if best.is_certain:
         return best
     for factor in () if best.is_thin else wide_factors(grey.shape[0]):
-        found = extract_parts(grey, axis, whole_image(grey, factor), where, settings, factor=factor)
+        found = _extract_at(grey, axis, where, settings, factor)
         is_line = found.width_px < WIDEST_LINE * grey.shape[0]
         enough = CLEARLY_BETTER if best.sigma_rows < CERTAIN_SIGMA_ROWS else BETTER
         if is_line and found.evidence > enough * best.evidence:
@@ -182,13 +181,24 @@ def extract_whole(
         if found.is_certain:
             break
     if best.is_thin or not best.is_long:
-        parts = whole_image(grey, THIN_FACTOR)
-        found = extract_parts(grey, axis, parts, where, settings, factor=THIN_FACTOR)
+        found = _extract_at(grey, axis, where, settings, THIN_FACTOR)
         enough = THIN_AS_GOOD if best.is_thin else CLEARLY_BETTER
         is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
         if is_thin and found.evidence > enough * best.evidence:
             best = found
     return best
+
+
+def _extract_at(
+    grey: Image,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    factor: float,
+) -> FoundLine:
+    """The stripe in a complete image at one scale."""
+    parts, allowed = whole_image(grey, factor), reduce_mask(where, factor)
+    return extract_parts(grey, axis, parts, allowed, settings, factor=factor)
 
 
 def extract_parts(
@@ -206,7 +216,8 @@ def extract_parts(
         grey: (H, W) with the stripe across its columns, from ``orient_image``.
         parts: (n, 4) first row and the one after the last, first column and the one after the
             last, of each part of the reduced image.
-        where: (H, W) pixels in which the stripe may lie; None: anywhere.
+        where: (H / factor, W) pixels of the reduced image in which the stripe may lie; None:
+            anywhere.
         known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
             from earlier frames at this scale; zeros are filled in.
         factor: rows of the image that are made one.
@@ -217,7 +228,7 @@ def extract_parts(
     image, scale, kind = grey, FULL, grey.dtype
     if factor != 1:
         scale, kind = scale_of(grey, factor), U16
-        where, settings = reduce_mask(where, factor), scale.settings(settings)
+        settings = scale.settings(settings)
     known = np.zeros(4, dtype=np.float32) if known is None else known
     workspace = acquire_workspace(height_at(grey.shape[0], factor), grey.shape[1], kind)
     try:

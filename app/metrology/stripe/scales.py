@@ -100,6 +100,11 @@ def scale_of(grey: Image, factor: float) -> Scale:
     return Scale(factor, gain, saturated)
 
 
+def rows_at(across_px: NDArray[np.float64], factor: float) -> NDArray[np.float64]:
+    """Rows (N,) of the image with ``factor`` rows made one: the inverse of ``Scale.across_px``."""
+    return across_px if factor == 1 else (across_px - (factor - 1) / 2) / factor
+
+
 def height_at(rows: int, factor: float) -> int:
     """How many rows an image of so many has with ``factor`` of them made one."""
     return int(rows / factor)
@@ -123,8 +128,8 @@ def reduce_rows(
 
 def reduce_mask(where: NDArray[np.bool_] | None, factor: float) -> NDArray[np.bool_] | None:
     """The mask of the reduced image: pixels of which every row is in the mask."""
-    if where is None:
-        return None
+    if where is None or factor == 1:
+        return where
     if factor < 1:
         return np.repeat(where, round(1 / factor), axis=0)
     made_one = int(factor)

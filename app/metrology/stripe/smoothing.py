@@ -16,14 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.metrology.stripe.points import Stripe
+from app.metrology.stripe.scales import STEEPEST_PX
 from app.metrology.transforms import Floats
 
 HALF_HEIGHT_PERIOD = math.pi * math.sqrt(2 / math.log(2))
 """Structures of this period keep half of their height, in standard deviations of the Gaussian."""
 LARGEST_GAP = 3
 """Columns that a piece may skip, as in ``runs.c``."""
-STEEPEST_PX = 4.0
-"""Pixels by which it may climb from one column to the next, as in ``runs.c``."""
 REACH = 4.0
 """Standard deviations of the Gaussian beyond which nothing counts."""
 LEAST_NEIGHBOURS = 1e-12

@@ -15,7 +15,7 @@ from app.metrology.stripe.extraction import (
     smooth_as_set,
 )
 from app.metrology.stripe.points import Stripe
-from app.metrology.stripe.scales import height_at
+from app.metrology.stripe.scales import height_at, reduce_mask, rows_at
 from app.metrology.stripe.settings import AUTOMATIC, StripeSettings
 from app.native.arguments import BOOL, F64, I64, Array, Function, Integer
 from app.native.library import CRENEL
@@ -75,6 +75,7 @@ class StripeTracker:
         self._settings = settings
         self._margin_px = margin_px
         self._allowed: NDArray[np.bool_] | None = None
+        self._reduced: NDArray[np.bool_] | None = None
         self._shape = (0, 0)
         self._counts = np.zeros(0, dtype=np.int64)
         self._along = self._across = np.zeros(0)
@@ -114,6 +115,7 @@ class StripeTracker:
         if best.factor == found.factor:
             return found
         self._factor = best.factor
+        self._reduced = reduce_mask(self._allowed, best.factor)
         self._known[:] = 0
         self._remember(best)
         return best
@@ -124,7 +126,7 @@ class StripeTracker:
         parts = np.empty((len(whole) + 1, 4), dtype=np.int64)
         count = _plan_parts(
             self._along,
-            self._across if factor == 1 else (self._across - (factor - 1) / 2) / factor,
+            rows_at(self._across, factor),
             whole,
             height_at(rows, factor),
             columns,
@@ -137,7 +139,7 @@ class StripeTracker:
     def _extract(self, parts: NDArray[np.int64], grey: Image) -> FoundLine:
         """The stripe in these parts; stores its position."""
         found = extract_parts(
-            grey, self._axis, parts, self._allowed, self._settings, self._known, self._factor
+            grey, self._axis, parts, self._reduced, self._settings, self._known, self._factor
         )
         self._remember(found)
         return found
@@ -151,5 +153,5 @@ class StripeTracker:
     def _forget(self) -> None:
         """Forgets the stripe, for images of another size."""
         self._along = self._across = np.zeros(0)
-        self._factor = 1.0
+        self._factor, self._reduced = 1.0, self._allowed
         self._turn = 0

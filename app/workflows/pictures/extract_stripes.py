@@ -58,18 +58,16 @@ def extract_stripes(
     """
     found: list[ImageStripe] = []
     where = None if mask is None else mask.where()
+    cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
         picture = read_grey(path, channel)
         if mask is not None:
-            cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
             mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
         line = _extract(picture, axis, where, settings, channel)
         if not len(line.stripe.u):
             raise _no_stripe_error(path, picture, axis, mask is not None)
-        is_plane = isinstance(channel, BayerPlane)
-        width_px = (CELL_PX if is_plane else 1) * line.width_px
-        text = channel_text(path, channel)
+        text, width_px = channel_text(path, channel), cell_px * line.width_px
         found.append(ImageStripe(path, line.stripe, text, width_px, line.factor))
     progress(1.0, "")
     return found

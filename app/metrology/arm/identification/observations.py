@@ -90,7 +90,7 @@ class Coordinates:
 
 @dataclass(frozen=True)
 class Marker:
-    """What is known of a marker beforehand."""
+    """The prior of a marker: what is known of it without the data."""
 
     name: str
     offset_mm: Floats | None

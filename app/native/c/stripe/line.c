@@ -30,11 +30,9 @@ static int64_t list_pieces(Workspace *work, int64_t n)
     double light = 0;
     for (int64_t i = 0; i < n; i++) {
         light += height[i];
-        if (i + 1 < n) {
-            const double gap = along[i + 1] - along[i];
-            if (gap <= LARGEST_GAP && fabs(across[i + 1] - across[i]) <= work->climb * gap)
-                continue;
-        }
+        if (i + 1 < n &&
+            run_goes_on(along[i + 1] - along[i], across[i + 1] - across[i], work->climb))
+            continue;
         const int64_t count = i + 1 - begin;
         pieces[found++] = (Piece){begin, count, light / (double)count, true};
         begin = i + 1;

@@ -6,6 +6,12 @@ static const double STEEPEST = 4.0; /* rows by which it may climb, where no scal
  * deviations of its width. */
 static const double ROUND = 6.0;
 
+/* Whether a run goes on over a gap of columns with a rise in rows, where it may climb by so many. */
+static bool run_goes_on(double gap, double rise, double climb)
+{
+    return gap <= LARGEST_GAP && fabs(rise) <= climb * gap;
+}
+
 /* Fills `kept` with the indices of the points in long runs, in ascending order; their number.
  *
  * along, across (n) in ascending order of columns; sigma (n) are the standard deviations of the
@@ -16,11 +22,8 @@ static int64_t keep_long_runs(const double *along, const double *across, const d
 {
     int64_t found = 0, begin = 0;
     for (int64_t i = 1; i <= n; i++) {
-        if (i < n) {
-            double gap = along[i] - along[i - 1];
-            if (gap <= LARGEST_GAP && fabs(across[i] - across[i - 1]) <= climb * gap)
-                continue;
-        }
+        if (i < n && run_goes_on(along[i] - along[i - 1], across[i] - across[i - 1], climb))
+            continue;
         double length = (double)(i - begin), width = 0.0;
         for (int64_t j = begin; sigma && j < i; j++)
             width += sigma[j];

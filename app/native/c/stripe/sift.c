@@ -46,8 +46,8 @@ static bool continues(const Workspace *work, int64_t i)
 {
     const float *centre = work->fits + CENTRE * work->padded;
     const int32_t gap = work->columns[i] - work->columns[i - 1];
-    const double climb = work->rows[i] - work->rows[i - 1] + (double)centre[i] - centre[i - 1];
-    return gap <= LARGEST_GAP && fabs(climb) <= work->climb * gap;
+    const double rise = work->rows[i] - work->rows[i - 1] + (double)centre[i] - centre[i - 1];
+    return run_goes_on(gap, rise, work->climb);
 }
 
 /* The usual width of n fitted peaks: that of the brightest and longest pieces of line; 0 where
