@@ -4,12 +4,15 @@ Driver methods may block: one thread opens, reads and closes a device. A driver 
 device before ``open``; ``close`` may be called at any time, from any thread, and repeatedly. If a
 device is lost, ``read`` raises ``DeviceError``; the thread then closes it and opens it again, with
 growing pauses.
+
+What only some devices can do is in protocols of its own: ``AnswersWhileSilent`` and
+``PulseSource``. A driver offers them by having their methods.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +28,27 @@ class JointSample:
     """Host-monotonic time at which the encoders were latched."""
     joints_rad: tuple[float, ...]
     """Encoder angles before the arm model's sign and offset."""
+    pulse: int | None = None
+    """The trigger pulse at which the encoders were latched, counted from 1 since the pulses were
+    started; None for a sample between pulses."""
+
+
+@dataclass(frozen=True, slots=True)
+class PoseSample:
+    """One pose of the flange or the tool, as a robot or a measuring arm's own software reports it.
+
+    The transform is ``T_arm_flange``: it maps the reported frame to the frame of the arm's base.
+    """
+
+    sequence: int
+    """As of ``JointSample``."""
+    stamp_ns: int
+    """Host-monotonic time to which the pose belongs."""
+    position_mm: tuple[float, float, float]
+    quaternion_xyzw: tuple[float, float, float, float]
+    """A unit quaternion; drivers refuse any other."""
+    pulse: int | None = None
+    """As of ``JointSample``."""
 
 
 class Button(StrEnum):
@@ -45,7 +69,13 @@ class ButtonEvent:
     pressed: bool
 
 
-ArmRecord = JointSample | ButtonEvent
+ArmReading = JointSample | PoseSample
+ArmRecord = ArmReading | ButtonEvent
+
+StampKind = Literal["arrival", "device", "pulse"]
+"""Where time stamps come from: the arrival of the data at the host, the device's own clock, or
+pulses that arm and camera count both. Arrival stamps vary by milliseconds, and cost accuracy in
+motion."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +90,11 @@ class Frame:
     """(height, width) grey."""
     exposure_us: float
     laser_on: bool
+    full_scale: int | None = None
+    """The largest value of the pixel format, such as 1023 of Mono10; None if unknown."""
+    pulse: int | None = None
+    """The number of the exposure's trigger pulse, in the camera's own count, which also counts
+    frames that were lost; None for a camera without a trigger."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +104,16 @@ class ArmInfo:
     name: str
     serial_number: str
     joint_count: int
+    """0 of an arm that reports poses."""
     rate_hz: float
+    reports: Literal["joints", "pose"] = "joints"
+    pose_of: Literal["flange", "tool"] = "flange"
+    """What the reported poses are of."""
+    buttons: frozenset[Button] = frozenset(Button)
+    """The buttons it has."""
+    stamps: StampKind = "device"
+    free_running: bool = True
+    """False of an arm that reports only changes: its silence is no loss."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +129,11 @@ class SensorInfo:
     has_laser_switch: bool
     longest_gap_s: float = 0.0
     """The longest interval between pictures of a sensor that works; 0 if unspecified."""
+    stamps: StampKind = "arrival"
+    stamp_at: Literal["exposure-start", "mid-exposure", "exposure-end", "frame-end"] = "frame-end"
+    """The event that the device stamps; ``mid_exposure_ns`` has been computed from it."""
+    free_running: bool = True
+    """False of a camera that waits for a trigger: its silence is no loss."""
 
 
 @dataclass(slots=True)
@@ -136,3 +185,25 @@ class SensorDriver(Protocol):
 
     def close(self) -> None:
         """Switches the laser off and releases the device; idempotent."""
+
+
+@runtime_checkable
+class AnswersWhileSilent(Protocol):
+    """A device that can be asked whether it is there when it sends nothing."""
+
+    def is_alive(self) -> bool:
+        """Whether the device answers; called by the reading thread after a silence."""
+
+
+@runtime_checkable
+class PulseSource(Protocol):
+    """An arm that triggers the camera and latches its encoders at each pulse."""
+
+    def start_pulses(self, rate_hz: float) -> None:
+        """Pauses the pulses for at least 0.3 s, then starts them, counted from 1.
+
+        Raises ``DeviceError`` if the arm was lost or refuses the rate.
+        """
+
+    def stop_pulses(self) -> None:
+        """Stops the pulses; idempotent."""

@@ -1064,6 +1064,7 @@ move-bayer-to-station-toml = bayer und laser_colour in [sensor] von station.toml
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
 same-camera-both = beide kommen von einer Kamera in einer Betriebsart
+silent-but-there = { $title }: verbunden, wartet auf einen Trigger oder eine Änderung
 simulation-goes = Der simulierte Bediener führt den Messarm zu: { $name }
 simulation-goes-next-pose = Der simulierte Bediener führt den Sensor zur nächsten Pose: { $words }
 simulation-holds-sensor-over-object = Der simulierte Bediener hält den Sensor über das Objekt

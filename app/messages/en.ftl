@@ -1060,6 +1060,7 @@ move-bayer-to-station-toml = Set bayer and laser_colour in [sensor] of station.t
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
 same-camera-both = both come from one camera, in one mode
+silent-but-there = The { $title } is connected and waits for a trigger or a change
 simulation-goes = The simulated operator moves to { $name }
 simulation-goes-next-pose = The simulated operator moves to the next pose: { $words }
 simulation-holds-sensor-over-object = The simulated operator holds the sensor over the object

@@ -21,10 +21,10 @@ from math import pi
 from pydantic import Field, PositiveInt
 
 from app.messages.message import message, rounded
-from hardware.arm.device_clock import DeviceClock
 from hardware.arm.protocol import HELLO_REQUEST, Hello, PacketReader, Sample
 from hardware.arm.wire import Wire
 from hardware.clock import now_ns
+from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, ArmRecord, Button, ButtonEvent, JointSample, LinkHealth
 from hardware.options import Options, read_options

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hardware.arm.device_clock import DeviceClock
+from hardware.device_clock import DeviceClock
 
 MS, S = 1_000_000, 1_000_000_000
 LEAST_DELAY_NS = 100_000

@@ -56,6 +56,9 @@ class Bench:
         self.laser_obeys = True
         self.has_laser_switch = True
         self.longest_gap_s = 0.0
+        self.sensor_free_running = True
+        self.sensor_silent = False
+        self.sensor_answers = True
         self.exposure_us = 4000.0
         self.frame_period_s = 0.01
         self.scene_level = 0.02
@@ -145,12 +148,19 @@ class ScriptedSensor:
             (100.0, 50_000.0),
             self.bench.has_laser_switch,
             self.bench.longest_gap_s,
+            free_running=self.bench.sensor_free_running,
         )
+
+    def is_alive(self) -> bool:
+        return self.bench.sensor_plugged and self.bench.sensor_answers
 
     def read(self, timeout_s: float) -> Frame | None:
         time.sleep(self.bench.frame_period_s)
         if not self.bench.sensor_plugged:
             raise DeviceError("The camera at bench:2 was unplugged")
+        if self.bench.sensor_silent:
+            time.sleep(timeout_s)
+            return None
         exposure_us, laser_on = self.bench.exposure_us, self.bench.laser_on
         stamp = now_ns() - int(500 * exposure_us)
         self.sequence += 1

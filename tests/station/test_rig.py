@@ -315,3 +315,20 @@ def test_a_lost_sensor_refuses_in_words(rig: Rig, bench: Bench) -> None:
             act()
         assert refused.value.code == "sensor-lost"
     rig.sensor.laser_off()
+
+
+def test_a_triggered_sensor_that_answers_is_not_lost_and_one_that_does_not_is(
+    rig: Rig, bench: Bench
+) -> None:
+    bench.sensor_plugged = False
+    until(lambda: not rig.sensor.info)
+    bench.sensor_free_running, bench.sensor_silent, bench.sensor_plugged = False, True, True
+    until(lambda: rig.sensor.fresh)
+    opened, quiet_until = bench.sensor_opened, time.monotonic() + 4.0
+    while time.monotonic() < quiet_until:
+        assert rig.sensor.link().state == "connected"
+        time.sleep(0.05)
+    assert bench.sensor_opened == opened
+    bench.sensor_answers = False
+    until(lambda: rig.sensor.link().state == "lost", 2.0)
+    until(lambda: bench.sensor_opened > opened)

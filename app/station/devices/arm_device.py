@@ -39,7 +39,12 @@ class StationArm:
         self._newest: JointSample | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
         self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
-            "arm", make, lambda driver: driver.open(), self._read, self._on_connect
+            "arm",
+            make,
+            lambda driver: driver.open(),
+            self._read,
+            self._on_connect,
+            free_running=lambda info: info.free_running,
         )
 
     @property

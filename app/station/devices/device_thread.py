@@ -13,7 +13,7 @@ from app.errors import reason_sentence, sentence
 from app.messages.message import Text, join, message, quantity, word
 from app.station.devices.awake_clock import AWAKE
 from hardware.errors import DeviceError
-from hardware.interfaces import LinkHealth
+from hardware.interfaces import AnswersWhileSilent, LinkHealth
 
 log = logging.getLogger(__name__)
 
@@ -23,6 +23,8 @@ READ_TIMEOUT_S = 0.1
 FRESH_S = 0.8
 # A device that is connected and silent for this long is closed and opened again.
 SILENCE_S = 3.0
+# A device that may be silent is asked this often whether it is there.
+ASK_ALIVE_S = 0.3
 FIRST_BACK_OFF_S = 0.2
 LONGEST_BACK_OFF_S = 2.0
 RATE_WINDOW_S = 1.0
@@ -72,6 +74,8 @@ class DeviceReader(Generic[D, I_co]):
         connected: called in the reader's thread after each opening, before the first read.
         longest_gap_s: from the properties of the device, how long it may be silent while it works;
             at least ``FRESH_S``.
+        free_running: from the properties, False of a device that sends only at a trigger or a
+            change: its silence is no loss while it answers ``is_alive``.
     """
 
     def __init__(
@@ -82,6 +86,7 @@ class DeviceReader(Generic[D, I_co]):
         read: Callable[[D], int],
         connected: Callable[[D, I_co], None],
         longest_gap_s: Callable[[I_co], float] = lambda info: 0.0,
+        free_running: Callable[[I_co], bool] = lambda info: True,
     ) -> None:
         self._title = title
         self._make = make
@@ -89,6 +94,7 @@ class DeviceReader(Generic[D, I_co]):
         self._read = read
         self._connected = connected
         self._longest_gap_s = longest_gap_s
+        self._free_running = free_running
         self._lock = threading.Lock()
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
@@ -97,6 +103,7 @@ class DeviceReader(Generic[D, I_co]):
         self._error: Text = ""
         self._ever_connected = False
         self._last_data_s: float | None = None
+        self._last_answer_s = 0.0
         self._opened_s = 0.0
         self._counted = LinkHealth()
         self._records = 0
@@ -153,6 +160,8 @@ class DeviceReader(Generic[D, I_co]):
         fresh_s = self._silence_limit_s(FRESH_S)
         if age_s is not None and age_s <= fresh_s:
             return LinkState.CONNECTED, message("connected-3", title=title)
+        if now - self._last_answer_s <= FRESH_S:
+            return LinkState.CONNECTED, message("silent-but-there", title=title)
         if now - self._opened_s <= fresh_s:
             return LinkState.CONNECTING, message("waiting-s-first-data", title=title)
         silent_s = age_s if age_s is not None else now - self._opened_s
@@ -217,9 +226,10 @@ class DeviceReader(Generic[D, I_co]):
             now = AWAKE.now_s()
             if count:
                 self._note(now, time.monotonic(), count)
-            elif now - max(self._opened_s, self._last_data_s or 0.0) > (
-                silence_s := self._silence_limit_s(SILENCE_S)
-            ):
+                continue
+            self._ask_alive(driver, now)
+            heard_s = max(self._opened_s, self._last_data_s or 0.0, self._last_answer_s)
+            if now - heard_s > (silence_s := self._silence_limit_s(SILENCE_S)):
                 raise DeviceError(
                     message(
                         "sent-nothing-opening-again",
@@ -227,6 +237,15 @@ class DeviceReader(Generic[D, I_co]):
                         silence=quantity(silence_s, "s"),
                     )
                 )
+
+    def _ask_alive(self, driver: D, now: float) -> None:
+        """Asks a silent device that may be silent whether it is there."""
+        if self._info is None or self._free_running(self._info):
+            return
+        if now - max(self._last_data_s or 0.0, self._last_answer_s) < ASK_ALIVE_S:
+            return
+        if isinstance(driver, AnswersWhileSilent) and driver.is_alive():
+            self._last_answer_s = AWAKE.now_s()
 
     def _silence_limit_s(self, usual_s: float) -> float:
         """The usual silence, or a longer one that the device states."""

@@ -37,6 +37,7 @@ class StationSensor:
             self._read,
             self._on_connect,
             lambda info: info.longest_gap_s,
+            lambda info: info.free_running,
         )
 
     @property

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import vendor_sdk
 
-from hardware.arm.device_clock import DeviceClock
 from hardware.clock import now_ns
+from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
 from hardware.interfaces import (
     ArmInfo,
