@@ -1,8 +1,8 @@
-"""What the drivers have in common whose pictures come from a call that blocks.
+"""The common part of drivers whose pictures come from a call that blocks.
 
-Such a call (OpenCV's ``grab``) cannot be interrupted, and a picture that nobody
-fetches grows old in the system's buffers without a stamp. So a thread of the driver's
-own grabs, stamps at once, and keeps the few newest pictures for ``read``.
+Such a call (OpenCV's ``grab``) cannot be interrupted, and a picture that nobody fetches grows old
+in the system's buffers without a stamp. So a thread of the driver grabs, stamps at once, and keeps
+the few newest pictures for ``read``.
 """
 
 import threading
@@ -17,8 +17,8 @@ from hardware.interfaces import Frame, LinkHealth, SensorInfo
 from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
-    GreyImage,
     ImageSource,
+    NoImage,
 )
 
 _QUEUE_LENGTH = 4
@@ -26,14 +26,15 @@ _JOIN_S = 5.0
 
 
 class GrabbingSensor:
-    """A sensor without a laser switch whose pictures a thread grabs. Meets ``SensorDriver``.
+    """A ``SensorDriver`` whose pictures a thread grabs from an ``ImageSource``.
 
-    The laser is taken to be wired on.
+    A laser without a switch is taken to be wired on.
 
     Args:
         title: the device in words, for errors.
-        connect: opens the source; given an event that is set when it shall stop.
-        first_within_s: how long ``open`` waits for the first picture.
+        connect: opens the source; its argument is an event that is set when the source must stop.
+        first_within_s: how long ``open`` waits for the first picture of a source that does not
+            wait for a trigger.
     """
 
     def __init__(
@@ -45,6 +46,7 @@ class GrabbingSensor:
         self._state = threading.Lock()
         self._closings = 0
         self._grabber: _Grabber | None = None
+        self._ending: _Grabber | None = None
         self._info: SensorInfo | None = None
         self._health = LinkHealth()
 
@@ -53,14 +55,15 @@ class GrabbingSensor:
         return self._health
 
     def open(self) -> SensorInfo:
-        """Connects and waits for the first picture, which ``read`` will give.
-
-        Open already, it does nothing. Raises ``DeviceError``.
-        """
+        """Connects and waits for the first picture, which ``read`` returns; if it is open, it does
+        nothing. Raises ``DeviceError``."""
         with self._state:
             if self._grabber is not None and self._info is not None:
                 return self._info
             closings = self._closings
+            ending, self._ending = self._ending, None
+        if ending is not None:
+            ending.end()
         stop = threading.Event()
         source = self._connect(stop)
         with self._state:
@@ -71,22 +74,26 @@ class GrabbingSensor:
             self._grabber = grabber = _Grabber(self._title, source, stop, self._health)
             grabber.start()
         try:
-            image = grabber.first_image(self._first_within_s)
+            width_px, height_px = grabber.size_px(self._first_within_s)
         except DeviceError:
             self._drop(grabber)
             raise
         self._info = SensorInfo(
             name=source.name,
             serial_number=source.serial_number,
-            width_px=image.shape[1],
-            height_px=image.shape[0],
+            width_px=width_px,
+            height_px=height_px,
             exposure_range_us=source.exposure_range_us,
-            has_laser_switch=False,
+            has_laser_switch=source.has_laser_switch,
+            longest_gap_s=source.longest_gap_s,
+            stamps=source.stamps,
+            stamp_at=source.stamp_at,
+            free_running=source.free_running,
         )
         return self._info
 
     def read(self, timeout_s: float) -> Frame | None:
-        """The next picture; None after ``timeout_s``, and ever after a recording's end."""
+        """The next picture; None after ``timeout_s``, and always after the end of a recording."""
         grabber = self._grabber
         if grabber is None:
             raise DeviceError(message("device-not-open", title=self._title))
@@ -96,8 +103,13 @@ class GrabbingSensor:
             self._drop(grabber)
             raise
 
+    def is_alive(self) -> bool:
+        """Whether the device answers, as its source states; False if it is not open."""
+        grabber = self._grabber
+        return grabber is not None and grabber.source.is_alive()
+
     def set_exposure_us(self, exposure_us: float) -> None:
-        """Clipped to the range; without effect where the exposure cannot be set."""
+        """Clipped to the range; without effect if the exposure cannot be set."""
         grabber, info = self._grabber, self._info
         if grabber is not None and info is not None:
             shortest, longest = info.exposure_range_us
@@ -105,21 +117,26 @@ class GrabbingSensor:
                 grabber.wanted_exposure_us = min(max(exposure_us, shortest), longest)
 
     def set_laser(self, on: bool) -> None:
-        """Without effect: there is no switch."""
+        """Without effect if there is no switch, or the device is not open."""
+        grabber = self._grabber
+        if grabber is not None and grabber.source.has_laser_switch:
+            grabber.source.set_laser(on)
 
     def close(self) -> None:
         """Ends a waiting ``open`` or ``read`` and releases the source; idempotent."""
         with self._state:
             self._closings += 1
-            grabber, self._grabber, self._info = self._grabber, None, None
+            grabber, self._grabber, self._info = self._grabber or self._ending, None, None
+            self._ending = None
         if grabber is not None:
             grabber.end()
 
     def _drop(self, grabber: "_Grabber") -> None:
+        """Gives up a grabber without waiting for its end: the loss is to be reported at once."""
         with self._state:
             if self._grabber is grabber:
-                self._grabber, self._info = None, None
-        grabber.end()
+                self._grabber, self._info, self._ending = None, None, grabber
+        grabber.ask_to_stop()
 
 
 class _Grabber(threading.Thread):
@@ -131,7 +148,7 @@ class _Grabber(threading.Thread):
         super().__init__(name=f"grabbing {title!s}", daemon=True)
         self.wanted_exposure_us: float | None = None
         self._title = title
-        self._source = source
+        self.source = source
         self._stop_asked = stop
         self._health = health
         self._queue: deque[Frame] = deque()
@@ -139,12 +156,17 @@ class _Grabber(threading.Thread):
         self._error: DeviceError | None = None
         self._ended = False
         self._shape: tuple[int, ...] | None = None
+        self._next_sequence = 0
 
-    def first_image(self, within_s: float) -> GreyImage:
+    def size_px(self, within_s: float) -> tuple[int, int]:
+        """Width and height, of the first picture unless the source waits for a trigger."""
+        if not self.source.free_running and self.source.size_px is not None:
+            return self.source.size_px
         with self._changed:
             self._changed.wait_for(self._has_news, within_s)
             if self._queue:
-                return self._queue[0].image
+                height_px, width_px = self._queue[0].image.shape
+                return width_px, height_px
             raise self._silence_error(
                 DeviceError(
                     message(
@@ -168,25 +190,27 @@ class _Grabber(threading.Thread):
                 raise self._error
             return None
 
-    def end(self) -> None:
+    def ask_to_stop(self) -> None:
         with self._changed:
             self._stop_asked.set()
             self._changed.notify_all()
+
+    def end(self) -> None:
+        self.ask_to_stop()
         self.join(_JOIN_S)
 
     def run(self) -> None:
-        sequence = 0
         try:
             while not self._stop_asked.is_set():
                 if (exposure_us := self.wanted_exposure_us) is not None:
                     self.wanted_exposure_us = None
-                    self._source.set_exposure_us(exposure_us)
-                picture = self._source.grab()
-                if picture is None:
+                    self.source.set_exposure_us(exposure_us)
+                picture = self.source.grab()
+                if isinstance(picture, GrabbedImage):
+                    self._enqueue(picture, self._number(picture))
+                elif picture is NoImage.DAMAGED:
                     self._health.corrupt += 1
-                else:
-                    self._enqueue(picture, sequence)
-                sequence += 1
+                    self._next_sequence += 1
         except EndOfRecordingError:
             self._finish(None)
         except DeviceError as error:
@@ -198,7 +222,16 @@ class _Grabber(threading.Thread):
                 )
             )
         finally:
-            self._source.release()
+            self.source.release()
+
+    def _number(self, picture: GrabbedImage) -> int:
+        """The sequence number of the next picture; counts those that the device lost before it."""
+        sequence = self._next_sequence
+        if picture.sequence is not None and picture.sequence > sequence:
+            self._health.lost += picture.sequence - sequence
+            sequence = picture.sequence
+        self._next_sequence = sequence + 1
+        return sequence
 
     def _enqueue(self, picture: GrabbedImage, sequence: int) -> None:
         shape = picture.image.shape
@@ -217,10 +250,16 @@ class _Grabber(threading.Thread):
             )
         self._shape = shape
         frame = Frame(
-            sequence, picture.mid_exposure_ns, picture.image, picture.exposure_us, laser_on=True
+            sequence,
+            picture.mid_exposure_ns,
+            picture.image,
+            picture.exposure_us,
+            laser_on=picture.laser_on,
+            full_scale=picture.full_scale,
+            pulse=picture.pulse,
         )
         with self._changed:
-            if self._source.waits:
+            if self.source.waits:
                 self._changed.wait_for(
                     lambda: len(self._queue) < _QUEUE_LENGTH or self._stop_asked.is_set()
                 )

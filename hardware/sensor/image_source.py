@@ -1,52 +1,96 @@
-"""An open camera or recording, whose pictures a call waits for; ``grabbing`` makes it a driver."""
+"""An open camera or recording whose pictures a call waits for; ``grabbing`` makes it a driver."""
 
 import threading
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from enum import Enum, auto
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hardware.clock import now_ns
+from hardware.interfaces import StampKind
 
 GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
+StampAt = Literal["exposure-start", "mid-exposure", "exposure-end", "frame-end"]
+"""The event to which a camera's time stamp belongs, as of ``SensorInfo.stamp_at``."""
 
 _CATCH_UP_NS = 1_000_000_000
 
 
 class EndOfRecordingError(Exception):
-    """A recording has been shown to its end."""
+    """A recording has been shown to its end, or has to stop."""
 
 
 @dataclass(frozen=True, slots=True)
 class GrabbedImage:
-    """A grey (height, width) image and the middle of its exposure."""
+    """A grey (height, width) image, the middle of its exposure, and what its camera states."""
 
     image: GreyImage
     mid_exposure_ns: int
     exposure_us: float
+    sequence: int | None = None
+    """The device's own count, unwrapped, from 0 at its first picture: a gap means pictures that
+    were lost. None if the device does not count."""
+    full_scale: int | None = None
+    """As of ``Frame``."""
+    pulse: int | None = None
+    """As of ``Frame``."""
+    laser_on: bool = True
+
+
+class NoImage(Enum):
+    """Why ``grab`` returns no picture."""
+
+    DAMAGED = auto()
+    """A picture arrived that cannot be decoded."""
+    SILENCE = auto()
+    """Nothing arrived, and the device is there."""
 
 
 class ImageSource(ABC):
-    """An open camera or recording; one thread uses it."""
+    """An open camera or recording.
+
+    One thread uses it; ``set_laser`` and ``is_alive`` may be called from any thread.
+    """
 
     name: str
     serial_number = ""
     waits: bool
-    """A recording waits for its reader; a camera does not, and old pictures are lost."""
+    """True of a recording, which waits for its reader; a camera does not, and old pictures are
+    lost."""
     exposure_range_us = (0.0, 0.0)
+    has_laser_switch = False
+    stamps: StampKind = "arrival"
+    stamp_at: StampAt = "frame-end"
+    free_running = True
+    """False of a camera that waits for a trigger: it may be silent."""
+    longest_gap_s = 0.0
+    size_px: tuple[int, int] | None = None
+    """Width and height; None if they are unknown until the first picture. Required of a camera
+    that waits for a trigger."""
 
     @abstractmethod
-    def grab(self) -> GrabbedImage | None:
-        """The next picture, waited for; None for a damaged one. Stamps increase.
+    def grab(self) -> GrabbedImage | NoImage:
+        """Waits for the next picture, and returns it; stamps increase.
 
-        Raises ``DeviceError`` when the source is lost, ``EndOfRecordingError`` when a
-        recording is over or when it has to stop.
+        Raises:
+            DeviceError: the source is lost.
+            EndOfRecordingError: a recording is over, or has to stop.
         """
 
     def set_exposure_us(self, exposure_us: float) -> None:
-        """Asked only of a source whose range is open, and within it."""
+        """Called only if the exposure range is not a point, with a value within it."""
         raise NotImplementedError(f"{self.name} has a fixed exposure")
+
+    def set_laser(self, on: bool) -> None:
+        """Switches the laser; called only if there is a switch. Raises ``DeviceError``."""
+        raise NotImplementedError(f"{self.name} has no laser switch")
+
+    def is_alive(self) -> bool:
+        """Whether the device answers; asked of a camera that waits for a trigger."""
+        return True
 
     @abstractmethod
     def release(self) -> None: ...

@@ -48,6 +48,7 @@ from hardware.sensor.image_source import (
     EndOfRecordingError,
     GrabbedImage,
     ImageSource,
+    NoImage,
     PlaybackTimer,
 )
 
@@ -113,7 +114,7 @@ class _Recording(ImageSource):
         self._pace = PlaybackTimer(rate_hz, stop)
         self.name = self._path.name
 
-    def grab(self) -> GrabbedImage | None:
+    def grab(self) -> GrabbedImage | NoImage:
         there, raw = self._capture.read()
         if not there:
             if not self._loop:
@@ -127,7 +128,7 @@ class _Recording(ImageSource):
                 )
         image = to_grey(raw, raw.shape[0], self._laser_colour, self._bayer)
         due_ns = self._pace.wait()
-        return None if image is None else GrabbedImage(image, due_ns, 0.0)
+        return NoImage.DAMAGED if image is None else GrabbedImage(image, due_ns, 0.0)
 
     def release(self) -> None:
         self._capture.release()
@@ -166,7 +167,7 @@ class _Camera(ImageSource):
             self._capture.release()
             raise
 
-    def grab(self) -> GrabbedImage | None:
+    def grab(self) -> GrabbedImage | NoImage:
         if not self._capture.grab():
             raise DeviceError(
                 message("device-lost", title=self._title), message("check-cable-power")
@@ -174,10 +175,10 @@ class _Camera(ImageSource):
         event_ns = self._event_ns(now_ns())
         there, raw = self._capture.retrieve()
         if not there:
-            return None
+            return NoImage.DAMAGED
         image = to_grey(raw, self._height_px or raw.shape[0], self._laser_colour, self._bayer)
         if image is None:
-            return None
+            return NoImage.DAMAGED
         exposure_us = self._exposure_us
         mid_ns = event_ns - self._latency_ns - round(exposure_us * 500)
         self._last_ns = max(mid_ns, self._last_ns + 1)
