@@ -32,6 +32,11 @@ class JointSample:
     """The trigger pulse at which the encoders were latched, counted from 1 since the pulses were
     started; None for a sample between pulses."""
 
+    @property
+    def reading(self) -> tuple[float, ...]:
+        """(n,) the angles."""
+        return self.joints_rad
+
 
 @dataclass(frozen=True, slots=True)
 class PoseSample:
@@ -49,6 +54,11 @@ class PoseSample:
     """A unit quaternion; drivers refuse any other."""
     pulse: int | None = None
     """As of ``JointSample``."""
+
+    @property
+    def reading(self) -> tuple[float, ...]:
+        """(7,) position and quaternion."""
+        return (*self.position_mm, *self.quaternion_xyzw)
 
 
 class Button(StrEnum):

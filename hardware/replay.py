@@ -12,7 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardware.clock import now_ns
-from hardware.interfaces import ArmInfo, ArmRecord, Frame, JointSample, LinkHealth, SensorInfo
+from hardware.interfaces import (
+    ArmInfo,
+    ArmReading,
+    ArmRecord,
+    Frame,
+    JointSample,
+    LinkHealth,
+    PoseSample,
+    SensorInfo,
+)
 
 REST_NS = 20_000_000
 """Between readings of an arm that has come to its last."""
@@ -20,7 +29,7 @@ REST_FRAME_NS = 300_000_000
 """The same of pictures."""
 
 Readings = Iterable[tuple[int, tuple[float, ...]]]
-"""Stamps (ns) and encoder angles (rad) in their order."""
+"""Stamps (ns) and readings (encoder angles in rad, or a pose) in their order."""
 RecordedImage = NDArray[np.uint8] | NDArray[np.uint16]
 RecordedImages = Iterable[tuple[int, RecordedImage]]
 
@@ -82,9 +91,12 @@ class ReplayArm:
             found.append(self._sample(now, self._last))
         return found
 
-    def _sample(self, stamp_ns: int, q_rad: tuple[float, ...]) -> JointSample:
+    def _sample(self, stamp_ns: int, reading: tuple[float, ...]) -> ArmReading:
         self._health.received += 1
-        return JointSample(self._health.received, stamp_ns, q_rad)
+        if self._info.reports == "joints":
+            return JointSample(self._health.received, stamp_ns, reading)
+        x, y, z, qx, qy, qz, qw = reading
+        return PoseSample(self._health.received, stamp_ns, (x, y, z), (qx, qy, qz, qw))
 
     def close(self) -> None:
         self._closed.set()

@@ -53,14 +53,14 @@ def reconstruct(
     if delay_ms is not None and sync is not None:
         raise typer.BadParameter("give only one of the two", param_hint="'--delay-ms', '--sync'")
     from app.formats.atomic_write import check_output_path
-    from app.formats.datasheets.arm import read_arm
+    from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
     from app.workflows.estimate_delay import read_sync
     from app.workflows.reconstruct import reconstruct_cloud
 
     began = time.perf_counter()
     check_output_path(output, [recording, calibration, arm, *([sync] if sync else [])])
-    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    sensor, arm_model = read_calibration(calibration), read_any_arm(arm)
     delay_ns = None if delay_ms is None else round(1e6 * delay_ms)
     if sync is not None:
         delay_ns = read_sync(sync, sensor, arm_model).delay_ns
@@ -108,12 +108,12 @@ def sync(
     For crenel reconstruct --sync. The Settings page of a station determines and applies it, too.
     """
     from app.formats.atomic_write import check_output_path
-    from app.formats.datasheets.arm import read_arm
+    from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
     from app.workflows.estimate_delay import estimate_recording_delay as run
 
     check_output_path(output, (recording, calibration, arm))
-    sensor, arm_model = read_calibration(calibration), read_arm(arm)
+    sensor, arm_model = read_calibration(calibration), read_any_arm(arm)
     with progress_bar("Determining the delay", not as_json) as progress:
         document = run(recording, sensor, arm_model, progress)
         document.write(output)
@@ -166,7 +166,7 @@ def study(
     Reports how far the plane rotates and shifts between calibrations, and between clouds.
     """
     from app.formats.atomic_write import check_output_path
-    from app.formats.datasheets.arm import read_arm
+    from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
     from app.workflows.repeatability_study import range_rows
     from app.workflows.repeatability_study import run_study as run
@@ -182,7 +182,7 @@ def study(
     if output is not None:
         check_output_path(output, [*files, *calibration_files, arm])
     known = [(path, read_calibration(path)) for path in calibration_files]
-    arm_model = read_arm(arm)
+    arm_model = read_any_arm(arm)
     with progress_bar("Rebuilding", not as_json) as progress:
         done = run(recordings, known, arm_model, nominal, progress)
         if output is not None:
@@ -231,12 +231,12 @@ def replay(
     ] = True,
 ) -> None:
     """Show a recording in the live display, with any calibration."""
-    from app.formats.datasheets.arm import read_arm
+    from app.formats.datasheets.arm import read_any_arm
     from app.formats.results.calibration import read_calibration
     from app.server.live_replay import Replay
     from app.server.startup import replay as run_replay
 
     sensor = read_calibration(calibration or recording.with_name("calibration.json"))
-    arm_model = read_arm(arm or recording.with_name("arm.json"))
+    arm_model = read_any_arm(arm or recording.with_name("arm.json"))
     show = Replay(recording, sensor, arm_model, speed)
     run_replay(show, f"Replay of {recording.name}", host, port, open_browser)

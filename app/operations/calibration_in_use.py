@@ -4,7 +4,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.file_names import display_path
 from app.formats.results.calibration import CalibrationFile, calibration_from_document
 from app.formats.session.calibration_session import ARM
@@ -41,7 +41,7 @@ def scan_calibration(record: CalibrationRecord) -> ScanCalibration:
         raise OperationError(
             "field-missing", message("uncertainty-missing", file=display_path(record.file))
         )
-    arm = read_arm(record.file.parent / ARM)
+    arm = read_any_arm(record.file.parent / ARM)
     check_serials(found, arm)
     return ScanCalibration(
         id=record.id,

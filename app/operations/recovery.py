@@ -12,7 +12,7 @@ from pathlib import Path
 
 from app.errors import OperationError, sentence
 from app.formats.atomic_write import sync_file, sync_folder
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import file_sha256, read_text
 from app.formats.recording.reader import (
@@ -178,7 +178,7 @@ class Recovery:
         made = reconstruct_cloud(
             scan.folder / RECORDING,
             read_calibration(record.file),
-            read_arm(record.file.parent / ARM),
+            read_any_arm(record.file.parent / ARM),
             scan.folder / CLOUD,
             self._progress,
         )

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.results.calibration import CalibrationFile
 from app.formats.results.verification import VERIFICATION, VerificationFile
 from app.formats.session.calibration_session import ARM
@@ -28,7 +28,7 @@ def list_unreadable(context: Context) -> list[Text]:
     ]
     for record in store.calibrations.all():
         reasons += _reading_error(record.file, CalibrationFile.read)
-        reasons += _reading_error(record.file.parent / ARM, read_arm)
+        reasons += _reading_error(record.file.parent / ARM, read_any_arm)
     for verification in store.verifications.all():
         reasons += _reading_error(verification.folder / VERIFICATION, VerificationFile.read)
     return reasons

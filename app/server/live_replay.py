@@ -12,13 +12,13 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.formats.clouds.points import Points
 from app.formats.recording.decoders import ImageRecord
-from app.formats.recording.joint_samples import JointReader
+from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import last_stamp_ns, open_recording
 from app.formats.recording.stream import read_blocks
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, join, message
-from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm, Arm
+from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.sensor.triangulation import sensor_points
 from app.metrology.transforms import Floats, apply, rigid
 from app.station.bus import Bus
@@ -42,7 +42,7 @@ PUBLISH_PERIOD_S = 0.2
 class Replay:
     """Plays one recording: its arm moves, its pictures and points appear."""
 
-    def __init__(self, path: Path, calibration: Calibration, arm: Arm, speed: float) -> None:
+    def __init__(self, path: Path, calibration: Calibration, arm: AnyArm, speed: float) -> None:
         """Reads the beginning of the recording; raises ``OperationError`` if it cannot be
         replayed."""
         self._path, self._calibration, self._arm = path, calibration, arm
@@ -57,7 +57,15 @@ class Replay:
     def arm(self) -> ReplayArm:
         """A driver for the recorded arm."""
         known = self._arm
-        info = ArmInfo(known.name, known.serial_number, known.joint_count, self._rate_hz)
+        joint_count = known.joint_count if isinstance(known, Arm) else 0
+        info = ArmInfo(
+            known.name,
+            known.serial_number,
+            joint_count,
+            self._rate_hz,
+            reports=known.reading_kind,
+            buttons=frozenset(),
+        )
         return ReplayArm(info, self._clock, self._readings)
 
     def sensor(self) -> ReplaySensor:
@@ -98,10 +106,10 @@ class Replay:
         return 1e9 * (len(stamps) - 1) / max(stamps[-1] - stamps[0], 1), stamps[0]
 
     def _readings(self) -> Readings:
-        reader = JointReader(self._path, self._arm)
+        reader = reading_reader(self._path, self._arm)
         with ThreadPoolExecutor(1, "replay-joints") as pool:
             for block in read_blocks(open_recording(self._path), pool, 1):
-                for samples in block.joints:
+                for samples in block.readings:
                     yield from _pair(*reader.readings(samples))
         yield from _pair(*reader.last_readings())
 
@@ -177,9 +185,9 @@ class _ReplayEndedError(Exception):
     """Whether to stop."""
 
 
-def _pair(stamps_ns: Stamps, q_rad: Floats) -> Readings:
+def _pair(stamps_ns: Stamps, readings: Floats) -> Readings:
     """Each time stamp with its angles."""
-    return zip(stamps_ns.tolist(), map(tuple, q_rad.tolist()), strict=True)
+    return zip(stamps_ns.tolist(), map(tuple, readings.tolist()), strict=True)
 
 
 def _first(readings: Readings, count: int) -> Iterator[tuple[int, tuple[float, ...]]]:

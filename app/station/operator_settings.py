@@ -10,7 +10,7 @@ from pydantic import ConfigDict, ModelWrapValidatorHandler, ValidationError, mod
 
 from app.errors import OperationError
 from app.findings import Finding
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.io_errors import error_from_validation
 from app.formats.results.calibration import read_calibration
 from app.formats.settings.mask import Corner, Mask
@@ -169,7 +169,7 @@ class OperatorSettings:
 
         def work(progress: Progress) -> Sync:
             source = taken()
-            calibration, arm = read_calibration(source.calibration), read_arm(source.arm)
+            calibration, arm = read_calibration(source.calibration), read_any_arm(source.arm)
             return estimate_recording_delay(
                 source.recording,
                 calibration,

@@ -2,17 +2,17 @@
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC
+from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, POSE_TOPIC, STRIPE_TOPIC
 from app.formats.recording.reader import Recording
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, word
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 
 
 def check_content(recording: Recording, frames: int, joint_samples: int) -> Text:
     """The name of a recording in messages; refuses one that contains no scan."""
     topics = recording.topics
-    if not recording.cut and not {JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
+    if not recording.cut and not {JOINTS_TOPIC, POSE_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC} & topics:
         raise OperationError(
             "recording-foreign",
             message(
@@ -35,7 +35,7 @@ def check_content(recording: Recording, frames: int, joint_samples: int) -> Text
     return named
 
 
-def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> None:
+def check_station(recording: Recording, calibration: Calibration, arm: AnyArm) -> None:
     """Refuses a recording of another sensor than the calibration's, or of another arm."""
     serials = calibration.serial_numbers
     for device, recorded, known in (
@@ -56,7 +56,7 @@ def check_station(recording: Recording, calibration: Calibration, arm: Arm) -> N
             )
 
 
-def check_serials(calibration: Calibration, arm: Arm) -> None:
+def check_serials(calibration: Calibration, arm: AnyArm) -> None:
     """Refuses an arm model of another arm than the calibration's."""
     known = calibration.serial_numbers.arm
     if known and arm.serial_number and known != arm.serial_number:

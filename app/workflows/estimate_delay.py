@@ -11,15 +11,15 @@ from app.errors import OperationError
 from app.formats.clouds.points import Points
 from app.formats.file_names import display_path
 from app.formats.io_errors import prefix_errors
-from app.formats.recording.joint_samples import JointReader
-from app.formats.recording.joint_track import JointTrack
+from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
+from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stream import Block, read_blocks
 from app.formats.results.calibration import Calibration
 from app.formats.settings.scan_settings import Sync
 from app.messages.message import message, word
-from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.arm.kinematics import AnyArm, flange_poses
+from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.stripe import number_sharing_noise
 from app.metrology.time_delay.delay import ClockDelay, estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass
@@ -37,7 +37,7 @@ LEAST_SIGMA_MM = 1e-4
 def estimate_recording_delay(
     recording_path: Path,
     calibration: Calibration,
-    arm: Arm,
+    arm: AnyArm,
     progress: Progress = no_progress,
     named: str = "",
 ) -> Sync:
@@ -65,7 +65,7 @@ def estimate_recording_delay(
     )
 
 
-def read_sync(path: Path, calibration: Calibration, arm: Arm) -> Sync:
+def read_sync(path: Path, calibration: Calibration, arm: AnyArm) -> Sync:
     """Reads ``sync.json``; raises ``OperationError`` where it is of another sensor or arm."""
     document = Sync.read(path)
     for device, of, known in (
@@ -100,7 +100,7 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
 
 
 def read_plane_pass(
-    recording_path: Path, calibration: Calibration, arm: Arm, progress: Progress = no_progress
+    recording_path: Path, calibration: Calibration, arm: AnyArm, progress: Progress = no_progress
 ) -> tuple[PlanePass, Recording]:
     """What a recording holds of its pass, in the sensor frame.
 
@@ -119,18 +119,18 @@ def read_plane_pass(
 class _PassReader:
     """One pass through a recording."""
 
-    def __init__(self, recording: Recording, calibration: Calibration, arm: Arm) -> None:
+    def __init__(self, recording: Recording, calibration: Calibration, arm: AnyArm) -> None:
         self._recording, self._calibration, self._arm = recording, calibration, arm
-        self._joints = JointReader(recording.path, arm)
-        self._track = JointTrack(arm.joint_count)
+        self._readings = reading_reader(recording.path, arm)
+        self._track = ReadingTrack(arm.reading_kind, arm.reading_size)
         self._points: list[Points] = []
         self._stamps_ns: list[int] = []
         self._found = 0
 
     def take(self, block: Block) -> None:
         """The block's joints, and its frames' points."""
-        for samples in block.joints:
-            self._track.extend(*self._joints.readings(samples))
+        for samples in block.readings:
+            self._track.extend(*self._readings.readings(samples))
         known = set(self._stamps_ns[-1000:])
         frames = [frame for frame in block.frames if frame.stamp_ns not in known]
         if not frames:
@@ -192,13 +192,13 @@ def _thin_points(points: Points) -> Points:
     return np.asarray(points[number % every == 0])
 
 
-def _poses(track: JointTrack, arm: Arm, T_flange_sensor: Floats) -> Callable[[Stamps], Floats]:
+def _poses(track: ReadingTrack, arm: AnyArm, T_flange_sensor: Floats) -> Callable[[Stamps], Floats]:
     def at(stamps_ns: Stamps) -> Floats:
-        q_rad = track.at_all(stamps_ns)
-        known = np.isfinite(q_rad).all(axis=1)
+        readings = track.at_all(stamps_ns)
+        known = np.isfinite(readings).all(axis=1)
         found = np.full((len(stamps_ns), 4, 4), np.nan)
         if known.any():
-            found[known] = flange_poses(arm, q_rad[known]) @ T_flange_sensor
+            found[known] = flange_poses(arm, readings[known]) @ T_flange_sensor
         return found
 
     return at

@@ -12,7 +12,7 @@ from app.formats.datasheets.gauge import GaugeFile
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.fitting.deviation_map import deviation_map
 from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from app.metrology.gauges.scanned_gauge import GaugeCloud, fit_gauge_plane, fit_gauge_sphere
@@ -82,7 +82,7 @@ class GaugeMeasurement:
 
 
 def measure_recording(
-    recording: Path, calibration: Calibration, arm: Arm, gauge: GaugeFile
+    recording: Path, calibration: Calibration, arm: AnyArm, gauge: GaugeFile
 ) -> GaugeMeasurement:
     """Reconstructs the points of a recording and fits the shape of the gauge to them.
 

@@ -13,13 +13,13 @@ from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.points import Points
 from app.formats.recording.clock_check import ClockReport, ClockWatch
-from app.formats.recording.joint_samples import JointReader
-from app.formats.recording.joint_track import JointTrack
+from app.formats.recording.pose_samples import reading_reader
 from app.formats.recording.reader import Recording, open_recording
+from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stream import Block, RecordedFrame, read_blocks
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message
-from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
 from app.workflows.compatibility import check_content, check_serials, check_station
@@ -93,7 +93,7 @@ class _BlockPoints:
 def reconstruct_cloud(
     recording_path: Path,
     calibration: Calibration,
-    arm: Arm,
+    arm: AnyArm,
     cloud_path: Path,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
@@ -125,7 +125,7 @@ def reconstruct_cloud(
 
 
 def reconstruct_points(
-    recording_path: Path, calibration: Calibration, arm: Arm, delay_ns: int | None = None
+    recording_path: Path, calibration: Calibration, arm: AnyArm, delay_ns: int | None = None
 ) -> tuple[Floats, Reconstruction]:
     """Like ``reconstruct_cloud``, with the points (N, 3) in memory."""
     kept: list[Floats] = []
@@ -142,7 +142,7 @@ def reconstruct_points(
 def reconstruct_into(
     recording_path: Path,
     calibration: Calibration,
-    arm: Arm,
+    arm: AnyArm,
     take: PointConsumer,
     progress: Progress = no_progress,
     delay_ns: int | None = None,
@@ -168,7 +168,7 @@ class _Job:
         self,
         recording: Recording,
         calibration: Calibration,
-        arm: Arm,
+        arm: AnyArm,
         take: PointConsumer,
         delay_ns: int | None,
     ) -> None:
@@ -178,8 +178,8 @@ class _Job:
         self._take_points = take
         self._given_delay_ns = delay_ns
         self._points = 0
-        self._joints = JointReader(recording.path, arm)
-        self._track = JointTrack(arm.joint_count)
+        self._readings = reading_reader(recording.path, arm)
+        self._track = ReadingTrack(arm.reading_kind, arm.reading_size)
         self._recent: deque[int] = deque(maxlen=RECENT_FRAMES)
         self._known: set[int] = set()
         self._numbered = 0
@@ -187,7 +187,7 @@ class _Job:
         self._making: deque[Future[_BlockPoints]] = deque()
         self._frames = self._dark = 0
         self._unplaced_ns: list[int] = []
-        self._joint_clock, self._frame_clock = ClockWatch(), ClockWatch()
+        self._arm_clock, self._frame_clock = ClockWatch(), ClockWatch()
 
     def run(self, pool: ThreadPoolExecutor, window: int, progress: Progress) -> None:
         for block in read_blocks(self._recording, pool, window):
@@ -197,8 +197,8 @@ class _Job:
             while len(self._making) > window:
                 self._write()
             progress(self._recording.bytes_read / max(self._recording.size, 1), "")
-        self._track.extend(*self._joints.last_readings())
-        self._joints.refuse_another_arm()
+        self._track.extend(*self._readings.last_readings())
+        self._readings.refuse_another_arm()
         self._submit_ready(pool, None)
         while self._making:
             self._write()
@@ -208,7 +208,7 @@ class _Job:
         """The counts; raises ``OperationError`` if there are no points."""
         self._check_result()
         unplaced, start_ns = self._unplaced_ns, self._recording.first_ns or 0
-        joints, frames = self._joint_clock.report(), self._frame_clock.report()
+        joints, frames = self._arm_clock.report(), self._frame_clock.report()
         return Reconstruction(
             points=self._points,
             frames=self._frames,
@@ -216,7 +216,7 @@ class _Job:
             frames_without_joints=len(unplaced),
             first_without_joints_s=(unplaced[0] - start_ns) / 1e9 if unplaced else None,
             joint_samples=len(self._track),
-            joint_samples_unusable=self._joints.unusable,
+            joint_samples_unusable=self._readings.unusable,
             frame_holes=frames.holes,
             joint_holes=joints.holes,
             clock_jumps=frames.jumps + joints.jumps,
@@ -232,9 +232,9 @@ class _Job:
 
     def _take_block(self, block: Block) -> None:
         """Adds the joints of a block to the track, and its frames to those that wait."""
-        for samples in block.joints:
-            self._joint_clock.add(samples.stamps_ns, samples.log_ns)
-            self._track.extend(*self._joints.readings(samples))
+        for samples in block.readings:
+            self._arm_clock.add(samples.stamps_ns, samples.log_ns)
+            self._track.extend(*self._readings.readings(samples))
         frames = [frame for frame in block.frames if self._is_new(frame.stamp_ns)]
         if not frames:
             return
@@ -263,17 +263,17 @@ class _Job:
         ):
             waiting = self._waiting.popleft()
             stamps_ns = np.array([frame.stamp_ns for frame in waiting.frames])
-            q_rad = self._track.at_all(stamps_ns + delay_ns)
-            self._making.append(pool.submit(self._make_points, waiting, q_rad))
+            readings = self._track.at_all(stamps_ns + delay_ns)
+            self._making.append(pool.submit(self._make_points, waiting, readings))
             if up_to_ns is None and len(self._making) > 2 * (os.cpu_count() or 1):
                 self._write()
 
-    def _make_points(self, waiting: _PendingFrames, q_rad: Floats) -> _BlockPoints:
+    def _make_points(self, waiting: _PendingFrames, readings: Floats) -> _BlockPoints:
         """In a worker thread: the points of a block's frames (Eq. 9)."""
-        known = np.asarray(np.isfinite(q_rad).all(axis=1))
+        known = np.asarray(np.isfinite(readings).all(axis=1))
         poses = np.full((len(known), 4, 4), np.nan)
         if known.any():
-            T_arm_flange = flange_poses(self._arm, q_rad[known])
+            T_arm_flange = flange_poses(self._arm, readings[known])
             poses[known] = T_arm_flange @ self._calibration.T_flange_sensor
         placing = FrameReconstruction(self._recording.path, self._calibration)
         points, counts = reconstruct_frames(
@@ -308,13 +308,13 @@ class _Job:
                     unplaced, self._numbered, self._track, self._delay_ns, start_ns
                 )
             )
-        if self._joints.unusable:
+        if self._readings.unusable:
             warnings.append(
-                message("joint-samples-left-out-numbers", unusable=self._joints.unusable)
+                message("joint-samples-left-out-numbers", unusable=self._readings.unusable)
             )
-        first = self._joints.first_implausible
+        first = self._readings.first_implausible
         if first is not None:
-            warnings.append(implausible_joints_warning(self._joints.implausible, first, start_ns))
+            warnings.append(implausible_joints_warning(self._readings.implausible, first, start_ns))
         warnings += clock_warnings("joints", joints, start_ns)
         warnings += clock_warnings("frames", frames, start_ns)
         return warnings

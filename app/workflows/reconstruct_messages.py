@@ -5,16 +5,16 @@ from typing import Literal
 
 from app.errors import OperationError
 from app.formats.recording.clock_check import ClockReport
-from app.formats.recording.joint_track import JointTrack
+from app.formats.recording.pose_samples import FirstImplausible
+from app.formats.recording.reading_track import ReadingTrack
 from app.messages.message import Quantity, Text, message, quantity, rounded
-from app.metrology.arm.joint_plausibility import ImplausibleReading
 from app.metrology.stripe import HALF_HEIGHT_PERIOD
 
 Stream = Literal["joints", "frames"]
 
 
 def missing_joints_warning(
-    unplaced_ns: Sequence[int], frames: int, track: JointTrack, delay_ns: int, start_ns: int
+    unplaced_ns: Sequence[int], frames: int, track: ReadingTrack, delay_ns: int, start_ns: int
 ) -> Text:
     """Frames without joints around their time stamps, among a number of frames."""
     first_ns, last_ns = track.first_ns or 0, track.last_ns or 0
@@ -30,7 +30,7 @@ def missing_joints_warning(
     )
 
 
-def implausible_joints_warning(count: int, first: ImplausibleReading, start_ns: int) -> Text:
+def implausible_joints_warning(count: int, first: FirstImplausible, start_ns: int) -> Text:
     """Impossible joint samples."""
     return message(
         "joint-samples-left-out-cannot-true",
@@ -76,7 +76,7 @@ def smoothing_warning(smoothing_px: float) -> Text:
 
 
 def no_joints_error(
-    named: Text, unplaced_ns: Sequence[int], track: JointTrack, start_ns: int
+    named: Text, unplaced_ns: Sequence[int], track: ReadingTrack, start_ns: int
 ) -> OperationError:
     """No frame has joints around its time stamp."""
     return OperationError(

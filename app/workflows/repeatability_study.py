@@ -18,7 +18,7 @@ from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.io_errors import prefix_errors
 from app.formats.results.calibration import Calibration
 from app.messages.message import Text, message, quantity
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.fitting.plane_sphere import PlaneFit, fit_plane
 from app.metrology.gauges.errors import (
     ARCSEC_PER_RAD,
@@ -87,7 +87,7 @@ class Study:
 def run_study(
     recordings: Sequence[Path],
     calibrations: Sequence[tuple[Path, Calibration]],
-    arm: Arm,
+    arm: AnyArm,
     nominal_path: Path | None = None,
     progress: Progress = no_progress,
 ) -> Study:

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Field
 
 from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile, Shape, read_gauge
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number
@@ -21,7 +21,7 @@ from app.formats.results.calibration import read_calibration
 from app.formats.results.verification import CONTACTS, GAUGE, read_verification
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import Message, MessageList, Text, join, message
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.probed_gauge import (
     ProbedPlane,
@@ -100,12 +100,12 @@ def study_verification(
     """
     record, gauge = read_verification(folder), read_gauge(folder / GAUGE)
     fits: list[list[GaugeFit]] = []
-    used: list[tuple[AcceptedCalibration, Arm]] = []
+    used: list[tuple[AcceptedCalibration, AnyArm]] = []
     left_out: list[Text] = []
     total = max(len(sources) * len(record.clouds), 1)
     for c, source in enumerate(sources):
         try:
-            arm = read_arm(source.folder / ARM)
+            arm = read_any_arm(source.folder / ARM)
             calibration = read_calibration(source.folder / STUDY_CALIBRATION)
             row = []
             for r, cloud in enumerate(record.clouds):
@@ -163,14 +163,14 @@ def _within_folder(text: Text, prefix: str) -> Text:
             return text
 
 
-def _fit_contacts(folder: Path, arm: Arm, gauge: GaugeFile) -> ProbedGauge | None:
+def _fit_contacts(folder: Path, arm: AnyArm, gauge: GaugeFile) -> ProbedGauge | None:
     """With this arm, which may be known better than at the time of probing."""
     if not (folder / CONTACTS).is_file():
         return None
-    q_rad = read_contacts(folder / CONTACTS, arm, ("gauge",)).q_rad
+    readings = read_contacts(folder / CONTACTS, arm, ("gauge",)).arm_readings
     if gauge.radius_mm is None:
-        return fit_probed_plane(arm, q_rad)
-    return fit_probed_sphere(arm, q_rad, gauge.radius_mm)
+        return fit_probed_plane(arm, readings)
+    return fit_probed_sphere(arm, readings, gauge.radius_mm)
 
 
 def _mean_gauge(fits: Sequence[Sequence[GaugeFit]], gauge: GaugeFile) -> ProbedGauge:

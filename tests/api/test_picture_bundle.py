@@ -54,7 +54,7 @@ def test_a_refused_picture_is_saved_with_its_context(refused: Server) -> None:
     context = json.loads(bundle.read("context.json"))
     assert context["software"]["Crenel"]
     assert context["exposure_us"] > 0
-    assert len(context["q_deg"]) == 6
+    assert len(context["reading"]) == 6
     bad = next(one for one in context["findings"] if one["quality"] == "bad")
     assert bad["text_message"] in [one["text"] for one in view["findings"]]
     assert bad["text_message"]["message_id"] == "fault"

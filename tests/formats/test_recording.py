@@ -21,8 +21,8 @@ from mcap.reader import make_reader
 
 from app.errors import OperationError
 from app.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
-from app.formats.recording.joint_track import JointTrack
 from app.formats.recording.reader import Recording, open_recording
+from app.formats.recording.reading_track import ReadingTrack
 from app.formats.recording.stripe_message import encode_stripe, stripe_descriptors
 from app.formats.recording.writer import RecordingWriter
 from app.metrology.stripe import Stripe
@@ -297,7 +297,7 @@ def test_the_stripe_schema_in_the_file_is_the_published_one(tmp_path: Path) -> N
 
 
 def test_joints_between_samples_lie_on_the_straight_line() -> None:
-    track = JointTrack(2)
+    track = ReadingTrack("joints", 2)
     assert track.at(0) is None
     for stamp_ns in (0, 10_000_000, 30_000_000, 20_000_000):  # the last one comes late
         track.add(stamp_ns, np.array([stamp_ns * 1e-9, -2.0]))
@@ -313,7 +313,7 @@ def test_joints_between_samples_lie_on_the_straight_line() -> None:
 
 @given(st.floats(-3.1, 3.1), st.floats(-1.5, 1.5), st.floats(0, 1))
 def test_a_joint_is_followed_the_short_way_round(start: float, turn: float, share: float) -> None:
-    track = JointTrack(1)
+    track = ReadingTrack("joints", 1)
     end = (start + turn + np.pi) % (2 * np.pi) - np.pi
     track.add(0, np.array([start]))
     track.add(10_000_000, np.array([end]))
@@ -325,7 +325,7 @@ def test_a_joint_is_followed_the_short_way_round(start: float, turn: float, shar
 
 
 def test_a_gap_between_samples_is_not_bridged() -> None:
-    track = JointTrack(1)
+    track = ReadingTrack("joints", 1)
     for i in range(100):
         track.add(i * 4_000_000 + (10**9 if i >= 50 else 0), np.zeros(1))
     assert track.at(49 * 4_000_000) is not None
@@ -335,7 +335,7 @@ def test_a_gap_between_samples_is_not_bridged() -> None:
 
 
 def test_a_slow_arm_may_have_its_own_periods() -> None:
-    track = JointTrack(1)
+    track = ReadingTrack("joints", 1)
     for i in range(20):
         track.add(i * 33_000_000, np.array([float(i)]))
     found = track.at(5 * 33_000_000 + 16_500_000)

@@ -104,7 +104,7 @@ def make_live(
         rev=state.rev,
         arm_link=CONNECTED,
         sensor_link=replace(CONNECTED, title="Sensor"),
-        arm=ConnectedArm("A-1", 6),
+        arm=ConnectedArm("A-1", 6, "joints"),
         sensor=ConnectedSensor("S-1", 1280, 1024),
         stillness=Stillness(True, 2.0, 1.0, "Still"),
         library=DatasheetLibrary({}, {}, {}, ()),

@@ -18,7 +18,7 @@ from app.guide.common.datasheet_library import DatasheetLibrary
 from app.guide.common.journal import fold
 from app.guide.common.view import Action, Busy
 from app.metrology.arm.kinematics import Arm, tip_centres
-from app.station.devices.joint_buffer import JointWindow
+from app.station.devices.reading_buffer import ReadingWindow
 from tests.guide.builders import CONNECTED, REST_RAD, FakeRow, reach_tip
 
 MS = 1_000_000
@@ -98,8 +98,8 @@ def test_the_fold_goes_from_seat_to_swing_to_result() -> None:
         state_after(("danced", {}))
 
 
-def window(q_rad: np.ndarray, step_ns: int = MS) -> JointWindow:
-    return JointWindow(np.arange(len(q_rad), dtype=np.int64) * step_ns, q_rad)
+def window(q_rad: np.ndarray, step_ns: int = MS) -> ReadingWindow:
+    return ReadingWindow("joints", np.arange(len(q_rad), dtype=np.int64) * step_ns, q_rad)
 
 
 def test_a_point_is_taken_whenever_a_joint_has_turned_enough(arm: Arm) -> None:

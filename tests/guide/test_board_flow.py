@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
+from app.formats.datasheets.arm import arm_document
 from app.guide.calibration.flow import build_view
 from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.outcome import to_payload
@@ -25,7 +26,7 @@ from app.metrology.arm.kinematics import Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
 from app.station.devices.capture import Capture, Lighting
-from app.station.devices.joint_buffer import JointMean
+from app.station.devices.reading_buffer import ReadingMean
 from hardware.interfaces import Frame
 from tests.guide.builders import (
     REST_RAD,
@@ -222,7 +223,7 @@ def test_what_was_found_in_a_refused_picture_is_drawn_and_can_be_saved(arm: Arm)
     T = POSES[1].copy()
     T[0, 3] += 45.0  # partly out of the picture
     image = board_picture(T, Look(laser=False))
-    mean = JointMean(REST_RAD, REST_RAD, 10, 0, 1)
+    mean = ReadingMean(REST_RAD, REST_RAD, 10, 0, 1)
     taken = Capture(Frame(0, 0, image, 5000.0, False), None, "both", mean)
     sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
     seen, refusal = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
@@ -254,7 +255,7 @@ def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
             Frame(0, 0, unlit, 5000.0, False),
             laser,
             lighting,
-            JointMean(REST_RAD, REST_RAD, 10, 0, 1),
+            ReadingMean(REST_RAD, REST_RAD, 10, 0, 1),
         )
         sensor = SENSOR.model_copy(update={"stripe_axis": "v"})
         seen, pose = detect_in_capture(taken, SelectedDatasheets(arm, RENDERED_BOARD, sensor), 1)
@@ -267,9 +268,10 @@ def test_a_picture_without_the_line_is_kept_and_named(arm: Arm) -> None:
         assert ("did not switch on" in str(finding.text)) == (lighting == "ambient")
 
 
-def test_pictures_are_listed_as_they_were_lit(tmp_path: Path) -> None:
+def test_pictures_are_listed_as_they_were_lit(tmp_path: Path, arm: Arm) -> None:
     """Rows of earlier versions name no lighting."""
     folder = SessionFolder(tmp_path)
+    arm_document(arm).write(tmp_path / "arm.json")
     state = at(
         "solve",
         capture_row(),

@@ -24,7 +24,7 @@ from app.metrology.adjustment.block.calibrate import calibrate_block
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.limits import LIMITS
 from app.station.devices.capture import Capture
-from app.station.devices.joint_buffer import JointMean
+from app.station.devices.reading_buffer import ReadingMean
 from app.workflows.calibrate import calibration_origin, joint_inputs
 from hardware.interfaces import Frame
 from hardware.simulator.session import SessionPlan, render_session
@@ -175,7 +175,7 @@ def capture_of(folder: SessionFolder, ambient: np.ndarray) -> tuple[Capture, Sel
         Frame(i, 0, image, 5000.0, i > 0)
         for i, image in enumerate((ambient, read_grey(pose.laser)))
     ]
-    mean = JointMean(pose.q_rad, pose.q_rad * 0, 10, 0, 1)
+    mean = ReadingMean(pose.q_rad, pose.q_rad * 0, 10, 0, 1)
     chosen = SelectedDatasheets(session.arm, session.block, session.sensor)
     return Capture(frames[0], frames[1], "pair", mean), chosen
 

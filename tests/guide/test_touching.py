@@ -123,8 +123,8 @@ def test_a_point_off_its_face_is_named_an_outlier(arm: Arm, block: Crenellated) 
 def test_a_point_with_an_impossible_joint_can_be_removed(arm: Arm, block: Crenellated) -> None:
     """Its place may be right: the joint is turns on."""
     contacts = session(arm, block, ("crest", "front", "left"), 5).counted
-    q_rad = (contacts[3].q_rad[0] + 6 * np.pi, *contacts[3].q_rad[1:])
-    wrong = replace(contacts[3], q_rad=q_rad)
+    reading = (contacts[3].reading[0] + 6 * np.pi, *contacts[3].reading[1:])
+    wrong = replace(contacts[3], reading=reading)
     report = touch_report([*contacts[:3], wrong, *contacts[4:]], arm, block, 15.0)
     assert report.questionable[0] == 3
     assert "Point 4 is implausible: " in str(report.findings[0].text)

@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.metrology.arm.joint_interpolation import interpolate_angles
+from app.metrology.arm.reading_interpolation import interpolate_readings
 from app.metrology.time_delay.delay import estimate_delay
 from app.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
 from app.metrology.transforms import Floats
@@ -76,7 +76,7 @@ def passed(setting: Setting, seed: int = 0) -> PlanePass:
         np.arange(len(taken_s) + 1) * len(across),
         in_sensor,
         np.full(len(in_sensor), setting.point_sd_mm),
-        lambda at_ns: poses(interpolate_angles(stamps_ns, q, at_ns, 25_000_000)),
+        lambda at_ns: poses(interpolate_readings("joints", stamps_ns, q, at_ns, 25_000_000)),
     )
 
 

@@ -6,18 +6,28 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from app.metrology.arm.kinematics import tip_centres
-from app.station.devices.joint_buffer import RING_SAMPLES, JointRing, JointWindow, average_joints
+from app.metrology.arm.kinematics import RobotArm, tip_centres
+from app.station.devices.reading_buffer import (
+    RING_SAMPLES,
+    ReadingRing,
+    ReadingWindow,
+    average_readings,
+)
 from app.station.devices.stillness import stillness
-from hardware.interfaces import JointSample
+from hardware.interfaces import ArmInfo, JointSample, PoseSample
 from tests.station.conftest import REST_RAD, six_axis_arm
 
 MS = 1_000_000
 
 
-def ring_of(count: int, period_ns: int = 2 * MS) -> JointRing:
-    ring = JointRing(2, 500.0)
+def info(joint_count: int) -> ArmInfo:
+    return ArmInfo("arm", "1", joint_count, 500.0)
+
+
+def ring_of(count: int, period_ns: int = 2 * MS) -> ReadingRing:
+    ring = ReadingRing(info(2))
     ring.extend([JointSample(i, i * period_ns, (0.001 * i, -0.002 * i)) for i in range(count)])
     return ring
 
@@ -36,20 +46,22 @@ def test_outside_the_samples_there_is_no_pose() -> None:
 
 
 def test_a_gap_is_not_bridged() -> None:
-    ring = JointRing(1, 500.0)
+    ring = ReadingRing(info(1))
     ring.extend([JointSample(0, 0, (0.0,)), JointSample(9, 40 * MS, (1.0,))])
     assert ring.at(10 * MS) is None
     assert ring.at(40 * MS) is not None
 
 
 def test_an_encoder_that_rolls_over_is_interpolated_the_short_way() -> None:
-    ring = JointRing(1, 500.0)
+    ring = ReadingRing(info(1))
     ring.extend([JointSample(0, 0, (np.pi - 0.01,)), JointSample(1, 2 * MS, (-np.pi + 0.03,))])
     found = ring.at(MS)
     assert found is not None
     assert np.cos(found[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
     window = ring.between(0, 2 * MS)
-    assert np.cos(average_joints(window).q_rad[0] - (np.pi + 0.01)) == pytest.approx(1.0, abs=1e-12)
+    assert np.cos(average_readings(window).reading[0] - (np.pi + 0.01)) == pytest.approx(
+        1.0, abs=1e-12
+    )
 
 
 def test_the_ring_forgets_its_oldest_and_keeps_its_order() -> None:
@@ -77,8 +89,8 @@ def test_a_reader_waits_for_the_sample_after_its_stamp() -> None:
     np.testing.assert_allclose(found, [0.0025, -0.005])
 
 
-def window_of(q_rad: np.ndarray) -> JointWindow:
-    return JointWindow(np.arange(len(q_rad), dtype=np.int64) * 2 * MS, q_rad)
+def window_of(q_rad: np.ndarray) -> ReadingWindow:
+    return ReadingWindow("joints", np.arange(len(q_rad), dtype=np.int64) * 2 * MS, q_rad)
 
 
 def test_encoder_noise_alone_is_still() -> None:
@@ -123,7 +135,53 @@ def test_too_few_samples_are_not_called_still() -> None:
 def test_the_mean_comes_with_the_scatter_of_the_samples() -> None:
     random = np.random.default_rng(2)
     q = REST_RAD + 1e-4 * random.normal(size=(400, 6))
-    mean = average_joints(window_of(q))
-    np.testing.assert_allclose(mean.q_rad, q.mean(axis=0))
-    np.testing.assert_allclose(mean.scatter_rad, 1e-4, rtol=0.15)
+    mean = average_readings(window_of(q))
+    np.testing.assert_allclose(mean.reading, q.mean(axis=0))
+    np.testing.assert_allclose(mean.scatter, 1e-4, rtol=0.15)
     assert mean.samples == 400
+
+
+ROBOT = RobotArm("robot", "R-1")
+
+
+def poses_of(moves_mm: np.ndarray, noise_mm: float, seed: int) -> ReadingWindow:
+    """At 250 Hz, along x by ``moves_mm``, with noise of position and rotation."""
+    random = np.random.default_rng(seed)
+    count = len(moves_mm)
+    at = [500.0, 20.0, 300.0] + noise_mm * random.normal(size=(count, 3))
+    at[:, 0] += moves_mm
+    turns = Rotation.from_rotvec([0.3, 1.2, -0.4] + 2e-5 * random.normal(size=(count, 3)))
+    stamps_ns = np.arange(count, dtype=np.int64) * 4 * MS
+    return ReadingWindow("pose", stamps_ns, np.hstack([at, turns.as_quat()]))
+
+
+@pytest.mark.parametrize("noise_mm", [0.0, 0.01, 0.1])
+def test_the_noise_of_a_robot_at_rest_is_still(noise_mm: float) -> None:
+    found = [stillness(ROBOT, poses_of(np.zeros(75), noise_mm, i)).still for i in range(100)]
+    assert sum(found) >= 98
+
+
+@pytest.mark.parametrize("noise_mm", [0.0, 0.01])
+def test_a_robot_that_creeps_is_not_still(noise_mm: float) -> None:
+    found = stillness(ROBOT, poses_of(np.linspace(0, 0.2, 75), noise_mm, 1))
+    assert not found.still
+    assert found.moved_um == pytest.approx(167, abs=15)
+
+
+def test_a_ring_of_poses_interpolates_and_averages_them() -> None:
+    poses = poses_of(np.linspace(0, 1, 75), 0.0, 2)
+    ring = ReadingRing(ArmInfo("robot", "R-1", 0, 250.0, reports="pose"))
+    ring.extend(
+        [
+            PoseSample(i, int(stamp), (one[0], one[1], one[2]), (one[3], one[4], one[5], one[6]))
+            for i, (stamp, one) in enumerate(
+                zip(poses.stamps_ns, poses.readings.tolist(), strict=True)
+            )
+        ]
+    )
+    between = ring.at(6 * MS)
+    assert between is not None
+    np.testing.assert_allclose(between[:3], poses.readings[1:3, :3].mean(axis=0))
+    mean = average_readings(ring.between(0, 300 * MS))
+    np.testing.assert_allclose(mean.reading[:3], poses.readings[:, :3].mean(axis=0))
+    assert mean.scatter.shape == (7,)

@@ -125,7 +125,7 @@ def test_a_scan_leaves_out_what_a_lying_encoder_says(
         assert window is not None
         assert len(window) > 100
         true_rad = simulation.joints(window.stamps_ns)
-        assert np.abs(window.q_rad - true_rad).max() < np.radians(0.2)
+        assert np.abs(window.readings - true_rad).max() < np.radians(0.2)
         assert scanner.stop() is not None
         assert any("implausible" in str(one.text) for one in scanner.state().findings)
     finally:

@@ -121,7 +121,7 @@ def test_a_touch_of_the_simulated_operator_is_received_and_averaged(
     assert press.button is Button.PRIMARY
     mean = rig.arm.average(0.15, until_ns=press.stamp_ns)
     assert mean.samples > 100
-    assert mean.scatter_rad.max() < 1e-4
+    assert mean.scatter.max() < 1e-4
 
 
 def test_a_pair_is_captured_over_the_block_and_refused_on_the_way(

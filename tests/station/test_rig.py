@@ -132,8 +132,8 @@ def test_a_moving_arm_is_not_averaged_and_a_still_one_is(rig: Rig, bench: Bench)
     bench.joints_at = lambda seconds: REST_RAD
     ready(rig)
     mean = rig.arm.average(0.2)
-    np.testing.assert_allclose(mean.q_rad, REST_RAD, atol=5e-6)
-    np.testing.assert_allclose(mean.scatter_rad, bench.noise_rad, rtol=0.5)
+    np.testing.assert_allclose(mean.reading, REST_RAD, atol=5e-6)
+    np.testing.assert_allclose(mean.scatter, bench.noise_rad, rtol=0.5)
     assert mean.samples == pytest.approx(100, abs=3)
 
 
@@ -160,7 +160,7 @@ def test_a_press_is_averaged_over_what_came_before_it(rig: Rig, bench: Bench) ->
     assert newest is not None
     bench.joints_at = swing
     mean = rig.arm.average(0.2, until_ns=newest.stamp_ns)
-    np.testing.assert_allclose(mean.q_rad, REST_RAD, atol=5e-6)
+    np.testing.assert_allclose(mean.reading, REST_RAD, atol=5e-6)
     assert mean.last_ns <= newest.stamp_ns
 
 
@@ -206,7 +206,7 @@ def test_a_pair_is_captured_while_still_and_the_laser_put_back(rig: Rig, bench: 
     assert (taken.ambient.laser_on, taken.laser.laser_on) == (False, True)
     assert taken.laser.image.max() > taken.ambient.image.max() + 100
     assert not bench.laser_on
-    np.testing.assert_allclose(taken.joints.q_rad, REST_RAD, atol=1e-5)
+    np.testing.assert_allclose(taken.joints.reading, REST_RAD, atol=1e-5)
     rig.sensor.set_laser(True)
     rig.capture_pair()
     assert bench.laser_on

@@ -12,7 +12,7 @@ from app.formats.recording.decoders import JointRecord
 from app.formats.recording.reader import open_recording
 from app.formats.results.calibration import Calibration, SerialNumbers
 from app.formats.settings.scan_settings import Sync
-from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.arm.kinematics import AnyArm, flange_poses
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.station.bus import Bus
 from app.station.devices.rig import Rig
@@ -43,7 +43,7 @@ def plane_rms_um(points: np.ndarray, simulation: SimulatedStation) -> float:
 
 
 def transport_ms(
-    recording: Path, arm: Arm, T_flange_sensor: np.ndarray, simulation: SimulatedStation
+    recording: Path, arm: AnyArm, T_flange_sensor: np.ndarray, simulation: SimulatedStation
 ) -> float:
     """By how much the arm's stamps are late of themselves: its line takes a while."""
     records = open_recording(recording).records()

@@ -9,7 +9,8 @@ from app.errors import OperationError
 from app.formats.clouds.files import read_cloud
 from app.formats.recording.reader import EXTRACTION
 from app.formats.recording.writer import RecordingWriter
-from app.metrology.arm.kinematics import flange_pose
+from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
+from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats, apply, inverse
 from app.workflows.estimate_delay import read_plane_pass
@@ -356,3 +357,57 @@ def rewritten_unpacked(path: Path) -> None:
                 data = data[:start] + single + data[start + 203 :]
             writer.add_message(ids[channel.topic], message.log_time, data, message.log_time)
         writer.finish()
+
+
+ROBOT = RobotArm("robot", "A-1")
+
+
+def poses_every(writer: RecordingWriter, first_ns: int, last_ns: int, step_ns: int) -> None:
+    for stamp_ns in range(first_ns, last_ns + 1, step_ns):
+        writer.reading(stamp_ns, pose_from_transform(flange_pose(ARM, q_at(stamp_ns))))
+
+
+def test_poses_become_the_same_points_as_joints(tmp_path: Path) -> None:
+    stamps = [int(100 * MS + i * 3.7 * MS) for i in range(50)]
+    with RecordingWriter(tmp_path / "scan.mcap", None) as writer:
+        poses_every(writer, 0, 400 * MS, 4 * MS)
+        for stamp in stamps:
+            record_stripe(writer, stamp)
+    result = reconstruct_cloud(
+        tmp_path / "scan.mcap", little_calibration(), ROBOT, tmp_path / "cloud.ply"
+    )
+    assert (result.frames, result.frames_without_joints, result.joint_samples) == (50, 0, 101)
+    # between its poses, the flange moves along an arc of the joints
+    points = read_cloud(tmp_path / "cloud.ply").points_mm
+    np.testing.assert_allclose(points, expected(stamps), atol=3e-4)
+
+
+def test_a_pose_that_cannot_be_is_left_out_and_reported(tmp_path: Path) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", None) as writer:
+        poses_every(writer, 0, 100 * MS, 4 * MS)
+        writer.reading(102 * MS, [9000.0, 0, 0, 0, 0, 0, 1])
+        writer.reading(103 * MS, [np.nan] * 7)
+        poses_every(writer, 104 * MS, 200 * MS, 4 * MS)
+        record_stripe(writer, 102 * MS)
+    result = reconstruct_cloud(
+        tmp_path / "scan.mcap", little_calibration(), ROBOT, tmp_path / "cloud.ply"
+    )
+    assert result.joint_samples_unusable == 1
+    assert any("0.102 s" in str(one) for one in result.warnings)
+    points = read_cloud(tmp_path / "cloud.ply").points_mm
+    np.testing.assert_allclose(points, expected([102 * MS]), atol=3e-4)
+
+
+@pytest.mark.parametrize(
+    ("names", "arm", "code"),
+    [(None, ARM, "recording-of-poses"), (NAMES, ROBOT, "recording-of-joints")],
+)
+def test_a_recording_of_another_kind_of_arm_is_refused(
+    tmp_path: Path, names: tuple[str, ...] | None, arm: AnyArm, code: str
+) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
+        (poses_every if names is None else joints_every)(writer, 0, 400 * MS, 4 * MS)
+        record_stripe(writer, 102 * MS)
+    with pytest.raises(OperationError) as caught:
+        reconstruct_cloud(tmp_path / "scan.mcap", little_calibration(), arm, tmp_path / "c.ply")
+    assert caught.value.code == code

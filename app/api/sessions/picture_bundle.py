@@ -5,7 +5,6 @@ import json
 import zipfile
 from collections.abc import Mapping, Sequence
 
-import numpy as np
 from pydantic_core import to_jsonable_python
 
 from app.api.monitoring.support import context_redactor
@@ -89,7 +88,7 @@ def _describe_capture(capture: PoseCapture) -> dict[str, object]:
         "exposure_us": capture.exposure_us,
         "width_px": capture.width_px,
         "height_px": capture.height_px,
-        "q_deg": np.rad2deg(capture.q_rad).tolist(),
+        "reading": list(capture.reading),
     }
 
 

@@ -132,7 +132,7 @@ def last_joints_ns(recording: Path) -> int:
     last_ns = 0
     with ThreadPoolExecutor(1) as pool:
         for block in read_blocks(open_recording(recording), pool, 1):
-            last_ns = max([last_ns, *(int(joints.stamps_ns[-1]) for joints in block.joints)])
+            last_ns = max([last_ns, *(int(read.stamps_ns[-1]) for read in block.readings)])
     return last_ns
 
 

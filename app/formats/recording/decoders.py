@@ -22,24 +22,36 @@ from app.messages.message import Text, message
 from app.messages.validation import exception_text
 from app.metrology.stripe import Stripe
 
-JOINTS_TOPIC, IMAGE_TOPIC, STRIPE_TOPIC = "/arm/joints", "/sensor/image", "/sensor/stripe"
+JOINTS_TOPIC, POSE_TOPIC = "/arm/joints", "/arm/pose"
+IMAGE_TOPIC, STRIPE_TOPIC = "/sensor/image", "/sensor/stripe"
 SCHEMAS = {
     JOINTS_TOPIC: ("foxglove.JointStates",),
+    POSE_TOPIC: ("foxglove.PoseInFrame",),
     IMAGE_TOPIC: ("foxglove.RawImage", "foxglove.CompressedImage"),
     STRIPE_TOPIC: (STRIPE_SCHEMA,),
 }
+MM_PER_M = 1000.0
 GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
-LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
+LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, POSE_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
 """Maximum size of one message in bytes; in memory, it is many times as large."""
 
 
 @dataclass(frozen=True, slots=True)
 class JointRecord:
-    """One reading of the arm."""
+    """One reading of the joints."""
 
     stamp_ns: int
     names: tuple[str, ...]
     q_rad: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PoseRecord:
+    """One reported pose of the flange."""
+
+    stamp_ns: int
+    pose: tuple[float, ...]
+    """(7,) position in mm and quaternion x, y, z, w."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +73,7 @@ class StripeRecord:
     stripe: Stripe
 
 
-Record = JointRecord | ImageRecord | StripeRecord
+Record = JointRecord | PoseRecord | ImageRecord | StripeRecord
 
 
 class _JointState(Protocol):
@@ -77,6 +89,25 @@ class _StampedMessage(Protocol):
 
 class _JointStates(_StampedMessage, Protocol):
     joints: list[_JointState]
+
+
+class _Vector(Protocol):
+    x: float
+    y: float
+    z: float
+
+
+class _Quaternion(_Vector, Protocol):
+    w: float
+
+
+class _Pose(Protocol):
+    position: _Vector
+    orientation: _Quaternion
+
+
+class _PoseInFrame(_StampedMessage, Protocol):
+    pose: _Pose
 
 
 class _RawImage(_StampedMessage, Protocol):
@@ -174,6 +205,8 @@ class Decoders:
                 tuple(joint.name for joint in joints),
                 tuple(joint.position for joint in joints),
             )
+        if channel.topic == POSE_TOPIC:
+            return PoseRecord(stamp_ns, _pose_mm(cast(_PoseInFrame, decoded)))
         if channel.topic == STRIPE_TOPIC:
             profile = cast(StripeMessage, decoded)
             return StripeRecord(
@@ -184,6 +217,13 @@ class Decoders:
             return ImageRecord(stamp_ns, lambda: decode_grey(packed.data, named))
         raw = cast(_RawImage, decoded)
         return ImageRecord(stamp_ns, lambda: _raw_picture(raw, named))
+
+
+def _pose_mm(decoded: _PoseInFrame) -> tuple[float, ...]:
+    """(7,) in mm; Foxglove's lengths are in metres."""
+    at, turned = decoded.pose.position, decoded.pose.orientation
+    position_mm = (at.x * MM_PER_M, at.y * MM_PER_M, at.z * MM_PER_M)
+    return (*position_mm, turned.x, turned.y, turned.z, turned.w)
 
 
 def _stamp_ns(stamped: _StampedMessage, log_ns: int) -> int:

@@ -7,11 +7,11 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.file_names import display_path
-from app.formats.recording.stream import JointSamples
+from app.formats.recording.stream import ReadingSamples
 from app.messages.message import message, quantity
-from app.metrology.arm.joint_interpolation import Stamps
 from app.metrology.arm.joint_plausibility import ImplausibleReading, PlausibilityFilter
 from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.transforms import Floats
 
 RATE_HZ = 1000.0
@@ -50,21 +50,28 @@ class JointReader:
     def first_implausible(self) -> ImplausibleReading | None:
         return self._judge.first
 
-    def readings(self, samples: JointSamples) -> tuple[Stamps, Floats]:
+    def readings(self, samples: ReadingSamples) -> tuple[Stamps, Floats]:
         """The time stamps (J,) and angles (J, n) of the readings in the arm's order.
 
         Readings with a missing angle (NaN), and impossible readings, are excluded and counted. The
-        last ones may be returned by the next call, or by ``rest``. Joints are assigned by name if
-        the recording names them as ``arm.json`` does, otherwise by order.
+        last ones may be returned by the next call, or by ``last_readings``. Joints are assigned by
+        name if the recording names them as ``arm.json`` does, otherwise by order.
 
         Raises:
             OperationError: the number of joints differs from the arm's, only some names are known,
                 or most angles are outside the arm's limits.
         """
+        if samples.kind != "joints":
+            raise OperationError(
+                "recording-of-poses",
+                message("recording-has-poses", path=display_path(self._path)),
+                message("arm-json-has-joints", arm=self._arm.serial_number or self._arm.name),
+                message("give-arm-json-arm-took-recording"),
+            )
         if samples.names != self._names:
             self._order = self._joint_order(samples.names)
             self._names = samples.names
-        q_rad, stamps_ns = samples.q_rad[:, self._order], samples.stamps_ns
+        q_rad, stamps_ns = samples.readings[:, self._order], samples.stamps_ns
         whole = np.isfinite(q_rad).all(axis=1)
         if not whole.all():
             self.unusable += int((~whole).sum())

@@ -21,15 +21,18 @@ from app.formats.recording.blocks import (
 )
 from app.formats.recording.decoders import (
     JOINTS_TOPIC,
+    POSE_TOPIC,
     SCHEMAS,
     STRIPE_TOPIC,
     Decoders,
     ImageRecord,
     JointRecord,
+    PoseRecord,
     StripeRecord,
 )
 from app.formats.recording.raw import DAMAGE, LARGEST_CHUNK, raw_records
 from app.formats.recording.reader import STATION_METADATA, Recording, check_magic
+from app.metrology.arm.reported_poses import ReadingKind
 from app.metrology.transforms import Floats
 
 LOOSE_BYTES = 1 << 20
@@ -40,13 +43,15 @@ MOST_WAITING_BYTES = 2 * LARGEST_CHUNK
 
 
 @dataclass(frozen=True)
-class JointSamples:
-    """Consecutive readings of the arm with the same joint names."""
+class ReadingSamples:
+    """Consecutive readings of the arm of one kind, with the same joint names."""
 
+    kind: ReadingKind
     names: tuple[str, ...]
+    """Of the joints; none of poses."""
     stamps_ns: wire.Table  # (J,)
     log_ns: wire.Table  # (J,)
-    q_rad: Floats  # (J, n)
+    readings: Floats  # (J, k)
 
 
 @dataclass(frozen=True)
@@ -63,7 +68,7 @@ class Block:
     """The content of a part of the recording, in order."""
 
     chunk: ChunkRecords
-    joints: list[JointSamples]
+    readings: list[ReadingSamples]
     frames: list[RecordedFrame]
     stripes: wire.Table
     """(S, 9) from ``wire_format.find_stripes``."""
@@ -178,7 +183,7 @@ class _Reader:
         messages = opened.messages
         if len(messages):
             self._recording.note_times(int(messages[:, 2].min()), int(messages[:, 2].max()))
-        joints: list[JointSamples] = []
+        readings: list[ReadingSamples] = []
         frames: list[tuple[int, RecordedFrame]] = []
         stripes: list[wire.Table] = []
         for channel_id in dict.fromkeys(messages[:, 1].tolist()):
@@ -187,7 +192,9 @@ class _Reader:
             if channel is None or channel.topic not in SCHEMAS:
                 continue
             if channel.topic == JOINTS_TOPIC:
-                joints += self._joints(opened, messages[at])
+                readings += self._joints(opened, messages[at])
+            elif channel.topic == POSE_TOPIC:
+                readings += self._poses(opened, messages[at])
             elif channel.topic == STRIPE_TOPIC:
                 first = sum(len(table) for table in stripes)
                 rows = self._stripe_rows(opened, messages[at])
@@ -197,7 +204,7 @@ class _Reader:
                 frames += [(i, self._frame(opened, messages[i])) for i in at.tolist()]
         frames.sort(key=lambda found: found[0])
         table = np.concatenate(stripes) if stripes else np.zeros((0, wire.STRIPE_COLUMNS), np.int64)
-        return Block(opened, joints, [frame for _, frame in frames], table)
+        return Block(opened, readings, [frame for _, frame in frames], table)
 
     def _stripe_rows(self, opened: ChunkRecords, messages: wire.Table) -> wire.Table:
         rows = wire.find_stripes(opened.bytes, messages)
@@ -234,7 +241,7 @@ class _Reader:
                 found.append((i, RecordedFrame(row[wire.STAMP], int(messages[i, 2]), first + k)))
         return found
 
-    def _joints(self, opened: ChunkRecords, messages: wire.Table) -> list[JointSamples]:
+    def _joints(self, opened: ChunkRecords, messages: wire.Table) -> list[ReadingSamples]:
         rows, counts, names = wire.find_joints(opened.bytes, messages)
         channel, alike = int(messages[0, 1]), (names == names[0]) & (counts == counts[0])
         if counts[0] > 0 and alike.all() and self._as_usual.get(channel, True):
@@ -246,13 +253,22 @@ class _Reader:
             )
             self._as_usual[channel] = usual
             if usual:
-                return [JointSamples(decoded.names, rows[:, 0], messages[:, 2], q_rad)]
+                return [ReadingSamples("joints", decoded.names, rows[:, 0], messages[:, 2], q_rad)]
         found = [(self._decode(opened, row), row[2:3]) for row in messages]
         return [
-            JointSamples(one.names, np.array([one.stamp_ns]), log_ns, np.array([one.q_rad]))
+            ReadingSamples(
+                "joints", one.names, np.array([one.stamp_ns]), log_ns, np.array([one.q_rad])
+            )
             for one, log_ns in found
             if isinstance(one, JointRecord)
         ]
+
+    def _poses(self, opened: ChunkRecords, messages: wire.Table) -> list[ReadingSamples]:
+        found = [self._decode(opened, row) for row in messages]
+        poses = [one for one in found if isinstance(one, PoseRecord)]
+        stamps_ns = np.array([one.stamp_ns for one in poses], dtype=np.int64)
+        readings = np.array([one.pose for one in poses])
+        return [ReadingSamples("pose", (), stamps_ns, messages[:, 2], readings)]
 
     def _frame(self, opened: ChunkRecords, row: wire.Table) -> RecordedFrame:
         record = self._decode(opened, row)

@@ -9,7 +9,11 @@ from typing import Self
 
 from foxglove_schemas_protobuf.JointState_pb2 import JointState
 from foxglove_schemas_protobuf.JointStates_pb2 import JointStates
+from foxglove_schemas_protobuf.Pose_pb2 import Pose
+from foxglove_schemas_protobuf.PoseInFrame_pb2 import PoseInFrame
+from foxglove_schemas_protobuf.Quaternion_pb2 import Quaternion
 from foxglove_schemas_protobuf.RawImage_pb2 import RawImage
+from foxglove_schemas_protobuf.Vector3_pb2 import Vector3
 from google.protobuf.timestamp_pb2 import Timestamp
 from mcap.well_known import MessageEncoding, SchemaEncoding
 from mcap.writer import CompressionType, Writer
@@ -19,7 +23,13 @@ from app.errors import OperationError
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
 from app.formats.io_errors import convert_io_errors, error_from_os
-from app.formats.recording.decoders import IMAGE_TOPIC, JOINTS_TOPIC, STRIPE_TOPIC
+from app.formats.recording.decoders import (
+    IMAGE_TOPIC,
+    JOINTS_TOPIC,
+    MM_PER_M,
+    POSE_TOPIC,
+    STRIPE_TOPIC,
+)
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
 from app.metrology.stripe import Stripe
@@ -37,18 +47,22 @@ class RecordingWriter:
     """
 
     def __init__(
-        self, path: Path, joint_names: Sequence[str], station: Mapping[str, str] | None = None
+        self,
+        path: Path,
+        joint_names: Sequence[str] | None,
+        station: Mapping[str, str] | None = None,
     ) -> None:
         """Creates the file, which must not exist.
 
         Args:
+            joint_names: of the arm's joints; None of an arm that reports poses.
             station: properties of the devices and settings: ``arm_serial``, ``sensor_serial``,
                 ``arm_delay_ns``, ``extraction``.
 
         Raises:
             OperationError: the file exists or cannot be created.
         """
-        self._names = tuple(joint_names)
+        self._names = None if joint_names is None else tuple(joint_names)
         self._file = _SyncedFile(path)
         self._writer = Writer(
             self._file,  # type: ignore[arg-type]  # of a file it uses write, tell and flush
@@ -61,7 +75,11 @@ class RecordingWriter:
         except OperationError:
             self._file.close()
             raise
-        self._joints = self._channel(JOINTS_TOPIC, register_schema(self._writer, JointStates))
+        self._readings = (
+            self._channel(POSE_TOPIC, register_schema(self._writer, PoseInFrame))
+            if self._names is None
+            else self._channel(JOINTS_TOPIC, register_schema(self._writer, JointStates))
+        )
         self._images = self._channel(IMAGE_TOPIC, register_schema(self._writer, RawImage))
         self._stripes = self._channel(
             STRIPE_TOPIC,
@@ -90,18 +108,26 @@ class RecordingWriter:
     def bytes_written(self) -> int:
         return self._file.tell()
 
-    def joints(self, stamp_ns: int, q_rad: Sequence[float] | Floats) -> None:
-        """One reading of the arm, angles (n,) before sign and offset.
+    def reading(self, stamp_ns: int, reading: Sequence[float] | Floats) -> None:
+        """One reading of the arm: joint angles (n,) in rad, or a pose (7,) in mm.
 
         Raises:
-            OperationError: the disk is full or gone; the other two methods raise the same.
+            OperationError: the disk is full or gone; the other methods raise the same.
         """
+        if self._names is None:
+            self._add(self._readings, stamp_ns, _pose_message(stamp_ns, reading))
+        else:
+            self.joints(stamp_ns, reading)
+
+    def joints(self, stamp_ns: int, q_rad: Sequence[float] | Floats) -> None:
+        """Angles (n,) in rad before sign and offset, of an arm with joints."""
+        assert self._names is not None, "the recording is of an arm that reports poses"
         states = [
             JointState(name=name, position=angle)
             for name, angle in zip(self._names, q_rad, strict=True)
         ]
         message = JointStates(timestamp=_timestamp(stamp_ns), joints=states)
-        self._add(self._joints, stamp_ns, message.SerializeToString())
+        self._add(self._readings, stamp_ns, message.SerializeToString())
 
     def stripe(self, stamp_ns: int, stripe: Stripe, width_px: int, height_px: int) -> None:
         """The stripe of a frame, with the time stamp of its mid-exposure."""
@@ -210,6 +236,17 @@ class _SyncedFile:
         """Stores the first failure, and returns it."""
         self.failure = self.failure or error_from_os(error, self._path)
         return self.failure
+
+
+def _pose_message(stamp_ns: int, pose: Sequence[float] | Floats) -> bytes:
+    """``foxglove.PoseInFrame`` of a pose (7,); lengths are in metres there."""
+    x, y, z, qx, qy, qz, qw = (float(number) for number in pose)
+    position = Vector3(x=x / MM_PER_M, y=y / MM_PER_M, z=z / MM_PER_M)
+    return PoseInFrame(
+        timestamp=_timestamp(stamp_ns),
+        frame_id="arm",
+        pose=Pose(position=position, orientation=Quaternion(x=qx, y=qy, z=qz, w=qw)),
+    ).SerializeToString()
 
 
 def _timestamp(stamp_ns: int) -> Timestamp:

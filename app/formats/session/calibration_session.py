@@ -16,7 +16,8 @@ from app.formats.file_names import display_path
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
 from app.formats.session.pose_pictures import Pose, read_poses
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.arm.kinematics import AnyArm, Arm
+from app.metrology.arm.reported_poses import pose_from_transform, transforms_from_poses
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, Crenellated
 from app.metrology.transforms import Floats
@@ -40,6 +41,21 @@ class ContactReadings:
     @property
     def readings(self) -> Floats:
         return self.q_rad if self.T_arm_flange is None else self.T_arm_flange
+
+    @property
+    def arm_readings(self) -> Floats:
+        """(N, k) as the arm reports them: encoder angles, or poses (N, 7)."""
+        if self.T_arm_flange is None:
+            return self.q_rad
+        return np.array([pose_from_transform(T) for T in self.T_arm_flange])
+
+
+def contact_readings(features: Sequence[str], arm: AnyArm, readings: Floats) -> ContactReadings:
+    """The contact points by the readings (N, k) of the arm."""
+    if isinstance(arm, Arm):
+        return ContactReadings(tuple(features), readings)
+    none = np.zeros((len(readings), 0))
+    return ContactReadings(tuple(features), none, transforms_from_poses(readings))
 
 
 @dataclass(frozen=True)
@@ -77,7 +93,7 @@ class BlockSession(_Session):
 class BoardSession(_Session):
     """A session on a flat chessboard, of an arm with joints or of a robot."""
 
-    arm: Arm | RobotArm
+    arm: AnyArm
     board: Chessboard
 
 
@@ -131,7 +147,7 @@ def _check_folder(folder: Path) -> None:
         )
 
 
-def read_contacts(path: Path, arm: Arm | RobotArm, faces: Sequence[str] = FACES) -> ContactReadings:
+def read_contacts(path: Path, arm: AnyArm, faces: Sequence[str] = FACES) -> ContactReadings:
     """Reads ``probing.csv``; raises ``OperationError`` naming line and value."""
     table = read_table(path, ("feature",))
     readings = ArmReadings(table, arm)

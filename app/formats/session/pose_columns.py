@@ -9,14 +9,14 @@ from app.errors import OperationError
 from app.formats.csv_table import CsvTable, TableRow
 from app.formats.file_names import display_path
 from app.messages.message import message, quantity, rounded
-from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.transforms import Floats, rigid
 
 
 class ArmReadings:
     """The columns of one table, for one arm."""
 
-    def __init__(self, table: CsvTable, arm: Arm | RobotArm) -> None:
+    def __init__(self, table: CsvTable, arm: AnyArm) -> None:
         self._angles = JointAngles(table, arm) if isinstance(arm, Arm) else None
         self._poses = None if isinstance(arm, Arm) else FlangePoses(table)
 

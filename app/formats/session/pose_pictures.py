@@ -14,7 +14,8 @@ from app.formats.file_names import display_path
 from app.formats.images import png_size
 from app.formats.session.pose_columns import COLUMNS, ArmReadings, joint_columns, pose_cells
 from app.messages.message import Text, join, message, quantity
-from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.arm.kinematics import AnyArm, Arm
+from app.metrology.arm.reported_poses import transforms_from_poses
 from app.metrology.transforms import Floats
 
 LIGHTINGS = ("ambient", "laser", "both")
@@ -61,8 +62,16 @@ class ImageRow:
     """(4, 4) of a robot, whose ``q_rad`` is (0,)."""
 
 
+def image_row(pose: int, file: str, lighting: str, arm: AnyArm, reading: Floats) -> ImageRow:
+    """The row of a picture by the reading (k,) of the arm."""
+    if isinstance(arm, Arm):
+        return ImageRow(pose, file, lighting, reading)
+    T_arm_flange = transforms_from_poses(reading[None])[0]
+    return ImageRow(pose, file, lighting, np.zeros(0), T_arm_flange)
+
+
 def read_poses(
-    path: Path, arm: Arm | RobotArm, sensor: SensorDatasheet | None, needs_laser: bool = True
+    path: Path, arm: AnyArm, sensor: SensorDatasheet | None, needs_laser: bool = True
 ) -> tuple[Pose, ...]:
     """Reads ``images.csv``; raises ``OperationError``.
 
@@ -152,7 +161,7 @@ def check_size(path: Path, size_px: tuple[int, int], sensor: SensorDatasheet) ->
 
 
 def _build_pose(
-    folder: Path, arm: Arm | RobotArm, rows: list[tuple[TableRow, ImageRow]], needs_laser: bool
+    folder: Path, arm: AnyArm, rows: list[tuple[TableRow, ImageRow]], needs_laser: bool
 ) -> Pose:
     first_row, first = rows[0]
     files: dict[str, Path] = {}
@@ -205,7 +214,7 @@ def _build_pose(
     )
 
 
-def _pose_difference(arm: Arm | RobotArm, image: ImageRow, first: ImageRow) -> Text:
+def _pose_difference(arm: AnyArm, image: ImageRow, first: ImageRow) -> Text:
     """How an arm stood differently in two pictures of one pose; empty where it did not."""
     if isinstance(arm, Arm):
         moved = np.abs(np.rad2deg(image.q_rad - first.q_rad))

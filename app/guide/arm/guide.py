@@ -77,7 +77,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             arm=self.arm(),
             link=side.link(),
             connected_joints=side.info.joint_count if side.info else None,
-            q_rad=None if newest is None else tuple(float(q) for q in newest.joints_rad),
+            q_rad=None if newest is None else tuple(float(q) for q in newest.reading),
             left_mm=self._left_mm,
             has_simulation=self.station.simulated_operator is not None,
             simulation_running=self.simulation_running,
@@ -93,7 +93,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         """The session's own copy of the arm once points were taken, before it the library's."""
         if not self.state.has_points:
             entry = self.library().arms.get(self.state.arm)
-            return entry.datasheet if entry else None
+            return entry.datasheet if entry and isinstance(entry.datasheet, Arm) else None
         if self._session_arm[0] != self.state.session_id:
             try:
                 self._session_arm = (self.state.session_id, read_arm(self.folder / ARM))
@@ -199,7 +199,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         side = self.station.rig.arm
         side.set_model(self.arm())  # by which it is judged whether the arm is still
         mean = side.average(until_ns=until_ns)
-        self.append(POINTS, {"q_rad": [mean.q_rad.tolist()]}, key)
+        self.append(POINTS, {"q_rad": [mean.reading.tolist()]}, key)
         seat = self.state.seats[-1]
         self.station.bus.event(
             "point_taken", message("point", number=len(seat.q_rad), place=seat.place)
@@ -229,7 +229,7 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
             return
         window = side.window(first_ns - HOLD_NS, newest.stamp_ns)
         self._sampled_ns = last_ns + 1
-        if window is None or window.q_rad.shape[1] != arm.joint_count:
+        if window is None or window.readings.shape[1] != arm.joint_count:
             return
         picked = sample_points(arm, self.state.seats[-1].q_rad, window, first_ns, last_ns)
         self._left_mm = picked.left_mm

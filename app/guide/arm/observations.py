@@ -8,9 +8,9 @@ import numpy as np
 
 from app.guide.arm.state import Angles, ArmState
 from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
-from app.metrology.arm.joint_interpolation import shortest_turn
 from app.metrology.arm.kinematics import Arm, tip_centres
-from app.station.devices.joint_buffer import JointWindow
+from app.metrology.arm.reading_interpolation import shortest_turn
+from app.station.devices.reading_buffer import ReadingWindow
 
 TURN_RAD = float(np.deg2rad(3.0))
 """A point is taken whenever a joint has turned so far since the last."""
@@ -30,7 +30,7 @@ class SampledPoints:
 
 
 def sample_points(
-    arm: Arm, taken: Sequence[Angles], samples: JointWindow, first_ns: int, last_ns: int
+    arm: Arm, taken: Sequence[Angles], samples: ReadingWindow, first_ns: int, last_ns: int
 ) -> SampledPoints:
     """The samples that become points.
 
@@ -42,14 +42,14 @@ def sample_points(
     """
     if not len(samples):
         return SampledPoints((), None)
-    tips = tip_centres(arm, samples.q_rad)
+    tips = tip_centres(arm, samples.readings)
     begun = min(int(np.searchsorted(samples.stamps_ns, first_ns)), len(tips) - 1)
     centre = np.median(tip_centres(arm, np.array(taken)), axis=0) if taken else tips[begun]
     off_mm = np.linalg.norm(tips - centre, axis=1)
     away_ns = samples.stamps_ns[off_mm > LEFT_MM]
     picked: list[Angles] = []
     last = np.array(taken[-1]) if taken else None
-    for stamp, q in zip(samples.stamps_ns, samples.q_rad, strict=True):
+    for stamp, q in zip(samples.stamps_ns, samples.readings, strict=True):
         if not first_ns <= stamp <= last_ns:
             continue
         if len(away_ns) and np.min(np.abs(away_ns - stamp)) < HOLD_NS:

@@ -168,9 +168,9 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         aiming = self.state.step in ("place", "capture")
         if not aiming or advice is None or chosen.arm is None or chosen.object is None:
             return None
-        if newest is None or len(newest.joints_rad) != chosen.arm.joint_count:
+        if newest is None or len(newest.reading) != chosen.arm.reading_size:
             return None
-        T_arm_flange = flange_pose(chosen.arm, np.array(newest.joints_rad))
+        T_arm_flange = flange_pose(chosen.arm, np.array(newest.reading))
         return remaining(advice, T_arm_flange, chosen.object)
 
     def _scanning(self) -> bool:
@@ -179,7 +179,9 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
 
     def _arm_info(self) -> ConnectedArm | None:
         info = self.station.rig.arm.info
-        return ConnectedArm(info.serial_number, info.joint_count) if info else None
+        if info is None:
+            return None
+        return ConnectedArm(info.serial_number, info.joint_count, info.reports)
 
     def _sensor_info(self) -> ConnectedSensor | None:
         info = self.station.rig.sensor.info

@@ -13,7 +13,8 @@ from app.guide.common.view import TouchedPoint
 from app.messages.message import Text
 from app.metrology.adjustment.planning.next_pose import PoseDelta
 from app.metrology.adjustment.planning.next_touches import TouchAdvice
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
+from app.metrology.arm.reported_poses import ReadingKind
 from app.metrology.probing.alignment import Alignment
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
@@ -27,6 +28,7 @@ class ConnectedArm:
 
     serial_number: str
     joint_count: int
+    reports: ReadingKind
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ class ConnectedSensor:
 class SelectedDatasheets:
     """The datasheets that the session's choices name; None where there is none (any more)."""
 
-    arm: Arm | None
+    arm: AnyArm | None
     object: CalibrationTarget | None
     sensor: SensorDatasheet | None
 

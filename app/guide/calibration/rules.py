@@ -22,6 +22,7 @@ from app.guide.common.arguments import (
 )
 from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.messages.message import Text, join, message, quantity, word
+from app.metrology.arm.kinematics import AnyArm, Arm
 
 
 def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -57,13 +58,10 @@ def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
         names = (("arm", chosen.arm), ("object", chosen.object), ("sensor", chosen.sensor))
         missing = [name for name, document in names if document is None]
         return message("choose-first", things=join([word(name) for name in missing]))
-    if live.arm and live.arm.joint_count != chosen.arm.joint_count:
-        return message(
-            "connected-arm-has-joints-has-choose",
-            connected_joints=live.arm.joint_count,
-            name=chosen.arm.name,
-            joint_count=chosen.arm.joint_count,
-        )
+    if other := _other_kind(live, chosen.arm):
+        return other
+    if not isinstance(chosen.arm, Arm) and chosen.board is None:
+        return message("choose-chessboard-for-poses", name=chosen.arm.name)
     size = (chosen.sensor.width_px, chosen.sensor.height_px)
     if live.sensor and size != (live.sensor.width_px, live.sensor.height_px):
         return message(
@@ -75,6 +73,24 @@ def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
             size2=size[1],
         )
     return _others(live)
+
+
+def _other_kind(live: CalibrationLive, arm: AnyArm) -> Text:
+    """The connected arm reports something else than the chosen one."""
+    if live.arm is None:
+        return ""
+    if live.arm.reports != arm.reading_kind:
+        if live.arm.reports == "joints":
+            return message("connected-arm-reports-joints-choose", name=arm.name)
+        return message("connected-arm-reports-poses-choose", name=arm.name)
+    if isinstance(arm, Arm) and live.arm.joint_count != arm.joint_count:
+        return message(
+            "connected-arm-has-joints-has-choose",
+            connected_joints=live.arm.joint_count,
+            name=arm.name,
+            joint_count=arm.joint_count,
+        )
+    return ""
 
 
 def _others(live: CalibrationLive) -> Text:
@@ -116,6 +132,8 @@ def _face(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 def _take(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if missing := _arm_there(live):
         return missing
+    if live.chosen.arm is not None and live.chosen.arm.tip is None:
+        return message("arm-without-tip-touches-nothing", name=live.chosen.arm.name)
     return "" if live.stillness.still else message("hold-arm-still", text=live.stillness.text)
 
 

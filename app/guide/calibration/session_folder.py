@@ -8,7 +8,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.sensor import read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.images import write_png
@@ -23,10 +23,10 @@ from app.formats.session.calibration_session import (
     PICTURES,
     PROBING,
     SENSOR,
-    ContactReadings,
+    contact_readings,
     write_contacts,
 )
-from app.formats.session.pose_pictures import ImageRow, write_images
+from app.formats.session.pose_pictures import ImageRow, image_row, write_images
 from app.guide.calibration.live import SelectedDatasheets
 from app.guide.calibration.state import Contact
 from app.guide.calibration.state import PoseCapture as Captured
@@ -61,7 +61,7 @@ class SessionFolder:
         """The session's own copies; None for what cannot be read any more."""
         try:
             return SelectedDatasheets(
-                read_arm(self.path / ARM),
+                read_any_arm(self.path / ARM),
                 read_object(self.path / OBJECT),
                 read_sensor(self.path / SENSOR),
             )
@@ -75,9 +75,8 @@ class SessionFolder:
             path.unlink(missing_ok=True)
             return
         faces = tuple(contact.face for contact in contacts)
-        write_contacts(
-            path, ContactReadings(faces, np.array([contact.q_rad for contact in contacts]))
-        )
+        readings = np.array([contact.reading for contact in contacts])
+        write_contacts(path, contact_readings(faces, read_any_arm(self.path / ARM), readings))
 
     def keep_capture(self, number: int, capture: Capture) -> dict[str, str | None]:
         """Writes the pictures of a capture; their names relative to the folder."""
@@ -92,21 +91,23 @@ class SessionFolder:
 
     def keep_images(self, pictures: Sequence[Captured]) -> None:
         """Brings ``images.csv`` up to date with the captures that count, one pose each."""
-        rows = []
+        path = self.path / IMAGES
+        if not pictures:
+            path.unlink(missing_ok=True)
+            return
+        rows: list[ImageRow] = []
+        arm = read_any_arm(self.path / ARM)
         for picture in pictures:
             lightings = [(picture.ambient, "ambient"), (picture.laser, "laser")]
             if picture.lighting == "both":
                 lightings = [(picture.ambient, "both")]
-            q_rad = np.array(picture.q_rad)
+            reading = np.array(picture.reading)
             rows += [
-                ImageRow(picture.number, name, lighting, q_rad)
+                image_row(picture.number, name, lighting, arm, reading)
                 for name, lighting in lightings
                 if name is not None
             ]
-        if rows:
-            write_images(self.path / IMAGES, rows)
-        else:
-            (self.path / IMAGES).unlink(missing_ok=True)
+        write_images(path, rows)
 
     def keep_acceptance(self, name: str, result: CalibrationResult, signing: Provenance) -> None:
         """Writes who puts the session's calibration to use, and by which limits."""

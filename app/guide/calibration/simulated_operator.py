@@ -104,7 +104,7 @@ def _hold(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progre
         view = next_view(guide.state.listed)
         return operator.hold_over("board", len(guide.state.pictures) if view is None else view)
     progress(message("simulation-goes-next-pose", words=advice.words), 0.2)
-    return operator.hold_at(advice.q_rad)
+    return operator.hold_at(advice.reading)
 
 
 def _place(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progress) -> None:

@@ -10,6 +10,7 @@ from app.guide.common.journal import (
     RecordedError,
     error_from_payload,
     put_back,
+    reading_of,
     take_back,
 )
 from app.station.devices.capture import Lighting
@@ -27,7 +28,8 @@ class Contact:
 
     index: int
     face: str
-    q_rad: tuple[float, ...]
+    reading: tuple[float, ...]
+    """The arm's: joint angles (n,) in rad, or its pose (7,)."""
     arm: str
     object: str
     """The arm and the object that were chosen then; for others the point does not count."""
@@ -36,14 +38,15 @@ class Contact:
 
 @dataclass(frozen=True)
 class PoseCapture:
-    """The pictures of one pose, with the arm's angles."""
+    """The pictures of one pose, with the arm's reading."""
 
     number: int
     ambient: str
     """File names within the session's folder."""
     laser: str | None
     lighting: Lighting
-    q_rad: tuple[float, ...]
+    reading: tuple[float, ...]
+    """The arm's: joint angles (n,) in rad, or its pose (7,)."""
     width_px: int
     height_px: int
     arm: str
@@ -275,7 +278,7 @@ def _contact(state: CalibrationState, payload: Payload) -> Contact:
     return Contact(
         index=len(state.contacts),
         face=payload["face"],
-        q_rad=tuple(payload["q_rad"]),
+        reading=reading_of(payload),
         arm=state.choices["arm"],
         object=state.choices["object"],
     )
@@ -288,7 +291,7 @@ def _capture(state: CalibrationState, payload: Payload) -> PoseCapture:
         laser=payload["laser"],
         # rows of earlier versions do not name it
         lighting=payload.get("lighting") or ("pair" if payload["laser"] else "both"),
-        q_rad=tuple(payload["q_rad"]),
+        reading=reading_of(payload),
         width_px=payload["width_px"],
         height_px=payload["height_px"],
         outcome=payload["outcome"],

@@ -53,8 +53,8 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
             {
                 **names,
                 "lighting": taken.lighting,
-                "q_rad": taken.joints.q_rad.tolist(),
-                "scatter_rad": taken.joints.scatter_rad.tolist(),
+                "reading": taken.joints.reading.tolist(),
+                "scatter": taken.joints.scatter.tolist(),
                 "samples": taken.joints.samples,
                 "exposure_us": taken.ambient.exposure_us,
                 "width_px": width,

@@ -8,13 +8,13 @@ from typing import Generic, TypeVar
 
 from app.errors import OperationError
 from app.findings import Finding
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import GaugeFile, read_gauge
 from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from app.formats.datasheets.target import read_object
 from app.formats.file_names import check_name, display_path
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.targets.target import CalibrationTarget
 
 Datasheet = TypeVar("Datasheet")
@@ -37,7 +37,7 @@ class DatasheetEntry(Generic[Datasheet]):
 class DatasheetLibrary:
     """What can be chosen; files that cannot be read are findings."""
 
-    arms: Mapping[str, DatasheetEntry[Arm]]
+    arms: Mapping[str, DatasheetEntry[AnyArm]]
     objects: Mapping[str, DatasheetEntry[CalibrationTarget]]
     sensors: Mapping[str, DatasheetEntry[SensorDatasheet]]
     findings: tuple[Finding, ...]
@@ -79,7 +79,7 @@ def read_library(data_folder: Path) -> DatasheetLibrary:
     """Reads ``arms/*.json``, ``objects/*.json`` and ``sensors/*.json``."""
     findings: list[Finding] = []
     return DatasheetLibrary(
-        arms=_entries(data_folder / "arms", read_arm, findings),
+        arms=_entries(data_folder / "arms", read_any_arm, findings),
         objects=_entries(data_folder / "objects", read_object, findings),
         sensors=_entries(data_folder / "sensors", _read_station_sensor, findings),
         findings=tuple(findings),

@@ -83,6 +83,11 @@ def take_back(
     return _mark(taken, index, voided=True), (*undone, index)
 
 
+def reading_of(payload: Mapping[str, Any]) -> tuple[float, ...]:
+    """The arm's reading of a row; rows of earlier versions have angles, named by their unit."""
+    return tuple(payload["reading"] if "reading" in payload else payload["q_rad"])
+
+
 def put_back(
     taken: Iterable[Point], undone: Undone, index: int
 ) -> tuple[tuple[Point, ...], Undone]:

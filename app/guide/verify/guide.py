@@ -9,13 +9,13 @@ import numpy as np
 
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
-from app.formats.datasheets.arm import read_arm
+from app.formats.datasheets.arm import read_any_arm
 from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits, read_gauge
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import read_bounded
 from app.formats.results.calibration import Calibration, read_calibration
 from app.formats.results.verification import CONTACTS, GAUGE
-from app.formats.session.calibration_session import ARM, ContactReadings, write_contacts
+from app.formats.session.calibration_session import ARM, contact_readings, write_contacts
 from app.guide.calibration.session_folder import CALIBRATION
 from app.guide.common.datasheet_library import FolderContent, Gauges, read_gauges
 from app.guide.common.flow import Flow
@@ -33,7 +33,7 @@ from app.guide.verify.rules import RULES
 from app.guide.verify.state import VerificationCloud, VerifyState, apply_row
 from app.guide.verify.view import VerifyView
 from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
 from app.station.scan.scanner import Scanner
 from app.station.view3d.scene import Scene
@@ -91,7 +91,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         self.calibrations, self.verifications = calibrations, verifications
         self._limits = limits
         self._gauges = FolderContent(read_gauges, data_folder)
-        self._session_copies: tuple[str, GaugeFile | None, Arm | None] = ("", None, None)
+        self._session_copies: tuple[str, GaugeFile | None, AnyArm | None] = ("", None, None)
         self._judged: tuple[
             VerifyState | None, ProbedGauge | OperationError | None, CloudResults
         ] = (
@@ -143,7 +143,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         """The data folder's; read again only while one can be chosen."""
         return self._gauges.latest(choosing=not self.running or self.state.step == "gauge")
 
-    def datasheets(self) -> tuple[GaugeFile | None, Arm | None]:
+    def datasheets(self) -> tuple[GaugeFile | None, AnyArm | None]:
         """Gauge and arm: the session's own copies once the gauge was confirmed."""
         state = self.state
         if state.step == "gauge" or state.ended:
@@ -152,7 +152,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         named = f"{state.session_id}/{state.gauge}"
         if self._session_copies[0] != named:
             try:
-                own = read_gauge(self.folder / GAUGE), read_arm(self.folder / ARM)
+                own = read_gauge(self.folder / GAUGE), read_any_arm(self.folder / ARM)
                 self._session_copies = (named, *own)
             except OperationError:
                 self._session_copies = (named, None, None)
@@ -163,7 +163,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         return read_calibration(self.folder / CALIBRATION)
 
     def _results(
-        self, gauge: GaugeFile | None, arm: Arm | None
+        self, gauge: GaugeFile | None, arm: AnyArm | None
     ) -> tuple[ProbedGauge | OperationError | None, CloudResults]:
         """What touches and clouds show; worked out once for each state."""
         if self._judged[0] is not self.state:
@@ -172,16 +172,16 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         return self._judged[1:]
 
     def _fit_touches(
-        self, gauge: GaugeFile | None, arm: Arm | None
+        self, gauge: GaugeFile | None, arm: AnyArm | None
     ) -> ProbedGauge | OperationError | None:
-        q_rad = np.array([touch.q_rad for touch in self.state.counted])
-        if gauge is None or arm is None or not len(q_rad):
+        readings = np.array([touch.reading for touch in self.state.counted])
+        if gauge is None or arm is None or not len(readings):
             return None
         try:
             if gauge.shape == "plane":
-                return fit_probed_plane(arm, q_rad)
+                return fit_probed_plane(arm, readings)
             assert gauge.radius_mm is not None
-            return fit_probed_sphere(arm, q_rad, gauge.radius_mm)
+            return fit_probed_sphere(arm, readings, gauge.radius_mm)
         except OperationError as refusal:
             return refusal
 
@@ -258,7 +258,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         mean = side.average(until_ns=until_ns)
         counted = self.state.counted
         if counted:
-            tips = tip_centres(arm, np.array([*(t.q_rad for t in counted), mean.q_rad]))
+            tips = tip_centres(arm, np.array([*(t.reading for t in counted), mean.reading]))
             apart = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
             if apart.min() < SAME_PLACE_MM:
                 number = int(np.argmin(apart)) + 1
@@ -268,7 +268,7 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
                     message("away", min=quantity(1000.0 * apart.min(), "µm")),
                     message("touch-elsewhere"),
                 )
-        self.append("touched", {"q_rad": mean.q_rad.tolist()}, key)
+        self.append("touched", {"reading": mean.reading.tolist()}, key)
         self.station.bus.event(
             "point_taken", message("touch-gauge-2", counted=len(self.state.counted))
         )
@@ -280,8 +280,9 @@ class VerifyGuide(GuidedSession[VerifyState, VerifyLive, VerifyView]):
         if not counted:
             path.unlink(missing_ok=True)
             return
-        q_rad = np.array([touch.q_rad for touch in counted])
-        write_contacts(path, ContactReadings(("gauge",) * len(counted), q_rad))
+        readings = np.array([touch.reading for touch in counted])
+        arm = read_any_arm(self.folder / ARM)
+        write_contacts(path, contact_readings(("gauge",) * len(counted), arm, readings))
 
     def to_measure(self) -> VerificationCloud | None:
         """A cloud that is scanned and waits to be measured. One whose scan ended without the

@@ -9,7 +9,7 @@ from app.formats.results.verification import FigurePart, VerificationVerdict
 from app.guide.common.datasheet_library import Gauges
 from app.guide.common.rules import SessionLive
 from app.messages.message import Text
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.station.devices.link_state import DeviceState
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import CloudErrors, ProbedGauge
@@ -37,7 +37,7 @@ class VerifyLive(SessionLive):
     gauge: GaugeFile | None
     """The chosen one; from the touches on the session's own copy."""
     limits: VerificationLimits
-    arm: Arm | None
+    arm: AnyArm | None
     touched: ProbedGauge | OperationError | None
     """The gauge by the touches, or why they do not fix it; None without touches."""
     judged: CloudResults

@@ -61,7 +61,7 @@ def _touches(state: VerifyState, live: VerifyLive) -> list[TouchLine]:
     touched, counted = live.touched, state.counted
     if live.arm is None or not isinstance(touched, ProbedPlane | ProbedSphere):
         return [TouchLine(touch.index, None, None, None) for touch in counted]
-    tips = tip_centres(live.arm, np.array([touch.q_rad for touch in counted]))
+    tips = tip_centres(live.arm, np.array([touch.reading for touch in counted]))
     places = _flat(touched, tips)
     return [
         TouchLine(touch.index, float(x), float(y), float(residual) * 1e3)

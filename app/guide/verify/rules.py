@@ -40,13 +40,17 @@ def change_reason(state: VerifyState, live: VerifyLive) -> Text:
 
 
 def touches_needed(live: VerifyLive) -> int:
-    """Touches that fix the chosen gauge."""
+    """Touches that fix the chosen gauge; none of an arm without a tip."""
+    if live.arm is not None and live.arm.tip is None:
+        return 0
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_LEAST if plane else SPHERE_LEAST
 
 
 def touches_wanted(live: VerifyLive) -> int:
-    """Touches that are asked for."""
+    """Touches that are asked for; none of an arm without a tip."""
+    if live.arm is not None and live.arm.tip is None:
+        return 0
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_WANTED if plane else SPHERE_WANTED
 
@@ -68,6 +72,8 @@ def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> Text:
 def _touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if live.arm_link.state != "connected":
         return message("arm-2", text=live.arm_link.text)
+    if live.arm is not None and live.arm.tip is None:
+        return message("arm-without-tip-touches-nothing", name=live.arm.name)
     return "" if live.still else message("hold-arm-still-2")
 
 

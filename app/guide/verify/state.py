@@ -4,11 +4,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, take_back
+from app.guide.common.journal import SIMULATION_NOTES, JournalEntry, put_back, reading_of, take_back
 
 STEPS = ("gauge", "touch", "scan", "review")
 Payload = Mapping[str, Any]
-Angles = tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -18,7 +17,8 @@ class GaugeContact:
     index: int
     gauge: str
     """The one chosen then; for another it does not count."""
-    q_rad: Angles
+    reading: tuple[float, ...]
+    """The arm's."""
     voided: bool = False
 
 
@@ -114,7 +114,7 @@ def _start(state: VerifyState, payload: Payload) -> VerifyState:
 
 
 def _add_touch(state: VerifyState, payload: Payload) -> VerifyState:
-    touch = GaugeContact(len(state.touches), state.gauge, tuple(payload["q_rad"]))
+    touch = GaugeContact(len(state.touches), state.gauge, reading_of(payload))
     return replace(state, touches=(*state.touches, touch), undone=())
 
 

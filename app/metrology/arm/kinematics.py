@@ -6,6 +6,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import Text, message
+from app.metrology.arm.reported_poses import POSE_SIZE, ReadingKind, transforms_from_poses
 from app.metrology.transforms import Floats
 
 
@@ -69,6 +70,16 @@ class Arm:
         return len(self.joints)
 
     @property
+    def reading_kind(self) -> ReadingKind:
+        """What it reports."""
+        return "joints"
+
+    @property
+    def reading_size(self) -> int:
+        """Numbers of one reading: the encoder angles in rad, before sign and offset."""
+        return len(self.joints)
+
+    @property
     def encoder_sd_rad(self) -> Floats:
         """(n,) standard deviation of each joint's encoder."""
         return np.array([joint.encoder_sd_rad for joint in self.joints])
@@ -82,6 +93,20 @@ class RobotArm:
     serial_number: str
     tip: Tip | None = None
     """The tip, if one is mounted for probing."""
+
+    @property
+    def reading_kind(self) -> ReadingKind:
+        """What it reports."""
+        return "pose"
+
+    @property
+    def reading_size(self) -> int:
+        """Numbers of one reading, as in ``reported_poses``."""
+        return POSE_SIZE
+
+
+AnyArm = Arm | RobotArm
+"""Its readings are (N, ``reading_size``) numbers."""
 
 
 def refuse_other_angles(arm: Arm, q_rad: Floats, name: Text) -> None:
@@ -150,11 +175,12 @@ def error_transform(error: LinkError) -> Floats:
     )
 
 
-def flange_poses(arm: Arm, q_rad: Floats) -> Floats:
+def flange_poses(arm: AnyArm, readings: Floats) -> Floats:
     """``T_arm_flange`` of many poses at once.
 
     Args:
-        q_rad: (N, n) encoder angles, before sign and offset.
+        readings: (N, n) encoder angles in rad, before sign and offset; of a ``RobotArm``, (N, 7)
+            reported poses.
 
     Returns:
         (N, 4, 4).
@@ -162,18 +188,21 @@ def flange_poses(arm: Arm, q_rad: Floats) -> Floats:
     Source:
         Eq. 1 of the article, with the error transforms of Eq. 3.
     """
-    links = link_transforms(arm, q_rad)
+    if isinstance(arm, RobotArm):
+        return transforms_from_poses(readings)
+    links = link_transforms(arm, readings)
     T = links[0]
     for link in links[1:]:
         T = T @ link
     return np.asarray(T)
 
 
-def flange_pose(arm: Arm, q_rad: Floats) -> Floats:
+def flange_pose(arm: AnyArm, reading: Floats) -> Floats:
     """``T_arm_flange`` of one pose.
 
     Args:
-        q_rad: (n,) encoder angles, before sign and offset.
+        reading: (n,) encoder angles in rad, before sign and offset; of a ``RobotArm``, a reported
+            pose (7,).
 
     Returns:
         (4, 4).
@@ -187,17 +216,20 @@ def flange_pose(arm: Arm, q_rad: Floats) -> Floats:
         >>> flange_pose(arm, np.zeros(6))[:3, 3].tolist()
         [600.0, 0.0, 0.0]
     """
-    return np.asarray(flange_poses(arm, np.asarray(q_rad, dtype=np.float64)[None])[0])
+    return np.asarray(flange_poses(arm, np.asarray(reading, dtype=np.float64)[None])[0])
 
 
-def tip_centres(arm: Arm, q_rad: Floats) -> Floats:
+def tip_centres(arm: AnyArm, readings: Floats) -> Floats:
     """Centres of the tip's sphere in the arm frame.
 
     Args:
-        q_rad: (N, n) encoder angles, before sign and offset.
+        readings: as of ``flange_poses``.
 
     Returns:
         (N, 3) mm. A contact point lies one tip radius off its centre, along the surface normal.
+
+    Raises:
+        OperationError: a robot without a tip.
 
     Source:
         Eq. 1 of the article, with the error transforms of Eq. 3.
@@ -208,8 +240,20 @@ def tip_centres(arm: Arm, q_rad: Floats) -> Floats:
         >>> tip_centres(arm, np.zeros((1, 6))).tolist()
         [[600.0, 0.0, 50.0]]
     """
-    T = flange_poses(arm, q_rad)
-    return np.asarray(T[:, :3, :3] @ arm.tip.centre_mm + T[:, :3, 3])
+    T = flange_poses(arm, readings)
+    return np.asarray(T[:, :3, :3] @ tip_of(arm).centre_mm + T[:, :3, 3])
+
+
+def tip_of(arm: AnyArm) -> Tip:
+    """The arm's tip; raises ``OperationError`` for a robot without one."""
+    if arm.tip is None:
+        raise OperationError(
+            "tip-missing",
+            message("arm-has-no-tip", name=arm.name),
+            message("contacts-tips-sphere"),
+            message("give-tip-or-leave-out-probing"),
+        )
+    return arm.tip
 
 
 def geometric_jacobian(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Floats:
@@ -250,14 +294,14 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
     return jacobians
 
 
-def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
+def tip_covariances(arm: AnyArm, readings: Floats) -> Floats:
     """Covariance of the tip centre due to the noise of the encoders, arm frame.
 
     Args:
-        q_rad: (N, n) encoder angles, before sign and offset.
+        readings: as of ``flange_poses``.
 
     Returns:
-        (N, 3, 3) mm², k = 1; zero if the arm's datasheet states no encoder noise.
+        (N, 3, 3) mm², k = 1; zero if the arm's datasheet states no encoder noise, and of a robot.
 
     Example:
         >>> joints = tuple(Joint("J", 100.0, 0.0, 0.0, 0.0, encoder_sd_rad=1e-5) for _ in range(6))
@@ -265,6 +309,8 @@ def tip_covariances(arm: Arm, q_rad: Floats) -> Floats:
         >>> np.sqrt(tip_covariances(arm, np.zeros((1, 6)))[0].diagonal()).round(4).tolist()
         [0.0, 0.0095, 0.0]
     """
+    if isinstance(arm, RobotArm):
+        return np.zeros((len(readings), 3, 3))
     variances = np.diag(arm.encoder_sd_rad**2)
-    J = geometric_jacobians(arm, np.asarray(q_rad, dtype=np.float64), arm.tip.centre_mm)[:, :3]
+    J = geometric_jacobians(arm, np.asarray(readings, dtype=np.float64), arm.tip.centre_mm)[:, :3]
     return np.asarray(J @ variances @ np.swapaxes(J, 1, 2))

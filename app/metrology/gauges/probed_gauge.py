@@ -9,7 +9,13 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres, tip_covariances
+from app.metrology.arm.kinematics import (
+    AnyArm,
+    flange_poses,
+    tip_centres,
+    tip_covariances,
+    tip_of,
+)
 from app.metrology.fitting.cylinder import perpendicular_axes
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.transforms import Floats
@@ -78,12 +84,12 @@ class ProbedSphere:
         return _worst(self.covariance)
 
 
-def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
+def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
     """The plane that the tip probed, with its uncertainty.
 
     Args:
         arm: its tip radius is subtracted; its encoder noise is a lower limit of the uncertainty.
-        q_rad: (N, n) encoder angles at the contact points, N >= ``PLANE_LEAST``.
+        readings: (N, k) of the arm at the contact points, N >= ``PLANE_LEAST``.
 
     Returns:
         The plane in the arm frame, its normal towards the flange, with covariance (k = 1).
@@ -91,7 +97,7 @@ def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
     Raises:
         OperationError: ``too-few-touches`` or ``touches-on-a-line``.
     """
-    tips = _tips(arm, q_rad, PLANE_LEAST, "plane")
+    tips = _tips(arm, readings, PLANE_LEAST, "plane")
     middle = tips.mean(axis=0)
     values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
     if np.sqrt(values[1]) < LEAST_SPREAD_MM:
@@ -102,22 +108,22 @@ def fit_probed_plane(arm: Arm, q_rad: Floats) -> ProbedPlane:
             message("touch-near-corners-too"),
         )
     normal = vectors[:, 0]
-    if float(np.mean((_flanges(arm, q_rad) - tips) @ normal)) < 0:
+    if float(np.mean((_flanges(arm, readings) - tips) @ normal)) < 0:
         normal = -normal
     off = (tips - middle) @ normal
     a, b = perpendicular_axes(normal)
     J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
-    sd = _contact_sd(arm, q_rad, off, np.tile(normal, (len(tips), 1)), 3)
-    nominal = NominalPlane(middle - arm.tip.radius_mm * normal, normal)
+    sd = _contact_sd(arm, readings, off, np.tile(normal, (len(tips), 1)), 3)
+    nominal = NominalPlane(middle - tip_of(arm).radius_mm * normal, normal)
     return ProbedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J))
 
 
-def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere:
+def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> ProbedSphere:
     """The sphere of known radius that the tip probed, with its uncertainty.
 
     Args:
         arm: its tip radius is subtracted; its encoder noise is a lower limit of the uncertainty.
-        q_rad: (N, n) encoder angles at the contact points, N >= ``SPHERE_LEAST``.
+        readings: (N, k) of the arm at the contact points, N >= ``SPHERE_LEAST``.
         radius_mm: from the certificate.
 
     Returns:
@@ -128,8 +134,8 @@ def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere
     Raises:
         OperationError: ``too-few-touches`` or ``touches-too-close``.
     """
-    tips = _tips(arm, q_rad, SPHERE_LEAST, "sphere")
-    reach_mm = radius_mm + arm.tip.radius_mm
+    tips = _tips(arm, readings, SPHERE_LEAST, "sphere")
+    reach_mm = radius_mm + tip_of(arm).radius_mm
     free, free_mm, J = sphere_through(tips)
     centre = _fit_centre(tips, reach_mm, free)
     far, outward = _outward(tips, centre)
@@ -140,22 +146,22 @@ def fit_probed_sphere(arm: Arm, q_rad: Floats, radius_mm: float) -> ProbedSphere
             message("they-do-fix-centre"),
             message("touch-top-all-around-side"),
         )
-    sd = _contact_sd(arm, q_rad, far - reach_mm, outward, 3)
+    sd = _contact_sd(arm, readings, far - reach_mm, outward, 3)
     return ProbedSphere(
         NominalSphere(centre, radius_mm),
         far - reach_mm,
         np.asarray(sd**2 * np.linalg.inv(outward.T @ outward)),
-        free_mm - arm.tip.radius_mm,
-        _radius_sd_mm(arm, q_rad, _outward(tips, free)[0] - free_mm, J),
+        free_mm - tip_of(arm).radius_mm,
+        _radius_sd_mm(arm, readings, _outward(tips, free)[0] - free_mm, J),
     )
 
 
-def _radius_sd_mm(arm: Arm, q_rad: Floats, off: Floats, J: Floats) -> float:
+def _radius_sd_mm(arm: AnyArm, readings: Floats, off: Floats, J: Floats) -> float:
     values, vectors = np.linalg.eigh(J.T @ J)
     if values[0] < FIXED_RADIUS * values[-1]:
         return float("inf")
     cofactor = float(np.sum(vectors[3] ** 2 / values))
-    return _contact_sd(arm, q_rad, off, J[:, :3], 4) * float(np.sqrt(cofactor))
+    return _contact_sd(arm, readings, off, J[:, :3], 4) * float(np.sqrt(cofactor))
 
 
 def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
@@ -165,27 +171,29 @@ def _outward(tips: Floats, centre: Floats) -> tuple[Floats, Floats]:
     return far, away / far[:, None]
 
 
-def _tips(arm: Arm, q_rad: Floats, least: int, shape: str) -> Floats:
-    if len(q_rad) < least:
+def _tips(arm: AnyArm, readings: Floats, least: int, shape: str) -> Floats:
+    if len(readings) < least:
         raise OperationError(
             "too-few-touches",
-            message("has-touches", shape=shape, count=len(q_rad)),
+            message("has-touches", shape=shape, count=len(readings)),
             message("least-needed", least=least),
             message("touch-more-places"),
         )
-    return tip_centres(arm, q_rad)
+    return tip_centres(arm, readings)
 
 
-def _flanges(arm: Arm, q_rad: Floats) -> Floats:
-    return np.asarray(flange_poses(arm, q_rad)[:, :3, 3])
+def _flanges(arm: AnyArm, readings: Floats) -> Floats:
+    return np.asarray(flange_poses(arm, readings)[:, :3, 3])
 
 
-def _contact_sd(arm: Arm, q_rad: Floats, off: Floats, outward: Floats, parameters: int) -> float:
+def _contact_sd(
+    arm: AnyArm, readings: Floats, off: Floats, outward: Floats, parameters: int
+) -> float:
     """Standard uncertainty of one contact point, k = 1: from their scatter, corrected for their
     number, and at least that of the encoders."""
     from scipy.special import stdtrit  # slow to import, and seldom needed
 
-    of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, q_rad), outward)
+    of_encoders = np.einsum("ni,nij,nj->n", outward, tip_covariances(arm, readings), outward)
     encoders = float(np.sqrt(np.mean(of_encoders)))
     freedom = len(off) - parameters
     if freedom < 1:

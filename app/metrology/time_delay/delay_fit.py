@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.arm.joint_interpolation import Stamps
+from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.time_delay.plane_pass import StripeLines
 from app.metrology.transforms import Floats
 

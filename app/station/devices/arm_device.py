@@ -1,4 +1,4 @@
-"""The arm of the rig: its current joints, at a time stamp, and averaged while it is still."""
+"""The arm of the rig: its current reading, at a time stamp, and averaged while it is still."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -7,17 +7,23 @@ import numpy as np
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
-from app.metrology.arm.joint_interpolation import Stamps
-from app.metrology.arm.joint_plausibility import PlausibilityFilter
-from app.metrology.arm.kinematics import Arm, flange_poses, tip_centres
+from app.metrology.arm.kinematics import AnyArm, flange_poses, tip_centres
+from app.metrology.arm.reading_interpolation import Stamps
 from app.metrology.transforms import Floats, vector_from_rotation
 from app.station.bus import Bus
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
-from app.station.devices.joint_buffer import JointMean, JointRing, JointWindow, average_joints
 from app.station.devices.link_state import DeviceState, device_state
+from app.station.devices.reading_buffer import (
+    ReadingMean,
+    ReadingRing,
+    ReadingWindow,
+    average_readings,
+    reading_size,
+)
+from app.station.devices.reading_judge import ReadingJudge
 from app.station.devices.stillness import UNKNOWN, WINDOW_S, Stillness, stillness
 from hardware.clock import now_ns
-from hardware.interfaces import ArmDriver, ArmInfo, ButtonEvent, JointSample
+from hardware.interfaces import ArmDriver, ArmInfo, ArmReading, ButtonEvent
 
 # Packets may arrive late on a busy machine; their time stamps are correct nevertheless.
 LATE_S = 0.5
@@ -32,11 +38,10 @@ class StationArm:
 
     def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
         self._bus = bus
-        self._chosen: Arm | None = None
-        self._ring: JointRing | None = None
-        self._judge: PlausibilityFilter[JointSample] | None = None
-        self._judged_serial = ""
-        self._newest: JointSample | None = None
+        self._chosen: AnyArm | None = None
+        self._ring: ReadingRing | None = None
+        self._judge: ReadingJudge | None = None
+        self._newest: ArmReading | None = None
         self.on_button: Callable[[ButtonEvent], None] | None = None
         self.reader: DeviceReader[ArmDriver, ArmInfo] = DeviceReader(
             "arm",
@@ -54,7 +59,7 @@ class StationArm:
 
     @property
     def fresh(self) -> bool:
-        """True while joint samples arrive."""
+        """True while readings arrive."""
         return self.reader.fresh
 
     @property
@@ -89,36 +94,36 @@ class StationArm:
             return state
         return replace(state, state="lost", text=doubt.text)
 
-    def set_model(self, arm: Arm | None) -> None:
+    def set_model(self, arm: AnyArm | None) -> None:
         """The kinematics for judging readings, stillness and the position of the tip."""
         self._chosen = arm
         if self._judge is not None:
             self._judge.set_arm(arm)
 
-    def latest(self) -> JointSample | None:
+    def latest(self) -> ArmReading | None:
         """The newest sample; None without recent data."""
         return self._newest if self.fresh else None
 
     def tip_mm(self) -> tuple[float, float, float] | None:
-        """Tip centre in the arm frame; None while it is unknown."""
+        """Tip centre in the arm frame; None while it is unknown, or without a tip."""
         arm, newest = self._model(), self.latest()
-        if arm is None or newest is None:
+        if arm is None or arm.tip is None or newest is None:
             return None
-        x, y, z = tip_centres(arm, np.array([newest.joints_rad]))[0]
+        x, y, z = tip_centres(arm, np.array([newest.reading]))[0]
         return float(x), float(y), float(z)
 
     def at(self, stamp_ns: int, wait_s: float = LATE_S) -> Floats | None:
-        """Encoder angles (n,) at a time stamp; None if the arm sent none around it."""
+        """The reading (k,) at a time stamp; None if the arm sent none around it."""
         ring = self._ring
         return None if ring is None else ring.at(stamp_ns, wait_s)
 
     def at_all(self, stamps_ns: Stamps, wait_s: float = LATE_S) -> Floats | None:
-        """The same (F, n) at adjacent time stamps (F,), NaN if the arm sent none; None before it
+        """The same (F, k) at adjacent time stamps (F,), NaN if the arm sent none; None before it
         first connected."""
         ring = self._ring
         return None if ring is None else ring.at_all(stamps_ns, wait_s)
 
-    def window(self, first_ns: int, last_ns: int) -> JointWindow | None:
+    def window(self, first_ns: int, last_ns: int) -> ReadingWindow | None:
         """The stored samples between two time stamps; None before the arm first connected."""
         ring = self._ring
         return None if ring is None else ring.between(first_ns, last_ns)
@@ -141,16 +146,16 @@ class StationArm:
         arm, newest = self._model(), self.latest()
         if arm is None or newest is None:
             return False
-        q_rad = self.at(stamp_ns, 0.0)
-        if q_rad is None:
+        reading = self.at(stamp_ns, 0.0)
+        if reading is None:
             return stamp_ns < newest.stamp_ns
-        then, now = flange_poses(arm, np.array([q_rad, newest.joints_rad]))
+        then, now = flange_poses(arm, np.array([reading, newest.reading]))
         moved_mm = np.linalg.norm(now[:3, 3] - then[:3, 3])
         turned_rad = np.linalg.norm(vector_from_rotation(then[:3, :3].T @ now[:3, :3]))
         return bool(moved_mm > ELSEWHERE_MM or turned_rad > ELSEWHERE_RAD)
 
-    def average(self, window_s: float = 0.2, until_ns: int | None = None) -> JointMean:
-        """Mean of the joints over a window in which the arm was still.
+    def average(self, window_s: float = 0.2, until_ns: int | None = None) -> ReadingMean:
+        """Mean of the readings over a window in which the arm was still.
 
         The window ends at ``until_ns`` (by default at the newest sample). For a button press, pass
         its time stamp: pressing moves the arm, so the samples before it count.
@@ -168,7 +173,7 @@ class StationArm:
             last_ns = newest.stamp_ns if newest is not None else now_ns()
         return self.mean_over(last_ns - int(window_s * 1e9), last_ns, "arm-moving")
 
-    def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> JointMean:
+    def mean_over(self, first_ns: int, last_ns: int, moved_code: str) -> ReadingMean:
         """The mean between two time stamps, if the arm was still between them.
 
         Raises:
@@ -184,7 +189,9 @@ class StationArm:
         if arm is None:
             raise OperationError(
                 "no-arm-model",
-                message("no-arm-model-joints-chosen", joint_count=ring.joint_count),
+                message("no-arm-model-joints-chosen", joint_count=ring.size)
+                if ring.kind == "joints"
+                else message("no-arm-model-poses-chosen"),
                 remedy=message("choose-arm-first-2"),
             )
         wrong = self._judge.first_between(first_ns, last_ns) if self._judge is not None else None
@@ -207,28 +214,31 @@ class StationArm:
             raise OperationError(
                 moved_code, message("arm-still"), moved.text, message("hold-still-again")
             )
-        return average_joints(window)
+        return average_readings(window)
 
-    def _model(self) -> Arm | None:
-        """The arm model, unless the connected arm has another number of joints."""
+    def _model(self) -> AnyArm | None:
+        """The arm model, unless the connected arm reports something else."""
         arm, ring = self._chosen, self._ring
-        return arm if arm is not None and ring and arm.joint_count == ring.joint_count else None
+        if arm is None or ring is None:
+            return None
+        fits = (arm.reading_kind, arm.reading_size) == (ring.kind, ring.size)
+        return arm if fits else None
 
     def _on_connect(self, driver: ArmDriver, info: ArmInfo) -> None:
         self._newest = None
         # one ring over reconnections, so that a recording continues
-        if self._ring is None or self._ring.joint_count != info.joint_count:
-            self._ring = JointRing(info.joint_count, info.rate_hz)
+        kind, size = info.reports, reading_size(info)
+        if self._ring is None or (self._ring.kind, self._ring.size) != (kind, size):
+            self._ring = ReadingRing(info)
             self._judge = None
-        if self._judge is None or self._judged_serial != info.serial_number:
-            self._judge = PlausibilityFilter(info.joint_count, info.rate_hz, self._chosen)
-            self._judged_serial = info.serial_number
+        if self._judge is None or self._judge.serial_number != info.serial_number:
+            self._judge = ReadingJudge(info, self._chosen)
         # switching off and on restores a joint that slipped
         self._judge.forget_place()
 
     def _read(self, driver: ArmDriver) -> int:
         records = driver.read(READ_TIMEOUT_S)
-        samples = [record for record in records if isinstance(record, JointSample)]
+        samples = [record for record in records if not isinstance(record, ButtonEvent)]
         if samples:
             self._take(samples)
         for record in records:
@@ -236,7 +246,7 @@ class StationArm:
                 self._bus.call(self._press, record)
         return len(samples)
 
-    def _take(self, samples: Sequence[JointSample]) -> None:
+    def _take(self, samples: Sequence[ArmReading]) -> None:
         """Stores plausible readings: nothing else of the arm is used anywhere."""
         ring, judge = self._ring, self._judge
         if ring is None or judge is None:

@@ -7,14 +7,14 @@ from typing import Literal
 from app.errors import OperationError
 from app.messages.message import message, quantity
 from app.station.devices.frame_hub import FrameHub
-from app.station.devices.joint_buffer import JointMean
+from app.station.devices.reading_buffer import ReadingMean
 from hardware.clock import now_ns
 from hardware.interfaces import Frame
 
 FRAME_TIMEOUT_S = 3.0
 # The joints are averaged over at least this long, whatever the exposure.
 SHORTEST_MEAN_NS = 200_000_000
-MeanOver = Callable[[int, int], JointMean]
+MeanOver = Callable[[int, int], ReadingMean]
 SwitchLaser = Callable[[bool], None]
 
 
@@ -30,7 +30,7 @@ class Capture:
     ambient: Frame
     laser: Frame | None
     lighting: Lighting
-    joints: JointMean
+    joints: ReadingMean
 
 
 def capture(

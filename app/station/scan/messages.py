@@ -5,6 +5,8 @@ from typing import Literal
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.messages.message import Text, message, quantity
+from app.metrology.arm.kinematics import Arm
+from app.station.devices.reading_buffer import reading_size
 from app.station.devices.rig import Rig
 from app.station.scan.pipeline import ScanPipeline
 from app.station.scan.points import ScanCalibration
@@ -42,11 +44,16 @@ def _arm_error(calibration: ScanCalibration, rig: Rig) -> OperationError | None:
         return _device_lost_error("arm", rig.arm.link().text)
     if (doubt := rig.arm.doubt()) is not None:
         return doubt
-    if info.joint_count != calibration.arm.joint_count:
+    arm = calibration.arm
+    if info.reports != arm.reading_kind or reading_size(info) != arm.reading_size:
         return OperationError(
             "wrong-arm",
-            message("connected-arm-has-joints", joints=info.joint_count),
-            message("calibration-is-for-joints", joints=calibration.arm.joint_count),
+            message("connected-arm-has-joints", joints=info.joint_count)
+            if info.reports == "joints"
+            else message("connected-arm-reports-poses"),
+            message("calibration-is-for-joints", joints=arm.joint_count)
+            if isinstance(arm, Arm)
+            else message("calibration-is-for-poses"),
             message("connect-arm-calibrate-one"),
         )
     return _serial_error("arm", info.serial_number, calibration.arm_serial)

@@ -87,8 +87,8 @@ class ScanPipeline:
         self._extraction = extraction_by(settings, calibration.stripe_axis)
         self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         self.points = PointMaker(calibration, show)
-        joint_names = tuple(joint.name for joint in calibration.arm.joints)
-        self._recorder = Recorder(folder / RECORDING, joint_names, self._metadata(), arm)
+        names = calibration.joint_names
+        self._recorder = Recorder(folder / RECORDING, names, self._metadata(), arm)
         self._tap = sensor.frames.tap(_queue_length(sensor))
         self._threads = [
             threading.Thread(target=self._take_all, name="scan-take", daemon=True),
@@ -240,15 +240,17 @@ class ScanPipeline:
         while (frames := self._next_stripes()) is not None:
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
             stamps_ns += self._delay_ns
-            q_rad = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
-            known = np.isfinite(q_rad).all(axis=1) if q_rad is not None else np.zeros(len(frames))
+            readings = self._arm.at_all(stamps_ns, LATE_S if self._arm.fresh else 0.0)
+            known = (
+                np.isfinite(readings).all(axis=1) if readings is not None else np.zeros(len(frames))
+            )
             placed = [int(i) for i in np.flatnonzero(known)]
             self.counts.frames_without_joints += len(frames) - len(placed)
-            if q_rad is not None and placed:
+            if readings is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
-                self.points.add(cloud, stripes, q_rad[placed], number + np.array(placed))
+                self.points.add(cloud, stripes, readings[placed], number + np.array(placed))
                 self.counts.points = cloud.points
-                self._judge_speed(frames[placed[-1]], q_rad[placed[-1]], len(frames))
+                self._judge_speed(frames[placed[-1]], readings[placed[-1]], len(frames))
             number += len(frames)
 
     def _next_stripes(self) -> list[StripeFrame] | None:
@@ -258,13 +260,13 @@ class ScanPipeline:
         self._ended = True
         return None
 
-    def _judge_speed(self, frame: StripeFrame, q_rad: Floats, frames: int) -> None:
+    def _judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> None:
         """Of the last of some frames: how fast the sensor went."""
         stamp_ns = frame.stamp_ns + self._delay_ns
-        before_rad = self.speed.joints_before(stamp_ns)
-        if before_rad is None or not len(frame.stripe.u):
+        before_reading = self.speed.reading_before(stamp_ns)
+        if before_reading is None or not len(frame.stripe.u):
             return
-        before, at = self._calibration.sensor_poses(np.stack([before_rad, q_rad]))
+        before, at = self._calibration.sensor_poses(np.stack([before_reading, readings]))
         stripe_mm, spread = self._calibration.points([frame.stripe], np.eye(4)[None])
         self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
 

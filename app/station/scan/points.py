@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.files import CloudWriter, pack_points
 from app.formats.clouds.points import Points
-from app.metrology.arm.kinematics import Arm, flange_poses
+from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import scan_points
@@ -30,7 +30,7 @@ class ScanCalibration:
 
     id: str
     name: str
-    arm: Arm
+    arm: AnyArm
     camera: Camera
     plane: LaserPlane
     T_flange_sensor: Floats
@@ -39,9 +39,16 @@ class ScanCalibration:
     sensor_serial: str
     depth_range_mm: tuple[float, float]
 
-    def sensor_poses(self, q_rad: Floats) -> Floats:
-        """(N, 4, 4) ``T_arm_sensor`` at joint angles (N, n)."""
-        return flange_poses(self.arm, q_rad) @ self.T_flange_sensor
+    @property
+    def joint_names(self) -> tuple[str, ...] | None:
+        """Of the arm's joints; None of an arm that reports poses."""
+        if not isinstance(self.arm, Arm):
+            return None
+        return tuple(joint.name for joint in self.arm.joints)
+
+    def sensor_poses(self, readings: Floats) -> Floats:
+        """(N, 4, 4) ``T_arm_sensor`` at readings (N, k) of the arm."""
+        return flange_poses(self.arm, readings) @ self.T_flange_sensor
 
     def points(self, stripes: Sequence[Stripe], poses: Floats) -> tuple[Floats, Floats]:
         """Points (N, 3) of stripes by the sensor's poses (Eq. 9), and how well each is known."""
@@ -78,16 +85,16 @@ class PointMaker:
         self,
         cloud: CloudWriter,
         stripes: Sequence[Stripe],
-        q_rad: Floats,
+        readings: Floats,
         numbers: NDArray[np.int64],
     ) -> None:
         """Points of some frames, to the cloud and to the display.
 
         Args:
-            q_rad: (K, n) joint angles at the K frames.
+            readings: (K, k) of the arm at the K frames.
             numbers: (K,) of the frames in the scan.
         """
-        T_arm_sensor = self._calibration.sensor_poses(q_rad)
+        T_arm_sensor = self._calibration.sensor_poses(readings)
         points, spread = self._calibration.points(stripes, T_arm_sensor)
         count = [len(stripe.u) for stripe in stripes]
         intensity = np.concatenate([stripe.intensity for stripe in stripes])

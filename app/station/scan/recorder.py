@@ -50,9 +50,13 @@ class Recorder:
     """
 
     def __init__(
-        self, path: Path, joint_names: tuple[str, ...], station: Mapping[str, str], arm: StationArm
+        self,
+        path: Path,
+        joint_names: tuple[str, ...] | None,
+        station: Mapping[str, str],
+        arm: StationArm,
     ) -> None:
-        """``station``: as of ``RecordingWriter``."""
+        """``joint_names``, ``station``: as of ``RecordingWriter``."""
         self.failure: OperationError | None = None
         self.pictures = self.pictures_dropped = 0
         self._delay_ns = int(station.get(ARM_DELAY, 0))
@@ -169,6 +173,6 @@ class Recorder:
         window = self._arm.window(self._joints_after_ns + 1, now_ns())
         if window is None or not len(window):
             return
-        for stamp_ns, q_rad in zip(window.stamps_ns.tolist(), window.q_rad, strict=True):
-            self._writer.joints(stamp_ns, q_rad)
+        for stamp_ns, reading in zip(window.stamps_ns.tolist(), window.readings, strict=True):
+            self._writer.reading(stamp_ns, reading)
         self._joints_after_ns = int(window.stamps_ns[-1])

@@ -52,8 +52,8 @@ class ScanSpeed:
         newest = self._newest
         return newest[1] if newest and time.monotonic() - newest[0] <= AGE_S else None
 
-    def joints_before(self, stamp_ns: int) -> Floats | None:
-        """The arm's angles (n,) a little before a frame; None where they are not known."""
+    def reading_before(self, stamp_ns: int) -> Floats | None:
+        """The arm's reading (k,) a little before a frame; None where it is unknown."""
         return self._arm.at(stamp_ns - CHORD_NS, 0.0)
 
     def judge(

@@ -299,7 +299,7 @@ class Scanner:
         while not self._closing.wait(WATCH_S):
             sample = self._rig.arm.latest()
             if sample is not None:
-                self._scene.set_arm(sample.joints_rad)
+                self._scene.set_arm(sample.reading)
             distance = self.distance()
             in_range = None if distance is None else distance.state == "in"
             self._scene.set_laser(self._rig.sensor.laser_on, in_range)

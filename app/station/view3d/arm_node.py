@@ -5,7 +5,7 @@ from typing import Protocol
 import numpy as np
 import viser
 
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm, Arm, Tip
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.transforms import Floats, apply
@@ -42,7 +42,7 @@ class Removable(Protocol):
 class ArmNode:
     """Nested nodes, one per link, so that a pose is one small message per joint."""
 
-    def __init__(self, server: viser.ViserServer, arm: Arm) -> None:
+    def __init__(self, server: viser.ViserServer, arm: AnyArm) -> None:
         self._server = server
         self._links: list[viser.FrameHandle] = []
         self._sensor: list[Removable] = []
@@ -58,16 +58,33 @@ class ArmNode:
         self._root.remove()
 
     def pose(self, links: Floats) -> None:
-        """Moves every link to ``A_i E_i`` (n, 4, 4) of Eq. 2-3."""
+        """Moves every link to ``A_i E_i`` (n, 4, 4) of Eq. 2-3; of an arm that reports poses, its
+        flange to ``T_arm_flange`` (1, 4, 4)."""
         with self._server.atomic():
             for handle, T in zip(self._links, links, strict=True):
                 handle.position, handle.wxyz = viser_pose(T)
 
-    def _build(self, arm: Arm) -> None:
+    def _build(self, arm: AnyArm) -> None:
         reach = reach_mm(arm)
-        radii = reach * np.linspace(THICK, THIN, arm.joint_count + 1)
+        if isinstance(arm, Arm):
+            radii = reach * np.linspace(THICK, THIN, arm.joint_count + 1)
+            self._build_links(arm, radii)
+        else:
+            radii = reach * np.array([THICK, THIN])
+            self._build_flange(float(radii[-1]))
         foot = tube(np.zeros(3), np.array([0, 0, 0.5 * radii[0]]), 2.4 * radii[0], 2.2 * radii[0])
         add_mesh(self._server, "/arm/foot", foot, HUB)
+        if arm.tip is not None:
+            self._add_probe(arm.tip, float(radii[-1]))
+
+    def _build_flange(self, radius_mm: float) -> None:
+        """A disc: the links of an arm that reports poses are unknown."""
+        self._flange = "/arm/1"
+        self._links.append(self._server.scene.add_frame(self._flange, show_axes=False))
+        disc = tube(np.array([0, 0, -radius_mm]), np.zeros(3), 2.6 * radius_mm, 2.6 * radius_mm)
+        add_mesh(self._server, f"{self._flange}/disc", disc, HUB)
+
+    def _build_links(self, arm: Arm, radii: Floats) -> None:
         path = "/arm"
         for i, joint in enumerate(arm.joints):
             path += f"/{i + 1}"
@@ -78,22 +95,21 @@ class ArmNode:
             if i > 0:  # the first joint turns in the base
                 add_mesh(self._server, f"{path}/hub", hub, HUB)
         self._flange = path
-        self._add_probe(arm, float(radii[-1]))
 
-    def _add_probe(self, arm: Arm, radius_mm: float) -> None:
-        tip = arm.tip.centre_mm
-        length = float(np.linalg.norm(tip))
-        if length > arm.tip.radius_mm:
-            middle = 0.55 * tip
+    def _add_probe(self, tip: Tip, radius_mm: float) -> None:
+        centre = tip.centre_mm
+        length = float(np.linalg.norm(centre))
+        if length > tip.radius_mm:
+            middle = 0.55 * centre
             handle = tube(np.zeros(3), middle, 0.8 * radius_mm, 0.5 * radius_mm)
-            stem = tube(middle, tip, 0.25 * radius_mm, 0.6 * arm.tip.radius_mm)
+            stem = tube(middle, centre, 0.25 * radius_mm, 0.6 * tip.radius_mm)
             add_mesh(self._server, f"{self._flange}/probe", handle, HUB)
             add_mesh(self._server, f"{self._flange}/stem", stem, LINK)
         self._server.scene.add_icosphere(
             f"{self._flange}/tip",
-            radius=arm.tip.radius_mm * M_PER_MM,
+            radius=tip.radius_mm * M_PER_MM,
             color=RUBY,
-            position=tip * M_PER_MM,
+            position=centre * M_PER_MM,
             cast_shadow=False,
             receive_shadow=False,
         )

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
-from app.metrology.arm.kinematics import Arm, Joint
+from app.metrology.arm.kinematics import AnyArm, Arm, Joint
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
@@ -140,8 +140,14 @@ def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
     return plate, Mesh(squares.vertices_mm + [0.0, 0.0, INK_MM], squares.faces)
 
 
-def reach_mm(arm: Arm) -> float:
+USUAL_REACH_MM = 1200.0
+"""Of an arm that reports poses, whose links are unknown."""
+
+
+def reach_mm(arm: AnyArm) -> float:
     """Length of the arm stretched out."""
+    if not isinstance(arm, Arm):
+        return USUAL_REACH_MM
     return float(sum(np.hypot(joint.a_mm, joint.d_mm) for joint in arm.joints))
 
 

@@ -14,7 +14,7 @@ import rich
 
 from app.formats.clouds.points import Points
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, link_transforms
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.target import CalibrationTarget
@@ -58,7 +58,7 @@ class Scene:
         self._handing_over = threading.Lock()
         self._waiting: list[tuple[Points, float]] = []
         self._waiting_points = 0
-        self._q_rad: Sequence[float] | None = None
+        self._reading: Sequence[float] | None = None
         self._laser: tuple[bool, bool | None] = (False, None)
         self._clouds = CloudSet(self._server, point_budget)
         self._fits = ShapeNodes(self._server)
@@ -67,7 +67,7 @@ class Scene:
         self._begun = 0
         self._began_s = time.monotonic()
         self._arm: ArmNode | None = None
-        self._arm_model: Arm | None = None
+        self._arm_model: AnyArm | None = None
         self._object = TargetNode(self._server)
         self._aimed_size_mm = 0.0
         self._has_aimed = False
@@ -188,7 +188,7 @@ class Scene:
             points_mm, voxel_mm = self._clouds.visible_points(name)
             return points_mm, self._clouds.visible_attributes(name), voxel_mm
 
-    def set_arm_model(self, arm: Arm | None) -> None:
+    def set_arm_model(self, arm: AnyArm | None) -> None:
         """Draws this arm from now on, with its own kinematics."""
         with self._lock:
             if arm == self._arm_model:
@@ -197,12 +197,12 @@ class Scene:
                 self._arm.remove()
             self._arm_model = arm
             self._arm = None if arm is None else ArmNode(self._server, arm)
-            self._q_rad = None
+            self._reading = None
             self._has_aimed = False
 
-    def set_arm(self, q_rad: Sequence[float]) -> None:
-        """The arm's encoder angles (n,); drawn at most ten times per second."""
-        self._q_rad = q_rad
+    def set_arm(self, reading: Sequence[float]) -> None:
+        """The arm's reading (k,); drawn at most ten times per second."""
+        self._reading = reading
 
     def set_sensor(
         self,
@@ -268,14 +268,14 @@ class Scene:
             anchor="center-center",
         )
 
-    def _look_at_arm(self, arm: Arm, links: Floats) -> None:
+    def _look_at_arm(self, arm: AnyArm, links: Floats) -> None:
         """Before there is a cloud: the arm from its base to its tip."""
-        T_arm_flange = np.linalg.multi_dot(list(links))
-        joints = [np.zeros(3), apply(T_arm_flange, arm.tip.centre_mm[None])[0]]
-        T = np.eye(4)
+        joints, T = [np.zeros(3)], np.eye(4)
         for link in links:
             T = T @ link
             joints.append(T[:3, 3])
+        if arm.tip is not None:
+            joints.append(apply(T, arm.tip.centre_mm[None])[0])
         low, high = np.min(joints, axis=0), np.max(joints, axis=0)
         radius_mm = 0.5 * float(np.linalg.norm(high - low)) + 0.06 * reach_mm(arm)
         self._initial_camera.look(M_PER_MM * (low + high) / 2, M_PER_MM * radius_mm)
@@ -318,17 +318,25 @@ class Scene:
         return waiting
 
     def _show_arm(self) -> None:
-        arm, q_rad = self._arm, self._q_rad
+        arm, reading = self._arm, self._reading
         if arm is None or self._arm_model is None:
             return
         arm.set_laser(*self._laser)
-        if q_rad is not None and len(q_rad) == self._arm_model.joint_count:
-            self._q_rad = None
-            links = link_transforms(self._arm_model, np.array([q_rad]))[:, 0]
+        if reading is not None and len(reading) == self._arm_model.reading_size:
+            self._reading = None
+            links = _link_chain(self._arm_model, np.array([reading]))
             arm.pose(links)
             if not self._has_aimed:
                 self._has_aimed = True
                 self._look_at_arm(self._arm_model, links)
+
+
+def _link_chain(arm: AnyArm, readings: Floats) -> Floats:
+    """The links (n, 4, 4) of one reading (1, k), each in the frame before it; of an arm that
+    reports poses, its flange alone."""
+    if isinstance(arm, Arm):
+        return np.asarray(link_transforms(arm, readings)[:, 0])
+    return flange_poses(arm, readings)
 
 
 def _quiet(act: Callable[[], T]) -> T:

@@ -77,7 +77,7 @@ def test_the_advised_pose_brings_what_was_foretold(
         @ best.T_obj_cam
         @ inverse(found.adjustment.state.T_flange_cam)
     )
-    np.testing.assert_allclose(flange_pose(arm, best.q_rad), reached, atol=REACHED_MM)
+    np.testing.assert_allclose(flange_pose(arm, best.reading), reached, atol=REACHED_MM)
     uv = measuring_volume(found.adjustment).uv_px
     after = {}
     for one in (best, worst):

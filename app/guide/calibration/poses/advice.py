@@ -24,8 +24,8 @@ class Advice:
     """Hold the sensor there next: a point would then be known to ``then_um`` (k = 1).
 
     ``words`` states it against the newest pose's hold; ``outline`` is the object as the
-    picture would show it from there; ``q_rad`` are joint angles that reach it. The
-    matrices place any hold against it. At least ``fewest`` poses are asked for, and up to
+    picture would show it from there; ``reading`` is the arm's in it: joint angles, or its pose.
+    The matrices place any hold against it. At least ``fewest`` poses are asked for, and up to
     ``enough`` while they help.
     """
 
@@ -34,7 +34,7 @@ class Advice:
     then_um: float
     words: Text
     outline: Sequence[Segment]
-    q_rad: Sequence[float]
+    reading: Sequence[float]
     T_obj_cam: Matrix
     T_arm_obj: Matrix
     T_flange_cam: Matrix
@@ -57,7 +57,8 @@ def to_payload(advice: Advice) -> dict[str, object]:
 
 
 def from_payload(payload: Mapping[str, object]) -> Advice:
-    return _ADAPTER.validate_python(payload)
+    # rows of earlier versions name it by its unit
+    return _ADAPTER.validate_python({"reading": payload.get("q_rad"), **payload})
 
 
 def remaining(advice: Advice, T_arm_flange: Floats, item: CalibrationTarget) -> PoseDelta:

@@ -20,7 +20,7 @@ from app.metrology.adjustment.board.calibrate import calibrate_board
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult
 from app.metrology.adjustment.core.parameters import pose_scene
 from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm
 from app.metrology.limits import Limits
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.target import CalibrationTarget
@@ -35,11 +35,11 @@ NEARLY = 1.06
 class _SoFar:
     """What the poses so far lead to."""
 
-    arm: Arm
+    arm: AnyArm
     item: CalibrationTarget
     adjusted: AdjustmentResult
     total_um: float  # of a scanned point, k = 1
-    q_rad: Floats  # (P, n) of the poses that were used
+    readings: Floats  # (P, ...) of the poses that were used
 
 
 def advise(
@@ -62,7 +62,7 @@ def advise(
         then_um=best.total_um,
         words=pose_delta(best.T_obj_cam, _newest(found), so_far.item).words,
         outline=[(*a, *b) for a, b in best.outline_px],
-        q_rad=best.q_rad.tolist(),
+        reading=best.reading.tolist(),
         T_obj_cam=best.T_obj_cam.tolist(),
         T_arm_obj=state.T_arm_obj.tolist(),
         T_flange_cam=state.T_flange_cam.tolist(),
@@ -78,29 +78,28 @@ def _so_far(
 ) -> _SoFar:
     if isinstance(session, BoardSession):
         of_board = board_inputs(session, limits, known=known)
-        assert isinstance(of_board.arm, Arm)  # a station's own arm has joints
         on_board = calibrate_board(of_board)
         numbers = [pose.number for pose in of_board.observations]
-        q_rad = _select_used(numbers, of_board.readings, on_board.adjustment)
+        used = _select_used(numbers, of_board.readings, on_board.adjustment)
         return _SoFar(
-            of_board.arm, of_board.board, on_board.adjustment, on_board.uncertainty.total_um, q_rad
+            of_board.arm, of_board.board, on_board.adjustment, on_board.uncertainty.total_um, used
         )
     of_block = joint_inputs(session, limits, known=known)
     on_block = calibrate_block(of_block)
     numbers = [pose.number for pose in of_block.observations]
-    q_rad = _select_used(numbers, of_block.q_rad, on_block.adjustment)
+    used = _select_used(numbers, of_block.q_rad, on_block.adjustment)
     return _SoFar(
-        of_block.arm, of_block.block, on_block.adjustment, on_block.uncertainty.total_um, q_rad
+        of_block.arm, of_block.block, on_block.adjustment, on_block.uncertainty.total_um, used
     )
 
 
-def _select_used(numbers: list[int], q_rad: Floats, found: AdjustmentResult) -> Floats:
+def _select_used(numbers: list[int], readings: Floats, found: AdjustmentResult) -> Floats:
     used = set(found.problem.numbers)
-    return np.asarray(q_rad[[i for i, number in enumerate(numbers) if number in used]])
+    return np.asarray(readings[[i for i, number in enumerate(numbers) if number in used]])
 
 
 def _choose_pose(so_far: _SoFar) -> PoseAdvice | None:
-    offered = next_poses(so_far.adjusted, so_far.arm, so_far.item, so_far.q_rad)
+    offered = next_poses(so_far.adjusted, so_far.arm, so_far.item, so_far.readings)
     if not offered:
         return None
     newest = _newest(so_far.adjusted)

@@ -7,6 +7,7 @@ from app.guide.calibration.state import CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.common.view import Choice, ChoiceOption, ChoicesPicture, DeviceLine, DevicesPicture
 from app.messages.message import Text, message, quantity, rounded
+from app.metrology.arm.kinematics import AnyArm, Arm
 from app.metrology.targets.chessboard import Chessboard, Markers
 from app.metrology.targets.target import CalibrationTarget
 from app.station.devices.link_state import DeviceState
@@ -61,12 +62,7 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
         ChoiceOption(
             entry.id,
             entry.datasheet.name,
-            message(
-                "serial-number-joints-tip",
-                serial_number=entry.datasheet.serial_number,
-                joint_count=entry.datasheet.joint_count,
-                diameter=quantity(entry.datasheet.tip.diameter_mm, "mm", 3),
-            ),
+            _arm_detail(entry.datasheet),
         )
         for entry in library.arms.values()
     ]
@@ -95,6 +91,23 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
             ("sensor", message("sensor-2"), sensors),
         )
     ]
+
+
+def _arm_detail(arm: AnyArm) -> Text:
+    if isinstance(arm, Arm):
+        return message(
+            "serial-number-joints-tip",
+            serial_number=arm.serial_number,
+            joint_count=arm.joint_count,
+            diameter=quantity(arm.tip.diameter_mm, "mm", 3),
+        )
+    if arm.tip is None:
+        return message("serial-number-poses", serial_number=arm.serial_number)
+    return message(
+        "serial-number-poses-tip",
+        serial_number=arm.serial_number,
+        diameter=quantity(arm.tip.diameter_mm, "mm", 3),
+    )
 
 
 def _object_detail(item: CalibrationTarget) -> Text:

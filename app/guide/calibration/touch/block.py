@@ -33,6 +33,10 @@ TITLES = {
 }
 
 
+NO_REPORT = TouchReport((), None, "", (), ())
+"""Of an arm that reports poses: a block is not touched with it."""
+
+
 def block_report(
     contacts: Sequence[Contact], arm: Arm, block: Crenellated, target_um: float
 ) -> TouchReport:
@@ -45,7 +49,7 @@ def block_report(
     unplaced = tuple(TouchedPoint(c.index, c.face, None, None, False) for c in contacts)
     if missing:
         return TouchReport(unplaced, None, missing, (), ())
-    q_rad = np.array([contact.q_rad for contact in contacts])
+    q_rad = np.array([contact.reading for contact in contacts])
     try:
         alignment = align(
             faces,

@@ -10,7 +10,7 @@ from app.guide.calibration.live import TouchReport
 from app.guide.calibration.state import Contact
 from app.guide.common.view import FaceProgress, TouchedPoint, Vec3
 from app.messages.message import message, signed
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.arm.kinematics import AnyArm, tip_centres
 from app.metrology.fitting.plane_sphere import fit_plane
 from app.metrology.targets.chessboard import Chessboard, pattern_centre
 
@@ -24,7 +24,7 @@ SLIPPED_MM, SLIPPED_BENDS = 0.1, 2.0
 """A point has slipped that lies so far off the others, and by more than the board bends."""
 
 
-def board_report(contacts: Sequence[Contact], arm: Arm, board: Chessboard) -> TouchReport:
+def board_report(contacts: Sequence[Contact], arm: AnyArm, board: Chessboard) -> TouchReport:
     """How well the points so far fit a plane; the pictures show where on it they lie."""
     off_um = _off_plane_um(contacts, arm)
     slipped_um = 1e3 * max(SLIPPED_MM, SLIPPED_BENDS * board.flatness_mm)
@@ -60,12 +60,12 @@ def suggest_board_places(board: Chessboard) -> list[Vec3]:
     return [(x + a * half_x, y + b * half_y, 0.0) for b in (-0.8, 0.8) for a in (-0.8, 0.0, 0.8)]
 
 
-def _off_plane_um(contacts: Sequence[Contact], arm: Arm) -> list[float | None]:
+def _off_plane_um(contacts: Sequence[Contact], arm: AnyArm) -> list[float | None]:
     """Each point's distance from the plane of those that agree, positive upward; None for all
     while they are too few to judge one another."""
     if len(contacts) < FEWEST_JUDGED:
         return [None] * len(contacts)
-    tips = tip_centres(arm, np.array([contact.q_rad for contact in contacts]))
+    tips = tip_centres(arm, np.array([contact.reading for contact in contacts]))
     try:
         plane = fit_plane(tips)
     except OperationError:  # all on one line

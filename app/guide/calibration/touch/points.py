@@ -27,7 +27,7 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
         if arm is None or chosen.object is None:
             raise OperationError("no-arm-model", message("arm-chosen-cannot-read-any-more"))
         mean = guide.station.rig.arm.average(until_ns=until_ns)
-        same = same_place(mean.q_rad, state.counted, arm)
+        same = same_place(mean.reading, state.counted, arm)
         if same is not None:
             raise OperationError(
                 "same-place",
@@ -39,8 +39,8 @@ def take_point(guide: CalibrationGuide, source: str, until_ns: int | None, key: 
             "point_taken",
             {
                 "face": face_in_use(state.face, chosen.object),
-                "q_rad": mean.q_rad.tolist(),
-                "scatter_rad": mean.scatter_rad.tolist(),
+                "reading": mean.reading.tolist(),
+                "scatter": mean.scatter.tolist(),
                 "samples": mean.samples,
                 "source": source,
             },

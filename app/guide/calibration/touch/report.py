@@ -13,7 +13,7 @@ from app.guide.calibration.touch import board as board_touching
 from app.guide.common.view import FaceProgress
 from app.messages.message import Text, message
 from app.metrology.arm.joint_plausibility import limits_error
-from app.metrology.arm.kinematics import Arm, tip_centres
+from app.metrology.arm.kinematics import AnyArm, Arm, tip_centres
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import FACES, on_face
 from app.metrology.targets.target import CalibrationTarget
@@ -39,26 +39,27 @@ def face_in_use(selected: str, item: CalibrationTarget) -> str:
 
 
 def touch_report(
-    contacts: Sequence[Contact], arm: Arm, item: CalibrationTarget, target_um: float
+    contacts: Sequence[Contact], arm: AnyArm, item: CalibrationTarget, target_um: float
 ) -> TouchReport:
     """How well the points so far agree with the object.
 
     Args:
         target_um: how well the place of a block is wanted, k = 1.
     """
-    report = (
-        board_touching.board_report(contacts, arm, item)
-        if isinstance(item, Chessboard)
-        else touching.block_report(contacts, arm, item, target_um)
-    )
-    return _flag_impossible(report, contacts, arm)
+    if isinstance(item, Chessboard):
+        report = board_touching.board_report(contacts, arm, item)
+    elif isinstance(arm, Arm):
+        report = touching.block_report(contacts, arm, item, target_um)
+    else:
+        return touching.NO_REPORT
+    return _flag_impossible(report, contacts, arm) if isinstance(arm, Arm) else report
 
 
 def _flag_impossible(report: TouchReport, contacts: Sequence[Contact], arm: Arm) -> TouchReport:
     """Names the points whose joints lie outside their limits: of before this was noticed."""
     impossible, findings = [], []
     for contact in contacts:
-        wrong = limits_error(contact.q_rad, arm)
+        wrong = limits_error(contact.reading, arm)
         if wrong is not None:
             impossible.append(contact.index)
             text = message(
@@ -82,11 +83,11 @@ def face_progress(
     return touching.block_faces(report, selected, item)
 
 
-def same_place(contact_q_rad: Floats, others: Sequence[Contact], arm: Arm) -> int | None:
+def same_place(reading: Floats, others: Sequence[Contact], arm: AnyArm) -> int | None:
     """Index of a counted point that lies within ``SAME_PLACE_MM`` of a new one, if any."""
     if not others:
         return None
-    tips = tip_centres(arm, np.array([c.q_rad for c in others] + [tuple(contact_q_rad)]))
+    tips = tip_centres(arm, np.array([c.reading for c in others] + [tuple(reading)]))
     distances = np.linalg.norm(tips[:-1] - tips[-1], axis=1)
     nearest = int(np.argmin(distances))
     return others[nearest].index if distances[nearest] < SAME_PLACE_MM else None

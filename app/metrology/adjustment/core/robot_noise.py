@@ -200,6 +200,17 @@ def with_flange_noise(moves: FlangeMotion, noise: RobotNoise) -> FlangeMotion:
     )
 
 
+def robot_motion_at(moves: FlangeMotion, T_arm_flange: Floats) -> FlangeMotion:
+    """A robot's motion, with the noise of ``with_noise`` in it, for other poses (P, 4, 4)."""
+    tilts = moves.by_noise[0][:, 6:]
+    return replace(
+        moves,
+        T_arm_flange=T_arm_flange,
+        by_links=np.zeros((len(T_arm_flange), 6, moves.by_links.shape[2])),
+        by_noise=np.array([np.hstack([adjoint(T), tilts]) for T in T_arm_flange]),
+    )
+
+
 def with_noise(
     moves: FlangeMotion, noise: RobotNoise, T_arm_obj: Floats, middle_mm: Floats
 ) -> FlangeMotion:

@@ -20,10 +20,12 @@ from app.metrology.adjustment.board.predicted_view import is_fully_visible, pred
 from app.metrology.adjustment.core.arm_errors import FlangeMotion, arm_motion
 from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, free_covariance
 from app.metrology.adjustment.core.parameters import SENSOR, pose_scene
+from app.metrology.adjustment.core.robot_noise import robot_motion_at
 from app.metrology.adjustment.core.robust_weights import RobustWeights, normal_equations
 from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
 from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
-from app.metrology.arm.kinematics import Arm
+from app.metrology.arm.kinematics import AnyArm, Arm, RobotArm
+from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.calibration.observation_model import Rows
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane, in_frame
@@ -115,7 +117,7 @@ class PoseAdvice:
     """A suggested pose: its position, its benefit, and the view of the object from it."""
 
     T_obj_cam: Floats  # (4, 4)
-    q_rad: Floats  # (n,) joint angles that reach this pose
+    reading: Floats  # (k,) of the arm in this pose: joint angles that reach it, or the pose
     total_um: float  # of a point, k = 1, after this pose
     outline_px: tuple[PixelSegment, ...]
     """The object's edges as the picture would show them, end to end."""
@@ -123,9 +125,9 @@ class PoseAdvice:
 
 def next_poses(
     found: AdjustmentResult,
-    arm: Arm,
+    arm: AnyArm,
     item: CalibrationTarget,
-    q_rad: Floats,
+    readings: Floats,
     seeing: ObservationNoise | None = None,
 ) -> list[PoseAdvice]:
     """Poses that the arm can take, the most helpful first.
@@ -135,9 +137,9 @@ def next_poses(
 
     Args:
         found: the adjustment of the P poses so far.
-        arm: the candidates keep its joint limits.
+        arm: the candidates keep its joint limits; those of a robot are unknown.
         item: the target.
-        q_rad: (P, n) encoder angles of the poses so far.
+        readings: (P, n) encoder angles of the poses so far; of a robot, (P, 4, 4) poses.
         seeing: noise of the predicted images; None: the usual one.
 
     Returns:
@@ -150,15 +152,16 @@ def next_poses(
     by_sizes = found.link_size_covariance[SENSOR, SENSOR]
     advice = []
     for T_obj_cam in _candidates(inverse(T_cam_obj), item):
-        q = _joints(found, arm, T_obj_cam, q_rad)
         rows_of = _predict_rows(found, item, T_obj_cam, seeing)
-        if q is None or rows_of is None:
+        reached = _reach(found, arm, T_obj_cam, readings) if rows_of is not None else None
+        if rows_of is None or reached is None:
             continue
+        reading, moves = reached
         # one more pose says little about the size of the link errors
-        covariance = _covariance_after(found, arm_motion(arm, q[None]), rows_of) + by_sizes
+        covariance = _covariance_after(found, moves, rows_of) + by_sizes
         total = float(np.sqrt(np.mean(np.einsum("gik,kl,gil->g", volume, covariance, volume))))
         camera, _ = place_sensor(found, T_obj_cam)
-        advice.append(PoseAdvice(T_obj_cam, q, 1e3 * total, outline(camera, item)))
+        advice.append(PoseAdvice(T_obj_cam, reading, 1e3 * total, outline(camera, item)))
     return sorted(advice, key=lambda one: one.total_um)
 
 
@@ -233,9 +236,22 @@ def _candidates(T_obj_cam: Floats, item: CalibrationTarget) -> Sequence[Floats]:
     return holds
 
 
-def _joints(found: AdjustmentResult, arm: Arm, T_obj_cam: Floats, q_rad: Floats) -> Floats | None:
-    """Joint angles for a hold, starting from the pose with the nearest flange."""
+def _reach(
+    found: AdjustmentResult, arm: AnyArm, T_obj_cam: Floats, readings: Floats
+) -> tuple[Floats, FlangeMotion] | None:
+    """The arm's reading (k,) in a hold, and its motion there; None out of its reach."""
     T_arm_flange = found.state.T_arm_obj @ T_obj_cam @ inverse(found.state.T_flange_cam)
+    if isinstance(arm, RobotArm):
+        moves = robot_motion_at(found.problem.motion, T_arm_flange[None])
+        return pose_from_transform(T_arm_flange), moves
+    q_rad = _joints(found, arm, T_arm_flange, readings)
+    return None if q_rad is None else (q_rad, arm_motion(arm, q_rad[None]))
+
+
+def _joints(
+    found: AdjustmentResult, arm: Arm, T_arm_flange: Floats, q_rad: Floats
+) -> Floats | None:
+    """Joint angles for a pose of the flange, starting from the pose with the nearest flange."""
     near = np.linalg.norm(found.problem.motion.T_arm_flange[:, :3, 3] - T_arm_flange[:3, 3], axis=1)
     return solve_inverse_kinematics(arm, T_arm_flange, q_rad[int(np.argmin(near))])
 

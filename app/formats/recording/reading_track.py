@@ -1,11 +1,12 @@
-"""The arm's angles over time, interpolated between the samples."""
+"""The arm's readings over time, interpolated between the samples."""
 
 from array import array
 from bisect import bisect_left
 
 import numpy as np
 
-from app.metrology.arm.joint_interpolation import Stamps, interpolate_angles
+from app.metrology.arm.reading_interpolation import Stamps, interpolate_readings
+from app.metrology.arm.reported_poses import ReadingKind
 from app.metrology.transforms import Floats
 
 SHORTEST_GAP_LIMIT_NS = 25_000_000
@@ -16,13 +17,14 @@ GAP_LIMIT_PERIODS = 3.5
 LONGEST_GAP_LIMIT_NS = 150_000_000
 
 
-class JointTrack:
-    """Joint samples by time stamp; 8 bytes per number, so that an hour fits in memory."""
+class ReadingTrack:
+    """Readings by time stamp; 8 bytes per number, so that an hour fits in memory."""
 
-    def __init__(self, joint_count: int) -> None:
-        self._count = joint_count
+    def __init__(self, kind: ReadingKind, size: int) -> None:
+        self._kind: ReadingKind = kind
+        self._size = size
         self._stamps_ns = array("q")
-        self._angles_rad = array("d")
+        self._numbers = array("d")
 
     def __len__(self) -> int:
         return len(self._stamps_ns)
@@ -44,49 +46,47 @@ class JointTrack:
         limit_ns = max(SHORTEST_GAP_LIMIT_NS, int(GAP_LIMIT_PERIODS * period_ns))
         return min(limit_ns, LONGEST_GAP_LIMIT_NS)
 
-    def add(self, stamp_ns: int, q_rad: Floats | tuple[float, ...]) -> None:
-        """Adds a sample (n,); late samples are sorted in, a repeated stamp is ignored."""
+    def add(self, stamp_ns: int, reading: Floats | tuple[float, ...]) -> None:
+        """Adds a sample (k,); late samples are sorted in, a repeated stamp is ignored."""
         at = len(self._stamps_ns)
         if at and stamp_ns <= self._stamps_ns[-1]:
             at = bisect_left(self._stamps_ns, stamp_ns)
             if self._stamps_ns[at] == stamp_ns:
                 return
         self._stamps_ns.insert(at, stamp_ns)
-        start = at * self._count
-        self._angles_rad[start:start] = array("d", q_rad)
+        start = at * self._size
+        self._numbers[start:start] = array("d", reading)
 
-    def extend(self, stamps_ns: Stamps, q_rad: Floats) -> None:
-        """Adds samples (J,) and (J, n), like ``add`` for each."""
+    def extend(self, stamps_ns: Stamps, readings: Floats) -> None:
+        """Adds samples (J,) and (J, k), like ``add`` for each."""
         if not len(stamps_ns):
             return
         last_ns = self.last_ns
         if (np.diff(stamps_ns) > 0).all() and (last_ns is None or stamps_ns[0] > last_ns):
             self._stamps_ns.frombytes(np.ascontiguousarray(stamps_ns, np.int64).tobytes())
-            self._angles_rad.frombytes(np.ascontiguousarray(q_rad, np.float64).tobytes())
+            self._numbers.frombytes(np.ascontiguousarray(readings, np.float64).tobytes())
             return
-        for stamp_ns, angles in zip(stamps_ns.tolist(), q_rad, strict=True):
-            self.add(stamp_ns, angles)
+        for stamp_ns, reading in zip(stamps_ns.tolist(), readings, strict=True):
+            self.add(stamp_ns, reading)
 
     def at_all(self, stamps_ns: Stamps) -> Floats:
-        """The angles (F, n) at time stamps (F,), as from ``at``; NaN instead of None."""
-        found = np.full((len(stamps_ns), self._count), np.nan)
+        """The readings (F, k) at time stamps (F,), as from ``at``; NaN instead of None."""
+        found = np.full((len(stamps_ns), self._size), np.nan)
         if not len(self._stamps_ns) or not len(stamps_ns):
             return found
         first = max(bisect_left(self._stamps_ns, int(stamps_ns.min())) - 1, 0)
         last = bisect_left(self._stamps_ns, int(stamps_ns.max())) + 1
         stamps = np.array(self._stamps_ns[first:last])
-        angles = np.array(self._angles_rad[first * self._count : last * self._count])
-        return interpolate_angles(
-            stamps, angles.reshape(-1, self._count), stamps_ns, self.gap_limit_ns
+        numbers = np.array(self._numbers[first * self._size : last * self._size])
+        return interpolate_readings(
+            self._kind, stamps, numbers.reshape(-1, self._size), stamps_ns, self.gap_limit_ns
         )
 
     def at(self, stamp_ns: int) -> Floats | None:
-        """The angles (n,) at a time stamp, linearly interpolated between the adjacent samples.
-
-        A joint that passes half a turn is followed along the shorter way.
+        """The reading (k,) at a time stamp, interpolated between the adjacent samples.
 
         Returns:
             None outside the samples, or if they are more than ``gap_limit_ns`` apart.
         """
-        angles = self.at_all(np.array([stamp_ns], dtype=np.int64))[0]
-        return None if np.isnan(angles).any() else angles
+        reading = self.at_all(np.array([stamp_ns], dtype=np.int64))[0]
+        return None if np.isnan(reading).any() else reading

@@ -1,0 +1,146 @@
+"""Judges the poses that an arm reports: plausible poses pass, all others are held back.
+
+A pose is impossible if it is not a number, if its quaternion is not a rotation, or if no arm moves
+that far since the previous pose. Poses that stay at a new place are accepted there: the arm's
+software has changed its frame or tool, and the user is warned.
+"""
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Generic, Literal, Protocol, TypeVar
+
+import numpy as np
+
+from app.errors import OperationError
+from app.messages.message import message, quantity
+from app.metrology.transforms import Floats
+
+FASTEST_MM_S, FASTEST_RAD_S = 10_000.0, 20.0
+"""No robot and no hand moves an arm faster."""
+UNSURE_MM, UNSURE_RAD = 2.0, 0.01
+"""Noise of poses and of their time stamps, at rest."""
+UNIT_TOLERANCE = 1e-3
+SETTLED = 5
+"""So many poses in a row at a new place are no fault of the transmission."""
+REMEMBERED = 4096
+
+ImplausiblePoseKind = Literal["number", "quaternion", "jump", "moved-frame"]
+
+
+class PoseReading(Protocol):
+    """One reported pose."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+
+    @property
+    def reading(self) -> Sequence[float]:
+        """(7,) position in mm and quaternion x, y, z, w."""
+
+
+@dataclass(frozen=True)
+class ImplausiblePose:
+    """A pose that was held back, and why."""
+
+    kind: ImplausiblePoseKind
+    stamp_ns: int
+    step_mm: float = 0.0
+    step_rad: float = 0.0
+    """Distance and rotation from the previous pose."""
+
+    @property
+    def error(self) -> OperationError:
+        """What is wrong, the possible cause, and what to do."""
+        if self.kind in ("number", "quaternion"):
+            return OperationError(
+                "pose-implausible",
+                message("pose-no-number") if self.kind == "number" else message("pose-no-rotation"),
+                message("nothing-taken-such-reading"),
+                message("check-arm-software-and-network"),
+            )
+        step, turn = quantity(self.step_mm, "mm", 1), quantity(math.degrees(self.step_rad), "°", 1)
+        return OperationError(
+            "pose-implausible",
+            message("pose-jumped", step=step, turn=turn)
+            if self.kind == "jump"
+            else message("pose-jumped-and-stayed", step=step, turn=turn),
+            message("no-arm-moves-that-fast"),
+            message("check-frame-and-tool-of-arm"),
+        )
+
+
+P = TypeVar("P", bound=PoseReading)
+
+
+class PosePlausibilityFilter(Generic[P]):
+    """Lets plausible poses pass at once and holds the others back."""
+
+    def __init__(self) -> None:
+        self.rejected_count = 0
+        self.newest: ImplausiblePose | None = None
+        self.judged_ns: int | None = None
+        """Poses up to this one are judged."""
+        self._last: tuple[int, Floats] | None = None
+        self._elsewhere: list[tuple[int, Floats]] = []
+        """Poses held back one after the other that agree among themselves."""
+        self._rejected: deque[ImplausiblePose] = deque(maxlen=REMEMBERED)
+
+    def forget_place(self) -> None:
+        """The arm reconnects: it may be anywhere."""
+        self._last = None
+        self._elsewhere.clear()
+
+    def first_between(self, first_ns: int, last_ns: int) -> ImplausiblePose | None:
+        """The first pose held back in an interval of time; None if all were plausible."""
+        within = (one for one in tuple(self._rejected) if first_ns <= one.stamp_ns <= last_ns)
+        return next(within, None)
+
+    def filter(self, readings: Sequence[P]) -> list[P]:
+        """The plausible ones of new poses, oldest first."""
+        good = []
+        for reading in readings:
+            wrong = self._find_fault(reading.stamp_ns, np.array(reading.reading))
+            if wrong is None:
+                good.append(reading)
+            else:
+                self.rejected_count += 1
+                self.newest = wrong
+                self._rejected.append(wrong)
+            self.judged_ns = reading.stamp_ns
+        return good
+
+    def _find_fault(self, stamp_ns: int, pose: Floats) -> ImplausiblePose | None:
+        if not np.isfinite(pose).all():
+            return ImplausiblePose("number", stamp_ns)
+        if abs(np.linalg.norm(pose[3:]) - 1) > UNIT_TOLERANCE:
+            return ImplausiblePose("quaternion", stamp_ns)
+        if self._last is None or _can_follow(self._last, stamp_ns, pose):
+            self._last = stamp_ns, pose
+            self._elsewhere.clear()
+            return None
+        step_mm, step_rad = _step(self._last[1], pose)
+        if self._elsewhere and not _can_follow(self._elsewhere[-1], stamp_ns, pose):
+            self._elsewhere.clear()
+        self._elsewhere.append((stamp_ns, pose))
+        if len(self._elsewhere) < SETTLED:
+            return ImplausiblePose("jump", stamp_ns, step_mm, step_rad)
+        self._last = stamp_ns, pose
+        self._elsewhere.clear()
+        return ImplausiblePose("moved-frame", stamp_ns, step_mm, step_rad)
+
+
+def _can_follow(before: tuple[int, Floats], stamp_ns: int, pose: Floats) -> bool:
+    seconds = max(stamp_ns - before[0], 0) / 1e9
+    step_mm, step_rad = _step(before[1], pose)
+    return (
+        step_mm <= UNSURE_MM + FASTEST_MM_S * seconds
+        and step_rad <= UNSURE_RAD + FASTEST_RAD_S * seconds
+    )
+
+
+def _step(before: Floats, after: Floats) -> tuple[float, float]:
+    """Distance in mm and rotation in rad between two poses."""
+    cosine = min(abs(float(before[3:] @ after[3:])), 1.0)
+    return float(np.linalg.norm(after[:3] - before[:3])), 2 * math.acos(cosine)

@@ -1,0 +1,136 @@
+"""Poses that an arm reports: to transforms and back, between, on average, and judged."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation, Slerp
+
+from app.errors import OperationError
+from app.metrology.arm.kinematics import RobotArm, Tip, flange_poses, tip_centres
+from app.metrology.arm.pose_plausibility import SETTLED, PosePlausibilityFilter
+from app.metrology.arm.reading_interpolation import interpolate_readings
+from app.metrology.arm.reported_poses import (
+    blend_poses,
+    mean_pose,
+    pose_from_transform,
+    transforms_from_poses,
+)
+from hardware.interfaces import PoseSample
+
+MS = 1_000_000
+
+
+def random_poses(count: int, seed: int) -> np.ndarray:
+    random = np.random.default_rng(seed)
+    quaternions = Rotation.random(count, random_state=seed).as_quat()
+    return np.hstack([random.uniform(-900, 900, (count, 3)), quaternions])
+
+
+def test_poses_become_the_same_transforms_as_by_an_independent_library() -> None:
+    poses = random_poses(50, 1)
+    found = transforms_from_poses(poses)
+    np.testing.assert_allclose(
+        found[:, :3, :3], Rotation.from_quat(poses[:, 3:]).as_matrix(), atol=1e-14
+    )
+    np.testing.assert_array_equal(found[:, :3, 3], poses[:, :3])
+    for T in found:
+        back = transforms_from_poses(pose_from_transform(T)[None])[0]
+        np.testing.assert_allclose(back, T, atol=1e-12)
+
+
+@given(st.integers(0, 1000), st.floats(0, 1), st.booleans())
+def test_between_two_poses_the_rotation_is_spherical(seed: int, share: float, flip: bool) -> None:
+    a, b = random_poses(2, seed)
+    expected = Slerp([0, 1], Rotation.from_quat([a[3:], b[3:]]))(share)
+    if flip:  # the same rotation
+        b = np.concatenate([b[:3], -b[3:]])
+    found = blend_poses(a[None], b[None], np.array([share]))[0]
+    np.testing.assert_allclose(found[:3], a[:3] + share * (b[:3] - a[:3]), atol=1e-9)
+    assert (Rotation.from_quat(found[3:]).inv() * expected).magnitude() < 1e-7
+    assert np.linalg.norm(found[3:]) == pytest.approx(1.0)
+
+
+def test_poses_are_interpolated_by_their_time() -> None:
+    poses = random_poses(3, 4)
+    stamps = np.array([0, 4 * MS, 100 * MS])
+    wanted = np.array([0, MS, 50 * MS, 101 * MS])
+    found = interpolate_readings("pose", stamps, poses, wanted, 25 * MS)
+    np.testing.assert_array_equal(found[0], poses[0])
+    np.testing.assert_allclose(found[1, :3], 0.75 * poses[0, :3] + 0.25 * poses[1, :3])
+    assert np.isnan(found[2:]).all()  # in a gap, and after the end
+
+
+def test_the_mean_pose_does_not_depend_on_the_signs_of_quaternions() -> None:
+    random = np.random.default_rng(3)
+    turns = Rotation.from_rotvec(1e-4 * random.normal(size=(400, 3))) * Rotation.random(
+        random_state=5
+    )
+    poses = np.hstack([random.normal(0, 0.01, (400, 3)) + [1, 2, 3], turns.as_quat()])
+    poses[::3, 3:] *= -1
+    mean = mean_pose(poses)
+    np.testing.assert_allclose(mean[:3], poses[:, :3].mean(axis=0))
+    assert (Rotation.from_quat(mean[3:]).inv() * turns.mean()).magnitude() < 1e-9
+
+
+def test_a_robot_without_a_tip_says_so() -> None:
+    pose = random_poses(1, 2)
+    tipped = RobotArm("robot", "R-1", Tip(1.0, 2.0, 3.0, 6.0))
+    expected = flange_poses(tipped, pose)[0] @ [1.0, 2.0, 3.0, 1.0]
+    np.testing.assert_allclose(tip_centres(tipped, pose)[0], expected[:3])
+    with pytest.raises(OperationError) as caught:
+        tip_centres(RobotArm("robot", "R-1"), pose)
+    assert caught.value.code == "tip-missing"
+
+
+def sample(ms: int, pose: np.ndarray) -> PoseSample:
+    x, y, z, qx, qy, qz, qw = pose.tolist()
+    return PoseSample(ms, ms * MS, (x, y, z), (qx, qy, qz, qw))
+
+
+HERE = np.array([500.0, 0.0, 300.0, 0.0, 0.0, 0.0, 1.0])
+MOVED = np.array([0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+FAR = np.array([1400.0, 0.0, 300.0, 0.0, 0.0, 0.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "kind"),
+    [
+        (np.array([np.nan, 0, 0, 0, 0, 0, 1]), "number"),
+        (np.array([500.0, 0, 300, 0, 0, 0, 1.01]), "quaternion"),
+        (FAR, "jump"),
+        (np.array([500.0, 0, 300, 0, 0, 1, 0]), "jump"),
+    ],
+)
+def test_a_pose_that_cannot_be_is_held_back(wrong: np.ndarray, kind: str) -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    good = judge.filter([sample(0, HERE), sample(4, wrong), sample(8, HERE + MOVED)])
+    assert [one.sequence for one in good] == [0, 8]
+    assert judge.newest is not None
+    assert judge.newest.kind == kind
+    assert judge.newest.error.remedy
+    assert judge.first_between(3 * MS, 5 * MS) is judge.newest
+    assert judge.first_between(5 * MS, 9 * MS) is None
+
+
+def test_poses_that_stay_elsewhere_are_accepted_there_and_reported() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    stays = [sample(4 + 4 * i, FAR) for i in range(SETTLED + 3)]
+    good = judge.filter([sample(0, HERE), *stays])
+    assert [one.sequence for one in good] == [0, *(one.sequence for one in stays[SETTLED:])]
+    assert judge.newest is not None
+    assert judge.newest.kind == "moved-frame"
+    assert "900" in str(judge.newest.error.text)
+
+
+def test_an_arm_that_reconnects_may_be_anywhere() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    judge.filter([sample(0, HERE)])
+    judge.forget_place()
+    assert len(judge.filter([sample(4, FAR)])) == 1
+
+
+def test_a_fast_robot_passes() -> None:
+    judge: PosePlausibilityFilter[PoseSample] = PosePlausibilityFilter()
+    path = [sample(4 * i, HERE + [8.0 * i, 0, 0, 0, 0, 0, 0]) for i in range(100)]  # 2 m/s
+    assert len(judge.filter(path)) == 100
