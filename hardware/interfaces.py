@@ -124,6 +124,8 @@ class ArmInfo:
     stamps: StampKind = "device"
     free_running: bool = True
     """False of an arm that reports only changes: its silence is no loss."""
+    pulses_hz: tuple[float, float] | None = None
+    """Lowest and highest rate of its trigger pulses; None of an arm that gives none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,7 +209,11 @@ class AnswersWhileSilent(Protocol):
 
 @runtime_checkable
 class PulseSource(Protocol):
-    """An arm that triggers the camera and latches its encoders at each pulse."""
+    """An arm that triggers the camera and latches its encoders at each pulse.
+
+    A driver of several arms may have these methods for one without pulses: ``ArmInfo.pulses_hz``
+    is then None.
+    """
 
     def start_pulses(self, rate_hz: float) -> None:
         """Pauses the pulses for at least 0.3 s, then starts them, counted from 1.
