@@ -17,7 +17,10 @@ from hardware.interfaces import ArmDriver, SensorDriver
 _ARMS, _SENSORS = "crenel.arms", "crenel.sensors"
 
 BUILT_IN = {
-    _ARMS: {"serial-encoder": "hardware.arm.serial_encoder:from_options"},
+    _ARMS: {
+        "bridge": "hardware.arm.serial_encoder:from_options",
+        "serial-encoder": "hardware.arm.serial_encoder:from_options",
+    },
     _SENSORS: {
         "opencv": "hardware.sensor.opencv_camera:from_options",
         "folder": "hardware.sensor.folder:from_options",

@@ -1,49 +1,39 @@
-"""The ``serial-encoder`` driver: an arm that sends the counts of its encoders as packets.
+"""The driver ``bridge``, also named ``serial-encoder``: an arm that sends packets over a line.
 
-``hardware/arm/protocol.py`` describes the bytes on the line, for developers of an arm's firmware or
-of an adapter for an existing arm. In station.toml::
+The arm is an encoder arm with firmware of its own, which reports the counts of its encoders, or a
+bridge: a program or converter for an existing arm or robot, which reports poses.
+``hardware/arm/protocol.py`` describes the bytes on the line. In station.toml::
 
     [arm]
-    driver = "serial-encoder"
+    driver = "bridge"           # or "serial-encoder", the same driver
     url = "/dev/ttyUSB0"        # or "COM5", "socket://192.168.1.20:7431", "rfc2217://…"
     baudrate = 921600           # ignored where the line has none
     joint_count = 6             # optional: refuse any other arm
     counts_per_revolution = 8388608   # optional: instead of what the arm says; or a list
+    setting = 17                # optional: refuse poses with another number of tool and base
     latency_us = 0              # optional: least time from latching to arrival here
     timeout_s = 3.0             # how long ``open`` waits for the arm to speak
 """
 
+import random
 import threading
 import time
-from collections.abc import Mapping, Sequence
-from math import pi
-
-from pydantic import Field, PositiveInt
+from collections.abc import Callable, Mapping, Sequence
 
 from app.messages.message import message, rounded
-from hardware.arm.protocol import HELLO_REQUEST, Hello, PacketReader, Sample
+from hardware.arm.expected_arm import SerialEncoderOptions, arm_info
+from hardware.arm.packet_stream import SETTLE_S, PacketStream
+from hardware.arm.protocol import HELLO_REQUEST, Hello, PulseAnswer, pulse_request
 from hardware.arm.wire import Wire
 from hardware.clock import now_ns
-from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
-from hardware.interfaces import ArmInfo, ArmRecord, Button, ButtonEvent, JointSample, LinkHealth
-from hardware.options import Options, read_options
+from hardware.interfaces import ArmInfo, ArmRecord, LinkHealth
+from hardware.options import read_options
 
-_BUTTON_BITS = ((1, Button.PRIMARY), (2, Button.UNDO), (4, Button.BACK))
 _ASK_EVERY_S = 0.5
-_SETTLE_S = 0.25
-"""Samples are observed for this long before the first is returned, to learn the clock."""
-
-
-class SerialEncoderOptions(Options):
-    """Options of the driver in station.toml."""
-
-    url: str = Field(min_length=1)
-    baudrate: PositiveInt = 921_600
-    joint_count: int | None = Field(default=None, ge=6, le=7)
-    counts_per_revolution: PositiveInt | list[PositiveInt] | None = None
-    latency_us: float = Field(default=0.0, ge=0, le=100_000)
-    timeout_s: float = Field(default=3.0, gt=0, le=60)
+_ASK_PULSES_EVERY_S, _PULSE_ANSWER_S = 0.2, 2.0
+_ALIVE_S = 1.5
+_SLICE_S = 0.02
 
 
 def from_options(options: Mapping[str, object]) -> "SerialEncoderArm":
@@ -52,15 +42,23 @@ def from_options(options: Mapping[str, object]) -> "SerialEncoderArm":
 
 
 class SerialEncoderArm:
-    """An encoder arm on a serial line or a TCP stream. Implements ``ArmDriver``."""
+    """An arm on a serial line or a TCP stream.
+
+    Implements ``ArmDriver``, ``AnswersWhileSilent`` and, if the arm has pulses, ``PulseSource``.
+    """
 
     def __init__(self, options: SerialEncoderOptions) -> None:
         self._options = options
         self._state = threading.Lock()
+        self._reading = threading.Lock()
+        self._requesting = threading.Lock()
         self._closings = 0
         self._wire: Wire | None = None
         self._info: ArmInfo | None = None
         self._health = LinkHealth()
+        self._stream = PacketStream(options, self._health)
+        self._waiting: list[ArmRecord] = []
+        self._request = random.randrange(256)
 
     @property
     def health(self) -> LinkHealth:
@@ -84,35 +82,69 @@ class SerialEncoderArm:
             wire.close()
             raise DeviceError(message("arm-closed-while-opening", url=self._options.url))
         self._health = LinkHealth()
-        self._stream = _Stream(self._options, self._health)
+        self._stream = PacketStream(self._options, self._health)
         try:
-            hello = self._await_arm(wire)
+            info = arm_info(self._await_arm(wire))
+            self._waiting = []
+            if info.pulses_hz is not None:
+                self._set_pulses(wire, 0.0)  # of a host that went away
         except DeviceError:
             self._drop(wire)
             raise
-        self._info = ArmInfo(
-            name=hello.name or "encoder arm",
-            serial_number=hello.serial_number,
-            joint_count=len(hello.counts_per_revolution),
-            rate_hz=hello.rate_hz,
-        )
-        return self._info
+        self._info = info
+        return info
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
         """Samples and button edges since the last call; a sample comes before its edges."""
-        wire = self._wire
-        if wire is None:
-            raise DeviceError(message("arm-not-open", url=self._options.url))
+        wire = self._open_wire()
         deadline = time.monotonic() + timeout_s
+        with self._reading:
+            records, self._waiting = self._waiting, []
+            try:
+                while not records:
+                    records = self._receive(wire, deadline - time.monotonic())
+                    if time.monotonic() >= deadline:
+                        break
+            except DeviceError:
+                self._drop(wire)
+                raise
+        return records
+
+    def is_alive(self) -> bool:
+        """Whether the arm answers a hello request; see ``AnswersWhileSilent``."""
+        stream = self._stream
+        hellos = stream.hellos
         try:
-            while True:
-                data = wire.receive(deadline - time.monotonic())
-                records = self._stream.records(data, now_ns())
-                if records or time.monotonic() >= deadline:
-                    return records
+            wire = self._open_wire()
+            wire.send(HELLO_REQUEST)
+            self._await(wire, lambda: stream.hellos > hellos, _ALIVE_S)
         except DeviceError:
-            self._drop(wire)
-            raise
+            return False
+        return stream.hellos > hellos
+
+    def start_pulses(self, rate_hz: float) -> None:
+        """Starts the arm's trigger pulses, counted from 1; see ``PulseSource``."""
+        wire, info, url = self._open_wire(), self._info, self._options.url
+        pulses_hz = None if info is None else info.pulses_hz
+        if pulses_hz is None:
+            raise DeviceError(
+                message("arm-has-no-trigger-pulses", url=url), message("trigger-camera-otherwise")
+            )
+        low, high = pulses_hz
+        refusal = DeviceError(
+            message("arm-refuses-pulse-rate", url=url, rate=rounded(rate_hz, "Hz")),
+            message("choose-pulse-rate", low=rounded(low, "Hz"), high=rounded(high, "Hz")),
+        )
+        if not (rate_hz >= 0.001 and low <= rate_hz <= high):
+            raise refusal
+        if not self._set_pulses(wire, rate_hz).done:
+            raise refusal
+
+    def stop_pulses(self) -> None:
+        """Stops the arm's trigger pulses; idempotent."""
+        wire = self._wire
+        if wire is not None and self._stream.pulses_run:
+            self._set_pulses(wire, 0.0)
 
     def close(self) -> None:
         """Releases the port and ends a waiting ``open`` or ``read``; idempotent."""
@@ -122,199 +154,65 @@ class SerialEncoderArm:
         if wire is not None:
             wire.close()
 
+    def _open_wire(self) -> Wire:
+        wire = self._wire
+        if wire is None:
+            raise DeviceError(message("arm-not-open", url=self._options.url))
+        return wire
+
     def _drop(self, wire: Wire) -> None:
         with self._state:
             if self._wire is wire:
                 self._wire, self._info = None, None
         wire.close()
 
+    def _receive(self, wire: Wire, timeout_s: float) -> list[ArmRecord]:
+        data = wire.receive(timeout_s)
+        return self._stream.records(data, now_ns())
+
     def _await_arm(self, wire: Wire) -> Hello:
         stream = self._stream
         start = time.monotonic()
         asked = start - _ASK_EVERY_S
-        while stream.hello is None or not stream.settled:
+        while stream.hello is None or not stream.is_ready:
             now = time.monotonic()
-            if now - start >= self._options.timeout_s + _SETTLE_S:
+            if now - start >= self._options.timeout_s + SETTLE_S:
                 raise stream.silence_error()
             if stream.hello is None and now - asked >= _ASK_EVERY_S:
                 wire.send(HELLO_REQUEST)
                 asked = now
-            stream.records(wire.receive(0.02), now_ns())
+            self._receive(wire, _SLICE_S)
         return stream.hello
 
+    def _set_pulses(self, wire: Wire, rate_hz: float) -> PulseAnswer:
+        """Sends a pulse request until it is answered; raises ``DeviceError`` if it never is."""
+        stream = self._stream
+        with self._requesting:
+            self._request = (self._request + 1) % 256
+            stream.expect_answer(self._request)
+            give_up = time.monotonic() + _PULSE_ANSWER_S
+            while stream.answer is None and time.monotonic() < give_up:
+                wire.send(pulse_request(self._request, rate_hz))
+                self._await(wire, lambda: stream.answer is not None, _ASK_PULSES_EVERY_S)
+            if stream.answer is None:
+                self._drop(wire)
+                raise DeviceError(
+                    message("arm-does-not-answer-pulse-request", url=self._options.url),
+                    message("firmware-must-answer-pulse-request"),
+                )
+            return stream.answer
 
-class _Stream:
-    """Converts the bytes of one connection into records."""
-
-    def __init__(self, options: SerialEncoderOptions, health: LinkHealth) -> None:
-        self._options = options
-        self._health = health
-        self._reader = PacketReader()
-        self._clock = DeviceClock()
-        self._latency_ns = round(options.latency_us * 1000)
-        self._repeated = 0
-        self._last: Sample | None = None
-        self._sequence = 0
-        self._first_ns: int | None = None
-        self._scale: tuple[float, ...] = ()
-        self.hello: Hello | None = None
-        self.settled = False
-
-    def records(self, data: bytes, arrival_ns: int) -> list[ArmRecord]:
-        """Records of the packets that ``data`` completes; none before the stream has settled."""
-        records: list[ArmRecord] = []
-        for packet in self._reader.feed(data):
-            if isinstance(packet, Hello):
-                self._greet(packet)
-                continue
-            before = self._last
-            if not self._advance(packet):
-                continue
-            self._clock.observe(packet.device_us * 1000, arrival_ns)
-            if self.hello is not None and self._is_settled(arrival_ns):
-                self._append(records, packet, before)
-        self._health.corrupt = self._reader.corrupt + self._repeated
-        return records
-
-    def silence_error(self) -> DeviceError:
-        """Why ``open`` gave up."""
-        url, reader = self._options.url, self._reader
-        if self.hello is not None:
-            return DeviceError(
-                message("arm-sends-hello-but-no-samples", url=url, name=self.hello.name),
-                message("switch-arm-off"),
-            )
-        if self._last is not None:
-            return DeviceError(
-                message("arm-sends-samples-but-no-hello", url=url),
-                message("firmware-must-answer-hello"),
-            )
-        if reader.other_version is not None:
-            return DeviceError(
-                message(
-                    "arm-speaks-version-protocol-driver-speaks",
-                    url=url,
-                    other_version=reader.other_version,
-                ),
-                message("update-program-arms-firmware"),
-            )
-        if reader.received_bytes:
-            return DeviceError(
-                message(
-                    "bytes-but-no-packet",
-                    count=reader.received_bytes,
-                    url=url,
-                ),
-                message("check-baud-rate-arm-port-another"),
-            )
-        return DeviceError(
-            message("nothing-came-for", url=url, time=rounded(self._options.timeout_s, "s")),
-            message("switch-arm-check-cable-port"),
-        )
-
-    def _greet(self, hello: Hello) -> None:
-        options, joints = self._options, len(hello.counts_per_revolution)
-        if self.hello is None:
-            self._scale = tuple(2 * pi / counts for counts in _counts(options, hello))
-            self.hello = hello
-        elif hello != self.hello:
-            raise DeviceError(
-                message(
-                    "another-arm-answers",
-                    url=options.url,
-                    name=hello.name,
-                    serial_number=hello.serial_number,
-                    joints=joints,
-                    expected_name=self.hello.name,
-                    expected_serial_number=self.hello.serial_number,
-                ),
-                message("check-which-arm-plugged"),
-            )
-
-    def _advance(self, sample: Sample) -> bool:
-        """Checks the sequence number; False for a repeated sample."""
-        last, self._last = self._last, sample
-        step = 1
-        if last is None:
-            self._sequence = sample.sequence - 1
-        elif sample.device_us < last.device_us or self._step_from(last, sample) >= 1 << 31:
-            self._clock.restart()
-        elif (step := self._step_from(last, sample)) == 0:
-            self._repeated += 1
-            return False
-        self._sequence += step
-        self._health.received += 1
-        self._health.lost += step - 1
-        return True
-
-    @staticmethod
-    def _step_from(last: Sample, sample: Sample) -> int:
-        return (sample.sequence - last.sequence) % (1 << 32)
-
-    def _is_settled(self, arrival_ns: int) -> bool:
-        if self._first_ns is None:
-            self._first_ns = arrival_ns
-        self.settled = self.settled or arrival_ns - self._first_ns >= _SETTLE_S * 1e9
-        return self.settled
-
-    def _append(self, records: list[ArmRecord], sample: Sample, before: Sample | None) -> None:
-        if len(sample.counts) != len(self._scale):
-            raise DeviceError(
-                message(
-                    "arm-sends-other-joint-count",
-                    url=self._options.url,
-                    expected=len(self._scale),
-                    count=len(sample.counts),
-                ),
-                message("firmware-must-send-counts-of-hello"),
-            )
-        stamp_ns = self._clock.stamp(sample.device_us * 1000) - self._latency_ns
-        joints = tuple(
-            count * scale for count, scale in zip(sample.counts, self._scale, strict=True)
-        )
-        records.append(JointSample(self._sequence, stamp_ns, joints))
-        changed = sample.buttons ^ before.buttons if before is not None else 0
-        for bit, button in _BUTTON_BITS:
-            if changed & bit:
-                pressed = bool(sample.buttons & bit)
-                records.append(ButtonEvent(self._sequence, stamp_ns, button, pressed))
-
-
-def _counts(options: SerialEncoderOptions, hello: Hello) -> tuple[int, ...]:
-    """Counts per revolution for this arm; raises ``DeviceError`` for a wrong arm."""
-    joints = len(hello.counts_per_revolution)
-    if joints not in (6, 7):
-        raise DeviceError(
-            message("arm-reports-joints", url=options.url, joints=joints),
-            message("arms-6-7-joints-served"),
-        )
-    if options.joint_count not in (None, joints):
-        raise DeviceError(
-            message(
-                "arm-has-joints-station-toml-asks",
-                url=options.url,
-                name=hello.name,
-                serial_number=hello.serial_number,
-                joints=joints,
-                joint_count=options.joint_count,
-            ),
-            message("plug-right-arm-correct-arm-joint"),
-        )
-    given = options.counts_per_revolution
-    if given is None:
-        counts = hello.counts_per_revolution
-    else:
-        counts = tuple(given) if isinstance(given, list) else (given,) * joints
-    if len(counts) != joints:
-        raise DeviceError(
-            message("station-toml-gives-counts-per-revolution", counts=len(counts), joints=joints),
-            message("give-one-number-all-joints-one"),
-        )
-    if 0 in counts:
-        raise DeviceError(
-            message(
-                "arm-reports-no-counts-per-revolution", url=options.url, joint=counts.index(0) + 1
-            ),
-            message("set-arm-counts-per-revolution-station"),
-        )
-    return counts
+    def _await(self, wire: Wire, done: Callable[[], bool], timeout_s: float) -> None:
+        """Receives until ``done``, unless another thread does; records are kept for ``read``."""
+        deadline = time.monotonic() + timeout_s
+        while not done() and time.monotonic() < deadline:
+            if self._wire is not wire:
+                raise DeviceError(message("arm-not-open", url=self._options.url))
+            if self._reading.acquire(timeout=_SLICE_S):
+                try:
+                    self._waiting += self._receive(wire, _SLICE_S)
+                except DeviceError:
+                    self._drop(wire)
+                    raise
+                finally:
+                    self._reading.release()

@@ -34,7 +34,7 @@ class _Port(Protocol):
 
 
 class Wire:
-    """An open port. One thread reads; ``close`` may come from any other.
+    """An open port. One thread reads; ``send`` and ``close`` may come from any other.
 
     Args:
         url: a device path, a COM port or a pyserial URL.
@@ -49,6 +49,7 @@ class Wire:
         self._port = _open_port(url, baudrate)
         self._closed = False
         self._in_use = threading.Lock()
+        self._sending = threading.Lock()
         self._wake, self._woken = socket.socketpair()
         self._selector = self._make_selector()
 
@@ -72,15 +73,16 @@ class Wire:
         return data
 
     def send(self, data: bytes) -> None:
-        """Writes to the port; raises ``DeviceError`` if it is lost."""
-        with self._in_use:
+        """Writes to the port, also while another thread reads; raises ``DeviceError`` if it is
+        lost."""
+        with self._sending:
             if self._closed:
                 raise self._line_closed_error()
             try:
                 self._port.write(data)
             except serial.SerialTimeoutException:
                 pass  # an arm that cannot receive still sends
-            except OSError as error:
+            except (OSError, ValueError, TypeError) as error:
                 raise DeviceError(
                     message("nothing-can-be-sent-to-arm", url=self._url, reason=_reason(error)),
                     message("check-cable-power"),
@@ -91,7 +93,7 @@ class Wire:
         self._closed = True
         with contextlib.suppress(OSError):
             self._wake.send(b"x")
-        with self._in_use:
+        with self._in_use, self._sending:
             if self._wake.fileno() < 0:
                 return
             if self._selector is not None:
@@ -129,7 +131,7 @@ class Wire:
 
 
 def _open_port(url: str, baudrate: int) -> _Port:
-    # pyserial's RFC 2217 client refuses a write timeout; only nine bytes are written.
+    # pyserial's RFC 2217 client refuses a write timeout; only short requests are written.
     write_timeout = None if url.lower().startswith("rfc2217:") else 1.0
     try:
         port = serial.serial_for_url(

@@ -12,7 +12,7 @@ import threading
 import time
 import tty
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import serial
@@ -27,9 +27,13 @@ def packet(kind: int, payload: bytes, version: int = 1) -> bytes:
     return b"\xa7\x5c" + body + struct.pack("<I", zlib.crc32(body))
 
 
-def sample_packet(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
+def sample_payload(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
     head = struct.pack("<IQBB", sequence & 0xFFFFFFFF, device_us, buttons, len(counts))
-    return packet(1, head + struct.pack(f"<{len(counts)}i", *counts))
+    return head + struct.pack(f"<{len(counts)}i", *counts)
+
+
+def sample_packet(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
+    return packet(1, sample_payload(sequence, device_us, buttons, counts))
 
 
 def hello_packet(
@@ -38,6 +42,40 @@ def hello_packet(
     head = struct.pack("<BI", len(counts), round(rate_hz * 1000))
     texts = struct.pack("<32s16s16s", name.encode(), serial.encode(), b"1.0")
     return packet(2, head + struct.pack(f"<{len(counts)}I", *counts) + texts)
+
+
+def hello_2_packet(
+    counts: list[int],
+    rate_hz: float = 1000.0,
+    properties: int = 0,
+    buttons: int = 7,
+    setting: int = 0,
+    pulses_hz: tuple[float, float] = (0.0, 0.0),
+    name: str = "Bench arm",
+    serial: str = "B-1",
+) -> bytes:
+    low, high = (round(rate * 1000) for rate in pulses_hz)
+    head = struct.pack(
+        "<BIBBIII", len(counts), round(rate_hz * 1000), properties, buttons, setting, low, high
+    )
+    texts = struct.pack("<32s16s16s", name.encode(), serial.encode(), b"2.0")
+    return packet(2, head + struct.pack(f"<{len(counts)}I", *counts) + texts, 2)
+
+
+def pose_payload(
+    sequence: int,
+    device_us: int,
+    buttons: int,
+    setting: int,
+    position_mm: Sequence[float],
+    quaternion_xyzw: Sequence[float],
+) -> bytes:
+    head = struct.pack("<IQBI", sequence & 0xFFFFFFFF, device_us, buttons, setting)
+    return head + struct.pack("<7d", *position_mm, *quaternion_xyzw)
+
+
+def pulse_packet(number: int, kind: int, payload: bytes) -> bytes:
+    return packet(4, struct.pack("<IB", number, kind) + payload, 2)
 
 
 class Line(Protocol):
@@ -161,22 +199,29 @@ class _Telnet:
 
 
 class FakeSerialArm:
-    """An arm whose every joint turns by one count a sample.
+    """An arm whose every joint turns by one count a sample; or whose x is the sequence number.
 
     Attributes may be changed while it runs: ``buttons``, ``silent`` (no sample is
     sent), ``skip`` (so many samples are taken and not sent), ``damage`` (so many
     samples are sent with a wrong byte), ``repeat`` (so many are sent twice), ``greets``
-    (answers the request), ``counts`` (per revolution, as the hello says), ``chatter``
-    (sent each time in place of a sample, even when silent).
+    (answers the requests), ``counts`` (per revolution, as the hello says), ``chatter``
+    (sent each time in place of a sample, even when silent), ``setting``, ``quaternion`` and
+    ``y_mm`` of poses, ``properties`` of the hello. Pulses come at every ``pulse_every``th sample.
     """
 
     def __init__(
-        self, line: Line, joints: int = 6, rate_hz: float = 500.0, first_sequence: int = 0
+        self,
+        line: Line,
+        joints: int = 6,
+        rate_hz: float = 500.0,
+        first_sequence: int = 0,
+        version: int = 1,
     ) -> None:
         self.line = line
         self.joints = joints
         self.rate_hz = rate_hz
         self.sequence = first_sequence
+        self.version = version
         self.buttons = 0
         self.silent = False
         self.skip = 0
@@ -185,8 +230,18 @@ class FakeSerialArm:
         self.greets = True
         self.counts = COUNTS
         self.chatter = b""
+        self.properties = 0 if joints else 1
+        self.setting = 0 if joints else 17
+        self.quaternion = [0.0, 0.6, 0.0, 0.8]
+        self.y_mm = -80.25
+        self.pulses_hz = (1.0, rate_hz) if version == 2 else (0.0, 0.0)
+        self.pulse = 0
+        self.pulse_requests: list[tuple[int, float]] = []
+        self.pulses_start_ns: int | None = None
+        self.pulse_every = 1
         self.latched_ns: dict[int, int] = {}
         self.requests = 0
+        self._heard = b""
         self._injected: list[bytes] = []
         self._born_ns = time.monotonic_ns() - 5_000_000_000
         self._running = True
@@ -200,10 +255,11 @@ class FakeSerialArm:
             self._injected.append(data)
 
     def reboot(self) -> None:
-        """The sequence and the device's clock start at zero again."""
+        """The sequence and the device's clock start at zero again, without pulses."""
         with self._lock:
             self.sequence = 0
             self._born_ns = time.monotonic_ns()
+            self.pulses_start_ns = None
 
     def unplug(self) -> None:
         with self._lock:
@@ -223,18 +279,67 @@ class FakeSerialArm:
         while self._running:
             pause.wait(1 / self.rate_hz)
             with self._lock:
-                asked = self.line.read().count(REQUEST)
-                self.requests += asked
-                if asked and self.greets:
-                    self.line.write(hello_packet([self.counts] * self.joints, self.rate_hz))
+                self._heard = (self._heard + self.line.read())[-1000:]
+                self._answer()
                 self._send_sample()
+
+    def _answer(self) -> None:
+        asked = self._heard.count(REQUEST)
+        self._heard = self._heard.replace(REQUEST, b"")
+        self.requests += asked
+        if asked and self.greets:
+            self.line.write(self._hello())
+        at = self._heard.find(b"\xa7\x5c\x02\x82\x05")
+        if at >= 0 and len(self._heard) >= at + 14 and self.greets and self.version == 2:
+            number, rate_mhz = struct.unpack_from("<BI", self._heard, at + 5)
+            assert self._heard[at : at + 14] == packet(0x82, self._heard[at + 5 : at + 10], 2)
+            self._heard = self._heard[at + 14 :]
+            self._set_pulses(number, rate_mhz / 1000)
+
+    def _hello(self) -> bytes:
+        counts = [self.counts] * self.joints
+        if self.version == 1:
+            return hello_packet(counts, self.rate_hz)
+        return hello_2_packet(
+            counts, self.rate_hz, self.properties, 7, self.setting, self.pulses_hz
+        )
+
+    def _set_pulses(self, number: int, rate_hz: float) -> None:
+        refused = rate_hz > 0 and rate_hz == self.pulses_hz[0]  # as a firmware that divides badly
+        if not refused and (number, rate_hz) not in self.pulse_requests[-1:]:
+            self.pulse = 0
+            self.pulse_every = max(1, round(self.rate_hz / rate_hz)) if rate_hz else 0
+            self.pulses_start_ns = time.monotonic_ns() + 300_000_000 if rate_hz else None
+        self.pulse_requests.append((number, rate_hz))
+        rate_mhz = 0 if self.pulses_start_ns is None else round(rate_hz * 1000)
+        self.line.write(packet(5, struct.pack("<BBI", number, int(refused), rate_mhz), 2))
+
+    def _packet(self, now_ns: int) -> bytes:
+        device_us = (now_ns - self._born_ns) // 1000
+        if self.joints:
+            kind, payload = (
+                1,
+                sample_payload(
+                    self.sequence, device_us, self.buttons, [self.sequence & 0xFFFFF] * self.joints
+                ),
+            )
+        else:
+            position = (float(self.sequence), self.y_mm, 433.0)
+            kind, payload = (
+                3,
+                pose_payload(
+                    self.sequence, device_us, self.buttons, self.setting, position, self.quaternion
+                ),
+            )
+        start = self.pulses_start_ns
+        if start is not None and now_ns >= start and self.sequence % self.pulse_every == 0:
+            self.pulse += 1
+            return pulse_packet(self.pulse, kind, payload)
+        return packet(kind, payload, self.version)
 
     def _send_sample(self) -> None:
         now_ns = self.latched_ns[self.sequence] = time.monotonic_ns()
-        device_us = (now_ns - self._born_ns) // 1000
-        data = sample_packet(
-            self.sequence, device_us, self.buttons, [self.sequence & 0xFFFFF] * self.joints
-        )
+        data = self._packet(now_ns)
         self.sequence += 1
         if self.damage:
             self.damage -= 1

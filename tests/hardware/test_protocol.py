@@ -8,8 +8,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hardware.arm import protocol
-from hardware.arm.protocol import Hello, PacketReader, Sample
-from tests.hardware.speaking_arm import hello_packet, packet, sample_packet
+from hardware.arm.packet_reader import PacketReader
+from hardware.arm.protocol import Hello, Packet, Pose, PulseAnswer, Sample
+from tests.hardware.speaking_arm import (
+    hello_2_packet,
+    hello_packet,
+    packet,
+    pose_payload,
+    pulse_packet,
+    sample_packet,
+    sample_payload,
+)
 
 
 def published_examples() -> list[bytes]:
@@ -34,6 +43,65 @@ def test_the_published_request_is_what_is_sent() -> None:
     assert published_examples()[2] == protocol.HELLO_REQUEST == packet(0x81, b"")
 
 
+def test_the_published_hellos_of_version_2_are_what_they_say() -> None:
+    joints, poses = published_examples()[3:5]
+    counts = (8388608,) * 6
+    (hello,) = PacketReader().feed(joints)
+    assert hello == Hello(
+        1000.0, counts, "Sample arm", "SA-0042", "2.0.0", 2, buttons=5, pulses_hz=(1.0, 200.0)
+    )
+    (hello,) = PacketReader().feed(poses)
+    assert hello == Hello(
+        100.0, (), "Sample bridge", "SB-7", "1.0", 2, True, True, buttons=1, setting=17
+    )
+
+
+POSE = (7, 2_500_000, 1, 17, (612.5, -80.25, 433.0), (0.0, 0.6, 0.0, 0.8))
+
+
+def test_the_published_poses_and_pulses_are_what_they_say() -> None:
+    pose, first_pulse, later_pulse, request, answer = published_examples()[5:]
+    counts = [0, 1, -1, 4194304, -2097152, 123456]
+    assert pose == packet(3, pose_payload(*POSE), 2)
+    assert first_pulse == pulse_packet(1, 1, sample_payload(259, 1_000_001_000, 0, counts))
+    assert later_pulse == pulse_packet(70_000, 3, pose_payload(*POSE))
+    assert PacketReader().feed(pose + first_pulse + later_pulse + answer) == [
+        Pose(*POSE),
+        Sample(259, 1_000_001_000, 0, tuple(counts), pulse=1),
+        Pose(*POSE, pulse=70_000),
+        PulseAnswer(5, True, 100.016),
+    ]
+    assert request == protocol.pulse_request(5, 100.0)
+    assert request == packet(0x82, bytes.fromhex("05 A0 86 01 00"), 2)
+
+
+def test_types_of_version_2_mean_nothing_in_version_1() -> None:
+    reader = PacketReader()
+    assert reader.feed(packet(3, pose_payload(*POSE), 1)) == []
+    assert reader.corrupt == 0
+
+
+def test_a_hello_of_version_2_states_every_property() -> None:
+    said = hello_2_packet([], 50.0, 0b1101, 2, 0xFFFFFFFF, (0.5, 80.0), "R", "9")
+    assert PacketReader().feed(said) == [
+        Hello(50.0, (), "R", "9", "2.0", 2, True, False, True, True, 2, 0xFFFFFFFF, (0.5, 80.0))
+    ]
+
+
+def test_a_pulse_without_a_number_or_with_another_packet_inside_is_damage() -> None:
+    reader = PacketReader()
+    inside = pose_payload(*POSE)
+    for bad in (
+        pulse_packet(0, 3, inside),
+        pulse_packet(1, 1, inside),
+        pulse_packet(1, 5, b""),
+        packet(4, b"\1\0", 2),
+    ):
+        assert reader.feed(packet(3, inside, 2) + bad) == [Pose(*POSE)]
+    assert reader.feed(packet(3, inside, 2)) == [Pose(*POSE)]
+    assert reader.corrupt == 4
+
+
 def test_a_hello_of_seven_joints() -> None:
     found = PacketReader().feed(hello_packet([9] * 7, 250.5, "Ärmel", "7"))
     assert found == [Hello(250.5, (9,) * 7, "Ärmel", "7", "1.0")]
@@ -48,8 +116,8 @@ def test_an_unknown_type_is_passed_by_silently() -> None:
 
 def test_another_version_is_noticed() -> None:
     reader = PacketReader()
-    assert reader.feed(packet(1, b"who knows", version=2)) == []
-    assert reader.other_version == 2
+    assert reader.feed(packet(1, b"who knows", version=3)) == []
+    assert reader.other_version == 3
 
 
 def test_damage_is_counted_once_a_stretch_and_not_before_the_first_packet() -> None:
@@ -64,12 +132,14 @@ def test_damage_is_counted_once_a_stretch_and_not_before_the_first_packet() -> N
     assert reader.corrupt == 2
 
 
-@pytest.mark.parametrize("kind", [1, 2])
-def test_a_good_crc_around_a_wrong_length_is_no_packet(kind: int) -> None:
+@pytest.mark.parametrize(
+    ("kind", "version"), [(1, 1), (2, 1), (1, 2), (2, 2), (3, 2), (4, 2), (5, 2)]
+)
+def test_a_good_crc_around_a_wrong_length_is_no_packet(kind: int, version: int) -> None:
     reader = PacketReader()
     sample = sample_packet(1, 2, 0, [0] * 6)
     for length in (0, 4, 13, 14, 37, 69, 255):
-        assert reader.feed(packet(kind, bytes([6] * length))) == []
+        assert reader.feed(packet(kind, bytes([6] * length), version)) == []
     assert reader.feed(sample) == [Sample(1, 2, 0, (0,) * 6)]
 
 
@@ -94,9 +164,9 @@ sync_rich = st.one_of(
 )
 
 
-def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list[Sample | Hello]:
+def feed_in_pieces(reader: PacketReader, stream: bytes, cuts: list[int]) -> list[Packet]:
     edges = sorted({cut % (len(stream) + 1) for cut in cuts} | {0, len(stream)})
-    found: list[Sample | Hello] = []
+    found: list[Packet] = []
     for start, end in pairwise(edges):
         found += reader.feed(stream[start:end])
     return found

@@ -251,8 +251,8 @@ def test_what_is_wrong_at_opening_is_said(arm: FakeSerialArm) -> None:
     message = open_error({"url": url})
     assert "no packet of an encoder arm" in message
     assert "baud rate" in message
-    arm.chatter = packet(1, bytes(40), version=2)
-    assert "version 2 of the protocol" in open_error({"url": url})
+    arm.chatter = packet(1, bytes(40), version=3)
+    assert "version 3 of the protocol" in open_error({"url": url})
 
 
 def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
@@ -263,8 +263,8 @@ def test_an_arm_of_the_wrong_kind_is_refused(arm: FakeSerialArm) -> None:
     )
     arm.counts = 0
     assert "0 counts per revolution for joint 1" in open_error({"url": url})
-    arm.joints = 5
-    assert "reports 5 joints" in open_error({"url": url})
+    arm.joints = 4
+    assert "reports 4 joints" in open_error({"url": url})
 
 
 def test_a_port_in_use_is_named(arm: FakeSerialArm, driver: ArmDriver) -> None:
@@ -309,7 +309,7 @@ def test_closing_ends_a_waiting_open(arm: FakeSerialArm) -> None:
         ({"url": "x", "baudrte": 9600}, "no option 'baudrte'. Did you mean baudrate?"),
         ({"url": "x", "baudrate": -1}, "baudrate = -1 cannot be used"),
         ({"url": "x", "baudrate": "fast"}, "baudrate = 'fast' cannot be used"),
-        ({"url": "x", "joint_count": 5}, "joint_count = 5 cannot be used"),
+        ({"url": "x", "joint_count": 4}, "joint_count = 4 cannot be used"),
         ({"url": "x", "counts_per_revolution": 0}, "counts_per_revolution = 0 cannot be used"),
         ({"url": 7}, "url = 7 cannot be used"),
     ],
