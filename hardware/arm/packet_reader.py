@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from zlib import crc32
 
-from hardware.arm.protocol import SYNC, Hello, Packet, Pose, PulseAnswer, Sample
+from hardware.arm.protocol import SYNC, Hello, Packet, PosePacket, PulseAnswer, Sample
 
 _HEAD, _CRC = 5, 4
 _SAMPLE, _HELLO, _POSE, _PULSE, _PULSE_ANSWER = range(1, 6)
@@ -99,19 +99,19 @@ def _sample(payload: bytes) -> Sample | None:
     return Sample(sequence, device_us, buttons, counts)
 
 
-def _pose(payload: bytes) -> Pose | None:
+def _pose(payload: bytes) -> PosePacket | None:
     if len(payload) != _POSE_BODY.size:
         return None
     sequence, device_us, buttons, setting, x, y, z, qx, qy, qz, qw = _POSE_BODY.unpack(payload)
-    return Pose(sequence, device_us, buttons, setting, (x, y, z), (qx, qy, qz, qw))
+    return PosePacket(sequence, device_us, buttons, setting, (x, y, z), (qx, qy, qz, qw))
 
 
-def _pulse(payload: bytes) -> Sample | Pose | None:
+def _pulse(payload: bytes) -> Sample | PosePacket | None:
     if len(payload) < _PULSE_HEAD.size:
         return None
     pulse, kind = _PULSE_HEAD.unpack_from(payload)
     inside = payload[_PULSE_HEAD.size :]
-    reading: Sample | Pose | None = None
+    reading: Sample | PosePacket | None = None
     if kind == _SAMPLE:
         reading = _sample(inside)
     elif kind == _POSE:

@@ -11,7 +11,7 @@ from hardware.arm.expected_arm import (
     setting_error,
 )
 from hardware.arm.packet_reader import PacketReader
-from hardware.arm.protocol import BUTTON_BITS, Hello, Pose, PulseAnswer, Sample
+from hardware.arm.protocol import BUTTON_BITS, Hello, PosePacket, PulseAnswer, Sample
 from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
 from hardware.interfaces import (
@@ -44,7 +44,7 @@ class PacketStream:
         self._latency_ns = round(options.latency_us * 1000)
         self._refused = 0
         self._bad_poses = 0
-        self._last: Sample | Pose | None = None
+        self._last: Sample | PosePacket | None = None
         self._buttons: int | None = None
         self._sequence = 0
         self._first_ns: int | None = None
@@ -143,7 +143,7 @@ class PacketStream:
         if answer.done:
             self._pulses_run = answer.rate_hz > 0
 
-    def _advance(self, packet: Sample | Pose) -> bool:
+    def _advance(self, packet: Sample | PosePacket) -> bool:
         """Checks the sequence number; False for a repeated sample."""
         last, self._last = self._last, packet
         step = 1
@@ -162,7 +162,7 @@ class PacketStream:
         return True
 
     @staticmethod
-    def _step_from(last: Sample | Pose, packet: Sample | Pose) -> int:
+    def _step_from(last: Sample | PosePacket, packet: Sample | PosePacket) -> int:
         return (packet.sequence - last.sequence) % (1 << 32)
 
     def _settle(self, arrival_ns: int) -> None:
@@ -170,7 +170,7 @@ class PacketStream:
             self._first_ns = arrival_ns
         self._settled = self._settled or arrival_ns - self._first_ns >= SETTLE_S * 1e9
 
-    def _append(self, records: list[ArmRecord], packet: Sample | Pose) -> None:
+    def _append(self, records: list[ArmRecord], packet: Sample | PosePacket) -> None:
         reading = self._joints(packet) if isinstance(packet, Sample) else self._pose(packet)
         if reading is None:
             return
@@ -198,7 +198,7 @@ class PacketStream:
         )
         return JointSample(self._sequence, self._stamp_ns(sample), joints, self._pulse(sample))
 
-    def _pose(self, pose: Pose) -> ArmReading | None:
+    def _pose(self, pose: PosePacket) -> ArmReading | None:
         """None for a packet whose numbers are no pose."""
         hello, url = self.hello, self._options.url
         assert hello is not None
@@ -228,10 +228,10 @@ class PacketStream:
             self._sequence, stamp_ns, pose.position_mm, (x, y, z, w), self._pulse(pose)
         )
 
-    def _stamp_ns(self, packet: Sample | Pose) -> int:
+    def _stamp_ns(self, packet: Sample | PosePacket) -> int:
         return self._clock.stamp(packet.device_us * 1000) - self._latency_ns
 
-    def _pulse(self, packet: Sample | Pose) -> int | None:
+    def _pulse(self, packet: Sample | PosePacket) -> int | None:
         """The packet's pulse in the present run; None for one of a former run."""
         if packet.pulse is None or not self._pulses_run or self._request is not None:
             return None

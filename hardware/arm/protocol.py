@@ -283,7 +283,7 @@ class Sample:
 
 
 @dataclass(frozen=True, slots=True)
-class Pose:
+class PosePacket:
     """A pose of the flange or tool, unchecked: it may be no pose at all."""
 
     sequence: int
@@ -323,7 +323,7 @@ class PulseAnswer:
     rate_hz: float
 
 
-Packet = Sample | Pose | Hello | PulseAnswer
+Packet = Sample | PosePacket | Hello | PulseAnswer
 
 
 def pulse_request(number: int, rate_hz: float) -> bytes:

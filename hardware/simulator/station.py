@@ -5,6 +5,7 @@ Its arm speaks real bytes at ``arm_url``, its sensor is a driver like any other,
 """
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
     flange_pose,
+    flange_poses,
     perturb_arm,
     rigid_fit,
     rotation_about,
@@ -42,6 +44,7 @@ from hardware.simulator.scene.datasheets import (
     block_datasheet,
     board_datasheet,
     plane_nominal,
+    robot_datasheet,
     sensor_datasheet,
     sphere_nominal,
 )
@@ -66,6 +69,8 @@ class SimulationConfig:
     """As its datasheet has it."""
     imperfection_um: float = 45.0
     """Rms error of the tip over the arm's whole reach that the datasheets do not state."""
+    arm_reports: Literal["joints", "pose"] = "joints"
+    """Poses are those that a controller computes from the arm's nominal model."""
     rate_hz: float = 1000.0
     counts_per_revolution: int = 1 << 22
     line: str = "tcp"
@@ -161,7 +166,12 @@ class SimulatedStation:
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
             )
             self._device = ArmDevice(
-                self._motion, self._line, encoders, self.arm_faults, self.config.seed
+                self._motion,
+                self._line,
+                encoders,
+                self.arm_faults,
+                config.seed,
+                self._controller_poses if config.arm_reports == "pose" else None,
             )
             self._device.start()
         return self
@@ -213,6 +223,7 @@ class SimulatedStation:
     def datasheets(self) -> dict[str, JsonObject]:
         """What the operator is given, by file name."""
         rig = self._rig
+        poses = self.config.arm_reports == "pose"
         ball = self._scene.find_object("sphere").shape
         assert isinstance(ball, GaugeSphere)
         plate, sphere = (
@@ -220,7 +231,7 @@ class SimulatedStation:
             for name in ("plate", "sphere")
         )
         return {
-            "arm.json": arm_datasheet(rig.nominal_arm),
+            "arm.json": (robot_datasheet if poses else arm_datasheet)(rig.nominal_arm),
             "object.json": block_datasheet(rig.certificate, self.config.certificate_sd_mm),
             "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
@@ -233,6 +244,9 @@ class SimulatedStation:
         board, at = self._board, self._scene.find_object("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
         return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+
+    def _controller_poses(self, q_rad: Floats) -> Floats:
+        return flange_poses(self._rig.nominal_arm, q_rad)
 
     def _press(self, button: Button, pressed: bool, at_ns: int) -> None:
         if self._device is not None:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from hardware.arm import protocol
 from hardware.arm.packet_reader import PacketReader
-from hardware.arm.protocol import Hello, Packet, Pose, PulseAnswer, Sample
+from hardware.arm.protocol import Hello, Packet, PosePacket, PulseAnswer, Sample
 from tests.hardware.speaking_arm import (
     hello_2_packet,
     hello_packet,
@@ -66,9 +66,9 @@ def test_the_published_poses_and_pulses_are_what_they_say() -> None:
     assert first_pulse == pulse_packet(1, 1, sample_payload(259, 1_000_001_000, 0, counts))
     assert later_pulse == pulse_packet(70_000, 3, pose_payload(*POSE))
     assert PacketReader().feed(pose + first_pulse + later_pulse + answer) == [
-        Pose(*POSE),
+        PosePacket(*POSE),
         Sample(259, 1_000_001_000, 0, tuple(counts), pulse=1),
-        Pose(*POSE, pulse=70_000),
+        PosePacket(*POSE, pulse=70_000),
         PulseAnswer(5, True, 100.016),
     ]
     assert request == protocol.pulse_request(5, 100.0)
@@ -97,8 +97,8 @@ def test_a_pulse_without_a_number_or_with_another_packet_inside_is_damage() -> N
         pulse_packet(1, 5, b""),
         packet(4, b"\1\0", 2),
     ):
-        assert reader.feed(packet(3, inside, 2) + bad) == [Pose(*POSE)]
-    assert reader.feed(packet(3, inside, 2)) == [Pose(*POSE)]
+        assert reader.feed(packet(3, inside, 2) + bad) == [PosePacket(*POSE)]
+    assert reader.feed(packet(3, inside, 2)) == [PosePacket(*POSE)]
     assert reader.corrupt == 4
 
 

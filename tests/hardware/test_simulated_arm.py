@@ -6,19 +6,25 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from hardware.arm.serial_encoder import from_options
 from hardware.clock import now_ns
-from hardware.interfaces import ArmDriver, Button
-from hardware.simulator.devices.arm_device import (
-    ArmDevice,
-    ArmFaults,
-    Encoders,
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, Button, PoseSample, PulseSource
+from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
+from hardware.simulator.devices.arm_packets import (
+    RequestReader,
     hello_packet,
-    sample_packet,
+    pose_payload,
+    pulse_answer_packet,
+    reading_packet,
+    sample_payload,
 )
+from hardware.simulator.devices.kinematics import flange_poses
 from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
+from hardware.simulator.scene.random_scenes import demo_arm
 from tests.hardware.conformance import (
     LONG_S,
     ArmBench,
@@ -27,6 +33,7 @@ from tests.hardware.conformance import (
     read_until,
     select_samples,
 )
+from tests.hardware.test_protocol import published_examples
 
 pytestmark = pytest.mark.slow
 
@@ -34,11 +41,17 @@ REST = np.array([0.1, -0.2, 0.3, -0.4, 0.5, -0.6])
 
 
 class SimulatedArmBench(ArmBench):
-    def __init__(self, line: DevicePort, rate_hz: float = 500.0) -> None:
+    def __init__(self, line: DevicePort, rate_hz: float = 500.0, poses: bool = False) -> None:
         self.line, self.faults = line, ArmFaults()
         self.motion = Motion(REST)
         self.encoders = Encoders(rate_hz)
-        self.device = ArmDevice(self.motion, line, self.encoders, self.faults)
+        self.device = ArmDevice(
+            self.motion,
+            line,
+            self.encoders,
+            self.faults,
+            flange_poses=(lambda q: flange_poses(demo_arm(), q)) if poses else None,
+        )
         self.device.start()
 
     def driver(self) -> ArmDriver:
@@ -86,16 +99,75 @@ def tcp_bench() -> Iterator[SimulatedArmBench]:
     made.device.stop()
 
 
+class TestSimulatedPoses(ArmConformance):
+    @pytest.fixture
+    def bench(self) -> Iterator[SimulatedArmBench]:
+        made = SimulatedArmBench(TcpPort("127.0.0.1", 0), poses=True)
+        yield made
+        made.device.stop()
+
+
 def test_packets_are_the_published_examples() -> None:
     counts = [0, 1, -1, 4194304, -2097152, 123456]
-    assert sample_packet(258, 1_000_000_000, 1, counts) == bytes.fromhex(
-        "A75C0101260201000000CA9A3B000000000106000000000100 0000FFFFFFFF00"
-        "0040000000E0FF40E201004694F7EB"
+    texts = ("Sample arm", "SA-0042", "2.0.0")
+    joints, poses, pose, pulse, posed_pulse, request, answer = published_examples()[3:]
+    hello = hello_packet([8388608] * 6, 1000.0, texts, 0, (1.0, 200.0))
+    assert hello[:11] + hello[12:-4] == joints[:11] + joints[12:-4]  # but for the buttons
+    hello = hello_packet([], 100.0, ("Sample bridge", "SB-7", "1.0"), 17)
+    assert hello[:10] + hello[12:-4] == poses[:10] + poses[12:-4]  # of the flange
+    where = pose_payload(7, 2_500_000, 1, 17, [612.5, -80.25, 433.0, 0.0, 0.6, 0.0, 0.8])
+    sample = sample_payload(259, 1_000_001_000, 0, counts)
+    assert reading_packet(3, where, None) == pose
+    assert reading_packet(1, sample, 1) == pulse
+    assert reading_packet(3, where, 70_000) == posed_pulse
+    assert pulse_answer_packet(5, True, 100.016) == answer
+    assert RequestReader().feed(b"noise" + request[:9] + request + request) == (
+        0,
+        [(5, 100_000)] * 2,
     )
-    encoders = Encoders(1000.0, 8388608, 0.0, 0.0, "Sample arm", "SA-0042", "1.4.0")
-    hello = hello_packet(6, encoders)
-    assert hello.startswith(bytes.fromhex("A75C01025D0640420F00000080000000"))
-    assert hello.endswith(bytes.fromhex("37 1B D7 04"))
+
+
+def test_the_reported_poses_are_those_of_the_arm() -> None:
+    bench = SimulatedArmBench(TcpPort("127.0.0.1", 0), poses=True)
+    driver = bench.driver()
+    info = driver.open()
+    assert (info.reports, info.joint_count) == ("pose", 0)
+    pose = next(
+        r for r in read_until(driver, lambda got: len(got) > 3) if isinstance(r, PoseSample)
+    )
+    driver.close()
+    bench.device.stop()
+    T = flange_poses(demo_arm(), REST[None])[0]
+    assert pose.position_mm == pytest.approx(T[:3, 3].tolist(), abs=0.1)
+    rotation = Rotation.from_quat(pose.quaternion_xyzw).as_matrix()
+    assert np.abs(rotation - T[:3, :3]).max() < 1e-3
+
+
+def test_the_angles_at_a_pulse_are_those_of_its_time(tcp_bench: SimulatedArmBench) -> None:
+    driver = tcp_bench.driver()
+    assert driver.open().pulses_hz == (1.0, 400.0)
+    assert isinstance(driver, PulseSource)
+    with pytest.raises(DeviceError, match="cannot trigger"):
+        driver.start_pulses(1000.0)
+    driver.start_pulses(130.0)
+    share = min_jerk_progress(np.linspace(0.0, 1.0, 30))[:, None]
+    tcp_bench.motion.play(JointPath(np.linspace(0.0, 1.6, 30), REST + share), now_ns())
+    samples = select_samples(read_until(driver, lambda got: len(got) > 2500))
+    driver.close()
+    at_pulse = [
+        i for i, s in enumerate(samples) if s.pulse is not None and 0 < i < len(samples) - 1
+    ]
+    assert [samples[i].pulse for i in at_pulse] == list(range(1, len(at_pulse) + 1))
+    stamps = np.array([samples[i].stamp_ns for i in at_pulse])
+    assert np.median(np.diff(stamps)) == pytest.approx(1e9 / 130, rel=0.01)
+    between = [
+        np.interp(samples[i].stamp_ns, [s.stamp_ns for s in near], [s.joints_rad[0] for s in near])
+        - samples[i].joints_rad[0]
+        for i in at_pulse
+        for near in [(samples[i - 1], samples[i + 1])]
+    ]
+    assert np.ptp([samples[i].joints_rad[0] for i in at_pulse]) > 0.9
+    assert np.abs(between).max() < 2e-4
 
 
 def test_the_driver_reads_the_true_angles_at_the_true_times(tcp_bench: SimulatedArmBench) -> None:

@@ -1,26 +1,34 @@
-"""The simulated arm as its cable sees it: encoders, buttons, a clock of its own, packets.
+"""The simulated arm as its cable sees it: encoders or poses, buttons, pulses, its own clock."""
 
-Speaks the encoder protocol of ``hardware/arm/protocol.py``, written from its
-description alone.
-"""
-
-import struct
 import threading
-import zlib
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from hardware.clock import now_ns
 from hardware.interfaces import Button
+from hardware.simulator.devices.arm_packets import (
+    POSE,
+    SAMPLE,
+    PulseRequest,
+    RequestReader,
+    hello_packet,
+    pose_payload,
+    pulse_answer_packet,
+    reading_packet,
+    sample_payload,
+)
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort
+from hardware.simulator.devices.trigger_pulses import RATES_HZ, TriggerPulses
 
-SYNC = b"\xa7\x5c"
-VERSION, SAMPLE, HELLO = 1, 0x01, 0x02
-HELLO_REQUEST = bytes.fromhex("a75c0181002f1a1bdc")
+Floats = NDArray[np.float64]
+SETTING = 1
+"""The number of tool and coordinate system of the poses."""
 BUTTON_BIT = {Button.PRIMARY: 1, Button.UNDO: 2, Button.BACK: 4}
 BATCH_S = 0.002
 """Samples leave in batches as often as this, each with its own time."""
@@ -75,40 +83,28 @@ class ArmFaults:
             setattr(self, name, value)
 
 
-def packet(kind: int, payload: bytes) -> bytes:
-    """A whole packet around a payload."""
-    body = bytes([VERSION, kind, len(payload)]) + payload
-    return SYNC + body + struct.pack("<I", zlib.crc32(body) & 0xFFFFFFFF)
-
-
-def sample_packet(sequence: int, device_us: int, buttons: int, counts: list[int]) -> bytes:
-    """One reading of all encoders."""
-    head = struct.pack("<IQBB", sequence & 0xFFFFFFFF, device_us, buttons, len(counts))
-    return packet(SAMPLE, head + struct.pack(f"<{len(counts)}i", *counts))
-
-
-def hello_packet(joints: int, encoders: Encoders) -> bytes:
-    """What the arm answers when asked who it is."""
-
-    def text(value: str, size: int) -> bytes:
-        return value.encode()[:size].ljust(size, b"\0")
-
-    head = struct.pack("<BI", joints, round(encoders.rate_hz * 1000))
-    counts = struct.pack("<I", encoders.counts_per_revolution) * joints
-    texts = text(encoders.name, 32) + text(encoders.serial_number, 16) + text(encoders.firmware, 16)
-    return packet(HELLO, head + counts + texts)
-
-
 class ArmDevice:
     """Runs on a thread of its own between ``start`` and ``stop``.
+
+    Args:
+        flange_poses: (N, 4, 4) for joint angles (N, n); the arm then reports poses, which a
+            controller computes from its encoders.
 
     ``requests`` counts the hellos that clients asked for.
     """
 
     def __init__(
-        self, motion: Motion, line: DevicePort, encoders: Encoders, faults: ArmFaults, seed: int = 0
+        self,
+        motion: Motion,
+        line: DevicePort,
+        encoders: Encoders,
+        faults: ArmFaults,
+        seed: int = 0,
+        flange_poses: Callable[[Floats], Floats] | None = None,
     ) -> None:
         self.requests = 0
+        self._flange_poses = flange_poses
+        self._pulses = TriggerPulses()
         self._motion, self._line, self._encoders, self._faults = motion, line, encoders, faults
         self._rng = np.random.default_rng(seed)
         self._joints = len(motion.at(now_ns()))
@@ -118,7 +114,7 @@ class ArmDevice:
         self._sequence = int(self._rng.integers(0, 1 << 31))
         self._outbox: deque[tuple[int, bytes]] = deque()
         self._free_ns = 0
-        self._request_tail = b""
+        self._requests = RequestReader()
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
         self._skip = 0
@@ -166,24 +162,42 @@ class ArmDevice:
             if now - start_ns - taken * period_ns > CATCH_UP_NS:
                 self._sequence += due - taken
                 taken = due
-            if due > taken:
-                stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
-                self._take(stamps)
-                taken = due
+            stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
+            taken = max(due, taken)
+            moments = [(stamp, None) for stamp in stamps.tolist()] + self._pulses.due(now)
+            if moments:
+                self._take(sorted(moments, key=lambda moment: moment[0]))
             self._send_due(now)
 
-    def _take(self, stamps_ns: NDArray[np.int64]) -> None:
-        q = self._motion.at_all(stamps_ns)
+    def _take(self, moments: list[tuple[int, int | None]]) -> None:
+        """Latches the encoders at moments, some of them those of trigger pulses."""
+        q = self._motion.at_all(np.array([stamp for stamp, _ in moments], dtype=np.int64))
         q = q + self._rng.normal(0.0, self._encoders.noise_rad, q.shape)
-        counts = np.rint(q * (self._encoders.counts_per_revolution / (2 * np.pi))).astype(int)
-        for stamp, row in zip(stamps_ns.tolist(), counts.tolist(), strict=True):
+        per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
+        rows = np.rint(q * per_rad).astype(int).tolist()
+        first, self._sequence = self._sequence + 1, self._sequence + len(rows)
+        for i, row in enumerate(rows):
+            self._apply_encoder_faults(row, first + i)
+        poses = self._poses(np.array(rows) / per_rad)
+        for i, (stamp, pulse) in enumerate(moments):
+            sequence = first + i
             device_us = int((stamp - self._born_ns) * (1 + self._encoders.drift) / 1000)
-            self._sequence += 1
-            self._apply_encoder_faults(row)
-            made = sample_packet(self._sequence, device_us, self._bits_at(stamp), row)
-            self._dispatch(made, stamp)
+            buttons = self._bits_at(stamp)
+            if poses is None:
+                kind, payload = SAMPLE, sample_payload(sequence, device_us, buttons, rows[i])
+            else:
+                kind, payload = POSE, pose_payload(sequence, device_us, buttons, SETTING, poses[i])
+            self._dispatch(reading_packet(kind, payload, pulse), stamp)
 
-    def _apply_encoder_faults(self, counts: list[int]) -> None:
+    def _poses(self, q_rad: Floats) -> list[list[float]] | None:
+        """Positions and quaternions, as the arm's controller computes them."""
+        if self._flange_poses is None:
+            return None
+        T = self._flange_poses(q_rad)
+        quaternions = Rotation.from_matrix(T[:, :3, :3]).as_quat()
+        return [[*p, *q] for p, q in zip(T[:, :3, 3].tolist(), quaternions.tolist(), strict=True)]
+
+    def _apply_encoder_faults(self, counts: list[int], sequence: int) -> None:
         """Makes of the encoders' counts what lying ones say."""
         faults, frozen = self._faults, self._faults.frozen_joint
         if frozen is None:
@@ -193,7 +207,7 @@ class ArmDevice:
                 counts[frozen] if self._frozen_count is None else self._frozen_count
             )
             counts[frozen] = self._frozen_count
-        if faults.odd_joint is not None and self._sequence % faults.odd_every == 0:
+        if faults.odd_joint is not None and sequence % faults.odd_every == 0:
             per_rad = self._encoders.counts_per_revolution / (2 * np.pi)
             counts[faults.odd_joint] += round(faults.odd_rad * per_rad)
 
@@ -222,9 +236,21 @@ class ArmDevice:
             self._line.send(ready)
 
     def _answer(self, said: bytes) -> None:
-        self._request_tail = (self._request_tail + said)[-256:]
-        while HELLO_REQUEST in self._request_tail:
-            self._request_tail = self._request_tail.split(HELLO_REQUEST, 1)[1]
-            self.requests += 1
-            if not self._faults.stalled:
-                self._outbox.append((now_ns(), hello_packet(self._joints, self._encoders)))
+        hellos, requests = self._requests.feed(said)
+        self.requests += hellos
+        if self._faults.stalled:
+            return
+        if hellos:
+            self._outbox.append((now_ns(), self._hello()))
+        for request in requests:
+            self._outbox.append((now_ns(), self._set_pulses(request)))
+
+    def _hello(self) -> bytes:
+        encoders, poses = self._encoders, self._flange_poses is not None
+        counts = [] if poses else [encoders.counts_per_revolution] * self._joints
+        texts = (encoders.name, encoders.serial_number, encoders.firmware)
+        return hello_packet(counts, encoders.rate_hz, texts, SETTING if poses else 0, RATES_HZ)
+
+    def _set_pulses(self, request: PulseRequest) -> bytes:
+        done = self._pulses.set(request, now_ns())
+        return pulse_answer_packet(request.number, done, self._pulses.rate_hz)

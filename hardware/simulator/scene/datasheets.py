@@ -35,14 +35,18 @@ def arm_datasheet(arm: ArmModel) -> JsonObject:
                 "encoder_sd_deg": float(np.degrees(arm.encoder_sd_rad)),
             }
         )
+    return {**robot_datasheet(arm), "convention": "dh-standard", "joints": joints}
+
+
+def robot_datasheet(arm: ArmModel) -> JsonObject:
+    """arm.json of an arm whose controller reports poses."""
     x, y, z = arm.tip_mm
     return {
         "format": "crenel/arm",
         "version": 1,
         "name": arm.name,
         "serial_number": arm.serial_number,
-        "convention": "dh-standard",
-        "joints": joints,
+        "convention": "pose",
         "tip": {"x_mm": x, "y_mm": y, "z_mm": z, "diameter_mm": arm.tip_diameter_mm},
     }
 
