@@ -1,0 +1,161 @@
+"""Frames and pulses, paired by their counts whatever their arrival says."""
+
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from app.station.devices.pulse_pairing import PulsePairing
+from hardware.interfaces import Frame
+
+MS = 1_000_000
+PERIOD_NS = 40 * MS
+EXPOSURE_US = 2000.0
+IMAGE = np.zeros((2, 2), np.uint8)
+
+
+class Camera:
+    """Counts triggers from ``first`` on; its frames arrive late, in order, some are lost."""
+
+    def __init__(self, first: int, seed: int, late_ms: float = 60.0, lost: float = 0.0) -> None:
+        self.count = first
+        self.random = np.random.default_rng(seed)
+        self.late_ms, self.lost = late_ms, lost
+        self.true_ns: dict[int, int] = {}
+
+    def expose(self, pulse_ns: int, keep: bool | None = None) -> Frame | None:
+        """The frame of a trigger, stamped by its arrival; None of a lost one."""
+        self.count += 1
+        self.true_ns[self.count] = pulse_ns + round(500 * EXPOSURE_US)
+        late_ns = round(MS * (self.late_ms + self.random.uniform(-20, 20)))
+        if keep is False or (keep is None and self.random.random() < self.lost):
+            return None
+        stamp_ns = pulse_ns + late_ns
+        return Frame(self.count, stamp_ns, IMAGE, EXPOSURE_US, True, pulse=self.count)
+
+
+def run_train(
+    pairing: PulsePairing, camera: Camera, start_ns: int, count: int, lost: float = 0.0
+) -> list[Frame]:
+    """Starts the pulses after a pause; the paired frames."""
+    pairing.restart()
+    found = []
+    random = np.random.default_rng(start_ns % 1000)
+    for pulse in range(1, count + 1):
+        pulse_ns = start_ns + (pulse - 1) * PERIOD_NS
+        if random.random() >= lost or pulse == count:
+            pairing.note_pulse(pulse, pulse_ns)
+        frame = camera.expose(pulse_ns)
+        paired = None if frame is None else pairing.pair(frame)
+        if paired is not None:
+            found.append(paired)
+    return found
+
+
+def errors_ns(frames: list[Frame], camera: Camera) -> np.ndarray:
+    return np.array([one.mid_exposure_ns - camera.true_ns[one.sequence] for one in frames])
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("late_ms", [25.0, 60.0, 120.0])
+def test_frames_get_the_times_of_their_pulses(seed: int, late_ms: float) -> None:
+    """Under ± 20 ms of jitter and 1 % of losses of frames and of the arm's samples."""
+    camera = Camera(first=1000 + seed, seed=seed, late_ms=late_ms, lost=0.01)
+    pairing = PulsePairing()
+    start_ns, starts = 10**9, 0
+    found: list[Frame] = []
+    while not found:
+        starts += 1
+        assert starts < 8
+        found = run_train(pairing, camera, start_ns, 400 if starts > 1 else 15, lost=0.01)
+        start_ns += 30 * 10**9
+        assert starts > 1 or pairing.needs_start  # the first has no frames before it
+    assert len(found) > 370
+    np.testing.assert_allclose(errors_ns(found, camera), 0, atol=1)
+
+
+@pytest.mark.parametrize("lost_side", ["last before", "first after"])
+def test_a_loss_at_the_pause_asks_for_another_start(lost_side: str) -> None:
+    camera, pairing = Camera(0, 1), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    if lost_side == "last before":
+        camera.expose(2 * 10**9, keep=False)
+    pairing.restart()
+    start_ns = 3 * 10**9
+    for pulse in range(1, 30):
+        pairing.note_pulse(pulse, start_ns + pulse * PERIOD_NS)
+        keep = not (lost_side == "first after" and pulse == 1)
+        frame = camera.expose(start_ns + pulse * PERIOD_NS, keep)
+        assert frame is None or pairing.pair(frame) is None
+    assert pairing.needs_start
+    assert not pairing.is_paired
+    found = run_train(pairing, camera, 5 * 10**9, 30)
+    np.testing.assert_array_equal(errors_ns(found, camera), 0)
+
+
+def test_a_camera_that_misses_triggers_is_noticed() -> None:
+    camera, pairing = Camera(0, 2), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    run_train(pairing, camera, 3 * 10**9, 60)
+    assert pairing.is_paired
+    for pulse in range(62, 120):  # pulse 61 exposed nothing, and was not counted
+        pulse_ns = 3 * 10**9 + (pulse - 1) * PERIOD_NS
+        pairing.note_pulse(pulse, pulse_ns)
+        frame = camera.expose(pulse_ns)
+        assert frame is not None
+        pairing.pair(frame)
+        if pairing.needs_start:
+            return
+    raise AssertionError("the slip was never noticed")
+
+
+def test_an_arm_that_counts_anew_is_paired_anew() -> None:
+    """It was reset, and pulses on by itself: nothing is taken by the old counts."""
+    camera, pairing = Camera(0, 3), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    run_train(pairing, camera, 3 * 10**9, 30)
+    assert pairing.is_paired
+    pairing.note_pulse(1, 9 * 10**9)
+    assert not pairing.is_paired
+
+
+def test_a_frame_waits_for_its_arm_sample() -> None:
+    camera, pairing = Camera(0, 4), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    run_train(pairing, camera, 3 * 10**9, 30)
+    pulse_ns = 3 * 10**9 + 30 * PERIOD_NS
+    frame = camera.expose(pulse_ns)
+    assert frame is not None
+
+    def note_later() -> None:
+        time.sleep(0.05)
+        pairing.note_pulse(31, pulse_ns)
+
+    later = threading.Thread(target=note_later)
+    later.start()
+    paired = pairing.pair(frame)
+    later.join()
+    assert paired is not None
+    assert paired.mid_exposure_ns == camera.true_ns[paired.sequence]
+
+
+def test_an_arm_that_fell_silent_pairs_nothing() -> None:
+    camera, pairing = Camera(0, 5), PulsePairing()
+    run_train(pairing, camera, 10**9, 15)
+    run_train(pairing, camera, 3 * 10**9, 30)
+    frame = camera.expose(3 * 10**9 + 30 * PERIOD_NS)
+    assert frame is not None
+    assert pairing.pair(frame) is None
+
+
+def test_a_delay_shifts_the_exposure() -> None:
+    camera, pairing = Camera(0, 6), PulsePairing(delay_us=150.0)
+    run_train(pairing, camera, 10**9, 15)
+    found = run_train(pairing, camera, 3 * 10**9, 30)
+    np.testing.assert_array_equal(errors_ns(found, camera), 150_000)
+
+
+def test_a_camera_without_a_count_keeps_its_stamps() -> None:
+    frame = Frame(1, 5, IMAGE, EXPOSURE_US, True)
+    assert PulsePairing().pair(frame) is frame
