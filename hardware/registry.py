@@ -20,6 +20,7 @@ BUILT_IN = {
     _ARMS: {
         "bridge": "hardware.arm.serial_encoder:from_options",
         "serial-encoder": "hardware.arm.serial_encoder:from_options",
+        "ur-rtde": "hardware.arm.universal_robots.ur_rtde:from_options",
     },
     _SENSORS: {
         "opencv": "hardware.sensor.opencv_camera:from_options",

@@ -104,9 +104,11 @@ def select_readings(records: list[ArmRecord]) -> list[ArmReading]:
     return [record for record in records if isinstance(record, JointSample | PoseSample)]
 
 
-def buttons_in_order(info: ArmInfo) -> list[Button]:
-    """Buttons of the arm; skips the test if it has none."""
+def open_with_buttons(driver: ArmDriver) -> list[Button]:
+    """Opens the arm and returns its buttons; closes it and skips the test if it has none."""
+    info = driver.open()
     if not info.buttons:
+        driver.close()
         pytest.skip("the arm has no buttons")
     return [button for button in Button if button in info.buttons]
 
@@ -251,7 +253,7 @@ class ArmConformance:
 
     def test_buttons_give_their_edges_once(self, bench: ArmBench) -> None:
         driver = bench.driver()
-        buttons = buttons_in_order(driver.open())
+        buttons = open_with_buttons(driver)
         seen: list[tuple[Button, bool]] = []
         for button in buttons:
             for pressed in (True, False):
@@ -264,7 +266,7 @@ class ArmConformance:
 
     def test_a_button_held_at_open_is_no_press(self, bench: ArmBench) -> None:
         driver = bench.driver()
-        button = buttons_in_order(driver.open())[0]
+        button = open_with_buttons(driver)[0]
         driver.close()
         bench.set_buttons({button})
         driver.open()
@@ -273,7 +275,7 @@ class ArmConformance:
 
     def test_an_edge_has_the_stamp_of_a_sample(self, bench: ArmBench) -> None:
         driver = bench.driver()
-        bench.set_buttons({buttons_in_order(driver.open())[0]})
+        bench.set_buttons({open_with_buttons(driver)[0]})
         records = read_until(driver, button_edges)
         at = next(i for i, r in enumerate(records) if isinstance(r, ButtonEvent))
         assert isinstance(records[at - 1], JointSample | PoseSample)

@@ -1,0 +1,1 @@
+"""What the drivers of robot controllers share: a link, the arm in front of it, rotations."""

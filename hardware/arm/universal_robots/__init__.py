@@ -1,0 +1,1 @@
+"""Robots of Universal Robots, read by their Real-Time Data Exchange (RTDE)."""

@@ -1,0 +1,85 @@
+"""Rotations of robot controllers, against SciPy's."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from hardware.arm.robots.rotations import (
+    axis_angles_quaternion,
+    flange_behind_tool,
+    multiply,
+    rotate,
+    rotation_vector_quaternion,
+)
+from hardware.arm.universal_robots.ur_rtde import flange_pose
+
+ANGLE = st.floats(-3.2, 3.2)
+VECTORS = st.tuples(ANGLE, ANGLE, ANGLE)
+
+
+def assert_same_rotation(quaternion: tuple[float, ...], expected: Rotation) -> None:
+    assert np.linalg.norm(quaternion) == pytest.approx(1.0, abs=1e-12)
+    assert (Rotation.from_quat(quaternion) * expected.inv()).magnitude() < 1e-7
+
+
+@given(VECTORS)
+def test_a_rotation_vector(vector: tuple[float, float, float]) -> None:
+    assert_same_rotation(rotation_vector_quaternion(vector), Rotation.from_rotvec(vector))
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-300, 1e-12, 1e-8, np.pi, 2 * np.pi])
+def test_rotation_vectors_of_no_length_and_of_turns(length: float) -> None:
+    vector = (0.6 * length, 0.0, -0.8 * length)
+    assert_same_rotation(rotation_vector_quaternion(vector), Rotation.from_rotvec(vector))
+
+
+@given(ANGLE, ANGLE, ANGLE)
+def test_angles_about_fixed_axes(x: float, y: float, z: float) -> None:
+    assert_same_rotation(axis_angles_quaternion(x, y, z), Rotation.from_euler("xyz", [x, y, z]))
+
+
+@given(VECTORS, VECTORS, VECTORS)
+def test_products_and_rotated_vectors(
+    a: tuple[float, float, float],
+    b: tuple[float, float, float],
+    v: tuple[float, float, float],
+) -> None:
+    A, B = Rotation.from_rotvec(a), Rotation.from_rotvec(b)
+    qa, qb = rotation_vector_quaternion(a), rotation_vector_quaternion(b)
+    assert_same_rotation(multiply(qa, qb), A * B)
+    np.testing.assert_allclose(rotate(qa, v), A.apply(v), atol=1e-12)
+
+
+@given(VECTORS, VECTORS, VECTORS, VECTORS)
+def test_the_flange_behind_a_tool(
+    flange_m: tuple[float, float, float],
+    flange: tuple[float, float, float],
+    offset_m: tuple[float, float, float],
+    offset: tuple[float, float, float],
+) -> None:
+    T_base_flange, T_flange_tool = matrix(flange_m, flange), matrix(offset_m, offset)
+    T = T_base_flange @ T_flange_tool
+    tool_pose = (*T[:3, 3], *Rotation.from_matrix(T[:3, :3]).as_rotvec())
+    position_mm, quaternion = flange_pose(tool_pose, (*offset_m, *offset))
+    np.testing.assert_allclose(position_mm, np.multiply(flange_m, 1000), atol=1e-6)
+    assert_same_rotation(quaternion, Rotation.from_rotvec(flange))
+
+
+def test_a_tool_without_offset_is_the_flange() -> None:
+    turned = axis_angles_quaternion(0.1, 0.2, 0.3)
+    position, quaternion = flange_behind_tool(
+        (1.0, 2.0, 3.0), turned, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
+    )
+    assert position == (1.0, 2.0, 3.0)
+    assert quaternion == pytest.approx(turned)
+
+
+def matrix(
+    position: tuple[float, float, float], vector: tuple[float, float, float]
+) -> NDArray[np.float64]:
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), position
+    return T

@@ -1,0 +1,322 @@
+"""The RTDE driver against the simulated robot, and the simulated robot against a client of others.
+
+``ur_rtde`` (the package ``ur-rtde``) reads the simulated robot as well, so that driver and robot do
+not merely agree with each other. It always uses port 30004, hence an address of its own.
+"""
+
+import json
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from hardware.arm.universal_robots.packages import PackageError, PackageReader, decode_recipe
+from hardware.arm.universal_robots.ur_rtde import from_options
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
+from hardware.registry import arm_driver
+from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    read_until,
+    read_until_lost,
+    select_readings,
+    select_samples,
+)
+
+pytestmark = pytest.mark.slow
+
+TOOL = (0.02, -0.03, 0.15, 0.4, -0.2, 1.1)
+START_NS = now_ns()
+
+
+def swing(at_ns: int) -> RobotState:
+    """A robot whose first joint turns by 0.1 rad a second; its flange goes round."""
+    angle = 0.1 * (at_ns - START_NS) / 1e9
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_euler("zx", [angle, 0.5]).as_matrix()
+    T[:3, 3] = 400 * np.cos(angle), 400 * np.sin(angle), 250.0
+    return RobotState(np.array([angle, -0.5, 1.0, -1.5, 2.0, -2.5]), T)
+
+
+class RtdeBench(ArmBench):
+    def __init__(self, server: RtdeServer, report: str) -> None:
+        self.server, self.report = server, report
+
+    def driver(self) -> ArmDriver:
+        options = {"address": "127.0.0.1", "port": self.server.port, "report": self.report}
+        return from_options(options)
+
+    def contacts(self) -> int:
+        return self.server.contacts
+
+    def unplug(self) -> None:
+        self.server.faults.unplugged = True
+        time.sleep(0.05)
+
+    def plug_in(self) -> None:
+        self.server.faults.unplugged = False
+        time.sleep(0.05)
+
+    def silence(self, silent: bool) -> None:
+        self.server.faults.silent = silent
+
+    def lose_samples(self, count: int) -> None:
+        self.server.faults.skip = count
+
+
+@pytest.fixture
+def server() -> Iterator[RtdeServer]:
+    server = RtdeServer(swing, tool_offset=TOOL)
+    server.start()
+    yield server
+    server.stop()
+
+
+class TestUrRtde(ArmConformance):
+    @pytest.fixture(params=["flange", "joints"])
+    def bench(self, request: pytest.FixtureRequest, server: RtdeServer) -> ArmBench:
+        return RtdeBench(server, request.param)
+
+
+@pytest.fixture
+def driver(server: RtdeServer) -> Iterator[ArmDriver]:
+    driver = arm_driver("ur-rtde", {"address": "127.0.0.1", "port": server.port})
+    yield driver
+    driver.close()
+
+
+def test_poses_are_of_the_flange_at_their_stamps(server: RtdeServer, driver: ArmDriver) -> None:
+    info = driver.open()
+    assert (info.reports, info.pose_of, info.rate_hz) == ("pose", "flange", 500.0)
+    readings = select_readings(read_until(driver, lambda got: len(got) > 100))
+    for pose in readings:
+        assert isinstance(pose, PoseSample)
+        T = swing(pose.stamp_ns).T_base_flange  # the server's clock runs like the host's
+        off_mm = np.linalg.norm(np.subtract(pose.position_mm, T[:3, 3]))
+        assert off_mm < 0.4  # 10 ms of motion
+        turned = Rotation.from_quat(pose.quaternion_xyzw) * Rotation.from_matrix(T[:3, :3]).inv()
+        assert turned.magnitude() < 1e-3
+
+
+def test_joints_are_those_of_the_robot(server: RtdeServer) -> None:
+    driver = from_options(
+        {"address": "127.0.0.1", "port": server.port, "report": "joints", "rate_hz": 125}
+    )
+    info = driver.open()
+    assert (info.joint_count, info.rate_hz) == (6, 125.0)
+    for sample in select_samples(read_until(driver, lambda got: len(got) > 50)):
+        assert sample.joints_rad == pytest.approx(swing(sample.stamp_ns).joints_rad, abs=1e-3)
+    driver.close()
+
+
+def test_what_is_not_asked_for_needs_not_be_there(server: RtdeServer) -> None:
+    server.faults.unknown = frozenset({"tcp_offset"})
+    driver = from_options({"address": "127.0.0.1", "port": server.port, "report": "joints"})
+    driver.open()
+    assert isinstance(read_until(driver, select_samples)[0], JointSample)
+    driver.close()
+    with pytest.raises(DeviceError, match="does not offer tcp_offset"):
+        from_options({"address": "127.0.0.1", "port": server.port}).open()
+
+
+def test_text_messages_come_in_between_and_are_passed_on(
+    server: RtdeServer, driver: ArmDriver
+) -> None:
+    driver.open()
+    server.say("Low on coffee")
+    readings = select_readings(read_until(driver, lambda got: len(got) > 200))
+    assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
+    server.faults.robot_mode = 3
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "without power" in str(error)
+    assert "Low on coffee (RTDE)" in str(error)
+
+
+def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(
+    server: RtdeServer, driver: ArmDriver
+) -> None:
+    driver.open()
+    read_until(driver, select_readings)
+    server.tool_offset = (0.0, 0.0, 0.2, 0.0, 0.0, 0.0)
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "active tool (TCP)" in str(error.what)
+    driver.open()
+    pose = select_readings(read_until(driver, select_readings))[0]
+    assert isinstance(pose, PoseSample)
+    assert pose.position_mm[2] == pytest.approx(250.0)
+    driver.close()
+
+
+@pytest.mark.parametrize(
+    ("offset", "value", "words"),
+    [
+        (16, np.nan, "no numbers"),
+        (16, np.inf, "no numbers"),
+        (40, np.nan, "no numbers"),
+        (4, np.nan, "no numbers"),
+        (4, 1e7, "clock of the robot"),
+        (4, 1.0, "clock of the robot"),
+    ],
+)
+def test_what_cannot_be_true_is_an_error(
+    server: RtdeServer, driver: ArmDriver, offset: int, value: float, words: str
+) -> None:
+    driver.open()
+    read_until(driver, select_readings)
+    written = struct.pack(">d", value)
+    server.faults.spoil = lambda package: package[:offset] + written + package[offset + 8 :]
+    seen: list[ArmRecord] = []
+    error = read_until_lost(lambda: seen.extend(driver.read(0.1)))
+    assert words in str(error)
+    poses = [each for each in seen if isinstance(each, PoseSample)]
+    assert all(np.isfinite(pose.position_mm).all() for pose in poses)
+    assert np.all(np.diff([pose.stamp_ns for pose in poses]) > 0)
+
+
+def test_a_damaged_stream_is_an_error(server: RtdeServer, driver: ArmDriver) -> None:
+    for damage in (b"\x00\x01\x55", b"\x00\x04\x55\x01", b"\x00\x04\x55\x07"):
+        driver.open()
+        server.faults.spoil = lambda package, damage=damage: damage  # type: ignore[misc]
+        error = read_until_lost(lambda: driver.read(0.1))
+        assert "is no RTDE" in str(error)
+        server.faults.spoil = lambda package: package
+
+
+def test_packages_arrive_in_any_pieces(server: RtdeServer) -> None:
+    """A proxy passes the stream on byte by byte at first, then in odd pieces."""
+    proxy = socket.create_server(("127.0.0.1", 0))
+
+    def relay() -> None:
+        near, _ = proxy.accept()
+        far = socket.create_connection(("127.0.0.1", server.port))
+        threading.Thread(target=pump, args=(near, far, 1), daemon=True).start()
+        pump(far, near, 7)
+
+    threading.Thread(target=relay, daemon=True).start()
+    driver = from_options({"address": "127.0.0.1", "port": proxy.getsockname()[1], "rate_hz": 125})
+    driver.open()
+    readings = select_readings(read_until(driver, lambda got: len(got) > 50))
+    assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
+    driver.close()
+    proxy.close()
+
+
+def pump(source: socket.socket, target: socket.socket, piece: int) -> None:
+    with source, target:
+        target.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        while data := receive_or_end(source):
+            for at in range(0, len(data), piece):
+                try:
+                    target.sendall(data[at : at + piece])
+                except OSError:
+                    return
+
+
+def receive_or_end(source: socket.socket) -> bytes:
+    try:
+        return source.recv(4096)
+    except OSError:
+        return b""
+
+
+def test_what_the_controller_refuses_is_said(server: RtdeServer) -> None:
+    address: dict[str, object] = {"address": "127.0.0.1", "port": server.port, "timeout_s": 1.0}
+    server.faults.refuses_protocol = True
+    assert "version 2 of RTDE" in open_error(address)
+    server.faults.refuses_protocol, server.faults.refuses_start = False, True
+    assert "refuses to send data" in open_error(address)
+    server.faults.refuses_start, server.faults.silent = False, True
+    assert "has sent nothing for 1 s" in open_error(address)
+    server.faults.silent, server.version = False, (3, 15, 8, 0)
+    assert "at most 125 Hz, but station.toml states 500 Hz" in open_error(
+        {**address, "rate_hz": 500}
+    )
+    driver = from_options(address)
+    assert driver.open().rate_hz == 125.0
+    driver.close()
+
+
+def test_what_is_no_controller_is_said() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        address: dict[str, object] = {"address": "127.0.0.1", "port": port, "timeout_s": 0.5}
+        assert "does not answer as RTDE does" in open_error(address)
+        connections: list[socket.socket] = []
+        chatter = threading.Thread(target=chat, args=(other, connections), daemon=True)
+        chatter.start()
+        assert "is no RTDE" in open_error({**address, "timeout_s": 5.0})
+        chatter.join()
+        for connection in connections:
+            connection.close()
+    assert "No program listens at" in open_error(address)
+    assert "no host with the name" in open_error({**address, "address": "no-such-host.invalid"})
+
+
+def chat(server: socket.socket, connections: list[socket.socket]) -> None:
+    """Greets the client that has left and the next one, as another kind of server does."""
+    for _ in range(2):
+        connection, _ = server.accept()
+        connection.sendall(bytes(64))
+        connections.append(connection)
+
+
+def open_error(options: dict[str, object]) -> str:
+    with pytest.raises(DeviceError) as caught:
+        from_options(options).open()
+    return str(caught.value)
+
+
+def test_a_recipe_that_does_not_fit_is_refused() -> None:
+    assert decode_recipe(b"\x01DOUBLE,NOT_FOUND", ["a", "b"]).missing == ["b"]
+    for answer in (b"", b"\x01DOUBLE", b"\x01DOUBLE,VECTOR9"):
+        with pytest.raises(PackageError):
+            decode_recipe(answer, ["a", "b"])
+    with pytest.raises(PackageError):
+        PackageReader().feed(b"\x00\x02\x55")
+
+
+READ_BY_OTHERS = """
+import json, sys, time
+from rtde_receive import RTDEReceiveInterface
+client = RTDEReceiveInterface(sys.argv[1], 500.0, ["timestamp", "actual_q", "actual_TCP_pose"])
+stamps = set()
+deadline = time.monotonic() + 10.0
+while len(stamps) < 50 and time.monotonic() < deadline:
+    stamps.add(client.getTimestamp())
+    time.sleep(0.001)
+print(json.dumps([sorted(stamps), client.getActualQ(), client.getActualTCPPose()]))
+client.disconnect()
+"""
+"""A process of its own: the client holds the interpreter while it connects."""
+
+
+def test_a_client_of_others_reads_the_simulated_robot() -> None:
+    pytest.importorskip("rtde_receive")
+    still = swing(START_NS + 3_000_000_000)
+    server = RtdeServer(lambda at_ns: still, "127.0.30.4", 30004, TOOL)
+    server.start()
+    try:
+        done = subprocess.run(
+            [sys.executable, "-c", READ_BY_OTHERS, "127.0.30.4"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=True,
+        )
+        expected = server.values_at(now_ns())
+    finally:
+        server.stop()
+    stamps, joints, pose = json.loads(done.stdout.splitlines()[-1])
+    assert len(stamps) == 50
+    assert joints == pytest.approx(expected["actual_q"])
+    assert pose == pytest.approx(expected["actual_TCP_pose"])
