@@ -954,6 +954,7 @@ fitting =
     }
 fitting-arm = Armparameter werden ausgeglichen
 fitting-contact-points = Antastpunkte werden ausgeglichen
+five-to-seven-joints-expected = erwartet werden fünf bis sieben Gelenke, nicht { $joints }
 fix-board-flat-plate = Tafel auf einer ebenen Platte befestigen.
 fix-board-so-cannot-rock-warp = Tafel so befestigen, dass sie nicht wackeln oder sich verziehen kann, und das Objektiv der Kamera feststellen.
 fix-object-arm-so-neither-can = Objekt und Messarm so befestigen, dass sich keines bewegen kann, das Objekt antasten und die Bilder neu aufnehmen.
@@ -2282,7 +2283,6 @@ signed-out = abgemeldet
 simulated-camera-is-lost = Die simulierte Kamera ist nicht mehr verbunden
 simulated-sensor-is-not-open = Der simulierte Sensor ist nicht geöffnet
 since-calibration = { $celsius }, { $change } seit der Kalibrierung.
-six-seven-joints-expected = erwartet werden sechs oder sieben Gelenke, nicht { $joints }
 size-expected = erwartet werden { $width } × { $height } Pixel
 so-centre-known-k-1 = Standardunsicherheit des Mittelpunkts { $centre_sd }, k = 1
 so-many-corners-needed = mindestens { $fewest } sind nötig

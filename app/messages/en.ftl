@@ -950,6 +950,7 @@ fitting =
     }
 fitting-arm = Fitting the arm
 fitting-contact-points = Fitting the contact points
+five-to-seven-joints-expected = five to seven joints are expected, not { $joints }
 fix-board-flat-plate = Fix the board to a flat plate.
 fix-board-so-cannot-rock-warp = Fix the board so that it cannot rock or warp, and lock the camera's lens.
 fix-object-arm-so-neither-can = Fix object and arm so that neither can move, touch the object, and take the pictures again.
@@ -2273,7 +2274,6 @@ signed-out = signed out
 simulated-camera-is-lost = The simulated camera is disconnected
 simulated-sensor-is-not-open = The simulated sensor is not open
 since-calibration = { $celsius }, { $change } since the calibration.
-six-seven-joints-expected = six or seven joints are expected, not { $joints }
 size-expected = { $width } × { $height } pixels are expected
 so-centre-known-k-1 = uncertainty of the centre { $centre_sd }, k = 1
 so-many-corners-needed = at least { $fewest } are required

@@ -11,7 +11,18 @@ from app.formats.datasheets.arm_identification import IdentificationPart
 from app.formats.file_names import display_path
 from app.formats.json_document import Document, DocumentPart, NotNegative, Number, Positive
 from app.messages.message import message
-from app.metrology.arm.kinematics import Arm, Joint, LinkError, RobotArm, Tip
+from app.metrology.arm.kinematics import (
+    Arm,
+    Joint,
+    LinkError,
+    RobotArm,
+    Tip,
+    error_from_transform,
+    error_transform,
+)
+from app.metrology.arm.modified_dh import standard_from_modified
+
+JOINT_COUNTS = (5, 6, 7)
 
 
 class ErrorPart(DocumentPart):
@@ -55,7 +66,9 @@ class ArmFile(Document):
 
     name: str
     serial_number: str
-    convention: Literal["dh-standard", "pose"]
+    convention: Literal["dh-standard", "dh-modified", "pose"]
+    base: ErrorPart | None = None
+    """Constant transform before the first joint."""
     joints: tuple[JointPart, ...] = Field(default=())
     tip: TipPart | None = None
     """A robot that touches nothing has none."""
@@ -63,9 +76,9 @@ class ArmFile(Document):
 
     @model_validator(mode="after")
     def _check_joints(self) -> Self:
-        if self.convention == "dh-standard" and len(self.joints) not in (6, 7):
-            raise ValueError(message("six-seven-joints-expected", joints=len(self.joints)))
-        if self.convention == "dh-standard" and self.tip is None:
+        if self.convention != "pose" and len(self.joints) not in JOINT_COUNTS:
+            raise ValueError(message("five-to-seven-joints-expected", joints=len(self.joints)))
+        if self.convention != "pose" and self.tip is None:
             raise ValueError(message("tip-missing-place-flange-diameter"))
         names = [joint.name for joint in self.joints]
         for name in names:
@@ -82,7 +95,11 @@ def read_any_arm(path: Path) -> Arm | RobotArm:
         return RobotArm(document.name, document.serial_number, tip)
     assert tip is not None
     joints = tuple(_joint(part) for part in document.joints)
-    return Arm(name=document.name, serial_number=document.serial_number, joints=joints, tip=tip)
+    base = _link_error(document.base)
+    if document.convention == "dh-modified":
+        first, joints = standard_from_modified(joints)
+        base = error_from_transform(error_transform(base) @ error_transform(first))
+    return Arm(document.name, document.serial_number, joints, tip, base)
 
 
 def read_arm(path: Path) -> Arm:
@@ -99,12 +116,14 @@ def read_arm(path: Path) -> Arm:
 
 
 def arm_document(arm: Arm, identification: IdentificationPart | None = None) -> ArmFile:
-    """The file of an arm; of an identified one, with what its parameters rest on."""
+    """The file of an arm in the standard convention; of an identified one, with what its parameters
+    rest on."""
     tip = arm.tip
     return ArmFile(
         name=arm.name,
         serial_number=arm.serial_number,
         convention="dh-standard",
+        base=_error_part(arm.base),
         joints=tuple(_joint_part(joint) for joint in arm.joints),
         tip=TipPart(x_mm=tip.x_mm, y_mm=tip.y_mm, z_mm=tip.z_mm, diameter_mm=tip.diameter_mm),
         identification=identification,
@@ -112,7 +131,6 @@ def arm_document(arm: Arm, identification: IdentificationPart | None = None) -> 
 
 
 def _joint(part: JointPart) -> Joint:
-    error = part.error or ErrorPart()
     low, high = np.deg2rad(part.limits_deg)
     return Joint(
         name=part.name,
@@ -123,19 +141,23 @@ def _joint(part: JointPart) -> Joint:
         sign=part.sign,
         limits_rad=(float(low), float(high)),
         encoder_sd_rad=float(np.deg2rad(part.encoder_sd_deg)),
-        error=LinkError(
-            error.x_mm,
-            error.y_mm,
-            error.z_mm,
-            float(np.deg2rad(error.rx_deg)),
-            float(np.deg2rad(error.ry_deg)),
-            float(np.deg2rad(error.rz_deg)),
-        ),
+        error=_link_error(part.error),
+    )
+
+
+def _link_error(part: ErrorPart | None) -> LinkError:
+    error = part or ErrorPart()
+    return LinkError(
+        error.x_mm,
+        error.y_mm,
+        error.z_mm,
+        float(np.deg2rad(error.rx_deg)),
+        float(np.deg2rad(error.ry_deg)),
+        float(np.deg2rad(error.rz_deg)),
     )
 
 
 def _joint_part(joint: Joint) -> JointPart:
-    error = joint.error
     return JointPart(
         name=joint.name,
         a_mm=joint.a_mm,
@@ -145,14 +167,19 @@ def _joint_part(joint: Joint) -> JointPart:
         sign=1 if joint.sign > 0 else -1,
         limits_deg=(float(np.rad2deg(joint.limits_rad[0])), float(np.rad2deg(joint.limits_rad[1]))),
         encoder_sd_deg=float(np.rad2deg(joint.encoder_sd_rad)),
-        error=None
-        if error == LinkError()
-        else ErrorPart(
-            x_mm=error.x_mm,
-            y_mm=error.y_mm,
-            z_mm=error.z_mm,
-            rx_deg=float(np.rad2deg(error.rx_rad)),
-            ry_deg=float(np.rad2deg(error.ry_rad)),
-            rz_deg=float(np.rad2deg(error.rz_rad)),
-        ),
+        error=_error_part(joint.error),
+    )
+
+
+def _error_part(error: LinkError) -> ErrorPart | None:
+    """None for no error, so that files stay short."""
+    if error == LinkError():
+        return None
+    return ErrorPart(
+        x_mm=error.x_mm,
+        y_mm=error.y_mm,
+        z_mm=error.z_mm,
+        rx_deg=float(np.rad2deg(error.rx_rad)),
+        ry_deg=float(np.rad2deg(error.ry_rad)),
+        rz_deg=float(np.rad2deg(error.rz_rad)),
     )

@@ -58,12 +58,14 @@ class Tip:
 
 @dataclass(frozen=True)
 class Arm:
-    """An articulated arm of six or seven rotary joints with a touch probe."""
+    """An articulated arm of five to seven rotary joints with a touch probe."""
 
     name: str
     serial_number: str
     joints: tuple[Joint, ...]
     tip: Tip
+    base: LinkError = field(default_factory=LinkError)
+    """Constant transform from the frame of the first joint to the arm frame."""
 
     @property
     def joint_count(self) -> int:
@@ -129,7 +131,7 @@ def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
         q_rad: (N, n) encoder angles, before sign and offset.
 
     Returns:
-        (n, N, 4, 4); element i maps frame i+1 to frame i.
+        (n, N, 4, 4); element i maps frame i+1 to frame i. The first contains the base transform.
 
     Source:
         Eq. 2 and 3 of the article.
@@ -147,6 +149,8 @@ def link_transforms(arm: Arm, q_rad: Floats) -> Floats:
         A[:, 3, 3] = 1.0
         if joint.error != LinkError():
             links[i] = A @ error_transform(joint.error)
+    if arm.base != LinkError():
+        links[0] = error_transform(arm.base) @ links[0]
     return links
 
 
@@ -173,6 +177,20 @@ def error_transform(error: LinkError) -> Floats:
             [0.0, 0.0, 0.0, 1.0],
         ]
     )
+
+
+def error_from_transform(T: Floats) -> LinkError:
+    """The error terms of a transform; inverse of ``error_transform``.
+
+    Args:
+        T: (4, 4). With ry at a right angle, rz is 0 and rx holds the whole rotation.
+    """
+    x, y, z = (float(v) for v in T[:3, 3])
+    ry = float(np.arctan2(-T[2, 0], np.hypot(T[0, 0], T[1, 0])))
+    if np.hypot(T[0, 0], T[1, 0]) < 1e-9:
+        return LinkError(x, y, z, float(np.arctan2(T[0, 1] * np.sign(ry), T[1, 1])), ry, 0.0)
+    rx, rz = float(np.arctan2(T[2, 1], T[2, 2])), float(np.arctan2(T[1, 0], T[0, 0]))
+    return LinkError(x, y, z, rx, ry, rz)
 
 
 def flange_poses(arm: AnyArm, readings: Floats) -> Floats:
@@ -282,8 +300,9 @@ def geometric_jacobians(arm: Arm, q_rad: Floats, point_flange_mm: Floats) -> Flo
         (N, 6, n), rows as in ``geometric_jacobian``.
     """
     links = link_transforms(arm, q_rad)
-    before = [np.broadcast_to(np.eye(4), links.shape[1:])]
-    for link in links:
+    # the frame whose z axis joint i turns about
+    before = [np.broadcast_to(error_transform(arm.base), links.shape[1:]), links[0]]
+    for link in links[1:]:
         before.append(before[-1] @ link)
     point = before[-1][:, :3, :3] @ np.asarray(point_flange_mm) + before[-1][:, :3, 3]
     jacobians = np.zeros((len(point), 6, arm.joint_count))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, link_transforms
+from app.metrology.arm.kinematics import Arm, error_transform, link_transforms
 from app.metrology.transforms import Floats, adjoint
 
 # Lever that converts errors in rotation, of a robot or a link, into errors in position.
@@ -67,12 +67,12 @@ def _error_jacobians(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
     links = link_transforms(arm, q)
     n, count = arm.joint_count, len(q)
     by_links, by_encoders = np.zeros((count, 6, 6 * n)), np.zeros((count, 6, n))
-    T = np.broadcast_to(np.eye(4), (count, 4, 4))
+    T = np.broadcast_to(error_transform(arm.base), (count, 4, 4))
     for i, joint in enumerate(arm.joints):
         axis = np.array([0.0, 0.0, joint.sign, 0.0, 0.0, 0.0])
         for p in range(count):
             by_encoders[p, :, i] = adjoint(T[p]) @ axis
-        T = T @ links[i]
+        T = links[0] if i == 0 else T @ links[i]  # the first link contains the base
         for p in range(count):
             by_links[p, :, 6 * i : 6 * i + 6] = adjoint(T[p])
     return np.asarray(T), by_links, by_encoders

@@ -121,8 +121,9 @@ def pose_jacobian(arm: Arm, q_rad: Floats) -> PoseJacobian:
     q = np.asarray(q_rad, dtype=np.float64)
     count = len(q)
     # rotation and origin of the frame before each term, walked from the base to the tip
-    R = np.broadcast_to(np.eye(3), (count, 3, 3))
-    o = np.zeros((count, 3))
+    base = error_transform(arm.base)
+    R = np.broadcast_to(base[:3, :3], (count, 3, 3))
+    o = np.tile(base[:3, 3], (count, 1))
     moves: list[tuple[int, Floats]] = []  # (index, axis to move along)
     turns: list[tuple[int, Floats, Floats]] = []  # (index, axis to rotate about, a point on it)
     for i, joint in enumerate(arm.joints):
