@@ -34,6 +34,7 @@ from app.security.authentication import Authenticator
 from app.security.console_code import new_code
 from app.station.bus import Bus
 from app.station.control_lease import Lease
+from app.station.devices.pulse_trigger import TriggerSettings
 from app.station.devices.rig import Rig
 from app.station.jobs import Jobs
 from app.station.operator_settings import OperatorSettings
@@ -73,6 +74,8 @@ class StationParts:
     """The account that a link on the console signs in, for a demonstration or a replay."""
     code: str = field(default_factory=new_code)
     """The output on the console."""
+    trigger: TriggerSettings | None = None
+    """How the arm triggers the camera, if it does."""
     monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
     """Recipients of notifications, and further services."""
 
@@ -93,7 +96,7 @@ def open_context(parts: StationParts) -> Context:
 
 def _build_context(parts: StationParts, store: Store) -> Context:
     bus = Bus()
-    rig = Rig(bus, parts.arm, parts.sensor, store.folder)
+    rig = Rig(bus, parts.arm, parts.sensor, store.folder, parts.trigger)
     scene = Scene()
     scanner = Scanner(bus, rig, scene, store.folder / "scans")
     viewing = ViewController(bus, scene, store.folder / "scans", scanner.distance)

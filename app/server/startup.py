@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from app.operations.services import MonitoringSettings
     from app.server.composition import StationParts
     from app.server.live_replay import Replay
+    from app.station.devices.pulse_trigger import TriggerSettings
 
 PORTS_TRIED = 20
 
@@ -120,8 +121,16 @@ def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
         limits=Limits(settings.limits.good_um, settings.limits.usable_um),
         verification=settings.verification,
         due=settings.due,
+        trigger=_trigger_settings(settings),
         monitoring=_monitoring_settings(settings),
     )
+
+
+def _trigger_settings(settings: Settings) -> "TriggerSettings | None":
+    from app.station.devices.pulse_trigger import TriggerSettings
+
+    table = settings.trigger
+    return None if table is None else TriggerSettings(table.rate_hz, table.delay_us)
 
 
 def _monitoring_settings(settings: Settings) -> "MonitoringSettings":

@@ -142,6 +142,14 @@ class TemperatureTable(TomlTable):
     file: SettingsPath
 
 
+class TriggerTable(TomlTable):
+    """How the arm triggers the camera."""
+
+    rate_hz: Annotated[float, Field(ge=10.0, le=10_000.0)]
+    delay_us: Annotated[float, Field(ge=0.0, le=100_000.0)] = 0.0
+    """From a pulse to the start of its exposure, by the camera's datasheet."""
+
+
 class Settings(TomlTable):
     """One station."""
 
@@ -153,6 +161,7 @@ class Settings(TomlTable):
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
     temperature: TemperatureTable | None = None
+    trigger: TriggerTable | None = None
 
     @field_validator("mqtt")
     @classmethod

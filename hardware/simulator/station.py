@@ -38,6 +38,7 @@ from hardware.simulator.rendering.sensor import (
     SharedRenderer,
     SimulatedSensor,
 )
+from hardware.simulator.rendering.triggered_sensor import TriggeredSensor
 from hardware.simulator.scene.datasheets import (
     JsonObject,
     arm_datasheet,
@@ -98,6 +99,10 @@ class SimulationConfig:
     """By how much the arm's stamps are later than the camera's."""
     detector: Detector = field(default_factory=Detector)
     light: Light = field(default_factory=Light)
+    triggered: bool = False
+    """The arm's pulses trigger the camera."""
+    jitter_ms: float = 0.0
+    """By how much the frames of a triggered camera arrive earlier or later than usual."""
     laser_switch: bool = True
     """Whether the station can switch the laser, or only a person at the sensor."""
 
@@ -128,6 +133,7 @@ class SimulatedStation:
         )
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
+        self._triggered: TriggeredSensor | None = None
         self.operator = ScriptedOperator(
             self._rig.arm,
             self._motion,
@@ -172,6 +178,7 @@ class SimulatedStation:
                 self.arm_faults,
                 config.seed,
                 self._controller_poses if config.arm_reports == "pose" else None,
+                self._trigger,
             )
             self._device.start()
         return self
@@ -194,7 +201,7 @@ class SimulatedStation:
     def __exit__(self, *_: object) -> None:
         self.stop()
 
-    def sensor(self) -> SimulatedSensor:
+    def sensor(self) -> SimulatedSensor | TriggeredSensor:
         """A new driver of the station's one sensor, unopened."""
         optics = self._rig.optics
         info = SensorInfo(
@@ -205,7 +212,13 @@ class SimulatedStation:
             exposure_range_us=EXPOSURE_RANGE_US,
             has_laser_switch=self.config.laser_switch,
             longest_gap_s=LONGEST_GAP_S,
+            free_running=not self.config.triggered,
         )
+        if self.config.triggered:
+            self._triggered = TriggeredSensor(
+                self.shared_renderer, info, self.config.jitter_ms, self.config.seed
+            )
+            return self._triggered
         early_ns = round(1e6 * self.config.arm_delay_ms)
         return SimulatedSensor(
             self.shared_renderer, info, self.config.frames_hz, self.config.seed, early_ns
@@ -244,6 +257,10 @@ class SimulatedStation:
         board, at = self._board, self._scene.find_object("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
         return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+
+    def _trigger(self, stamp_ns: int) -> None:
+        if self._triggered is not None:
+            self._triggered.trigger(stamp_ns)
 
     def _controller_poses(self, q_rad: Floats) -> Floats:
         return flange_poses(self._rig.nominal_arm, q_rad)

@@ -13,6 +13,7 @@ from app.metrology.transforms import Floats, vector_from_rotation
 from app.station.bus import Bus
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
 from app.station.devices.link_state import DeviceState, device_state
+from app.station.devices.pulse_pairing import PulsePairing
 from app.station.devices.reading_buffer import (
     ReadingMean,
     ReadingRing,
@@ -36,8 +37,12 @@ DOUBTED_S = 1.0
 class StationArm:
     """Reads the arm in its own thread; everything else may be called from any thread."""
 
-    def __init__(self, bus: Bus, make: Callable[[], ArmDriver]) -> None:
+    def __init__(
+        self, bus: Bus, make: Callable[[], ArmDriver], pairing: PulsePairing | None = None
+    ) -> None:
+        """``pairing``: is told the samples that were latched at trigger pulses."""
         self._bus = bus
+        self._pairing = pairing
         self._chosen: AnyArm | None = None
         self._ring: ReadingRing | None = None
         self._judge: ReadingJudge | None = None
@@ -251,6 +256,10 @@ class StationArm:
         ring, judge = self._ring, self._judge
         if ring is None or judge is None:
             return
+        if self._pairing is not None:
+            for sample in samples:
+                if sample.pulse is not None:
+                    self._pairing.note_pulse(sample.pulse, sample.stamp_ns)
         good = judge.filter(samples)
         ring.extend(good, judge.judged_ns)
         if good:

@@ -14,6 +14,8 @@ from app.station.devices.arm_device import StationArm
 from app.station.devices.capture import Capture, capture
 from app.station.devices.device_thread import Link, LinkState
 from app.station.devices.link_state import DeviceState
+from app.station.devices.pulse_pairing import PulsePairing
+from app.station.devices.pulse_trigger import PulseTrigger, TriggerSettings
 from app.station.devices.sensor_device import StationSensor
 from hardware.interfaces import ArmDriver, SensorDriver
 
@@ -41,6 +43,7 @@ class Rig:
     Args:
         arm, sensor: return a new, unopened driver at each call.
         data_dir: the folder whose disk is watched.
+        trigger: the arm triggers the camera in this way; None if it does not.
     """
 
     def __init__(
@@ -49,11 +52,16 @@ class Rig:
         arm: Callable[[], ArmDriver],
         sensor: Callable[[], SensorDriver],
         data_dir: Path,
+        trigger: TriggerSettings | None = None,
     ) -> None:
         self._bus = bus
         self._data_dir = data_dir
-        self.arm = StationArm(bus, arm)
-        self.sensor = StationSensor(bus, sensor)
+        pairing = None if trigger is None else PulsePairing(trigger.delay_us)
+        self.arm = StationArm(bus, arm, pairing)
+        self.sensor = StationSensor(bus, sensor, pairing)
+        self._trigger: PulseTrigger | None = None
+        if trigger is not None and pairing is not None:
+            self._trigger = PulseTrigger(trigger, pairing)
         self._capturing = threading.Lock()
         self._stopping = threading.Event()
         self._publisher: threading.Thread | None = None
@@ -62,6 +70,8 @@ class Rig:
         self._stopping.clear()
         self.arm.reader.start()
         self.sensor.reader.start()
+        if self._trigger is not None:
+            self._trigger.start()
         self._publisher = threading.Thread(target=self._publish, name="rig-state", daemon=True)
         self._publisher.start()
 
@@ -69,6 +79,8 @@ class Rig:
         """Switches the laser off, closes devices and ends threads."""
         self.sensor.laser_off()
         self._stopping.set()
+        if self._trigger is not None:
+            self._trigger.stop()
         self.arm.reader.stop()
         self.sensor.reader.stop()
         if self._publisher is not None:
@@ -125,6 +137,8 @@ class Rig:
             ):
                 self._report_link(title, said.get(title), link)
                 said[title] = link.state
+            if self._trigger is not None:
+                self._trigger.use(self.arm.reader.driver, self.sensor.reader.driver)
             doubted = self._report_doubt(doubted)
             now_s = time.monotonic()
             if said != before or now_s - published_s >= PUBLISH_S:

@@ -10,6 +10,7 @@ from app.station.devices.auto_exposure import MOST_STEPS, better_exposure_us
 from app.station.devices.device_thread import READ_TIMEOUT_S, DeviceReader
 from app.station.devices.frame_hub import FrameHub
 from app.station.devices.link_state import DeviceState, device_state
+from app.station.devices.pulse_pairing import PulsePairing
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import Frame, SensorDriver, SensorInfo
@@ -24,8 +25,13 @@ FRAME_TIMEOUT_S = 3.0
 class StationSensor:
     """Reads the sensor in its own thread; everything else may be called from any thread."""
 
-    def __init__(self, bus: Bus, make: Callable[[], SensorDriver]) -> None:
+    def __init__(
+        self, bus: Bus, make: Callable[[], SensorDriver], pairing: PulsePairing | None = None
+    ) -> None:
+        """``pairing``: gives frames the times of their trigger pulses."""
         self._bus = bus
+        self._pairing = pairing
+        self._unpaired = 0
         self.frames = FrameHub()
         self._exposure_wanted_us: float | None = None
         self._laser_wanted = False
@@ -49,6 +55,16 @@ class StationSensor:
     def fresh(self) -> bool:
         """True while frames arrive."""
         return self.reader.fresh
+
+    @property
+    def is_paired(self) -> bool:
+        """Whether frames and readings of the arm have the times of the same pulses."""
+        return self._pairing is not None and self._pairing.is_paired
+
+    @property
+    def unpaired(self) -> int:
+        """Number of frames whose pulse was not known, and which nothing is made of."""
+        return self._unpaired
 
     def link(self) -> DeviceState:
         return device_state(message("sensor-2"), self.reader.link(), self.info)
@@ -167,5 +183,11 @@ class StationSensor:
         if frame is None:
             return 0
         self._last_frame_s = time.monotonic()
+        if self._pairing is not None:
+            paired = self._pairing.pair(frame)
+            if paired is None:
+                self._unpaired += 1
+                return 1
+            frame = paired
         self.frames.put(frame)
         return 1

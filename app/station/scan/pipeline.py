@@ -85,7 +85,9 @@ class ScanPipeline:
         self._rejected_before = arm.rejected_count
         self._settings = settings
         self._extraction = extraction_by(settings, calibration.stripe_axis)
-        self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
+        self._delay_ns = 0
+        if not sensor.is_paired:  # pulses have no delay
+            self._delay_ns = settings.delay_ns(calibration.arm_serial, calibration.sensor_serial)
         self.points = PointMaker(calibration, show)
         names = calibration.joint_names
         self._recorder = Recorder(folder / RECORDING, names, self._metadata(), arm)

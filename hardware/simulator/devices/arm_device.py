@@ -89,6 +89,7 @@ class ArmDevice:
     Args:
         flange_poses: (N, 4, 4) for joint angles (N, n); the arm then reports poses, which a
             controller computes from its encoders.
+        on_pulse: is called with the moment of each trigger pulse.
 
     ``requests`` counts the hellos that clients asked for.
     """
@@ -101,10 +102,11 @@ class ArmDevice:
         faults: ArmFaults,
         seed: int = 0,
         flange_poses: Callable[[Floats], Floats] | None = None,
+        on_pulse: Callable[[int], None] = lambda stamp_ns: None,
     ) -> None:
         self.requests = 0
         self._flange_poses = flange_poses
-        self._pulses = TriggerPulses()
+        self._pulses, self._on_pulse = TriggerPulses(), on_pulse
         self._motion, self._line, self._encoders, self._faults = motion, line, encoders, faults
         self._rng = np.random.default_rng(seed)
         self._joints = len(motion.at(now_ns()))
@@ -164,7 +166,10 @@ class ArmDevice:
                 taken = due
             stamps = start_ns + np.rint(np.arange(taken, due) * period_ns).astype(np.int64)
             taken = max(due, taken)
-            moments = [(stamp, None) for stamp in stamps.tolist()] + self._pulses.due(now)
+            pulses = self._pulses.due(now)
+            for stamp, _ in pulses:
+                self._on_pulse(stamp)
+            moments = [(stamp, None) for stamp in stamps.tolist()] + pulses
             if moments:
                 self._take(sorted(moments, key=lambda moment: moment[0]))
             self._send_due(now)

@@ -1,0 +1,104 @@
+"""A camera that the simulated arm triggers, through the real driver, under jitter and losses."""
+
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.station.bus import Bus
+from app.station.devices.pulse_trigger import TriggerSettings
+from app.station.devices.rig import Rig
+from hardware.interfaces import Frame
+from hardware.registry import arm_driver
+from hardware.simulator.station import SimulatedStation, SimulationConfig
+from tests.station.conftest import until
+
+RATE_HZ = 20.0
+CONFIG = SimulationConfig(
+    triggered=True, jitter_ms=20.0, width_px=320, height_px=256, rate_hz=200.0
+)
+
+
+@pytest.fixture(scope="module")
+def simulation() -> Iterator[SimulatedStation]:
+    with SimulatedStation(CONFIG) as running:
+        yield running
+
+
+@pytest.fixture
+def rig(simulation: SimulatedStation, tmp_path: Path) -> Iterator[Rig]:
+    options = {"url": simulation.arm_url}
+    rig = Rig(
+        Bus(),
+        lambda: arm_driver("serial-encoder", options),
+        simulation.sensor,
+        tmp_path,
+        TriggerSettings(RATE_HZ),
+    )
+    rig.start()
+    yield rig
+    simulation.clear_faults()
+    rig.stop()
+
+
+def collect(rig: Rig, count: int) -> list[Frame]:
+    tap = rig.sensor.frames.tap(count)
+    frames: list[Frame] = []
+    deadline = time.monotonic() + 60
+    while len(frames) < count:
+        assert time.monotonic() < deadline, f"only {len(frames)} frames"
+        frames += tap.get(count, 0.2)
+    rig.sensor.frames.untap(tap)
+    return frames
+
+
+def test_arm_and_frames_are_paired_exactly(simulation: SimulatedStation, rig: Rig) -> None:
+    """While the arm moves, with 1 % of the frames and of the arm's samples lost."""
+    simulation.camera_faults.drop_rate = simulation.arm_faults.drop_rate = 0.01
+    until(lambda: rig.sensor.is_paired, 60)
+    mover = threading.Thread(target=simulation.operator.hold_over, args=("board", 1))
+    mover.start()
+    frames = collect(rig, 60)
+    simulation.operator.cancel()
+    mover.join()
+    assert rig.sensor.is_paired
+    stamps = np.array([one.mid_exposure_ns for one in frames])
+    pulses = np.array([one.pulse for one in frames])
+    # the arm's own clock: pulses are evenly apart, however unevenly their frames arrive
+    off_ns = stamps - stamps[0] - (pulses - pulses[0]) * 1e9 / RATE_HZ
+    assert np.abs(off_ns).max() < 0.5e6
+    # and each frame shows the arm where it truly was
+    frames = [one for one in frames if rig.arm.at(one.mid_exposure_ns) is not None]
+    read = np.array([rig.arm.at(one.mid_exposure_ns) for one in frames])
+    assert np.ptp(read, axis=0).max() > 0.1
+    true = simulation.joints(np.array([one.mid_exposure_ns for one in frames]))
+    assert np.abs(read - true).max() < 1e-3
+
+
+def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, rig: Rig) -> None:
+    until(lambda: rig.sensor.is_paired, 60)
+    simulation.camera_faults.lost = True
+    until(lambda: rig.sensor.reader.link().state.value == "lost", 30)
+    simulation.camera_faults.lost = False
+    until(lambda: rig.sensor.reader.link().state.value == "connected", 30)
+    until(lambda: rig.sensor.is_paired, 60)
+    assert len(collect(rig, 5)) == 5
+
+
+def test_a_camera_without_pulses_is_there_though_silent(tmp_path: Path) -> None:
+    with SimulatedStation(CONFIG) as simulation:
+        rig = Rig(
+            Bus(),
+            lambda: arm_driver("serial-encoder", {"url": simulation.arm_url}),
+            simulation.sensor,
+            tmp_path,
+        )
+        rig.start()
+        until(lambda: rig.sensor.info is not None, 60)
+        time.sleep(2.0)
+        assert rig.sensor.link().state == "connected"
+        assert rig.sensor.frames.latest is None
+        rig.stop()
