@@ -25,6 +25,7 @@ BUILT_IN = {
     _SENSORS: {
         "opencv": "hardware.sensor.opencv_camera:from_options",
         "folder": "hardware.sensor.folder:from_options",
+        "genicam": "hardware.sensor.genicam.driver:from_options",
     },
 }
 

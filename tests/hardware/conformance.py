@@ -82,6 +82,37 @@ class SensorBench(ABC):
     @abstractmethod
     def plug_in(self) -> None: ...
 
+    def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
+        """A driver whose device loses parts of the pictures with these sequence numbers.
+
+        The device sends them again if it is asked and ``resent`` is true.
+        """
+        pytest.skip("this device counts no pictures, or loses none")
+
+    def pictures_until_wrap(self) -> int:
+        """After how many pictures the device's own counter begins again."""
+        pytest.skip("this device's counter does not wrap soon")
+
+    def triggered_driver(self) -> SensorDriver:
+        """A driver whose device waits for ``trigger``."""
+        pytest.skip("this device has no trigger")
+
+    def trigger(self) -> None:
+        """Lets the device of ``triggered_driver`` take one picture."""
+        raise NotImplementedError
+
+    def take_control(self) -> None:
+        """Another program opens the device."""
+        pytest.skip("any number of programs may use this device")
+
+    def leave_control(self) -> None:
+        """The other program closes the device."""
+        raise NotImplementedError
+
+    def revoke_control(self) -> None:
+        """The device stops obeying the program that has opened it."""
+        pytest.skip("this device cannot be made to disobey")
+
 
 def read_until(
     driver: ArmDriver, enough: Callable[[list[ArmRecord]], object], within_s: float = LONG_S
@@ -468,3 +499,94 @@ class SensorConformance:
         next_frame(driver)
         assert driver.health.received > 0
         driver.close()
+
+    def test_pictures_lost_on_the_wire_are_counted(self, bench: SensorBench) -> None:
+        driver, damaged = bench.lossy_driver(resent=False)
+        driver.open()
+        assert driver.health.lost <= len(damaged)
+        seen = read_past(driver, max(damaged))
+        missing = set(range(max(seen))) - seen
+        assert damaged <= missing
+        assert len(missing) <= driver.health.lost
+        driver.close()
+
+    def test_what_is_sent_again_is_not_lost(self, bench: SensorBench) -> None:
+        driver, damaged = bench.lossy_driver(resent=True)
+        driver.open()
+        seen = read_past(driver, max(damaged))
+        assert damaged <= seen
+        driver.close()
+
+    def test_a_counter_that_begins_again_loses_nothing(self, bench: SensorBench) -> None:
+        enough = bench.pictures_until_wrap() + 30
+        driver = bench.driver()
+        driver.open()
+        frames = [next_frame(driver) for _ in range(enough)]
+        steps = np.diff([frame.sequence for frame in frames])
+        assert steps.min() == 1
+        assert (steps - 1).sum() <= driver.health.lost < enough
+        driver.close()
+
+    def test_a_triggered_camera_is_silent_and_there(self, bench: SensorBench) -> None:
+        driver = bench.triggered_driver()
+        info = driver.open()
+        assert not info.free_running
+        assert isinstance(driver, AnswersWhileSilent)
+        for _ in range(5):
+            assert driver.read(0.2) is None
+            assert driver.is_alive()
+        for pulse in (1, 2, 3):
+            bench.trigger()
+            frame = next_frame(driver)
+            assert frame.pulse == pulse
+            assert frame.image.shape == (info.height_px, info.width_px)
+        assert driver.read(0.2) is None
+        assert driver.health.lost == 0
+        bench.unplug()
+        assert not driver.is_alive()
+        read_until_lost(lambda: driver.read(0.1))
+        assert not driver.is_alive()
+        driver.close()
+
+    def test_a_device_of_another_program_is_refused_until_it_is_free(
+        self, bench: SensorBench
+    ) -> None:
+        bench.take_control()
+        driver = bench.driver()
+        with pytest.raises(DeviceError, match="in use by another program"):
+            driver.open()
+        bench.leave_control()
+        open_in_time(driver)
+        next_frame(driver)
+        driver.close()
+
+    def test_a_device_that_no_longer_obeys_is_lost(self, bench: SensorBench) -> None:
+        driver = bench.driver()
+        driver.open()
+        next_frame(driver)
+        bench.revoke_control()
+        error = read_until_lost(lambda: driver.read(0.1))
+        assert error.remedy
+        open_in_time(driver)
+        next_frame(driver)
+        driver.close()
+
+
+def read_past(driver: SensorDriver, sequence: int) -> set[int]:
+    """Reads until a sequence number has been passed; returns all numbers."""
+    seen: set[int] = set()
+    while not seen or max(seen) <= sequence:
+        seen.add(next_frame(driver).sequence)
+    return seen
+
+
+def open_in_time(driver: SensorDriver) -> SensorInfo:
+    """Opens a device that may still be busy with its last user."""
+    deadline = time.monotonic() + LONG_S
+    while True:
+        try:
+            return driver.open()
+        except DeviceError:
+            if time.monotonic() > deadline:
+                raise
+            time.sleep(0.1)

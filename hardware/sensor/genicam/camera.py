@@ -1,0 +1,213 @@
+"""One camera, opened through Aravis: its features, its registers, its control."""
+
+import threading
+from ctypes import byref, c_char, c_double, c_int, c_uint32
+from dataclasses import dataclass
+from typing import Any
+
+from app.messages.message import Text, message
+from hardware.errors import DeviceError
+from hardware.sensor.genicam.aravis import Aravis, AravisError, load_aravis
+
+GIGE_VISION, USB3_VISION = "GigEVision", "USB3Vision"
+_LISTING = threading.Lock()
+_NEEDED_FEATURES = ("Width", "Height", "PixelFormat", "AcquisitionStart")
+HEARTBEAT_TIMEOUT_REGISTER = 0x0938
+"""GigE Vision 2.0, section 28 (bootstrap registers)."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListedCamera:
+    """A camera that answered a search."""
+
+    device_id: str
+    """The name by which Aravis opens it."""
+    protocol: str
+    vendor: str
+    model: str
+    serial_number: str
+    address: str
+    """The IP address of a GigE Vision camera."""
+
+
+def list_cameras(aravis: Aravis) -> list[ListedCamera]:
+    """Searches all networks and USB; takes about a second."""
+    with _LISTING:
+        aravis.call("arv_update_device_list")
+        return [
+            ListedCamera(
+                *(
+                    (aravis.call(f"arv_get_device_{name}", index) or b"").decode("utf-8", "replace")
+                    for name in ("id", "protocol", "vendor", "model", "serial_nbr", "address")
+                )
+            )
+            for index in range(aravis.call("arv_get_n_devices"))
+        ]
+
+
+class AravisCamera:
+    """An open camera. Its methods may be called from any thread, and raise ``AravisError``."""
+
+    def __init__(self, aravis: Aravis, handle: int, address: str) -> None:
+        self.aravis = aravis
+        self.handle = handle
+        self.address = address
+        """The IP address of a GigE Vision camera; empty for others."""
+        self.device: int = aravis.call("arv_camera_get_device", handle)
+        self.is_gige = bool(aravis.call("arv_camera_is_gv_device", handle))
+        self._lock = threading.RLock()
+        self._closed = False
+
+    def call(self, name: str, *arguments: Any) -> Any:
+        """Calls ``arv_camera_NAME`` on this camera."""
+        with self._lock:
+            if self._closed:
+                raise AravisError("the camera is closed")
+            return self.aravis.call(f"arv_camera_{name}", self.handle, *arguments)
+
+    def text(self, name: str) -> str:
+        """The result of ``arv_camera_NAME``, a text; empty if the camera does not have it."""
+        try:
+            return (self.call(name) or b"").decode("utf-8", "replace")
+        except AravisError:
+            return ""
+
+    def has(self, feature: str) -> bool:
+        """Whether a feature exists, and is available now."""
+        return bool(self.call("is_feature_available", feature.encode()))
+
+    def choice(self, feature: str) -> str:
+        """The present value of an enumeration."""
+        return (self.call("get_string", feature.encode()) or b"").decode("utf-8", "replace")
+
+    def choose(self, feature: str, value: str) -> None:
+        self.call("set_string", feature.encode(), value.encode())
+
+    def choices(self, feature: str) -> list[str]:
+        """The values that an enumeration offers now; none if the camera does not have it."""
+        with self._lock:
+            return self.aravis.entries(self.handle, feature) if self.has(feature) else []
+
+    def switch(self, feature: str, on: bool) -> None:
+        self.call("set_boolean", feature.encode(), on)
+
+    def bounds(self, quantity: str) -> tuple[float, float]:
+        """Smallest and largest value from ``arv_camera_get_QUANTITY_bounds``."""
+        least, most = c_double(), c_double()
+        self.call(f"get_{quantity}_bounds", byref(least), byref(most))
+        return least.value, most.value
+
+    def sensor_size(self) -> tuple[int, int]:
+        """Width and height in px."""
+        width, height = c_int(), c_int()
+        self.call("get_sensor_size", byref(width), byref(height))
+        return width.value, height.value
+
+    def region(self) -> tuple[int, int, int, int]:
+        """Offsets x and y, width and height in px."""
+        x, y, width, height = (c_int() for _ in range(4))
+        self.call("get_region", byref(x), byref(y), byref(width), byref(height))
+        return x.value, y.value, width.value, height.value
+
+    @property
+    def has_control(self) -> bool:
+        """False if another program controls the camera, as far as Aravis knows."""
+        return not self.is_gige or bool(
+            self.aravis.call("arv_gv_device_is_controller", self.device)
+        )
+
+    def read_heartbeat_timeout(self) -> int:
+        """The register of a GigE Vision camera, in ms."""
+        value = c_uint32()
+        with self._lock:
+            self.aravis.call(
+                "arv_device_read_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, byref(value)
+            )
+        return value.value
+
+    def write_heartbeat_timeout(self, timeout_ms: int) -> None:
+        with self._lock:
+            self.aravis.call(
+                "arv_device_write_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, timeout_ms
+            )
+
+    def read_first_bytes(self) -> None:
+        """Reads the version at the beginning of the register map, which every camera has."""
+        version = (c_char * 4)()
+        with self._lock:
+            self.aravis.call("arv_device_read_memory", self.device, 0, 4, version)
+
+    def close(self) -> None:
+        """Gives the camera up; idempotent. Aravis waits some seconds for one that is gone."""
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
+        self.aravis.call("g_object_unref", self.handle)
+
+
+def open_camera(title: Text, address: str | None, serial_number: str | None) -> AravisCamera:
+    """Opens the camera at an address; or with a serial number; or the first one that is found.
+
+    With an address, nothing is sent to any other device.
+
+    Raises:
+        DeviceError: Aravis is missing, no such camera answers, another program controls it, or it
+            has no pictures.
+    """
+    aravis = load_aravis()
+    device_id = address
+    if device_id is None:
+        listed = _find(title, list_cameras(aravis), serial_number)
+        address = listed.address if listed.protocol == GIGE_VISION else ""
+        device_id = address or listed.device_id
+    try:
+        with _LISTING:
+            handle = aravis.call("arv_camera_new", device_id.encode())
+    except AravisError as error:
+        raise DeviceError(
+            message("no-camera-answers", title=title, reason=error),
+            message("check-camera-power-cable-network"),
+        ) from error
+    camera = AravisCamera(aravis, handle, address or "")
+    try:
+        _require_usable(title, camera, serial_number)
+    except BaseException:
+        camera.close()
+        raise
+    return camera
+
+
+def _find(title: Text, listed: list[ListedCamera], serial_number: str | None) -> ListedCamera:
+    for camera in listed:
+        if serial_number in (None, camera.serial_number):
+            return camera
+    if not listed:
+        raise DeviceError(
+            message("no-camera-found", title=title), message("check-camera-power-cable-network")
+        )
+    names = ", ".join(f"{camera.model} {camera.serial_number}" for camera in listed)
+    raise DeviceError(message("no-camera-found", title=title), message("cameras-are", names=names))
+
+
+def _require_usable(title: Text, camera: AravisCamera, serial_number: str | None) -> None:
+    if not camera.has_control:
+        raise in_use_error(title)
+    if not all(camera.has(feature) for feature in _NEEDED_FEATURES):
+        raise DeviceError(
+            message("device-without-pictures", title=title), message("check-sensor-address")
+        )
+    found = camera.text("get_device_serial_number")
+    if serial_number is not None and found != serial_number:
+        raise DeviceError(
+            message("other-serial-number", title=title, found=found, wanted=serial_number),
+            message("check-sensor-address"),
+        )
+
+
+def in_use_error(title: Text) -> DeviceError:
+    """The error of a camera that another program controls."""
+    return DeviceError(
+        message("camera-used-by-other-program", title=title),
+        message("close-other-program-or-wait"),
+    )

@@ -1,0 +1,69 @@
+"""The ``genicam`` driver: a camera with GigE Vision or USB3 Vision.
+
+In station.toml::
+
+    [sensor]
+    driver = "genicam"
+    address = "192.168.1.30"     # of a GigE Vision camera; or:
+    serial_number = "22812345"   # found by a search; without both, the first camera found
+    pixel_format = "Mono12p"     # optional, a name of PFNC; else as the camera is set
+    region = [0, 256, 1920, 512] # optional: x, y, width, height in px; else the whole sensor
+    exposure_us = 2000.0         # optional; else as the camera is set
+    exposure_range_us = [50.0, 20000.0]  # optional: limits what the operator may set
+    gain_db = 0.0                # optional; else as the camera is set
+    rate_hz = 100.0              # optional; else as the camera is set
+    packet_size = 8192           # optional, of GigE Vision: in bytes, with jumbo frames
+    trigger = "Line1"            # optional: a picture at each edge of this input
+    trigger_edge = "rising"      # optional: or "falling"
+    laser_line = "Line2"         # optional: the output that switches the laser
+    stamp_at = "exposure-start"  # optional: what the camera's time stamp belongs to, see below
+    latency_us = 0.0             # optional: taken off each stamp
+    chunks = ["ExposureTime"]    # optional: data that the camera appends to each picture
+    laser_colour = "red"         # required of a colour camera: red, green or blue
+    bayer = "RGGB"               # optional: raw pictures in a format that does not say so
+
+The whole sensor, a fixed exposure and gain, and no trigger are set whenever the options do not
+say otherwise. Of a raw colour format (BayerRG8 and its like) the pixels of the laser's colour
+alone are the picture, without interpolation: half as wide and high as the sensor.
+
+Losses: the camera numbers its pictures, so those that the network loses are counted. A picture of
+which a packet is missing, after it was requested again, counts as lost.
+
+Stamps: the camera's own time, converted to the host's. The manual of the camera says what it
+stamps: ``"exposure-start"``, ``"mid-exposure"``, ``"exposure-end"`` or ``"frame-end"``. The minimum
+delay from there to the first packet cannot be seen from here, as with all devices; set it as
+``latency_us``. A camera that does not stamp its pictures gets the times of their arrival.
+
+Trigger: the camera is silent by right, and is asked whether it is there. ``Frame.pulse`` counts its
+exposures from 1.
+"""
+
+import threading
+from collections.abc import Mapping
+
+from app.messages.message import Text, message
+from hardware.options import read_options
+from hardware.sensor.genicam.settings import GenicamOptions
+from hardware.sensor.genicam.source import GenicamSource
+from hardware.sensor.grabbing import GrabbingSensor
+from hardware.sensor.grey import require_colour
+
+FIRST_WITHIN_S = 5.0
+
+
+def from_options(options: Mapping[str, object]) -> GrabbingSensor:
+    """The driver for one ``[sensor]`` table of station.toml; raises ``DeviceError``."""
+    read = read_options(GenicamOptions, options, "sensor")
+    require_colour(read.bayer, read.laser_colour)
+    title = camera_title(read)
+
+    def connect(stop: threading.Event) -> GenicamSource:
+        return GenicamSource(title, read, stop)
+
+    return GrabbingSensor(title, connect, FIRST_WITHIN_S)
+
+
+def camera_title(options: GenicamOptions) -> Text:
+    """The camera in words: its address, its serial number, or the first one."""
+    named = options.address or options.serial_number
+    return message("first-genicam-camera") if named is None else message("camera", source=named)

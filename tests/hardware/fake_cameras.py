@@ -1,0 +1,161 @@
+"""GigE Vision cameras that others wrote, for tests: Aravis's and that of viva-genicam.
+
+Both listen on port 3956, which the standard fixes, so one of them runs at a time on 127.0.0.1, in
+all processes of a test run.
+"""
+
+import fcntl
+import shutil
+import socket
+import struct
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+ADDRESS = "127.0.0.1"
+PORT = 3956
+READY_S = 20.0
+FIRST_BLOCK_ID = 65401
+"""Of Aravis's camera, whose 16-bit block ids soon begin again."""
+LAST_BLOCK_ID = 65535
+CONTROL_REGISTER = 0x0A00
+PACKET_SIZE_REGISTER = 0x0D04
+TICK_FREQUENCY_REGISTERS = (0x093C, 0x0940)
+_CONTROL = 0b10
+_READ, _WRITE = 0x80, 0x82
+
+
+@contextmanager
+def port_for_this_test() -> Iterator[None]:
+    """Waits until no other test uses the port."""
+    with open(Path(tempfile.gettempdir()) / "crenel-test-gige-vision.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+class ControlClient:
+    """A second client of a camera: plain GVCP packets."""
+
+    def __init__(self) -> None:
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.settimeout(0.5)
+        self._socket.connect((ADDRESS, PORT))
+        self._request = 0
+
+    def read(self, address: int) -> int:
+        """A register; raises ``OSError`` if nobody answers."""
+        return int(struct.unpack(">I", self._ask(_READ, struct.pack(">I", address))[:4])[0])
+
+    def write(self, address: int, value: int) -> None:
+        self._ask(_WRITE, struct.pack(">II", address, value))
+
+    def take_control(self) -> None:
+        self.write(CONTROL_REGISTER, _CONTROL)
+        assert self.read(CONTROL_REGISTER) == _CONTROL
+
+    def leave_control(self) -> None:
+        self.write(CONTROL_REGISTER, 0)
+
+    def close(self) -> None:
+        self._socket.close()
+
+    def _ask(self, command: int, payload: bytes) -> bytes:
+        self._request += 1
+        head = struct.pack(">BBHHH", 0x42, 0x01, command, len(payload), self._request)
+        self._socket.send(head + payload)
+        answer = self._socket.recv(256)
+        status, _, _, request = struct.unpack_from(">HHHH", answer)
+        assert (status, request) == (0, self._request)
+        return answer[8:]
+
+
+class AravisFake:
+    """``arv-fake-gv-camera`` in a process; killed, it is unplugged."""
+
+    def __init__(self, *arguments: str) -> None:
+        program = shutil.which("arv-fake-gv-camera-0.8")
+        if program is None:
+            pytest.skip("aravis-tools is not installed")
+        self._command = [program, "-i", ADDRESS, *arguments]
+        self._process: subprocess.Popen[bytes] | None = None
+        self.start()
+
+    def start(self) -> None:
+        self._process = subprocess.Popen(
+            self._command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        deadline = time.monotonic() + READY_S
+        while True:
+            client = ControlClient()
+            try:
+                client.read(CONTROL_REGISTER)
+                return
+            except OSError:
+                assert time.monotonic() < deadline, "the fake camera does not answer"
+                time.sleep(0.05)
+            finally:
+                client.close()
+
+    def stop(self) -> None:
+        process, self._process = self._process, None
+        if process is not None:
+            process.kill()
+            process.wait()
+
+
+_LASER_FEATURES = """
+<Integer Name="LineIndex" NameSpace="Custom"><Value>0</Value></Integer>
+<Enumeration Name="LineSelector" NameSpace="Standard">
+  <EnumEntry Name="Line1"><Value>0</Value></EnumEntry>
+  <EnumEntry Name="Line2"><Value>1</Value></EnumEntry>
+  <pValue>LineIndex</pValue>
+</Enumeration>
+<Enumeration Name="LineMode" NameSpace="Standard">
+  <EnumEntry Name="Input"><Value>0</Value></EnumEntry>
+  <EnumEntry Name="Output"><Value>1</Value></EnumEntry>
+  <pValue>LineModeRegister</pValue>
+</Enumeration>
+<Enumeration Name="LineSource" NameSpace="Standard">
+  <EnumEntry Name="ExposureActive"><Value>0</Value></EnumEntry>
+  <EnumEntry Name="UserOutput1"><Value>1</Value></EnumEntry>
+  <EnumEntry Name="UserOutput2"><Value>2</Value></EnumEntry>
+  <pValue>LineSourceRegister</pValue>
+</Enumeration>
+<Integer Name="OutputIndex" NameSpace="Custom"><Value>0</Value></Integer>
+<Enumeration Name="UserOutputSelector" NameSpace="Standard">
+  <EnumEntry Name="UserOutput1"><Value>0</Value></EnumEntry>
+  <EnumEntry Name="UserOutput2"><Value>1</Value></EnumEntry>
+  <pValue>OutputIndex</pValue>
+</Enumeration>
+<Boolean Name="UserOutputValue" NameSpace="Standard">
+  <pValue>UserOutputRegister</pValue>
+</Boolean>
+"""
+_REGISTER = """
+<IntReg Name="{name}" NameSpace="Custom">
+  <Address>{address}</Address><pIndex Offset="4">{index}</pIndex><Length>4</Length>
+  <AccessMode>RW</AccessMode><pPort>Device</pPort>
+  <Sign>Unsigned</Sign><Endianess>BigEndian</Endianess>
+</IntReg>
+"""
+LINE_MODES, LINE_SOURCES, USER_OUTPUTS = 0x8000, 0x8010, 0x8020
+"""Registers of the first line, or the first output; the next one is 4 further."""
+
+
+def write_laser_camera(xml: str, path: Path) -> None:
+    """A camera description with two lines and two user outputs added, for ``AravisFake -g``."""
+    registers = [
+        _REGISTER.format(name=name, address=address, index=index)
+        for name, address, index in (
+            ("LineModeRegister", LINE_MODES, "LineIndex"),
+            ("LineSourceRegister", LINE_SOURCES, "LineIndex"),
+            ("UserOutputRegister", USER_OUTPUTS, "OutputIndex"),
+        )
+    ]
+    head, end, tail = xml.rpartition("</RegisterDescription>")
+    path.write_text(head + _LASER_FEATURES + "".join(registers) + end + tail, "utf-8")

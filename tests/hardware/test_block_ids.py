@@ -1,0 +1,53 @@
+"""Block ids of GigE Vision and USB3 Vision, unwrapped."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hardware.sensor.genicam.block_ids import BlockCounter
+
+steps = st.lists(st.integers(1, 1000), min_size=1, max_size=200)
+
+
+def count_all(ids: list[int]) -> list[int | None]:
+    counter = BlockCounter()
+    return [counter.count(block_id) for block_id in ids]
+
+
+def test_zero_is_skipped_at_the_wrap() -> None:
+    assert count_all([65533, 65534, 65535, 1, 2]) == [0, 1, 2, 3, 4]
+
+
+def test_losses_across_the_wrap_are_counted() -> None:
+    assert count_all([65534, 3, 4]) == [0, 4, 5]
+
+
+def test_ids_of_64_bits_go_on() -> None:
+    assert count_all([65534, 65535, 65536, 65537, 70000]) == [0, 1, 2, 3, 4466]
+
+
+def test_usb_counts_from_zero() -> None:
+    assert count_all([0, 1, 2, 5]) == [0, 1, 2, 5]
+
+
+def test_a_repeated_or_late_block_has_no_number() -> None:
+    assert count_all([10, 11, 11, 12, 11, 13]) == [0, 1, None, 2, None, 3]
+
+
+def test_a_long_counter_that_begins_again_loses_nothing() -> None:
+    assert count_all([100_000, 100_001, 1, 2]) == [0, 1, 2, 3]
+
+
+@given(st.integers(1, 65535), steps)
+def test_any_16_bit_counter_is_unwrapped(first: int, gaps: list[int]) -> None:
+    wanted = [0]
+    for gap in gaps:
+        wanted.append(wanted[-1] + gap)
+    assert count_all([(first - 1 + number) % 65535 + 1 for number in wanted]) == wanted
+
+
+@given(st.integers(65536, 2**63), steps)
+def test_any_64_bit_counter_is_taken_as_it_is(first: int, gaps: list[int]) -> None:
+    wanted = [0]
+    for gap in gaps:
+        wanted.append(wanted[-1] + gap)
+    assert count_all([first + number for number in wanted]) == wanted

@@ -1,0 +1,413 @@
+"""The genicam driver on two cameras that others wrote: Aravis's, and that of viva-genicam."""
+
+import ctypes
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from ctypes import byref
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.station.bus import Bus
+from app.station.devices.device_thread import SILENCE_S, LinkState
+from app.station.devices.sensor_device import StationSensor
+from hardware.errors import DeviceError
+from hardware.interfaces import SensorDriver
+from hardware.sensor.genicam import aravis
+from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
+from hardware.sensor.genicam.settings import GenicamOptions
+from hardware.sensor.genicam.source import GenicamSource
+from hardware.sensor.grabbing import GrabbingSensor
+from tests.hardware.conformance import (
+    LONG_S,
+    SensorBench,
+    SensorConformance,
+    next_frame,
+    open_in_time,
+    read_past,
+)
+from tests.hardware.fake_cameras import (
+    ADDRESS,
+    FIRST_BLOCK_ID,
+    LAST_BLOCK_ID,
+    LINE_MODES,
+    LINE_SOURCES,
+    PACKET_SIZE_REGISTER,
+    TICK_FREQUENCY_REGISTERS,
+    USER_OUTPUTS,
+    AravisFake,
+    ControlClient,
+    port_for_this_test,
+    write_laser_camera,
+)
+
+WIDTH, HEIGHT = 320, 240
+REGION = [0, 0, WIDTH, HEIGHT]
+LOST_BLOCKS = (3, 4, 7)
+"""Block ids, which count from 1: one less is the sequence number."""
+
+
+def require_aravis() -> aravis.Aravis:
+    try:
+        return aravis.load_aravis()
+    except DeviceError:
+        pytest.skip("libaravis is not installed")
+
+
+@pytest.fixture(autouse=True)
+def port() -> Iterator[None]:
+    require_aravis()
+    with port_for_this_test():
+        yield
+
+
+def options(**more: object) -> dict[str, object]:
+    return {"address": ADDRESS, "region": REGION, **more}
+
+
+def make_driver(table: Mapping[str, object]) -> tuple[GrabbingSensor, list[GenicamSource]]:
+    """A driver, and the cameras that it opens."""
+    read = GenicamOptions.model_validate(table)
+    title, sources = camera_title(read), list[GenicamSource]()
+
+    def connect(stop: threading.Event) -> GenicamSource:
+        sources.append(GenicamSource(title, read, stop))
+        return sources[-1]
+
+    return GrabbingSensor(title, connect, FIRST_WITHIN_S), sources
+
+
+def make_viva_fake(**more: Any) -> Any:
+    """The fake camera of viva-genicam, not started."""
+    testing = pytest.importorskip("viva_genicam.testing")
+    return testing.FakeGigeCamera(WIDTH, HEIGHT, 30, **more)
+
+
+def genicam_xml() -> str:
+    """The description of the camera that runs."""
+    library = ctypes.CDLL("libaravis-0.8.so.0")
+    read = library.arv_device_get_genicam_xml
+    read.restype, read.argtypes = ctypes.c_void_p, (ctypes.c_void_p, ctypes.c_void_p)
+    called = aravis.load_aravis().call
+    camera = called("arv_camera_new", ADDRESS.encode())
+    size = ctypes.c_size_t()
+    text = ctypes.string_at(read(called("arv_camera_get_device", camera), byref(size)), size.value)
+    called("g_object_unref", camera)
+    return text.decode("utf-8")
+
+
+@pytest.fixture(scope="module")
+def laser_camera(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The description of a camera with an output line."""
+    require_aravis()
+    path = tmp_path_factory.mktemp("camera") / "laser.xml"
+    with port_for_this_test():
+        fake = AravisFake()
+        write_laser_camera(genicam_xml(), path)
+        fake.stop()
+    return path
+
+
+class AravisBench(SensorBench):
+    """Aravis's camera, with a laser on an output line."""
+
+    def __init__(self, description: Path) -> None:
+        self._fake = AravisFake("-g", str(description))
+        self._driver = from_options(options(rate_hz=60.0, laser_line="Line2"))
+        self._other: ControlClient | None = None
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self._fake.stop()
+
+    def plug_in(self) -> None:
+        self._fake.start()
+
+    def pictures_until_wrap(self) -> int:
+        return LAST_BLOCK_ID - FIRST_BLOCK_ID
+
+    def take_control(self) -> None:
+        self._other = ControlClient()
+        self._other.take_control()
+
+    def leave_control(self) -> None:
+        assert self._other is not None
+        self._other.leave_control()
+        self._other.close()
+
+    def end(self) -> None:
+        self._driver.close()
+        self._fake.stop()
+
+
+class TestAravisCamera(SensorConformance):
+    @pytest.fixture
+    def bench(self, port: None, laser_camera: Path) -> Iterator[SensorBench]:
+        bench = AravisBench(laser_camera)
+        yield bench
+        bench.end()
+
+
+class VivaBench(SensorBench):
+    """The camera of viva-genicam, which numbers, loses and resends on demand."""
+
+    def __init__(self, **more: object) -> None:
+        self.fake = make_viva_fake()
+        self.fake.start()
+        self._driver, self._sources = make_driver(options(**more))
+        self._other: ControlClient | None = None
+
+    def driver(self) -> SensorDriver:
+        return self._driver
+
+    def unplug(self) -> None:
+        self.fake.stop()
+
+    def plug_in(self) -> None:
+        self.fake = make_viva_fake()
+        self.fake.start()
+
+    def lossy_driver(self, resent: bool) -> tuple[SensorDriver, set[int]]:
+        self.fake.stop()
+        damaged = [(block, 2) for block in LOST_BLOCKS]
+        self.fake = make_viva_fake(drop_packets=damaged, packet_resend=resent)
+        self.fake.start()
+        return self._driver, {block - 1 for block in LOST_BLOCKS}
+
+    def triggered_driver(self) -> SensorDriver:
+        self._driver, self._sources = make_driver(options(trigger="Software"))
+        return self._driver
+
+    def trigger(self) -> None:
+        fire = ctypes.CDLL("libaravis-0.8.so.0").arv_camera_software_trigger
+        fire.argtypes = (ctypes.c_void_p, ctypes.c_void_p)
+        fire(self._sources[-1].camera.handle, None)
+
+    def take_control(self) -> None:
+        self._other = ControlClient()
+        self._other.take_control()
+
+    def leave_control(self) -> None:
+        assert self._other is not None
+        self._other.leave_control()
+        self._other.close()
+
+    def revoke_control(self) -> None:
+        self.fake.revoke_control()
+
+    def end(self) -> None:
+        self._driver.close()
+        self.fake.stop()
+
+
+class TestVivaCamera(SensorConformance):
+    @pytest.fixture(params=[[], ["ExposureTime", "Timestamp"]], ids=["plain", "chunks"])
+    def bench(self, port: None, request: pytest.FixtureRequest) -> Iterator[SensorBench]:
+        bench = VivaBench(chunks=request.param)
+        yield bench
+        bench.end()
+
+
+@pytest.fixture
+def fake(port: None) -> Iterator[AravisFake]:
+    camera = AravisFake()
+    yield camera
+    camera.stop()
+
+
+def refusal(table: Mapping[str, object]) -> str:
+    driver = from_options(table)
+    with pytest.raises(DeviceError) as caught:
+        driver.open()
+    driver.close()
+    assert caught.value.remedy
+    return str(caught.value)
+
+
+def test_the_exposure_changes_the_picture_and_its_label(fake: AravisFake) -> None:
+    driver = from_options(options(exposure_us=1000.0))
+    driver.open()
+    dark = next_frame(driver)
+    driver.set_exposure_us(40_000.0)
+    bright = next_frame(driver)
+    while bright.exposure_us < 39_000:
+        bright = next_frame(driver)
+    for _ in range(3):
+        bright = next_frame(driver)
+    driver.close()
+    assert dark.exposure_us == pytest.approx(1000, rel=0.01)
+    assert bright.exposure_us == pytest.approx(40_000, rel=0.01)
+    assert bright.image.mean() > dark.image.mean() + 50
+
+
+def test_deep_pictures_state_their_full_scale(fake: AravisFake) -> None:
+    driver = from_options(options(pixel_format="Mono16"))
+    driver.open()
+    frame = next_frame(driver)
+    driver.close()
+    assert frame.image.dtype == np.uint16
+    assert frame.full_scale == 65535
+
+
+def test_a_raw_colour_camera_shows_the_lasers_pixels(fake: AravisFake) -> None:
+    assert "laser_colour" in refusal(options(pixel_format="BayerRG8"))
+    driver = from_options(options(pixel_format="BayerRG8", laser_colour="red"))
+    info = driver.open()
+    frame = next_frame(driver)
+    driver.close()
+    assert (info.width_px, info.height_px) == (WIDTH // 2, HEIGHT // 2)
+    assert frame.image.shape == (HEIGHT // 2, WIDTH // 2)
+
+
+def test_a_region_is_a_part_of_the_sensor(fake: AravisFake) -> None:
+    driver = from_options({"address": ADDRESS, "region": [64, 32, 640, 100]})
+    info = driver.open()
+    assert (info.width_px, info.height_px) == (640, 100)
+    driver.close()
+    driver = from_options({"address": ADDRESS, "rate_hz": 10.0})
+    info = driver.open()
+    assert (info.width_px, info.height_px) == (2048, 2048)
+    driver.close()
+
+
+def test_what_the_camera_cannot_do_is_said(fake: AravisFake) -> None:
+    for table, words in (
+        ({"pixel_format": "Mono11"}, "pixel_format = Mono11; it offers BayerBG8"),
+        ({"region": [0, 0, 5000, 100]}, "region"),
+        ({"exposure_us": 1e9}, "exposure_us = 1e+09; it offers 10"),
+        ({"gain_db": 90.0}, "gain_db = 90"),
+        ({"rate_hz": 1e6}, "rate_hz"),
+        ({"trigger": "Line7"}, "trigger = Line7; it offers Line0, Software"),
+        ({"trigger": "Line0", "trigger_edge": "falling"}, "trigger_edge"),
+        ({"laser_line": "Line2"}, "laser_line = Line2; it offers –"),
+        ({"chunks": ["ExposureTime"]}, "chunks"),
+        ({"serial_number": "4711"}, "has the serial number GV01, not 4711"),
+    ):
+        more = dict[str, object](table)
+        text = refusal(options(**more))
+        assert words in text
+
+
+def test_nobody_at_the_address_is_said(port: None) -> None:
+    text = refusal(options())
+    assert "The camera 127.0.0.1 does not answer" in text
+
+
+def test_a_laser_is_switched_on_its_line_and_off_at_the_end(laser_camera: Path) -> None:
+    fake = AravisFake("-g", str(laser_camera))
+    driver = from_options(options(laser_line="Line2", exposure_us=5000.0))
+    try:
+        assert driver.open().has_laser_switch
+        client = ControlClient()
+        assert client.read(LINE_MODES + 4) == 1
+        assert client.read(LINE_SOURCES + 4) == 2
+        assert client.read(USER_OUTPUTS + 4) == 0
+        assert not next_frame(driver).laser_on
+        driver.set_laser(True)
+        switched_ns = time.monotonic_ns()
+        assert client.read(USER_OUTPUTS + 4) == 1
+        frame = next_frame(driver)
+        while not frame.laser_on:
+            assert frame.mid_exposure_ns - 2_500_000 <= switched_ns
+            frame = next_frame(driver)
+        driver.close()
+        assert client.read(USER_OUTPUTS + 4) == 0
+        client.close()
+    finally:
+        driver.close()
+        fake.stop()
+
+
+def test_stamps_are_the_cameras_own(fake: AravisFake) -> None:
+    middles = {}
+    for stamp_at in ("exposure-start", "mid-exposure", "exposure-end"):
+        driver = from_options(options(rate_hz=50.0, exposure_us=10_000.0, stamp_at=stamp_at))
+        info = driver.open()
+        assert (info.stamps, info.stamp_at) == ("device", stamp_at)
+        frames = [next_frame(driver) for _ in range(60)]
+        gaps_ms = np.diff([frame.mid_exposure_ns for frame in frames]) / 1e6
+        middles[stamp_at] = np.median(gaps_ms)
+        driver.close()
+    assert list(middles.values()) == pytest.approx([20.0] * 3, abs=2.0)
+
+
+def test_lost_packets_without_resend_are_counted(port: None) -> None:
+    fake = AravisFake("-r", "5")
+    driver = from_options(options(rate_hz=60.0))
+    try:
+        open_in_time(driver)
+        seen = read_past(driver, 150)
+        assert 0 < len(set(range(max(seen))) - seen) <= driver.health.lost
+    finally:
+        driver.close()
+        fake.stop()
+
+
+def test_a_network_that_passes_no_whole_picture_is_named(port: None) -> None:
+    fake = AravisFake("-r", "500")
+    try:
+        text = refusal(options(region=[0, 0, 640, 480], rate_hz=50.0))
+        assert "arrive incomplete" in text
+        assert "packet_size" in text
+    finally:
+        fake.stop()
+
+
+def test_without_a_clock_in_the_camera_the_arrival_counts(fake: AravisFake) -> None:
+    client = ControlClient()
+    client.take_control()
+    for register in TICK_FREQUENCY_REGISTERS:
+        client.write(register, 0)
+    client.leave_control()
+    client.close()
+    driver = from_options(options(exposure_us=4000.0))
+    before_ns = time.monotonic_ns()
+    info = driver.open()
+    frames = [next_frame(driver) for _ in range(10)]
+    driver.close()
+    assert (info.stamps, info.stamp_at) == ("arrival", "frame-end")
+    assert before_ns - 4_000_000 < frames[0].mid_exposure_ns < time.monotonic_ns() - 2_000_000
+    assert np.all(np.diff([frame.mid_exposure_ns for frame in frames]) > 0)
+
+
+def test_a_packet_size_is_set(fake: AravisFake) -> None:
+    driver = from_options(options(packet_size=1400))
+    driver.open()
+    next_frame(driver)
+    client = ControlClient()
+    assert client.read(PACKET_SIZE_REGISTER) & 0xFFFF == 1400
+    client.close()
+    driver.close()
+
+
+def test_a_station_keeps_a_camera_that_waits_for_its_trigger(port: None) -> None:
+    bench = VivaBench()
+    driver = bench.triggered_driver()
+    sensor = StationSensor(Bus(), lambda: driver)
+    sensor.reader.start()
+    try:
+        deadline = time.monotonic() + LONG_S
+        while sensor.reader.link().state is not LinkState.CONNECTED:
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        silent_until = time.monotonic() + SILENCE_S + 1.0
+        while time.monotonic() < silent_until:
+            assert sensor.info is not None
+            assert sensor.frames.latest is None
+            time.sleep(0.1)
+        bench.trigger()
+        frame = sensor.frames.wait(lambda taken: True, LONG_S)
+        assert frame is not None
+        assert frame.pulse == 1
+        bench.unplug()
+        while sensor.reader.link().state is not LinkState.LOST:
+            assert time.monotonic() < deadline + LONG_S
+            time.sleep(0.05)
+    finally:
+        sensor.reader.stop()
+        bench.end()
