@@ -1,7 +1,8 @@
 """Finds a driver by its name in station.toml.
 
 Drivers are entry points of the groups ``crenel.arms`` and ``crenel.sensors``: callables that take
-the options of the table and return an unopened driver. The ones below are built in; they are also
+the options of the table and return an unopened driver. The group ``crenel.finders`` has what
+``hardware/discovery.py`` calls to find devices. The entries below are built in; they are also
 registered in pyproject.toml, and are found here even if no package is installed.
 """
 
@@ -15,6 +16,7 @@ from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, SensorDriver
 
 _ARMS, _SENSORS = "crenel.arms", "crenel.sensors"
+FINDERS = "crenel.finders"
 
 BUILT_IN = {
     _ARMS: {
@@ -27,17 +29,21 @@ BUILT_IN = {
         "folder": "hardware.sensor.folder:from_options",
         "genicam": "hardware.sensor.genicam.driver:from_options",
     },
+    FINDERS: {
+        "opencv": "hardware.sensor.find_cameras:find_cameras",
+        "serial-encoder": "hardware.arm.find_serial_ports:find_serial_ports",
+    },
 }
 
 
 def arm_drivers() -> list[str]:
     """Names for ``[arm] driver``."""
-    return sorted(_find_drivers(_ARMS))
+    return sorted(find_entries(_ARMS))
 
 
 def sensor_drivers() -> list[str]:
     """Names for ``[sensor] driver``."""
-    return sorted(_find_drivers(_SENSORS))
+    return sorted(find_entries(_SENSORS))
 
 
 def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
@@ -58,7 +64,7 @@ def sensor_driver(name: str, options: Mapping[str, object]) -> SensorDriver:
     return cast(SensorDriver, _factory(_SENSORS, name)(options))
 
 
-def _find_drivers(group: str) -> dict[str, list[EntryPoint]]:
+def find_entries(group: str) -> dict[str, list[EntryPoint]]:
     """Every entry point of the group by name; identical duplicates count once."""
     found = {name: [EntryPoint(name, value, group)] for name, value in BUILT_IN[group].items()}
     for entry in entry_points(group=group):
@@ -70,7 +76,7 @@ def _find_drivers(group: str) -> dict[str, list[EntryPoint]]:
 
 def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
     table = "arm" if group == _ARMS else "sensor"
-    found = _find_drivers(group)
+    found = find_entries(group)
     if name not in found:
         near = get_close_matches(name, found, 1)
         drivers = message("drivers-are", names=", ".join(sorted(found)))
@@ -80,7 +86,7 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
         )
     entry, *others = found[name]
     if others:
-        packages = join([_package(each) for each in (entry, *others)])
+        packages = join([package_of(each) for each in (entry, *others)])
         raise DeviceError(
             message("driver-offered", table=table, name=repr(name), packages=packages),
             message("uninstall-one-them"),
@@ -93,7 +99,7 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
                 "driver-cannot-be-loaded",
                 table=table,
                 name=repr(name),
-                package=_package(entry),
+                package=package_of(entry),
                 kind=type(error).__name__,
                 error=error,
             ),
@@ -105,7 +111,7 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
                 "driver-not-callable",
                 table=table,
                 name=repr(name),
-                package=_package(entry),
+                package=package_of(entry),
                 value=entry.value,
             ),
             message("entry-point-must-name-function-takes"),
@@ -113,7 +119,8 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
     return cast(Callable[[Mapping[str, object]], object], loaded)
 
 
-def _package(entry: EntryPoint) -> Text:
+def package_of(entry: EntryPoint) -> Text:
+    """The package that offers an entry point, in words."""
     if entry.dist is None:
         return message("this-program")
     return message("package-named", name=entry.dist.name, version=entry.dist.version)
