@@ -20,7 +20,10 @@ FINDERS = "crenel.finders"
 
 BUILT_IN = {
     _ARMS: {
+        "abb-egm": "hardware.arm.robots.abb_egm:from_options",
         "bridge": "hardware.arm.serial_encoder:from_options",
+        "fanuc": "hardware.arm.robots.fanuc:from_options",
+        "kuka-rsi": "hardware.arm.robots.kuka_rsi:from_options",
         "serial-encoder": "hardware.arm.serial_encoder:from_options",
         "ur-rtde": "hardware.arm.universal_robots.ur_rtde:from_options",
     },

@@ -852,6 +852,9 @@ edges-x-mm-odd-count =
         [one] { $count } Kante
        *[other] { $count } Kanten
     }; jede Zinne hat zwei, eine linke und eine rechte
+egm-lacks = Die Pakete des Roboters unter { $address } enthalten kein { $name }
+egm-no-egm = Was der Roboter unter { $address } sendet, ist kein EGM
+egm-start-stream = Das RAPID-Programm ausführen, das den Datenstrom startet (EGMStreamStart). Sein UDPUC-Gerät muss Adresse und Port dieses Rechners haben.
 empty = sie ist leer
 encoder-stands-still-switch-arm-off = sein Winkelgeber ändert sich nicht: Messarm aus- und wieder einschalten und das Kabel des Gelenks prüfen
 end-cloud = Punktwolke abschließen
@@ -902,6 +905,14 @@ faces-are = die Flächen sind { $names }
 faces-contacts = { $faces } Flächen für { $contacts } Antastpunkte
 fail = Nicht bestanden
 failed-2 = { $title }: fehlgeschlagen
+fanuc-check-option = Adresse prüfen, und ob die Steuerung die Option Stream Motion hat.
+fanuc-check-other-client = Prüfen, dass kein anderes Programm Stream Motion dieser Steuerung verwendet, dann die Steuerung neu starten.
+fanuc-no-answer = Der Roboter unter { $address } antwortet nicht wie Stream Motion
+fanuc-old-version = Der Roboter unter { $address } bietet Version { $version } von Stream Motion, nötig ist Version 3
+fanuc-report-faceplate = Stream Motion an der Steuerung auf den Flansch einstellen oder report = "joints" verwenden.
+fanuc-reports-tool = Stream Motion des Roboters unter { $address } meldet die Pose des Werkzeugs statt der des Flansches
+fanuc-sends-no-status = Der Roboter unter { $address } antwortet, sendet aber keinen Status
+fanuc-update = Die Software der Steuerung aktualisieren.
 far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
 feature-given-single-scanned-point-iso = Für ein Merkmal, das durch einen einzelnen gescannten Punkt gegeben ist, weist ISO 14253-1 mit den voreingestellten 95 % die Konformität nach, wenn der Punkt um { $guard } ({ $guard_mm }, { $factor } Standardunsicherheiten) innerhalb der Toleranz liegt; die Nichtkonformität, wenn er ebenso weit außerhalb liegt.
@@ -1103,6 +1114,10 @@ had-simulation-pass-over-plate = simulierte Überfahrt über die Platte gestarte
 half-them-more-contradicting-others-none = widerspricht mindestens die Hälfte den übrigen, ist keiner zu trauen
 image-is-grey = { $name } ist ein Graubild
 join-group-of-device = Führen Sie „{ $command }“ aus, melden Sie sich dann neu am System an und starten Sie Crenel neu.
+kuka-add-element = In der Ethernet-Konfiguration der Steuerung unter SEND ein Element mit TAG="DEF_{ $name }" ergänzen.
+kuka-lacks-element = Die Pakete des Roboters unter { $address } enthalten kein { $name }
+kuka-no-rsi = Was der Roboter unter { $address } sendet, ist kein RSI
+kuka-start-rsi = RSI an der Steuerung starten (RSI_ON). In ihrer Ethernet-Konfiguration muss ONLYSEND auf TRUE stehen, mit Adresse und Port dieses Rechners.
 laser-off-or-covered = der Laser ist aus, verdeckt oder zu schwach
 laser-on-not-brighter = das Bild mit Laser ist nicht heller als das ohne Laser
 laser-on-off-differ = die Bilder mit und ohne Laser sind verschieden: { $on } und { $off } Pixel
@@ -1111,6 +1126,7 @@ measured-channel = gemessen: { $channel }
 move-bayer-to-station-toml = bayer und laser_colour in [sensor] von station.toml setzen; bayer aus dem Datenblatt entfernen und width_px und height_px halbieren
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
 opens-again = Die Verbindung öffnet sich von selbst wieder; danach den letzten Schritt wiederholen.
+quaternion-must-be-unit = die letzten vier Zahlen müssen ein Einheitsquaternion sein, w zuerst
 raw-bayer-has-one-channel = ein Bayer-Rohbild (bayer) hat nur einen Kanal
 restart-robot-controller = Die Robotersteuerung neu starten.
 restore-tool-and-coordinate-system = Wählen Sie am Messarm wieder das frühere Werkzeug und Koordinatensystem, oder kalibrieren Sie mit den neuen.
@@ -1125,7 +1141,8 @@ robot-quaternion-not-unit = Der Roboter unter { $address } sendet eine Orientier
 robot-refuses-connection = Unter { $where } nimmt kein Programm Verbindungen an
 robot-said = { $text }. Der Roboter meldet: { $said }
 robot-sends-no-numbers = Der Roboter unter { $address } sendet Werte, die keine Zahlen sind
-robot-sends-nothing = Der Roboter unter { $address } hat seit { $time } nichts gesendet
+robot-sends-nothing = Der Roboter unter { $address } hat seit { $time } nichts Neues gesendet
+robot-sends-nothing-to-port = Der Roboter unter { $address } sendet nichts an den UDP-Port { $port } dieses Rechners
 same-camera-both = beide kommen von einer Kamera in einer Betriebsart
 search-again-for-devices = Suchen Sie noch einmal; wenn das nicht hilft, prüfen Sie Netzwerk und Kabel.
 silent-but-there = { $title }: verbunden, wartet auf einen Trigger oder eine Änderung

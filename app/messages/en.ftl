@@ -848,6 +848,9 @@ edges-x-mm-odd-count =
         [one] { $count } edge
        *[other] { $count } edges
     }; every merlon has two, a left and a right one
+egm-lacks = The packets of the robot at { $address } have no { $name }
+egm-no-egm = What the robot at { $address } sends is no EGM
+egm-start-stream = Run the RAPID program that starts the stream (EGMStreamStart). Its UDPUC device must have the address and port of this computer.
 empty = it is empty
 encoder-stands-still-switch-arm-off = its encoder does not move: switch the arm off and on, and check the joint's cable
 end-cloud = End the cloud
@@ -898,6 +901,14 @@ faces-are = the faces are { $names }
 faces-contacts = { $faces } faces for { $contacts } contact points
 fail = Fail
 failed-2 = { $title } failed
+fanuc-check-option = Check the address, and that the controller has the option Stream Motion.
+fanuc-check-other-client = Check that no other program uses Stream Motion of this controller, then restart the controller.
+fanuc-no-answer = The robot at { $address } does not answer as Stream Motion does
+fanuc-old-version = The robot at { $address } offers version { $version } of Stream Motion, but version 3 is needed
+fanuc-report-faceplate = Set Stream Motion to report the faceplate on the controller, or use report = "joints".
+fanuc-reports-tool = Stream Motion of the robot at { $address } is set to report the pose of the tool instead of the faceplate
+fanuc-sends-no-status = The robot at { $address } answers but sends no status
+fanuc-update = Update the controller's software.
 far-out = far out
 fault = { CAPITAL($fault) } is at fault. { $text }
 feature-given-single-scanned-point-iso = For a feature given by a single scanned point, ISO 14253-1 with its default of 95 % proves conformance if the point lies at least { $guard } ({ $guard_mm }, { $factor } standard uncertainties) inside its tolerance, and nonconformance if it lies as far outside.
@@ -1099,6 +1110,10 @@ had-simulation-pass-over-plate = started the simulated pass over the plate
 half-them-more-contradicting-others-none = half of them or more contradict the others, so none can be trusted
 image-is-grey = { $name } is grey
 join-group-of-device = Run "{ $command }", then sign in to the system again and restart Crenel.
+kuka-add-element = Add an element with TAG="DEF_{ $name }" to SEND in the controller's Ethernet configuration.
+kuka-lacks-element = The packets of the robot at { $address } have no { $name }
+kuka-no-rsi = What the robot at { $address } sends is no RSI
+kuka-start-rsi = Start RSI on the controller (RSI_ON). Its Ethernet configuration must have ONLYSEND set to TRUE, and the address and port of this computer.
 laser-off-or-covered = the laser is off, covered or too weak
 laser-on-not-brighter = the picture with the laser on is not brighter than the one with it off
 laser-on-off-differ = the pictures with the laser on and off differ: { $on } and { $off } pixels
@@ -1107,6 +1122,7 @@ measured-channel = measured: { $channel }
 move-bayer-to-station-toml = Set bayer and laser_colour in [sensor] of station.toml; take bayer out of the datasheet, and halve its width_px and height_px
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
 opens-again = The connection opens again by itself; then repeat the last action.
+quaternion-must-be-unit = its last four numbers must be a unit quaternion, w first
 raw-bayer-has-one-channel = a raw Bayer picture (bayer) has one channel
 restart-robot-controller = Restart the robot's controller.
 restore-tool-and-coordinate-system = Select the former tool and coordinate system at the arm, or calibrate with the new ones.
@@ -1121,7 +1137,8 @@ robot-quaternion-not-unit = The robot at { $address } sends an orientation that 
 robot-refuses-connection = No program listens at { $where }
 robot-said = { $text }. The robot reports: { $said }
 robot-sends-no-numbers = The robot at { $address } sends values that are no numbers
-robot-sends-nothing = The robot at { $address } has sent nothing for { $time }
+robot-sends-nothing = The robot at { $address } has sent nothing new for { $time }
+robot-sends-nothing-to-port = The robot at { $address } sends nothing to UDP port { $port } of this computer
 same-camera-both = both come from one camera, in one mode
 search-again-for-devices = Search again; if that does not help, check network and cables.
 silent-but-there = The { $title } is connected and waits for a trigger or a change

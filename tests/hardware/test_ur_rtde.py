@@ -236,7 +236,7 @@ def test_what_the_controller_refuses_is_said(server: RtdeServer) -> None:
     server.faults.refuses_protocol, server.faults.refuses_start = False, True
     assert "refuses to send data" in open_error(address)
     server.faults.refuses_start, server.faults.silent = False, True
-    assert "has sent nothing for 1 s" in open_error(address)
+    assert "has sent nothing new for 1 s" in open_error(address)
     server.faults.silent, server.version = False, (3, 15, 8, 0)
     assert "at most 125 Hz, but station.toml states 500 Hz" in open_error(
         {**address, "rate_hz": 500}

@@ -84,6 +84,16 @@ def flange_behind_tool(
     return (tool_mm[0] - ox, tool_mm[1] - oy, tool_mm[2] - oz), flange
 
 
+def place_in_arm(
+    base_mm: Vector, base: Quaternion, position_mm: Vector, orientation: Quaternion
+) -> tuple[Vector, Quaternion]:
+    """``T_arm_b = T_arm_base T_base_b``: a pose in a base frame of the controller, in the arm's
+    frame. Positions in mm."""
+    x, y, z = rotate(base, position_mm)
+    placed = (base_mm[0] + x, base_mm[1] + y, base_mm[2] + z)
+    return placed, multiply(base, orientation)
+
+
 def _normalize(q: Quaternion) -> Quaternion:
     length = sqrt(sum(value * value for value in q))
     return (q[0] / length, q[1] / length, q[2] / length, q[3] / length)

@@ -28,7 +28,7 @@ _SILENCE_S = 2.5
 _REORDERED = 16
 """Datagrams may overtake each other by so many; a count further back is a restart."""
 _JUMP_NS = 3_000_000_000
-"""A clock that gains more than this from one reading to the next has been set."""
+"""A clock or a count that gains more than this from one reading to the next has been set."""
 _UNIT_TOLERANCE = 1e-3
 
 
@@ -157,8 +157,8 @@ class StreamingArm:
     ) -> list[ArmReading]:
         """Readings that arrived, checked; raises ``DeviceError`` after ``silence_s`` without."""
         wait_s = max(0.0, min(timeout_s, self._heard_s + silence_s - time.monotonic()))
-        readings = stream.receive(wait_s)
-        arrival_ns = now_ns()
+        arrived = stream.receive(wait_s)
+        readings = self._judge.accept(arrived, now_ns())
         if readings:
             self._heard_s = time.monotonic()
         elif time.monotonic() - self._heard_s >= silence_s:
@@ -170,7 +170,7 @@ class StreamingArm:
                 ),
                 stream.silence_remedy,
             )
-        return self._judge.accept(readings, arrival_ns)
+        return readings
 
 
 class _ReadingJudge:
@@ -204,7 +204,8 @@ class _ReadingJudge:
                 self._health.corrupt += 1
                 return False
             waited_ns = arrival_ns - self._last_arrival_ns
-            if step < 0 or step_ns < 0 or step_ns > waited_ns + _JUMP_NS:
+            counted_ns = step * 1e9 / self._info.rate_hz
+            if step < 0 or step_ns < 0 or max(step_ns, counted_ns) > waited_ns + _JUMP_NS:
                 raise DeviceError(
                     message("robot-clock-jumped", address=self._address), message("opens-again")
                 )
@@ -234,16 +235,7 @@ class _ReadingJudge:
     def _require_numbers(self, reading: RobotReading) -> None:
         values = (*reading.joints_rad, *reading.position_mm, *reading.quaternion_xyzw)
         require_finite(self._address, values)
-        length = sqrt(sum(value * value for value in reading.quaternion_xyzw))
-        if abs(length - 1) > _UNIT_TOLERANCE:
-            raise DeviceError(
-                message(
-                    "robot-quaternion-not-unit",
-                    address=self._address,
-                    length=rounded(length, digits=4),
-                ),
-                message("check-what-robot-sends"),
-            )
+        require_unit(self._address, reading.quaternion_xyzw)
         if self._info.reports == "joints" and len(reading.joints_rad) != self._info.joint_count:
             raise DeviceError(
                 message(
@@ -262,3 +254,39 @@ def require_finite(address: str, values: Iterable[float]) -> None:
         raise DeviceError(
             message("robot-sends-no-numbers", address=address), message("restart-robot-controller")
         )
+
+
+def require_unit(address: str, quaternion: Sequence[float]) -> None:
+    """Raises ``DeviceError`` if a controller's quaternion has another length than one."""
+    length = sqrt(sum(value * value for value in quaternion))
+    if abs(length - 1) > _UNIT_TOLERANCE:
+        raise DeviceError(
+            message("robot-quaternion-not-unit", address=address, length=rounded(length, digits=4)),
+            message("check-what-robot-sends"),
+        )
+
+
+class WrappingCounter:
+    """Continues a counter of a controller beyond its largest value."""
+
+    def __init__(self, modulus: int) -> None:
+        self._modulus = modulus
+        self._last: int | None = None
+
+    def unwrap(self, value: int) -> int:
+        """The value without wraps: the one nearest to the last."""
+        if self._last is None:
+            self._last = value
+        else:
+            step = (value - self._last) % self._modulus
+            self._last += step - self._modulus if step >= self._modulus // 2 else step
+        return self._last
+
+
+def await_readings(stream: ControllerStream, count: int, timeout_s: float) -> list[RobotReading]:
+    """The first readings of a stream; fewer than ``count`` after ``timeout_s``."""
+    deadline = time.monotonic() + timeout_s
+    found: list[RobotReading] = []
+    while len(found) < count and (remaining_s := deadline - time.monotonic()) > 0:
+        found += stream.receive(remaining_s)
+    return found

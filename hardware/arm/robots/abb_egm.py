@@ -1,0 +1,183 @@
+"""The ``abb-egm`` driver: an ABB robot, read by the position stream of Externally Guided Motion.
+
+The RAPID program starts the stream (``EGMStreamStart``, option 689-1 of the controller), which is
+read-only; the driver sends nothing. In station.toml::
+
+    [arm]
+    driver = "abb-egm"
+    address = "192.168.1.60"    # of the controller; packets from elsewhere are ignored
+    port = 6510                 # of this computer, as in the controller's UDPUC device
+    report = "flange"           # or "joints"
+    tool = [0, 0, 120, 1, 0, 0, 0]  # optional: tframe of the active tooldata: mm, q1 … q4
+    base = [0, 0, 0, 1, 0, 0, 0]    # optional: the work object's frame in the base frame
+    latency_us = 0              # optional: least time from measuring to arrival here
+    timeout_s = 3.0             # how long ``open`` waits for the controller
+
+Source:
+    ABB, "Application manual - Externally Guided Motion". The controller's clock in ``feedBack`` is
+    used where it is sent, and the milliseconds of the header otherwise.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import radians, sqrt
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, Field, FiniteFloat
+
+from app.messages.message import Text, message
+from hardware.arm.robots.egm_message import decode_robot
+from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.rotations import Quaternion, Vector, flange_behind_tool, place_in_arm
+from hardware.arm.robots.streaming_arm import (
+    RobotOptions,
+    RobotReading,
+    StreamingArm,
+    WrappingCounter,
+    await_readings,
+    require_finite,
+    require_unit,
+)
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmInfo, LinkHealth
+from hardware.options import read_options
+
+_PORT = 6510
+_FIRST = 10
+"""Packets that show the cycle."""
+_UNIT_TOLERANCE = 1e-4
+
+
+def _require_unit(frame: list[float]) -> list[float]:
+    if abs(sqrt(sum(value * value for value in frame[3:])) - 1) > _UNIT_TOLERANCE:
+        raise ValueError(message("quaternion-must-be-unit"))
+    return frame
+
+
+Frame7 = Annotated[
+    list[FiniteFloat], Field(min_length=7, max_length=7), AfterValidator(_require_unit)
+]
+
+
+class AbbEgmOptions(RobotOptions):
+    """Options of the driver in station.toml."""
+
+    port: int = Field(default=_PORT, ge=1, le=65535)
+    report: Literal["flange", "joints"] = "flange"
+    tool: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    base: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+
+
+def from_options(options: Mapping[str, object]) -> StreamingArm:
+    """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
+    checked = read_options(AbbEgmOptions, options, "arm")
+    return StreamingArm(checked, lambda: EgmStream(checked))
+
+
+class EgmStream:
+    """What the controller sends to one port. Implements ``ControllerStream``."""
+
+    silence_remedy: Text = message("egm-start-stream")
+
+    def __init__(self, options: AbbEgmOptions) -> None:
+        self._options = options
+        self._link = ControllerLink(options.address)
+        self._health = LinkHealth()
+        self._tool, self._base = _frame(options.tool), _frame(options.base)
+        self._sequence, self._time_ms = WrappingCounter(1 << 32), WrappingCounter(1 << 32)
+        self._has_clock: bool | None = None
+
+    def start(self, timeout_s: float, health: LinkHealth) -> ArmInfo:
+        """Listens, and learns rate and joints from the first packets."""
+        self._health = health
+        self._link.listen_udp(self._options.port)
+        first = sorted(await_readings(self, _FIRST, timeout_s), key=lambda each: each.device_ns)
+        counts = (first[-1].count or 0) - (first[0].count or 0) if first else 0
+        if counts < 1:
+            raise self._no_data_error()
+        poses = self._options.report == "flange"
+        return ArmInfo(
+            name="ABB EGM",
+            serial_number="",
+            joint_count=0 if poses else len(first[0].joints_rad),
+            rate_hz=counts * 1e9 / max(first[-1].device_ns - first[0].device_ns, 1_000_000),
+            reports="pose" if poses else "joints",
+            buttons=frozenset(),
+        )
+
+    def receive(self, timeout_s: float) -> Sequence[RobotReading]:
+        """Readings of the packets that have arrived."""
+        found: list[RobotReading] = []
+        for data in self._link.receive(timeout_s):
+            robot = decode_robot(data)
+            if robot is None:
+                self._health.corrupt += 1
+            else:
+                found.append(self._reading(robot))
+        return found
+
+    def close(self) -> None:
+        """Stops listening; the controller goes on."""
+        self._link.close()
+
+    def _reading(self, robot: Any) -> RobotReading:
+        count = self._sequence.unwrap(robot.header.seqno)
+        device_ns = self._device_ns(robot)
+        feedback = robot.feedBack
+        if self._options.report == "joints":
+            joints = list(feedback.joints.joints)
+            require_finite(self._options.address, joints)
+            if not 5 <= len(joints) <= 7:
+                raise self._lack_error("joints")
+            return RobotReading(device_ns, count, joints_rad=tuple(map(radians, joints)))
+        if not (feedback.cartesian.HasField("pos") and feedback.cartesian.HasField("orient")):
+            raise self._lack_error("cartesian")
+        pos, orient = feedback.cartesian.pos, feedback.cartesian.orient
+        values = (pos.x, pos.y, pos.z, orient.u0, orient.u1, orient.u2, orient.u3)
+        return self._pose_reading(device_ns, count, values)
+
+    def _pose_reading(self, device_ns: int, count: int, values: tuple[float, ...]) -> RobotReading:
+        require_finite(self._options.address, values)
+        require_unit(self._options.address, values[3:])
+        tool_mm, tool = place_in_arm(*self._base, *_frame(values))
+        position_mm, orientation = flange_behind_tool(tool_mm, tool, *self._tool)
+        return RobotReading(device_ns, count, position_mm=position_mm, quaternion_xyzw=orientation)
+
+    def _device_ns(self, robot: Any) -> int:
+        has_clock = robot.feedBack.HasField("time")
+        if self._has_clock is None:
+            self._has_clock = has_clock
+        if self._has_clock != has_clock:
+            raise DeviceError(
+                message("robot-clock-jumped", address=self._options.address),
+                message("opens-again"),
+            )
+        if has_clock:
+            clock = robot.feedBack.time
+            return int(clock.sec) * 1_000_000_000 + int(clock.usec) * 1000
+        return self._time_ms.unwrap(robot.header.tm) * 1_000_000
+
+    def _lack_error(self, name: str) -> DeviceError:
+        return DeviceError(
+            message("egm-lacks", address=self._options.address, name=name),
+            message("check-what-robot-sends"),
+        )
+
+    def _no_data_error(self) -> DeviceError:
+        if self._health.corrupt:
+            return DeviceError(
+                message("egm-no-egm", address=self._options.address), self.silence_remedy
+            )
+        return DeviceError(
+            message(
+                "robot-sends-nothing-to-port",
+                address=self._options.address,
+                port=str(self._options.port),
+            ),
+            self.silence_remedy,
+        )
+
+
+def _frame(values: Sequence[float]) -> tuple[Vector, Quaternion]:
+    """x, y, z in mm and q1 … q4, which is w first, as position and quaternion."""
+    x, y, z, w, i, j, k = values
+    return (x, y, z), (i, j, k, w)

@@ -1,0 +1,225 @@
+"""The ABB driver against packets that another team's definition of the messages encodes, and that
+another team's client (``ABBRobotEGM``) reads as well."""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from hardware.arm.robots.egm_message import decode_robot
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, PoseSample
+from hardware.registry import arm_driver
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    read_until,
+    read_until_lost,
+    select_readings,
+    select_samples,
+)
+from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
+
+egm_pb2 = pytest.importorskip("ABBRobotEGM._egm_protobuf.egm_pb2")
+
+pytestmark = pytest.mark.slow
+
+JOINTS_DEG = (10.0, -20.0, 30.0, -40.0, 50.0, -60.0)
+POSITION_MM = (500.0, -20.0, 350.0)
+TURN = Rotation.from_euler("xyz", [10.0, 20.0, 30.0], degrees=True)
+FIRST_SEQUENCE = (1 << 32) - 200
+EPOCH_S = 1_760_000_000
+
+
+def robot_message(cycle: int, has_clock: bool = True) -> Any:
+    """A message of the stream; the sequence and the milliseconds wrap soon after the start."""
+    robot = egm_pb2.EgmRobot()
+    robot.header.seqno = (FIRST_SEQUENCE + cycle) % (1 << 32)
+    robot.header.tm = (FIRST_SEQUENCE + 4 * cycle) % (1 << 32)
+    robot.header.mtype = 2
+    robot.feedBack.joints.joints.extend(JOINTS_DEG)
+    pose, (x, y, z, w) = robot.feedBack.cartesian, TURN.as_quat()
+    pose.pos.x, pose.pos.y, pose.pos.z = POSITION_MM
+    pose.orient.u0, pose.orient.u1, pose.orient.u2, pose.orient.u3 = w, x, y, z
+    pose.euler.x, pose.euler.y, pose.euler.z = 1.0, 2.0, 3.0
+    if has_clock:
+        robot.feedBack.time.sec = EPOCH_S + 4 * cycle // 1000
+        robot.feedBack.time.usec = 4 * cycle % 1000 * 1000
+    robot.motorState.state = 1
+    robot.rapidExecState.state = 2
+    return robot
+
+
+def egm_packet(cycle: int, stamp_ns: int) -> bytes:
+    return bytes(robot_message(cycle).SerializeToString())
+
+
+@pytest.fixture
+def robot() -> Iterator[UdpRobot]:
+    robot = UdpRobot(free_udp_port(), 4, egm_packet)
+    yield robot
+    robot.stop()
+
+
+def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
+    return arm_driver(
+        "abb-egm", {"address": "127.0.0.1", "port": robot.port, "timeout_s": 1.0, **options}
+    )
+
+
+class TestAbbEgm(ArmConformance):
+    @pytest.fixture(params=["flange", "joints"])
+    def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
+        return UdpBench(robot, lambda: make_driver(robot, report=request.param))
+
+
+def test_a_client_of_others_reads_the_same(robot: UdpRobot) -> None:
+    egm = pytest.importorskip("ABBRobotEGM")
+    with egm.EGM(robot.port) as client:
+        received, state = client.receive_from_robot(5.0)
+    assert received
+    driver = make_driver(robot)
+    driver.open()
+    pose = select_readings(read_until(driver, select_readings))[0]
+    driver.close()
+    assert isinstance(pose, PoseSample)
+    place, turn = state.cartesian.pos, state.cartesian.orient
+    assert pose.position_mm == pytest.approx((place.x, place.y, place.z))
+    assert pose.quaternion_xyzw == pytest.approx((turn.u1, turn.u2, turn.u3, turn.u0))
+    driver = make_driver(robot, report="joints")
+    assert driver.open().rate_hz == pytest.approx(250.0)
+    sample = select_samples(read_until(driver, select_samples))[0]
+    assert sample.joints_rad == pytest.approx(np.radians(state.joint_angles))
+    driver.close()
+
+
+def test_tool_and_base_are_taken_out(robot: UdpRobot) -> None:
+    tool, base = [0.0, 0.0, 120.0, 0.8, 0.6, 0.0, 0.0], [100.0, 0.0, 0.0, 0.6, 0.0, 0.0, 0.8]
+    driver = make_driver(robot, tool=tool, base=base)
+    driver.open()
+    pose = select_readings(read_until(driver, select_readings))[0]
+    driver.close()
+    assert isinstance(pose, PoseSample)
+    T = (
+        frame(base)
+        @ frame([*POSITION_MM, *np.roll(TURN.as_quat(), 1)])
+        @ np.linalg.inv(frame(tool))
+    )
+    assert pose.position_mm == pytest.approx(T[:3, 3])
+    turned = Rotation.from_quat(pose.quaternion_xyzw) * Rotation.from_matrix(T[:3, :3]).inv()
+    assert turned.magnitude() < 1e-9
+
+
+def frame(values: list[float]) -> NDArray[np.float64]:
+    T = np.eye(4)
+    T[:3, 3] = values[:3]
+    T[:3, :3] = Rotation.from_quat(np.roll(values[3:], -1)).as_matrix()
+    return T
+
+
+def test_the_header_counts_the_milliseconds_where_there_is_no_clock() -> None:
+    robot = UdpRobot(
+        free_udp_port(), 4, lambda cycle, _: bytes(robot_message(cycle, False).SerializeToString())
+    )
+    driver = make_driver(robot)
+    driver.open()
+    readings = select_readings(read_until(driver, lambda got: len(got) > 100))
+    steps_ms = np.diff([reading.stamp_ns for reading in readings]) / 1e6
+    assert np.median(steps_ms) == pytest.approx(4.0, abs=0.5)
+    assert np.all(np.diff([reading.sequence for reading in readings]) == 1)
+    driver.close()
+    robot.stop()
+
+
+def change_message(change: Callable[[Any], None]) -> Callable[[bytes], bytes]:
+    def spoil(data: bytes) -> bytes:
+        robot = egm_pb2.EgmRobot.FromString(data)
+        change(robot)
+        return bytes(robot.SerializeToString())
+
+    return spoil
+
+
+def spoil_position(robot: Any) -> None:
+    robot.feedBack.cartesian.pos.x = math.nan
+
+
+def stretch_quaternion(robot: Any) -> None:
+    robot.feedBack.cartesian.orient.u0 = 1.5
+
+
+def clear_pose(robot: Any) -> None:
+    robot.feedBack.ClearField("cartesian")
+
+
+def clear_clock(robot: Any) -> None:
+    robot.feedBack.ClearField("time")
+
+
+def set_clock(robot: Any) -> None:
+    robot.feedBack.time.sec += 3600
+
+
+def restart_sequence(robot: Any) -> None:
+    robot.header.seqno = 1_000_000_000
+
+
+def repeat_sequence(robot: Any) -> None:
+    robot.header.seqno = FIRST_SEQUENCE
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (spoil_position, "no numbers"),
+        (stretch_quaternion, "is no rotation"),
+        (clear_pose, "have no cartesian"),
+        (clear_clock, "has jumped"),
+        (set_clock, "has jumped"),
+        (restart_sequence, "has jumped"),
+        (repeat_sequence, "has jumped"),
+    ],
+)
+def test_what_cannot_be_true_is_an_error(
+    robot: UdpRobot, change: Callable[[Any], None], words: str
+) -> None:
+    driver = make_driver(robot)
+    driver.open()
+    read_until(driver, select_readings)
+    robot.spoil = change_message(change)
+    assert words in str(read_until_lost(lambda: driver.read(0.1)).what)
+
+
+def test_joints_of_another_count_are_an_error(robot: UdpRobot) -> None:
+    driver = make_driver(robot, report="joints")
+    driver.open()
+    robot.spoil = change_message(lambda message: message.feedBack.joints.joints.append(1.0))
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert "announced 6 joints, but sends 7" in str(error.what)
+
+
+def test_what_is_no_egm_counts_as_corrupt(robot: UdpRobot) -> None:
+    driver = make_driver(robot)
+    driver.open()
+    robot.spoil = lambda data: data[:40]
+    while driver.health.corrupt < 3:
+        driver.read(0.1)
+    driver.close()
+    with pytest.raises(DeviceError, match="is no EGM"):
+        make_driver(robot, timeout_s=0.3).open()
+    robot.silent = True
+    with pytest.raises(DeviceError, match="sends nothing to UDP port"):
+        make_driver(robot, timeout_s=0.3).open()
+    assert decode_robot(b"") is None
+    assert decode_robot(b"\x00") is None
+
+
+def test_a_tool_that_is_no_pose_is_refused(robot: UdpRobot) -> None:
+    with pytest.raises(DeviceError, match="must be a unit quaternion"):
+        make_driver(robot, tool=[0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0])
+    with pytest.raises(DeviceError, match="tool = "):
+        make_driver(robot, tool=[0.0] * 6)

@@ -1,0 +1,222 @@
+"""The KUKA driver against a sender written from KUKA's manual, and against another team's emulator.
+
+The emulator (``RSIPI``) sends one packet in two of its cycles, which no controller does, so that
+the conformance suite runs on the sender.
+"""
+
+import socket
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, PoseSample
+from hardware.registry import arm_driver
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    read_until,
+    read_until_lost,
+    select_readings,
+    select_samples,
+)
+from tests.hardware.udp_robot import UdpBench, UdpRobot, free_udp_port
+
+pytestmark = pytest.mark.slow
+
+TOOL_MM_DEG = (10.0, 20.0, 120.0, 30.0, -20.0, 10.0)
+BASE_MM_DEG = (1000.0, 0.0, -200.0, 90.0, 0.0, 0.0)
+FIRST_IPOC = 4_208_163_634
+
+
+def rsi_packet(cycle: int, stamp_ns: int, cycle_ms: int = 4) -> bytes:
+    """A document of the controller: the flange goes along x, the joints turn."""
+    pose = (500.0 + 0.01 * cycle, -20.0, 350.0, 10.0, 20.0, 30.0)
+    axes = "".join(f' A{joint}="{joint + 0.001 * cycle:.4f}"' for joint in range(1, 7))
+    places = "".join(f' {key}="{value:.4f}"' for key, value in zip("XYZABC", pose, strict=True))
+    return (
+        f'<Rob Type="KUKA"><RIst{places} /><AIPos{axes} /><Delay D="0" />'
+        f"<IPOC>{FIRST_IPOC + cycle_ms * cycle}</IPOC></Rob>"
+    ).encode()
+
+
+@pytest.fixture
+def robot() -> Iterator[UdpRobot]:
+    port = free_udp_port()
+    robot = UdpRobot(port, 4, rsi_packet)
+    yield robot
+    robot.stop()
+
+
+def make_driver(robot: UdpRobot, **options: object) -> ArmDriver:
+    return arm_driver(
+        "kuka-rsi", {"address": "127.0.0.1", "port": robot.port, "timeout_s": 1.0, **options}
+    )
+
+
+class TestKukaRsi(ArmConformance):
+    @pytest.fixture(params=["flange", "joints"])
+    def bench(self, request: pytest.FixtureRequest, robot: UdpRobot) -> ArmBench:
+        return UdpBench(robot, lambda: make_driver(robot, report=request.param))
+
+
+def test_joints_and_cycle_are_as_sent(robot: UdpRobot) -> None:
+    driver = make_driver(robot, report="joints")
+    info = driver.open()
+    assert (info.rate_hz, info.joint_count) == (250.0, 6)
+    samples = select_samples(read_until(driver, lambda got: len(got) > 20))
+    steps = np.diff([sample.joints_rad[0] for sample in samples])
+    assert steps == pytest.approx(np.radians(0.001), abs=1e-5)
+    assert samples[0].joints_rad[5] - samples[0].joints_rad[0] == pytest.approx(np.radians(5))
+    driver.close()
+
+
+def test_a_cycle_of_12_ms_is_found() -> None:
+    port = free_udp_port()
+    robot = UdpRobot(port, 12, lambda cycle, stamp_ns: rsi_packet(cycle, stamp_ns, 12))
+    driver = make_driver(robot)
+    assert driver.open().rate_hz == pytest.approx(1000 / 12)
+    driver.close()
+    robot.stop()
+
+
+def frame(values: tuple[float, ...]) -> NDArray[np.float64]:
+    T = np.eye(4)
+    T[:3, 3] = values[:3]
+    T[:3, :3] = Rotation.from_euler("ZYX", values[3:], degrees=True).as_matrix()
+    return T
+
+
+def test_tool_and_base_are_taken_out(robot: UdpRobot) -> None:
+    driver = make_driver(robot, tool=list(TOOL_MM_DEG), base=list(BASE_MM_DEG))
+    driver.open()
+    pose = select_readings(read_until(driver, select_readings))[0]
+    assert isinstance(pose, PoseSample)
+    T = frame(BASE_MM_DEG) @ frame((500.0, -20.0, 350.0, 10.0, 20.0, 30.0))
+    T = T @ np.linalg.inv(frame(TOOL_MM_DEG))
+    # the robot has gone some way along the x axis of its base, which is the arm's y axis
+    assert pose.position_mm[0] == pytest.approx(T[0, 3])
+    assert pose.position_mm[1] > T[1, 3]
+    assert pose.position_mm[2] == pytest.approx(T[2, 3])
+    turned = Rotation.from_quat(pose.quaternion_xyzw) * Rotation.from_matrix(T[:3, :3]).inv()
+    assert turned.magnitude() < 1e-9
+    driver.close()
+
+
+def test_packets_from_elsewhere_are_ignored(robot: UdpRobot) -> None:
+    other = UdpRobot(robot.port, 4, lambda cycle, stamp_ns: b"<Rob/>", source="127.0.0.9")
+    driver = make_driver(robot)
+    driver.open()
+    read_until(driver, lambda got: len(got) > 50)
+    assert driver.health.corrupt == 0
+    driver.close()
+    other.stop()
+
+
+@pytest.mark.parametrize(
+    "packet",
+    [
+        b"",
+        b"<Rob>",
+        b'<!DOCTYPE Rob [<!ENTITY a "a">]><Rob><IPOC>4</IPOC></Rob>',
+        b"<Rob></Rob>",
+        b"<Rob><IPOC>now</IPOC></Rob>",
+        b"\xff\xfe\x00",
+    ],
+)
+def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> None:
+    driver = make_driver(robot)
+    driver.open()
+    robot.spoil = lambda data: packet
+    while driver.health.corrupt < 3:
+        driver.read(0.1)
+    robot.spoil = lambda data: data
+    read_until(driver, lambda got: len(got) > 3)
+    driver.close()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda data: data.replace(b"RIst", b"RSol"), "have no RIst"),
+        (lambda data: data.replace(b' A="10.0000"', b""), "have no RIst"),
+        (lambda data: data.replace(b"350.0000", b"nan"), "no numbers"),
+        (lambda data: data.replace(b"350.0000", b"up"), "no numbers"),
+        (lambda data: data.replace(b"<IPOC>4", b"<IPOC>3"), "has jumped"),
+        (lambda data: data.replace(b"<IPOC>4", b"<IPOC>5"), "has jumped"),
+    ],
+)
+def test_what_cannot_be_true_is_an_error(
+    robot: UdpRobot, change: Callable[[bytes], bytes], words: str
+) -> None:
+    driver = make_driver(robot)
+    driver.open()
+    read_until(driver, select_readings)
+    robot.spoil = change
+    assert words in str(read_until_lost(lambda: driver.read(0.1)).what)
+
+
+def test_what_is_wrong_at_opening_is_said(robot: UdpRobot) -> None:
+    robot.spoil = lambda data: b"hello"
+    with pytest.raises(DeviceError, match="is no RSI"):
+        make_driver(robot, timeout_s=0.3).open()
+    robot.silent = True
+    with pytest.raises(DeviceError, match=f"sends nothing to UDP port {robot.port}"):
+        make_driver(robot, timeout_s=0.3).open()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("", robot.port))
+        with pytest.raises(DeviceError, match="Another program"):
+            make_driver(robot).open()
+    with pytest.raises(DeviceError, match="tool = "):
+        make_driver(robot, tool=[1.0, 2.0])
+
+
+EMULATOR = """
+import sys, time
+from RSIPI.rsi_echo_server import EchoServer
+server = EchoServer(sys.argv[1], onlysend=True)
+server.state["AIPos"] = {f"A{joint}": 10.0 * joint for joint in range(1, 7)}
+server.state["RIst"] = dict(X=500.0, Y=-20.0, Z=350.0, A=10.0, B=20.0, C=30.0)
+server.start()
+print("started", flush=True)
+time.sleep(60)
+"""
+CONFIG = """<ROOT><CONFIG><IP_NUMBER>127.0.0.1</IP_NUMBER><PORT>{port}</PORT>
+<SENTYPE>ImFree</SENTYPE><ONLYSEND>TRUE</ONLYSEND></CONFIG><SEND><ELEMENTS>
+<ELEMENT TAG="DEF_RIst" TYPE="DOUBLE" INDX="INTERNAL"/>
+<ELEMENT TAG="DEF_AIPos" TYPE="DOUBLE" INDX="INTERNAL"/>
+</ELEMENTS></SEND><RECEIVE><ELEMENTS/></RECEIVE></ROOT>"""
+
+
+@pytest.mark.parametrize("report", ["flange", "joints"])
+def test_an_emulator_of_others_is_read(tmp_path: Path, report: str) -> None:
+    pytest.importorskip("RSIPI", exc_type=ImportError)
+    port = free_udp_port()
+    config = tmp_path / "RSI_EthernetConfig.xml"
+    config.write_text(CONFIG.format(port=port))
+    emulator = subprocess.Popen(
+        [sys.executable, "-c", EMULATOR, str(config)], cwd=tmp_path, stdout=subprocess.DEVNULL
+    )
+    try:
+        driver = arm_driver(
+            "kuka-rsi",
+            {"address": "127.0.0.1", "port": port, "report": report, "timeout_s": 30.0},
+        )
+        driver.open()
+        reading = select_readings(read_until(driver, select_readings))[0]
+        driver.close()
+    finally:
+        emulator.kill()
+        emulator.wait()
+    if isinstance(reading, PoseSample):
+        assert reading.position_mm == pytest.approx((500.0, -20.0, 350.0))
+        expected = Rotation.from_euler("ZYX", [10.0, 20.0, 30.0], degrees=True)
+        assert (Rotation.from_quat(reading.quaternion_xyzw) * expected.inv()).magnitude() < 1e-9
+    else:
+        assert reading.joints_rad == pytest.approx(np.radians([10, 20, 30, 40, 50, 60]))
