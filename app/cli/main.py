@@ -96,11 +96,14 @@ def demo(
     host: Host = "127.0.0.1",
     port: Port = 8000,
     open_browser: Open = True,
+    robot: Annotated[
+        bool, typer.Option("--robot", help="A robot carries the sensor, read by RTDE.")
+    ] = False,
 ) -> None:
     """Run the whole station on simulated hardware, in the browser."""
     from app.server.startup import demo as run_demo
 
-    run_demo(data, host, port, open_browser)
+    run_demo(data, host, port, open_browser, robot)
 
 
 @cli.command()

@@ -13,8 +13,9 @@ from app.messages.message import join, message
 from app.operations.services import MonitoringSettings
 from app.server.composition import StationParts
 from hardware.registry import arm_driver
+from hardware.simulator.scene.random_scenes import demo_robot
 from hardware.simulator.scene.world import RoomThermometer
-from hardware.simulator.station import SimulatedStation
+from hardware.simulator.station import SimulatedStation, SimulationConfig
 
 PLACES = {
     "arm.json": "arms/simulated.json",
@@ -25,33 +26,49 @@ PLACES = {
 """Location of a datasheet in the data folder; those of gauges have their own folder."""
 
 
+ROBOT = SimulationConfig(arm=demo_robot(), robot=True)
+ROBOT_HZ = 250.0
+
+
 @contextmanager
-def open_simulation(data: Path) -> Iterator[StationParts]:
+def open_simulation(data: Path, robot: bool = False) -> Iterator[StationParts]:
     """A running simulation, with a sensor that is ready, as the parts of a station.
+
+    Args:
+        robot: a robot carries the sensor, instead of an arm that an operator guides.
 
     Raises:
         OperationError: the data folder cannot be written.
     """
-    with SimulatedStation() as simulation:
+    with SimulatedStation(ROBOT if robot else None) as simulation:
         yield station_parts(simulation, data)
 
 
 def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
-    """A station with a started simulation; the real serial driver reads its arm."""
+    """A station with a started simulation; the real driver reads its arm or robot."""
     write_datasheets(simulation, data)
-    options = {"url": simulation.arm_url}
+    driver, options = _arm_options(simulation)
     return StationParts(
         name="Demonstration",
         data=data,
-        arm=lambda: arm_driver("serial-encoder", options),
+        arm=lambda: arm_driver(driver, options),
         sensor=simulation.sensor,
         simulated_operator=simulation.operator,
         guest="Demo",
         monitoring=MonitoringSettings(
             thermometer=RoomThermometer(),
-            effective_settings={"drivers": {"arm": "serial-encoder", "sensor": "simulated"}},
+            effective_settings={"drivers": {"arm": driver, "sensor": "simulated"}},
         ),
     )
+
+
+def _arm_options(simulation: SimulatedStation) -> tuple[str, dict[str, object]]:
+    """Name and options of the driver of the simulated arm."""
+    if simulation.config.robot:
+        robot = simulation.robot
+        options = {"address": simulation.config.host, "port": robot.port, "rate_hz": ROBOT_HZ}
+        return "ur-rtde", options
+    return "serial-encoder", {"url": simulation.arm_url}
 
 
 def _is_identified(path: Path) -> bool:

@@ -161,20 +161,23 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
     )
 
 
-def demo(data: Path | None, host: str, port: int, open_browser: bool) -> None:
+def demo(data: Path | None, host: str, port: int, open_browser: bool, robot: bool = False) -> None:
     """Runs the complete station with simulated devices; if the port is taken, on the next free one.
+
+    Args:
+        robot: a robot carries the sensor, instead of an arm that an operator guides.
 
     Raises:
         OperationError: the data folder is unusable, or no port is free.
     """
     listening = listen(host, port, PORTS_TRIED)
-    folder = data or user_data_folder() / "demo"
+    folder = data or user_data_folder() / ("demo-robot" if robot else "demo")
     with ExitStack() as devices:
 
         def parts() -> "StationParts":
             from app.server.demo import open_simulation
 
-            return devices.enter_context(open_simulation(folder))
+            return devices.enter_context(open_simulation(folder, robot))
 
         print("Starting the simulated station.", flush=True)
         run(Plan("Demonstration", parts, host, by_link=True), listening, open_browser)

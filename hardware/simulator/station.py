@@ -26,6 +26,7 @@ from hardware.simulator.devices.kinematics import (
 )
 from hardware.simulator.devices.motion import Motion
 from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
+from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from hardware.simulator.operator.holding import SensorMount
 from hardware.simulator.operator.operator import ScriptedOperator
 from hardware.simulator.rendering.noise import Detector
@@ -72,6 +73,9 @@ class SimulationConfig:
     """Rms error of the tip over the arm's whole reach that the datasheets do not state."""
     arm_reports: Literal["joints", "pose"] = "joints"
     """Poses are those that a controller computes from the arm's nominal model."""
+    robot: bool = False
+    """A robot of Universal Robots carries the sensor, and speaks RTDE; it has no tip. Its poses
+    are computed from the nominal model, too."""
     rate_hz: float = 1000.0
     counts_per_revolution: int = 1 << 22
     line: str = "tcp"
@@ -133,6 +137,7 @@ class SimulatedStation:
         )
         self._line: DevicePort | None = None
         self._device: ArmDevice | None = None
+        self._robot: RtdeServer | None = None
         self._triggered: TriggeredSensor | None = None
         self.operator = ScriptedOperator(
             self._rig.arm,
@@ -153,6 +158,13 @@ class SimulatedStation:
         return self._line.url
 
     @property
+    def robot(self) -> RtdeServer:
+        """The robot's controller; there once started, if the arm is a robot."""
+        if self._robot is None:
+            raise RuntimeError("the simulated robot is not started")
+        return self._robot
+
+    @property
     def device(self) -> ArmDevice:
         """The arm's electronics; there once started."""
         if self._device is None:
@@ -164,10 +176,12 @@ class SimulatedStation:
 
         Raises ``OSError`` when the port is taken.
         """
-        if self._device is None:
+        self.shared_renderer.prepare()
+        if self.config.robot:
+            self._start_robot()
+        elif self._device is None:
             config = self.config
             self._line = PtyPort() if config.line == "pty" else TcpPort(config.host, config.port)
-            self.shared_renderer.prepare()
             encoders = Encoders(
                 config.rate_hz, config.counts_per_revolution, self._rig.arm.encoder_sd_rad
             )
@@ -191,6 +205,9 @@ class SimulatedStation:
     def stop(self) -> None:
         """Ends the arm and the simulated operator's move."""
         self.operator.cancel()
+        if self._robot is not None:
+            self._robot.stop()
+            self._robot = None
         if self._device is not None:
             self._device.stop()
             self._device = None
@@ -236,7 +253,12 @@ class SimulatedStation:
     def datasheets(self) -> dict[str, JsonObject]:
         """What the operator is given, by file name."""
         rig = self._rig
-        poses = self.config.arm_reports == "pose"
+        arm = rig.nominal_arm
+        if self.config.robot:
+            arm_document = robot_datasheet(arm, tip=False)
+        else:
+            poses = self.config.arm_reports == "pose"
+            arm_document = robot_datasheet(arm) if poses else arm_datasheet(arm)
         ball = self._scene.find_object("sphere").shape
         assert isinstance(ball, GaugeSphere)
         plate, sphere = (
@@ -244,7 +266,7 @@ class SimulatedStation:
             for name in ("plate", "sphere")
         )
         return {
-            "arm.json": (robot_datasheet if poses else arm_datasheet)(rig.nominal_arm),
+            "arm.json": arm_document,
             "object.json": block_datasheet(rig.certificate, self.config.certificate_sd_mm),
             "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
@@ -257,6 +279,19 @@ class SimulatedStation:
         board, at = self._board, self._scene.find_object("board").T_arm_obj
         squares = [board.square_x_mm, board.square_y_mm]
         return {**ground_truth(self._rig), "squares_mm": squares, "T_arm_board": at.tolist()}
+
+    def _start_robot(self) -> None:
+        if self._robot is not None:
+            return
+        noise = np.random.default_rng(self.config.seed + 1)
+
+        def state_at(at_ns: int) -> RobotState:
+            q = self._motion.at(at_ns)
+            q = q + noise.normal(0.0, self._rig.arm.encoder_sd_rad, q.shape)
+            return RobotState(q, self._controller_poses(q[None])[0])
+
+        self._robot = RtdeServer(state_at, self.config.host, self.config.port)
+        self._robot.start()
 
     def _trigger(self, stamp_ns: int) -> None:
         if self._triggered is not None:

@@ -92,12 +92,15 @@ class Server:
             time.sleep(0.05)
 
 
+QUICK = SimulationConfig(pace=3.0)
+
+
 @contextmanager
-def running_server(data: Path) -> Iterator[Server]:
+def running_server(data: Path, config: SimulationConfig = QUICK) -> Iterator[Server]:
     """A server on a data folder, with a client that has entered; it ends in order."""
     with (
         patch.object(accounts, "HASHER", QUICK_HASHER),
-        SimulatedStation(SimulationConfig(pace=3.0)) as simulation,
+        SimulatedStation(config) as simulation,
         socket.socket() as listening,
     ):
         listening.bind(("127.0.0.1", 0))

@@ -5,14 +5,15 @@ Its simulated operator is four times as quick as the demonstration's; its consol
 
 import json
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import typer
 
 from app.console import report_errors
-from app.server.demo import station_parts, write_datasheets
+from app.server.demo import ROBOT, station_parts, write_datasheets
 from app.server.listener import listen
 from app.server.startup import Plan, run
 from app.store.store import Store
@@ -77,12 +78,16 @@ def prepare(data: Path) -> None:
 
 
 @report_errors
-def serve(data: Path) -> None:
+def serve(
+    data: Path,
+    robot: Annotated[bool, typer.Option("--robot", help="A robot carries the sensor.")] = False,
+) -> None:
     """Until SIGINT or SIGTERM."""
+    config = replace(ROBOT, pace=CONFIG.pace) if robot else CONFIG
     with ExitStack() as devices:
         plan = Plan(
             "Bench",
-            lambda: station_parts(devices.enter_context(SimulatedStation(CONFIG)), data),
+            lambda: station_parts(devices.enter_context(SimulatedStation(config)), data),
             HOST,
             by_link=True,
         )

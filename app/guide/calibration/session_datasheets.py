@@ -11,6 +11,7 @@ from app.guide.calibration.state import FIELDS, CalibrationState
 from app.guide.calibration.touch.report import touch_report
 from app.guide.common.datasheet_library import DatasheetLibrary, FolderContent, read_library
 from app.metrology.limits import Limits
+from app.metrology.targets.chessboard import Chessboard
 from app.metrology.targets.crenellated_block import Crenellated
 
 CHOOSING = ("devices", "setup")
@@ -66,13 +67,17 @@ def best_guess(
     sensor: ConnectedSensor | None,
 ) -> dict[str, str]:
     """What a new session begins with: the connected devices' datasheets, else the last choice,
-    else the only one there is; of objects the only block, beside any chessboards."""
+    else the only one there is; of objects the only block beside any chessboards, or, for an arm
+    that reports poses, the only chessboard."""
     guess: dict[str, str] = {}
-    arms = {entry.id: entry.datasheet.serial_number for entry in library.arms.values()}
+    arms = {
+        entry.id: entry.datasheet.serial_number
+        for entry in library.arms.values()
+        if arm is None or entry.datasheet.reading_kind == arm.reports
+    }
     sensors = {entry.id: entry.datasheet.serial_number for entry in library.sensors.values()}
-    blocks = [
-        entry.id for entry in library.objects.values() if isinstance(entry.datasheet, Crenellated)
-    ]
+    usual = Chessboard if arm is not None and arm.reports == "pose" else Crenellated
+    targets = [entry.id for entry in library.objects.values() if isinstance(entry.datasheet, usual)]
     for field, known, serial in (
         ("arm", arms, arm.serial_number if arm else None),
         ("object", dict.fromkeys(library.objects, ""), None),
@@ -86,6 +91,6 @@ def best_guess(
             guess[field] = last
         elif len(known) == 1:
             guess[field] = next(iter(known))
-        elif field == "object" and len(blocks) == 1:
-            guess[field] = blocks[0]
+        elif field == "object" and len(targets) == 1:
+            guess[field] = targets[0]
     return guess

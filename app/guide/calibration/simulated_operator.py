@@ -3,6 +3,8 @@
 import time
 from collections.abc import Callable
 
+import numpy as np
+
 from app.errors import OperationError
 from app.guide.calibration import tasks
 from app.guide.calibration.guide import CalibrationGuide
@@ -19,6 +21,8 @@ from app.guide.common.simulation import (
     work_on_steps,
 )
 from app.messages.message import message
+from app.metrology.arm.kinematics import RobotArm
+from app.metrology.arm.reported_poses import transforms_from_poses
 from app.station.jobs import Progress
 
 SENSOR_TIMEOUT_S = 10.0
@@ -104,6 +108,8 @@ def _hold(guide: CalibrationGuide, operator: SimulatedOperator, progress: Progre
         view = next_view(guide.state.listed)
         return operator.hold_over("board", len(guide.state.pictures) if view is None else view)
     progress(message("simulation-goes-next-pose", words=advice.words), 0.2)
+    if isinstance(guide.datasheets.selection(guide.state).arm, RobotArm):
+        return operator.hold_flange_at(transforms_from_poses(np.array([advice.reading]))[0])
     return operator.hold_at(advice.reading)
 
 

@@ -28,6 +28,9 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
         if name == "confirm_setup":
             guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state.choices)
         guide.append(CONFIRMATIONS[name], {}, key)
+        arm = guide.datasheets.selection(guide.state).arm
+        if name == "confirm_setup" and arm is not None and arm.tip is None:
+            guide.append("touch_confirmed", {})
         guide.station.bus.event("step_done", message("next", title=HEADINGS[guide.state.step]))
 
 

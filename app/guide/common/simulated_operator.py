@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import Protocol
 
+from app.metrology.transforms import Floats
+
 
 class SimulatedOperator(Protocol):
     """Moves the arm and presses its buttons.
@@ -29,6 +31,9 @@ class SimulatedOperator(Protocol):
 
     def hold_at(self, q_rad: Sequence[float]) -> bool:
         """Brings the arm to joint angles, the sensor over the object, and holds it still."""
+
+    def hold_flange_at(self, T_arm_flange: Floats) -> bool:
+        """Brings the flange to a pose (4, 4), the sensor over the object, and holds it still."""
 
     def scan_part(self, name: str) -> bool:
         """Sweeps the sensor over the part."""

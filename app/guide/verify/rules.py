@@ -40,17 +40,13 @@ def change_reason(state: VerifyState, live: VerifyLive) -> Text:
 
 
 def touches_needed(live: VerifyLive) -> int:
-    """Touches that fix the chosen gauge; none of an arm without a tip."""
-    if live.arm is not None and live.arm.tip is None:
-        return 0
+    """Touches that fix the chosen gauge."""
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_LEAST if plane else SPHERE_LEAST
 
 
 def touches_wanted(live: VerifyLive) -> int:
-    """Touches that are asked for; none of an arm without a tip."""
-    if live.arm is not None and live.arm.tip is None:
-        return 0
+    """Touches that are asked for."""
     plane = live.gauge is not None and live.gauge.shape == "plane"
     return PLANE_WANTED if plane else SPHERE_WANTED
 

@@ -42,6 +42,9 @@ def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
     """From here on the session uses its own copies of gauge, arm and calibration."""
     guide.keep_datasheets()
     guide.append("gauge_confirmed", {}, key)
+    _, arm = guide.datasheets()
+    if arm is not None and arm.tip is None:
+        guide.append("touch_skipped", {})
 
 
 def begin_cloud(guide: VerifyGuide, key: str | None) -> None:

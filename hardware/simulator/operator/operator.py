@@ -181,6 +181,17 @@ class ScriptedOperator:
             return True
         return False
 
+    def hold_flange_at(self, T_arm_flange: Floats) -> bool:
+        """Holds the flange at a pose (4, 4), as well as an operator can; False when cancelled.
+
+        Raises UnreachableError where the arm cannot get there.
+        """
+        with self._executor.move("going to the next pose"):
+            path = self.planner.path_to(np.asarray(T_arm_flange), 30.0)
+            self._executor.play(path, 0.0, 1.0, trembles=True)
+            return True
+        return False
+
     def scan_part(self, name: str) -> bool:
         """Sweeps the sensor over one of ``parts``; False when cancelled. Raises KeyError."""
         if name not in self.parts:

@@ -38,16 +38,17 @@ def arm_datasheet(arm: ArmModel) -> JsonObject:
     return {**robot_datasheet(arm), "convention": "dh-standard", "joints": joints}
 
 
-def robot_datasheet(arm: ArmModel) -> JsonObject:
-    """arm.json of an arm whose controller reports poses."""
+def robot_datasheet(arm: ArmModel, tip: bool = True) -> JsonObject:
+    """arm.json of an arm whose controller reports poses; without a tip, it touches nothing."""
     x, y, z = arm.tip_mm
+    mounted = {"tip": {"x_mm": x, "y_mm": y, "z_mm": z, "diameter_mm": arm.tip_diameter_mm}}
     return {
         "format": "crenel/arm",
         "version": 1,
         "name": arm.name,
         "serial_number": arm.serial_number,
         "convention": "pose",
-        "tip": {"x_mm": x, "y_mm": y, "z_mm": z, "diameter_mm": arm.tip_diameter_mm},
+        **(mounted if tip else {}),
     }
 
 

@@ -96,6 +96,11 @@ def demo_arm() -> ArmModel:
     )
 
 
+def demo_robot() -> ArmModel:
+    """The same chain as a robot."""
+    return replace(demo_arm(), name="Simulated robot", serial_number="TWIN-R1")
+
+
 def _symmetric_limits(limit: float) -> tuple[float, float]:
     return (-float(limit), float(limit))
 

@@ -1,0 +1,113 @@
+"""A simulated robot that carries the sensor, by RTDE: calibrated, scanned, verified, rebuilt."""
+
+import json
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.formats.clouds.files import read_cloud
+from app.formats.datasheets.arm import read_any_arm
+from app.formats.results.calibration import read_calibration
+from app.metrology.transforms import Floats
+from app.server.demo import ROBOT
+from app.workflows.reconstruct import reconstruct_points
+from tests.api.conftest import Server, running_server
+from tests.api.test_verify_flow import Desk
+
+PATIENCE_S = 240.0
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with running_server(tmp_path_factory.mktemp("robot"), replace(ROBOT, pace=3.0)) as server:
+        yield server
+    assert not server.sent.untranslated()
+
+
+@pytest.fixture(scope="module")
+def calibrated(server: Server) -> Server:
+    """By the simulated operator, from the first step to the accepted calibration."""
+    server.http.post("/api/flow/start")
+    server.wait(lambda view: any(a["name"] == "confirm_devices" for a in view["actions"]))
+    server.do("confirm_devices")
+    view = server.flow()
+    chosen = {each["field"]: each["selected"] for each in view["picture"]["choices"]}
+    assert chosen == {"arm": "simulated", "object": "chessboard", "sensor": "simulated"}
+    server.do("confirm_setup")
+    assert server.flow()["step"] == "place"  # it has no tip, and touches nothing
+    server.do("run_simulation", all=True)
+    server.wait(lambda view: view["busy"] is None and view["step"] == "review", PATIENCE_S)
+    view = server.flow()
+    assert view["picture"]["result"]["verdict"] in ("good", "usable"), view["findings"]
+    server.do("accept")
+    return server
+
+
+def test_a_block_is_refused_for_an_arm_that_reports_poses(server: Server) -> None:
+    server.http.post("/api/flow/start")
+    server.do("confirm_devices")
+    server.do("choose", field="object", id="simulated")
+    refusal = server.command("confirm_setup")
+    assert refusal.status_code == 422
+    assert "chessboard" in refusal.text
+    server.do("choose", field="object", id="chessboard")
+    server.do("back", to="devices")
+
+
+def distances_from_plate_um(server: Server, points_mm: Floats) -> Floats:
+    """Of points (N, 3) near the plate, from the plane of its certificate."""
+    nominal = json.loads((server.data / "gauges/plate.nominal.json").read_text())
+    away_mm = points_mm - np.array(nominal["point_mm"])
+    return np.asarray(1e3 * away_mm @ np.array(nominal["normal"]))
+
+
+def stated_um(session: Path) -> float:
+    """Standard uncertainty of a scanned point, as the calibration states it."""
+    document = json.loads((session / "calibration.json").read_text())
+    return float(document["uncertainty"]["total_um"])
+
+
+def test_a_scan_is_rebuilt_to_the_same_points(calibrated: Server, tmp_path: Path) -> None:
+    http = calibrated.http
+    assert http.post("/api/scan/start", json={"name": "Plate"}).json()["state"] == "running"
+    assert calibrated.simulation.operator.scan_part("plate")
+    http.post("/api/stop")
+    deadline = time.monotonic() + 20
+    while not (scans := http.get("/api/scans").json()):
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    folder = calibrated.data / "scans" / scans[0]["id"]
+    live = read_cloud(folder / "cloud.ply")
+    assert len(live.points_mm) == scans[0]["points"] > 1000
+    session = next((calibrated.data / "sessions").glob("*/calibration.json")).parent
+    again, counts = reconstruct_points(
+        folder / "scan.mcap",
+        read_calibration(session / "calibration.json"),
+        read_any_arm(session / "arm.json"),
+    )
+    assert counts.frames_without_joints == 0
+    np.testing.assert_allclose(again, live.points_mm, atol=1e-4)
+    off_um = distances_from_plate_um(calibrated, live.points_mm)
+    on_plate_um = off_um[np.abs(off_um) < 200]
+    assert len(on_plate_um) > 1000
+    expanded_um = 2 * stated_um(session)
+    assert abs(np.median(on_plate_um)) < 1.5 * expanded_um
+    assert np.std(on_plate_um) < 1.5 * expanded_um
+
+
+def test_a_verification_needs_no_touches(calibrated: Server) -> None:
+    desk = Desk(calibrated)
+    calibrated.http.post("/api/verify/start").raise_for_status()
+    desk.do("choose_gauge", id="plate")
+    assert desk.do("confirm_gauge")["step"] == "scan"
+    desk.do("run_simulation", all=True)
+    view = desk.wait(lambda view: view["busy"] is None and view["step"] == "review", PATIENCE_S)
+    assert len([one for one in view["picture"]["clouds"] if one["state"] == "good"]) == 3
+    figures = {one["name"]: one for one in view["picture"]["figures"]}
+    assert {"form", "rms", "angle_range"} <= set(figures)
+    assert "offset" not in figures  # nothing was touched
+    desk.do("accept")

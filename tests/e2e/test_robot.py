@@ -1,0 +1,68 @@
+"""A robot station in a real browser: board calibration, scan and verification, by RTDE."""
+
+import sys
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.e2e.conftest import Demo
+from tests.e2e.test_demo import Visit, is_at, is_verifying, scan, take_poses
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Iterator[Demo]:
+    """The demonstration with a robot, four times as quick."""
+    data = tmp_path / "data"
+    running = Demo(data, [sys.executable, "-m", "app.bench.faults.served", str(data), "--robot"])
+    yield running
+    running.end()
+
+
+@pytest.mark.timeout(900)
+def test_a_robot_station_from_the_first_page_to_a_verification(
+    robot: Demo, browser: Browser, pictures: Path, tmp_path: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    visit = Visit(page, pictures)
+    page.goto(robot.link)
+    page.get_by_role("button", name="Calibrate").click()
+    page.get_by_role("button", name="Start calibration").click()
+    for step in ("devices", "setup", "place", "capture"):
+        visit.wait_until(f"step {step}", "/api/flow", partial(is_at, step))
+        page.wait_for_timeout(500)
+        visit.look(step)
+        page.get_by_role("button", name="Let the simulated operator do it").click()
+        page.wait_for_timeout(500)
+    take_poses(visit)
+    visit.look("review")
+    result = visit.ask("/api/flow")["picture"]["result"]
+    assert result["verdict"] == "good"
+    assert 0 < result["total_um"] < 50
+    page.get_by_role("button", name="Accept this calibration").click()
+    page.get_by_role("button", name="Verify", exact=True).click()
+    page.get_by_role("button", name="Start verification").click()
+    for step in ("gauge", "scan"):
+        visit.wait_until(f"verifying: {step}", "/api/verify", partial(is_verifying, step))
+        page.wait_for_timeout(400)
+        visit.look(f"verify-{step}")
+        page.get_by_role("button", name="Let the simulated operator do it").click()
+        page.wait_for_timeout(1000)
+    visit.wait_until(
+        "the verdict",
+        "/api/verify",
+        lambda view: view["step"] == "review" and view["busy"] is None,
+    )
+    visit.look("verified")
+    assert visit.ask("/api/verify")["picture"]["verdict"]["result"] != "fail"
+    page.get_by_role("button", name="Accept this verification").click()
+    expect(page.get_by_role("button", name="Scan the part")).to_be_visible(timeout=10_000)
+    scan(visit, tmp_path)
+    page.close()
+    assert not visit.faults, "\n".join(visit.faults)
+    assert robot.end() in (0, 130)
+    assert not robot.complaints, "".join(robot.complaints)
