@@ -11,11 +11,11 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, wait
 from dataclasses import dataclass
 from importlib.metadata import EntryPoint
-from typing import Literal, TypeAlias, cast
+from typing import TypeAlias, cast
 
 from app.messages.message import Text, message
 from hardware.errors import DeviceError
-from hardware.registry import FINDERS, find_entries, package_of
+from hardware.registry import FINDERS, DeviceKind, find_entries, package_of
 
 DEADLINE_S = 4.0
 """How long finders may take; they run at the same time."""
@@ -25,8 +25,8 @@ DEADLINE_S = 4.0
 class FoundDevice:
     """A device that is connected, or a port at which one may be."""
 
-    kind: Literal["arm", "sensor"]
-    """Which table of station.toml it is for."""
+    kind: DeviceKind
+    """The table of station.toml that it is for."""
     driver: str
     """Name for ``driver`` in station.toml."""
     title: Text

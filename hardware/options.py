@@ -1,6 +1,7 @@
 """Options of drivers from station.toml, checked."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextvars import ContextVar
 from difflib import get_close_matches
 from typing import TypeVar
 
@@ -21,6 +22,32 @@ class Options(BaseModel):
 OptionsT = TypeVar("OptionsT", bound=Options)
 
 
+class _ModelAsked(Exception):  # noqa: N818 - an answer, not an error
+    def __init__(self, model: type[Options]) -> None:
+        self.model = model
+
+
+_asking: ContextVar[bool] = ContextVar("asking for the model of a driver's options", default=False)
+
+
+def options_model(factory: Callable[[Mapping[str, object]], object]) -> type[Options] | None:
+    """The model by which a driver reads its options; None if it does not use ``read_options``.
+
+    Args:
+        factory: as the registry has it; it is asked for its model and creates no driver.
+    """
+    token = _asking.set(True)
+    try:
+        factory({})
+    except _ModelAsked as answer:
+        return answer.model
+    except Exception:  # of a driver that reads its options in a way of its own
+        return None
+    finally:
+        _asking.reset(token)
+    return None
+
+
 def read_options(model: type[OptionsT], options: Mapping[str, object], table: str) -> OptionsT:
     """The options in one table of station.toml.
 
@@ -32,6 +59,8 @@ def read_options(model: type[OptionsT], options: Mapping[str, object], table: st
     Raises:
         DeviceError: names a wrong key and the problem with it.
     """
+    if _asking.get():
+        raise _ModelAsked(model)
     try:
         return model.model_validate(dict(options))
     except ValidationError as error:

@@ -9,14 +9,18 @@ registered in pyproject.toml, and are found here even if no package is installed
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from importlib.metadata import EntryPoint, entry_points
-from typing import cast
+from typing import Literal, TypeAlias, cast
 
 from app.messages.message import Text, join, message
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmDriver, SensorDriver
+from hardware.options import Options, options_model
 
 _ARMS, _SENSORS = "crenel.arms", "crenel.sensors"
 FINDERS = "crenel.finders"
+
+DeviceKind: TypeAlias = Literal["arm", "sensor"]
+"""The table of station.toml that a device is for."""
 
 BUILT_IN = {
     _ARMS: {
@@ -65,6 +69,15 @@ def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
 def sensor_driver(name: str, options: Mapping[str, object]) -> SensorDriver:
     """An unopened sensor driver; like ``arm_driver``, for ``[sensor]``."""
     return cast(SensorDriver, _factory(_SENSORS, name)(options))
+
+
+def driver_options(kind: DeviceKind, name: str) -> type[Options] | None:
+    """The options of a driver; None of a driver that does not use ``read_options``.
+
+    Raises:
+        DeviceError: no such driver, or its package is broken.
+    """
+    return options_model(_factory(_ARMS if kind == "arm" else _SENSORS, name))
 
 
 def find_entries(group: str) -> dict[str, list[EntryPoint]]:

@@ -9,6 +9,7 @@ from starlette.responses import Response
 
 from app.api import (
     calibrations,
+    devices,
     live,
     records,
     reports,
@@ -56,6 +57,7 @@ ROUTERS = (
     calibrations.router,
     scan.router,
     settings.router,
+    devices.router,
     records.router,
     reports.router,
     health.router,

@@ -1,7 +1,7 @@
 """The parts of the station that the routes use."""
 
 import asyncio
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Annotated, cast
 
 from fastapi import Depends
@@ -12,6 +12,7 @@ from app.guide.calibration.guide import CalibrationGuide
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.guide import VerifyGuide
+from app.operations.device_setup import KINDS, DeviceSetup
 from app.operations.recovery import Recovery
 from app.operations.services import MonitoringServices
 from app.security.authentication import Authenticator
@@ -33,7 +34,8 @@ from app.wire.schema import ScanStatus, StationInfo
 class Context:
     """The connected parts of the station."""
 
-    station: StationInfo
+    opened_as: StationInfo
+    """What it is with simulated devices, if it has those."""
     bus: Bus
     rig: Rig
     preview: Preview
@@ -51,9 +53,20 @@ class Context:
     authenticator: Authenticator
     monitoring: MonitoringServices
     recovery: Recovery
+    device_setup: DeviceSetup
     due: DueLimits = DUE
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""
+
+    @property
+    def station(self) -> StationInfo:
+        """The station as browsers show it, with the devices that it uses now."""
+        base, real = self.opened_as, self.rig.real
+        return replace(
+            base,
+            has_simulation=base.has_simulation and not real,
+            simulated=base.simulated and len(real) < len(KINDS),
+        )
 
     def scan_state(self, state: ScannerState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""

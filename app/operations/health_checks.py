@@ -185,7 +185,7 @@ class HealthChecker:
 
 def software(context: Context) -> dict[str, str]:
     """Versions of the software, and the drivers in use."""
-    drivers = context.monitoring.settings.effective_settings.get("drivers", {})
+    drivers = context.monitoring.effective_settings.get("drivers", {})
     driver_names = {str(k): str(v) for k, v in drivers.items()} if isinstance(drivers, dict) else {}
     return {"Crenel": SOFTWARE.version, **versions(), **driver_names}
 

@@ -15,6 +15,7 @@ from app.monitoring.health import Health
 from app.monitoring.log_store import LogStore
 from app.monitoring.loop_watchdog import LoopWatchdog
 from app.monitoring.system_info import Network, WallClock
+from app.settings.settings import DeviceKind, DeviceTable
 from app.station.bus import Bus
 from app.station.devices.link_state import LossWindow
 from app.station.devices.temperature import TemperatureWatch, Thermometer
@@ -123,6 +124,8 @@ class MonitoringServices:
         self, settings: MonitoringSettings, name: str, bus: Bus, store: Store, jobs: Jobs
     ) -> None:
         self.settings = settings
+        self.effective_settings = dict(settings.effective_settings)
+        """As in ``settings``, with the devices that were chosen since."""
         self.instance = new_instance()
         mqtt = settings.mqtt
         self.station = (mqtt.station if mqtt else None) or station_id(name)
@@ -160,6 +163,16 @@ class MonitoringServices:
         from app.supervision.broker import Broker
 
         return Broker(settings, self.station, self.name, self.instance, self.fleet)
+
+    def note_devices(self, tables: Mapping[DeviceKind, DeviceTable]) -> None:
+        """Called when another device was chosen."""
+        for kind, table in tables.items():
+            self.effective_settings[kind] = dict(table.options)
+        drivers = {kind: table.driver for kind, table in tables.items()}
+        before = self.settings.effective_settings.get("drivers")
+        self.effective_settings["drivers"] = (
+            before | drivers if isinstance(before, dict) else drivers
+        )
 
     def note_scan(self, result: ScanResult) -> None:
         """Called at the end of a scan."""

@@ -126,6 +126,15 @@ ROUTES: dict[tuple[str, str], Rule] = {
         Right.act, message("had-simulation-pass-over-plate")
     ),
     ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
+    # drivers open files, ports and addresses that their options name
+    ("GET", "/api/devices"): Rule(Right.administer),
+    ("POST", "/api/devices/search"): Rule(Right.administer),
+    ("POST", "/api/devices"): Rule(Right.administer, message("chose-a-device")),
+    ("POST", "/api/devices/remove"): Rule(Right.administer, message("took-a-device-out")),
+    ("POST", "/api/devices/trial"): Rule(Right.administer, message("tried-a-device")),
+    ("GET", "/api/devices/trial"): Rule(Right.administer),
+    ("GET", "/api/devices/trial/picture.jpg"): Rule(Right.administer),
+    ("DELETE", "/api/devices/trial"): Rule(Right.administer),
     ("POST", "/api/control/ask"): Rule(Right.operate, message("asked-control")),
     ("POST", "/api/control/answer"): Rule(Right.operate, message("answered-who-asked-control")),
     ("POST", "/api/control/release"): Rule(Right.operate, message("let-go-control")),

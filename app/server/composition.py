@@ -1,8 +1,9 @@
 """Connects the parts of the station, and closes them in order."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from app.api.scan import stop_everything
 from app.errors import OperationError
@@ -13,13 +14,13 @@ from app.guide.arm.guide import ArmGuide
 from app.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
 from app.guide.calibration.guide import CalibrationGuide, CalibrationServices
 from app.guide.common.buttons import Buttons, Press
-from app.guide.common.guided_session import Provenance, StationServices
+from app.guide.common.guided_session import GuidedSession, Provenance, StationServices
 from app.guide.common.simulated_operator import SimulatedOperator
 from app.guide.common.simulated_scan import SimulatedScan
 from app.guide.common.validity import DUE, DueLimits
 from app.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
 from app.guide.verify.guide import VerificationServices, VerifyGuide
-from app.messages.message import message
+from app.messages.message import Text, message
 from app.metrology.limits import LIMITS, Limits
 from app.operations.calibration_in_use import (
     calibration_error,
@@ -27,6 +28,7 @@ from app.operations.calibration_in_use import (
     unreadable_calibration_error,
 )
 from app.operations.context import Context
+from app.operations.device_setup import KINDS, DeviceSetup, StationDevices, choice_of
 from app.operations.home import last_tip_finding
 from app.operations.recovery import Recovery
 from app.operations.services import MonitoringServices, MonitoringSettings
@@ -41,6 +43,7 @@ from app.station.operator_settings import OperatorSettings
 from app.station.preview.preview import Preview
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
+from app.station.setup.drivers import choose_arm, choose_sensor
 from app.station.view3d.scene import Scene
 from app.station.view3d.view_controller import ViewController
 from app.station.working_distance import WorkingRange
@@ -59,8 +62,9 @@ class StationParts:
 
     name: str
     data: Path
-    arm: Callable[[], ArmDriver]
-    sensor: Callable[[], SensorDriver]
+    arm: Callable[[], ArmDriver] | None = None
+    """None: by ``devices``, as the sensor."""
+    sensor: Callable[[], SensorDriver] | None = None
     hosts: tuple[str, ...] = ()
     simulated_operator: SimulatedOperator | None = None
     """Of the simulated station."""
@@ -76,6 +80,8 @@ class StationParts:
     """The output on the console."""
     trigger: TriggerSettings | None = None
     """How the arm triggers the camera, if it does."""
+    devices: StationDevices = field(default_factory=StationDevices)
+    """The choice of the devices, which the Devices page can change."""
     monitoring: MonitoringSettings = field(default_factory=MonitoringSettings)
     """Recipients of notifications, and further services."""
 
@@ -96,7 +102,16 @@ def open_context(parts: StationParts) -> Context:
 
 def _build_context(parts: StationParts, store: Store) -> Context:
     bus = Bus()
-    rig = Rig(bus, parts.arm, parts.sensor, store.folder, parts.trigger)
+    tables, simulation = parts.devices.tables, parts.devices.simulation
+    real = frozenset(tables) if simulation is not None else frozenset()
+    rig = Rig(
+        bus,
+        parts.arm or choose_arm(choice_of(tables.get("arm")), simulation),
+        parts.sensor or choose_sensor(choice_of(tables.get("sensor")), simulation),
+        store.folder,
+        parts.trigger,
+        real,
+    )
     scene = Scene()
     scanner = Scanner(bus, rig, scene, store.folder / "scans")
     viewing = ViewController(bus, scene, store.folder / "scans", scanner.distance)
@@ -119,7 +134,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
 
     signing = Provenance(
         parts.name,
-        simulated,
+        lambda: simulated and len(rig.real) < len(KINDS),
         lambda: lease.last_name,
         celsius_now,
         store.temperatures.celsius_near,
@@ -141,7 +156,10 @@ def _build_context(parts: StationParts, store: Store) -> Context:
     recovery = Recovery(store, scanner, jobs, bus, viewing.note_records)
     recovery.list_unlisted()
     simulated_scan = SimulatedScan(
-        parts.simulated_operator, jobs, bus, lambda: bus.publish("scan", scanner.state())
+        lambda: guide.station.simulated_operator,
+        jobs,
+        bus,
+        lambda: bus.publish("scan", scanner.state()),
     )
     scanner.on_finished = lambda result: _record_scan(result, store, watch)
     arm_station = StationServices(bus, rig, jobs, parts.simulated_operator)
@@ -160,6 +178,13 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         _button_handler(guide, arm_guide, verify_guide),
         there=lambda: rig.arm.link().state == "connected",
     ).edge
+    device_setup = DeviceSetup(
+        bus,
+        rig,
+        parts.devices,
+        lambda: _work_error(scanner, jobs, (guide, arm_guide, verify_guide)),
+        watch.note_devices,
+    )
     station = StationInfo(
         parts.name, SOFTWARE.version, has_simulation=simulated, simulated=simulated
     )
@@ -184,6 +209,7 @@ def _build_context(parts: StationParts, store: Store) -> Context:
         ),
         watch,
         recovery,
+        device_setup,
         parts.due,
     )
 
@@ -192,6 +218,7 @@ def close_context(context: Context) -> None:
     """Switches the laser off, stops motion and scan, saves the scan and closes devices. The store
     stays open."""
     stop_everything(context)
+    context.device_setup.close()
     context.jobs.wait(JOB_END_S)
     context.recovery.close()
     context.scanner.close()
@@ -199,6 +226,24 @@ def close_context(context: Context) -> None:
     context.rig.stop()
     context.view_controller.close()
     context.scene.close()
+
+
+def _work_error(
+    scanner: Scanner, jobs: Jobs, guides: Sequence[GuidedSession[Any, Any, Any]]
+) -> OperationError | None:
+    """Why devices cannot be changed now: a scan, a job or a guided session is open."""
+    what: Text = ""
+    if scanner.state().state in ("running", "stopping"):
+        what = message("scanning")
+    elif (job := jobs.current) is not None:
+        what = job.title
+    elif any(guide.running for guide in guides):
+        what = message("guided-session-is-open")
+    if not what:
+        return None
+    return OperationError(
+        "busy", message("devices-cannot-be-changed-now"), what, message("end-it-first")
+    )
 
 
 def _button_handler(

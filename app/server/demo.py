@@ -10,8 +10,11 @@ from app.formats.atomic_write import write_atomically
 from app.formats.datasheets.arm import ArmFile
 from app.formats.io_errors import convert_io_errors
 from app.messages.message import join, message
+from app.operations.device_setup import StationDevices
 from app.operations.services import MonitoringSettings
 from app.server.composition import StationParts
+from app.settings.station_toml import DEFAULT_FILE, read_settings
+from app.station.setup.drivers import SimulatedDevices
 from hardware.registry import arm_driver
 from hardware.simulator.scene.random_scenes import demo_robot
 from hardware.simulator.scene.world import RoomThermometer
@@ -45,19 +48,30 @@ def open_simulation(data: Path, robot: bool = False) -> Iterator[StationParts]:
 
 
 def station_parts(simulation: SimulatedStation, data: Path) -> StationParts:
-    """A station with a started simulation; the real driver reads its arm or robot."""
+    """A station with a started simulation; the real driver reads its arm or robot.
+
+    Devices that were chosen on the Devices page are used instead of the simulation's.
+
+    Raises:
+        OperationError: the data folder cannot be written, or its station.toml is not valid.
+    """
     write_datasheets(simulation, data)
     driver, options = _arm_options(simulation)
+    devices = SimulatedDevices(lambda: arm_driver(driver, options), simulation.sensor)
+    file = data / DEFAULT_FILE
+    chosen = read_settings(file).devices if file.exists() else {}
     return StationParts(
         name="Demonstration",
         data=data,
-        arm=lambda: arm_driver(driver, options),
-        sensor=simulation.sensor,
+        devices=StationDevices(file, chosen, devices),
         simulated_operator=simulation.operator,
         guest="Demo",
         monitoring=MonitoringSettings(
             thermometer=RoomThermometer(),
-            effective_settings={"drivers": {"arm": driver, "sensor": "simulated"}},
+            effective_settings={
+                "drivers": {"arm": driver, "sensor": "simulated"}
+                | {kind: table.driver for kind, table in chosen.items()}
+            },
         ),
     )
 

@@ -80,7 +80,7 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     listening = listen(host, port, 1)
     plan = Plan(
         settings.station.name,
-        lambda: _load_parts(settings, data),
+        lambda: _load_parts(settings, data, config or Path(DEFAULT_FILE)),
         host,
         settings.station.hosts,
         serving=settings.station,
@@ -99,25 +99,27 @@ def _check_drivers(settings: Settings, config: Path | None) -> None:
     from hardware.registry import arm_driver, sensor_driver
 
     try:
-        arm_driver(settings.arm.driver, settings.arm.options)
-        sensor_driver(settings.sensor.driver, settings.sensor.options)
+        if (arm := settings.arm) is not None:
+            arm_driver(arm.driver, arm.options)
+        if (sensor := settings.sensor) is not None:
+            sensor_driver(sensor.driver, sensor.options)
     except DeviceError as error:
         named = str(error.what).replace(DEFAULT_FILE, str(config or DEFAULT_FILE), 1)
         raise OperationError("driver", named, remedy=error.remedy) from error
 
 
-def _load_parts(settings: Settings, data: Path | None) -> "StationParts":
+def _load_parts(settings: Settings, data: Path | None, file: Path) -> "StationParts":
     """The parts that the settings name; no device is touched yet."""
     from app.metrology.limits import Limits
+    from app.operations.device_setup import StationDevices
     from app.server.composition import StationParts
-    from hardware.registry import arm_driver, sensor_driver
 
-    station, arm, sensor = settings.station, settings.arm, settings.sensor
+    station = settings.station
+    devices = StationDevices(file.absolute(), settings.devices)
     return StationParts(
         name=station.name,
         data=data or station.data,
-        arm=lambda: arm_driver(arm.driver, arm.options),
-        sensor=lambda: sensor_driver(sensor.driver, sensor.options),
+        devices=devices,
         limits=Limits(settings.limits.good_um, settings.limits.usable_um),
         verification=settings.verification,
         due=settings.due,
@@ -140,15 +142,14 @@ def _monitoring_settings(settings: Settings) -> "MonitoringSettings":
 
     station, mqtt = settings.station, settings.mqtt
     file = settings.temperature.file if settings.temperature else None
-    effective_settings = {
-        "drivers": {"arm": settings.arm.driver, "sensor": settings.sensor.driver},
+    effective_settings: dict[str, object] = {
+        "drivers": {kind: table.driver for kind, table in settings.devices.items()},
         "name": station.name,
         "data": str(station.data),
         "hosts": list(station.hosts),
         "limits": settings.limits.model_dump(),
         "tls": station.tls_certificate is not None,
-        "arm": dict(settings.arm.options),
-        "sensor": dict(settings.sensor.options),
+        **{kind: dict(table.options) for kind, table in settings.devices.items()},
         "mqtt": None if mqtt is None else {k: str(v) for k, v in mqtt},
         "temperature": None if file is None else str(file),
     }

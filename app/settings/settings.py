@@ -8,7 +8,7 @@ import os
 import ssl
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self, TypeAlias
 
 from pydantic import (
     AfterValidator,
@@ -94,12 +94,18 @@ class StationTable(Serving):
     backups: SettingsPath | None = None
 
 
+DeviceKind: TypeAlias = Literal["arm", "sensor"]
+"""The name of a device's table."""
+
+
 class DeviceTable(TomlTable):
     """A driver's name and its own options."""
 
     model_config = ConfigDict(extra="allow")
 
     driver: NonEmpty
+    label: Annotated[str, Field(max_length=60)] = ""
+    """What people call the device; empty: as it calls itself."""
 
     @property
     def options(self) -> Mapping[str, object]:
@@ -154,14 +160,20 @@ class Settings(TomlTable):
     """One station."""
 
     station: StationTable = Field(default_factory=StationTable)
-    arm: DeviceTable
-    sensor: DeviceTable
+    arm: DeviceTable | None = None
+    sensor: DeviceTable | None = None
     limits: LimitsTable = LimitsTable()
     verification: VerificationTable = VerificationTable()
     due: DueLimits = DUE
     mqtt: BrokerSettings | None = None
     temperature: TemperatureTable | None = None
     trigger: TriggerTable | None = None
+
+    @property
+    def devices(self) -> dict[DeviceKind, DeviceTable]:
+        """The devices that are chosen."""
+        tables: dict[DeviceKind, DeviceTable | None] = {"arm": self.arm, "sensor": self.sensor}
+        return {kind: table for kind, table in tables.items() if table is not None}
 
     @field_validator("mqtt")
     @classmethod

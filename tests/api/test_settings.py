@@ -38,11 +38,9 @@ def test_a_whole_file(tmp_path: Path) -> None:
     assert settings.station.name == "Room 2"
     assert settings.station.data == tmp_path / "records"
     assert settings.station.hosts == ("station.local",)
-    assert (settings.arm.driver, settings.arm.options) == (
-        "serial-encoder",
-        {"url": "/dev/ttyUSB0"},
-    )
-    assert (settings.sensor.driver, settings.sensor.options) == ("opencv", {"source": 0})
+    arm, sensor = settings.devices["arm"], settings.devices["sensor"]
+    assert (arm.driver, arm.options) == ("serial-encoder", {"url": "/dev/ttyUSB0"})
+    assert (sensor.driver, sensor.options) == ("opencv", {"source": 0})
     assert settings.limits == LimitsTable(good_um=30.0, usable_um=LIMITS.usable_um)
 
 
@@ -88,7 +86,7 @@ def test_only_the_devices_are_needed(tmp_path: Path, monkeypatch: pytest.MonkeyP
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        (("[arm]", "[alm]"), "[arm]"),
+        (("[arm]", "[alm]"), "[alm]"),
         (('driver = "opencv"', ""), "driver"),
         (('name = "Room 2"', "name = 2"), "name"),
         (('name = "Room 2"', 'nmae = "Room 2"'), "nmae"),

@@ -92,7 +92,7 @@ def _settings(context: Context) -> dict[str, object]:
     watch = context.monitoring
     webhook = watch.webhook.settings
     return {
-        "station": dict(watch.settings.effective_settings),
+        "station": dict(watch.effective_settings),
         "scans": context.settings.view(),
         "notifications": {
             "host": webhook.host,
@@ -117,7 +117,7 @@ def context_redactor(context: Context) -> Redactor:
     watch, store = context.monitoring, context.store
     webhook = watch.webhook.settings
     secrets = [webhook.secret, *address_secrets(webhook.url), context.authenticator.code or ""]
-    secrets += secrets_in(dict(watch.settings.effective_settings))
+    secrets += secrets_in(dict(watch.effective_settings))
     if watch.settings.mqtt is not None:
         with suppress(OperationError):  # what cannot be read cannot leak
             secrets.append(watch.settings.mqtt.password() or "")

@@ -95,7 +95,7 @@ def _provenance(guide: ArmGuide, table: str) -> dict[str, object]:
         "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),
         "operator": signing.operator(),
         "station": signing.station,
-        "simulated": signing.simulated,
+        "simulated": signing.is_simulated(),
         "temperature_c": signing.temperature_c(),
         "inputs": tuple(
             Input(file=name, sha256=file_sha256(guide.folder / name)) for name in (ARM, table)

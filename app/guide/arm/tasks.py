@@ -32,7 +32,7 @@ def fit(guide: ArmGuide, progress: Progress) -> None:
     """Identifies the arm from the session's folder, exactly as the command line does."""
     folder, signing = guide.folder, guide.provenance
     signature = IdentificationProvenance(
-        signing.operator(), signing.station, signing.simulated, signing.temperature_c()
+        signing.operator(), signing.station, signing.is_simulated(), signing.temperature_c()
     )
     with guide.lock:
         guide.keep_seats()

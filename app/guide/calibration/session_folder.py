@@ -122,7 +122,7 @@ class SessionFolder:
             accepted_at=datetime.now(UTC).isoformat(timespec="seconds"),
             operator=signing.operator(),
             station=signing.station,
-            simulated=signing.simulated,
+            simulated=signing.is_simulated(),
             calibration_sha256=file_sha256(self.calibration),
             good_um=result.good_um,
             usable_um=result.usable_um,

@@ -34,8 +34,13 @@ class StationServices:
     bus: Bus
     rig: Rig
     jobs: Jobs
-    simulated_operator: SimulatedOperator | None
-    """Of the simulated station."""
+    operator_of_simulation: SimulatedOperator | None
+    """Of the simulated station; it can work only while no device is a real one."""
+
+    @property
+    def simulated_operator(self) -> SimulatedOperator | None:
+        """The simulated operator, if it can work with the present devices."""
+        return None if self.rig.real else self.operator_of_simulation
 
 
 @dataclass(frozen=True)
@@ -43,7 +48,8 @@ class Provenance:
     """What a record says of where, by whom and how warm it was made."""
 
     station: str = ""
-    simulated: bool = False
+    is_simulated: Callable[[], bool] = lambda: False
+    """Whether a device is the simulation's."""
     operator: Callable[[], str] = str
     """Who has control or had it last; empty where nobody did."""
     temperature_c: Callable[[], float | None] = lambda: None

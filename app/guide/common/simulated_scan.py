@@ -10,10 +10,19 @@ from app.station.jobs import Job, Jobs, Progress
 
 
 class SimulatedScan:
-    """Lets the simulated operator scan every part once; ``changed`` is called at begin and end."""
+    """Lets the simulated operator scan every part once.
+
+    Args:
+        operator: returns the simulated operator; None on real devices.
+        changed: called at begin and end.
+    """
 
     def __init__(
-        self, operator: SimulatedOperator | None, jobs: Jobs, bus: Bus, changed: Callable[[], None]
+        self,
+        operator: Callable[[], SimulatedOperator | None],
+        jobs: Jobs,
+        bus: Bus,
+        changed: Callable[[], None],
     ) -> None:
         self._operator, self._jobs, self._bus, self._changed = operator, jobs, bus, changed
         self._running = False
@@ -30,7 +39,7 @@ class SimulatedScan:
         """
         if self._running:
             return
-        operator = self._operator
+        operator = self._operator()
         if operator is None:
             raise _no_simulation_error()
 
@@ -54,7 +63,7 @@ class SimulatedScan:
         Returns False when it was stopped. Raises ``OperationError``: ``no-simulation``, or
         ``busy`` while it scans.
         """
-        operator = self._operator
+        operator = self._operator()
         if operator is None:
             raise _no_simulation_error()
         if self._running:
@@ -71,9 +80,10 @@ class SimulatedScan:
 
     def stop(self) -> None:
         """Ends the sweep under way; idempotent."""
-        if self._running and self._operator is not None:
+        operator = self._operator()
+        if self._running and operator is not None:
             self._running = False
-            self._operator.cancel()
+            operator.cancel()
 
     def _finish(self, job: Job[None]) -> None:
         self._running = False

@@ -153,7 +153,7 @@ def build_record(guide: VerifyGuide, live: VerifyLive) -> VerificationFile:
     return VerificationFile(
         id=state.session_id,
         station=provenance.station,
-        simulated=provenance.simulated,
+        simulated=provenance.is_simulated(),
         operator=provenance.operator(),
         started_at=state.started_at,
         accepted_at=accepted_at,

@@ -97,7 +97,11 @@ class DeviceReader(Generic[D, I_co]):
         self._free_running = free_running
         self._lock = threading.Lock()
         self._stopping = threading.Event()
+        self._woken = threading.Event()
+        self._replacement: Callable[[], D] | None = None
         self._thread: threading.Thread | None = None
+        self._made: D | None = None
+        """The driver that is being opened, or is open."""
         self._driver: D | None = None
         self._info: I_co | None = None
         self._error: Text = ""
@@ -117,10 +121,23 @@ class DeviceReader(Generic[D, I_co]):
     def stop(self) -> None:
         """Ends the thread and closes the device."""
         self._stopping.set()
+        self._interrupt()
         thread = self._thread
         if thread is not None:
             thread.join(5.0)
             self._thread = None
+
+    def replace(self, make: Callable[[], D]) -> None:
+        """Closes the device and opens another from now on; counts and state begin again."""
+        with self._lock:
+            self._replacement = make
+        self._interrupt()
+
+    @property
+    def error(self) -> Text:
+        """Why the device cannot be opened, or was lost; empty while it is connected."""
+        with self._lock:
+            return self._error
 
     @property
     def driver(self) -> D | None:
@@ -153,6 +170,8 @@ class DeviceReader(Generic[D, I_co]):
         title = word(self._title)
         if self._thread is None:
             return LinkState.OFF, message("off", title=title)
+        if self._replacement is not None:
+            return LinkState.CONNECTING, message("connecting", title=title)
         if self._driver is None or self._info is None:
             if self._ever_connected:
                 return LinkState.LOST, self._error or message("lost-reconnecting", title=title)
@@ -181,19 +200,47 @@ class DeviceReader(Generic[D, I_co]):
         span = arrivals[-1][0] - arrivals[0][0]
         return sum(count for _, count in arrivals[1:]) / span if span > 0 else None
 
+    def _interrupt(self) -> None:
+        """Ends an opening that takes long, and the pause before the next one."""
+        self._woken.set()
+        with self._lock:
+            opening = self._made if self._driver is None else None
+        if opening is not None:
+            opening.close()
+
     def _run(self) -> None:
         back_off_s = FIRST_BACK_OFF_S
         while not self._stopping.is_set():
-            if self._use(self._make()):
+            self._woken.clear()
+            self._take_replacement()
+            if self._use():
                 back_off_s = FIRST_BACK_OFF_S
-            if self._stopping.wait(back_off_s):
+            if self._stopping.is_set():
                 break
+            if self._woken.wait(back_off_s):
+                back_off_s = FIRST_BACK_OFF_S
+                continue
             back_off_s = min(2 * back_off_s, LONGEST_BACK_OFF_S)
 
-    def _use(self, driver: D) -> bool:
-        """Opens a driver and reads it until it is lost; True if any data arrived."""
+    def _take_replacement(self) -> None:
+        """Begins with another device, as after a start."""
+        with self._lock:
+            if self._replacement is None:
+                return
+            self._make, self._replacement = self._replacement, None
+            self._ever_connected, self._error = False, ""
+            self._last_data_s, self._last_answer_s = None, 0.0
+            self._counted, self._records = LinkHealth(), 0
+            self._arrivals.clear()
+
+    def _use(self) -> bool:
+        """Makes and opens a driver and reads it until it is lost; True if any data arrived."""
         received_before = self._records
+        driver: D | None = None
         try:
+            driver = self._make()
+            with self._lock:
+                self._made = driver
             info = self._connect(driver)
             self._note_connection(driver, info)
             self._pump(driver)
@@ -206,8 +253,9 @@ class DeviceReader(Generic[D, I_co]):
             with self._lock:
                 if self._driver is not None:
                     self._counted = _sum(self._counted, self._driver.health)
-                self._driver = self._info = None
-            driver.close()
+                self._driver = self._info = self._made = None
+            if driver is not None:
+                driver.close()
         return self._records > received_before
 
     def _note_connection(self, driver: D, info: I_co) -> None:
@@ -220,8 +268,11 @@ class DeviceReader(Generic[D, I_co]):
             self._arrivals.clear()
 
     def _pump(self, driver: D) -> None:
-        """Reads until the station stops; raises ``DeviceError`` if the device falls silent."""
-        while not self._stopping.is_set():
+        """Reads until the station stops or has another device.
+
+        Raises ``DeviceError`` if the device falls silent.
+        """
+        while not self._stopping.is_set() and self._replacement is None:
             count = self._read(driver)
             now = AWAKE.now_s()
             if count:

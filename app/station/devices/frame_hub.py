@@ -66,6 +66,11 @@ class FrameHub:
         for tap in taps:
             tap.put(frame)
 
+    def clear(self) -> None:
+        """Forgets the latest frame: another sensor follows."""
+        with self._arrived:
+            self._latest = None
+
     @property
     def latest(self) -> Frame | None:
         with self._arrived:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal, TypeAlias
 
 from app.errors import OperationError
 from app.messages.message import message
@@ -21,6 +22,7 @@ from hardware.interfaces import ArmDriver, SensorDriver
 
 # Interval at which devices are published, and at once when one is lost or back.
 PUBLISH_S, LOOK_S = 0.2, 0.05
+DeviceName: TypeAlias = Literal["arm", "sensor"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +46,7 @@ class Rig:
         arm, sensor: return a new, unopened driver at each call.
         data_dir: the folder whose disk is watched.
         trigger: the arm triggers the camera in this way; None if it does not.
+        real: of a demonstration, which devices are real ones instead of the simulation's.
     """
 
     def __init__(
@@ -53,7 +56,9 @@ class Rig:
         sensor: Callable[[], SensorDriver],
         data_dir: Path,
         trigger: TriggerSettings | None = None,
+        real: frozenset[DeviceName] = frozenset(),
     ) -> None:
+        self.real = real
         self._bus = bus
         self._data_dir = data_dir
         pairing = None if trigger is None else PulsePairing(trigger.delay_us)
@@ -86,6 +91,16 @@ class Rig:
         if self._publisher is not None:
             self._publisher.join(2.0)
             self._publisher = None
+
+    def use_arm(self, make: Callable[[], ArmDriver], real: bool = True) -> None:
+        """Changes to another arm, without a restart."""
+        self.real = self.real | {"arm"} if real else self.real - {"arm"}
+        self.arm.reader.replace(make)
+
+    def use_sensor(self, make: Callable[[], SensorDriver], real: bool = True) -> None:
+        """Changes to another sensor, without a restart."""
+        self.real = self.real | {"sensor"} if real else self.real - {"sensor"}
+        self.sensor.replace(make)
 
     def devices(self) -> Devices:
         """The current state of everything."""

@@ -46,6 +46,13 @@ class StationSensor:
             lambda info: info.free_running,
         )
 
+    def replace(self, make: Callable[[], SensorDriver]) -> None:
+        """Switches the laser off and changes to another sensor, with an exposure of its own."""
+        self.laser_off()
+        self._exposure_wanted_us = None
+        self.reader.replace(make)
+        self.frames.clear()
+
     @property
     def info(self) -> SensorInfo | None:
         """Properties of the sensor; None while it is not connected."""

@@ -1,0 +1,206 @@
+"""Setting up the station's devices: finding, trying and choosing them."""
+
+import threading
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from app.errors import OperationError
+from app.formats.file_names import display_path
+from app.messages.message import Text, message, word
+from app.settings.device_tables import write_device
+from app.settings.settings import DeviceKind, DeviceTable
+from app.station.bus import Bus
+from app.station.devices.link_state import DeviceState
+from app.station.devices.rig import Rig
+from app.station.setup.drivers import (
+    DeviceChoice,
+    DriverForm,
+    SimulatedDevices,
+    check_options,
+    driver_forms,
+    is_same_device,
+    use_choice,
+)
+from app.station.setup.search import DeviceSearch, SearchProblem
+from app.station.setup.trial_view import TrialSubject, TrialView
+from app.station.setup.trials import DeviceTrials
+
+KINDS: tuple[DeviceKind, ...] = ("arm", "sensor")
+
+
+@dataclass(frozen=True)
+class StationDevices:
+    """What ``station.toml`` says of the devices."""
+
+    file: Path | None = None
+    """None where nothing can be chosen, as of a recording that is replayed."""
+    tables: Mapping[DeviceKind, DeviceTable] = field(default_factory=dict)
+    simulation: SimulatedDevices | None = None
+    """Of a demonstration: what it uses without a table."""
+
+
+@dataclass(frozen=True)
+class StationDevice:
+    """A device of the station."""
+
+    kind: DeviceKind
+    driver: str
+    """Empty of a simulated device, or if none is chosen."""
+    label: str
+    options: Mapping[str, object]
+    simulated: bool
+    state: DeviceState
+
+
+@dataclass(frozen=True)
+class FoundView:
+    """A device that was found."""
+
+    kind: DeviceKind
+    driver: str
+    title: Text
+    options: Mapping[str, object]
+    in_use: bool
+    """The station uses it."""
+
+
+@dataclass(frozen=True)
+class DevicesView:
+    """The content of the Devices page."""
+
+    file: str
+    """Where choices are saved; empty where nothing can be chosen."""
+    demonstration: bool
+    devices: tuple[StationDevice, ...]
+    searching: bool
+    searched: bool
+    """Whether a search has ended."""
+    found: tuple[FoundView, ...]
+    problems: tuple[SearchProblem, ...]
+    drivers: tuple[DriverForm, ...]
+
+
+def choice_of(table: DeviceTable | None) -> DeviceChoice | None:
+    """The choice that a table of ``station.toml`` makes."""
+    return None if table is None else DeviceChoice(table.driver, table.options)
+
+
+class DeviceSetup:
+    """The devices of one station. Methods may be called from any thread.
+
+    Args:
+        busy: why devices cannot be changed now; None if they can.
+        note: called with the tables after each change.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        rig: Rig,
+        devices: StationDevices,
+        busy: Callable[[], OperationError | None],
+        note: Callable[[Mapping[DeviceKind, DeviceTable]], None],
+    ) -> None:
+        self._bus, self._rig, self._busy, self._note = bus, rig, busy, note
+        self._file, self._simulation = devices.file, devices.simulation
+        self._tables = dict(devices.tables)
+        self._changing = threading.Lock()
+        self.search = DeviceSearch()
+        self.trials = DeviceTrials(rig)
+
+    @cached_property
+    def _forms(self) -> tuple[DriverForm, ...]:
+        return driver_forms()
+
+    def view(self) -> DevicesView:
+        """The present content of the page."""
+        result = self.search.result
+        return DevicesView(
+            file="" if self._file is None else display_path(self._file),
+            demonstration=self._simulation is not None,
+            devices=tuple(self._device(kind) for kind in KINDS),
+            searching=self.search.running,
+            searched=result.done,
+            found=tuple(
+                FoundView(
+                    one.kind,
+                    one.driver,
+                    one.title,
+                    one.options,
+                    self._is_in_use(one.kind, one.driver, one.options),
+                )
+                for one in result.devices
+            ),
+            problems=result.problems,
+            drivers=self._forms,
+        )
+
+    def try_device(self, kind: DeviceKind, driver: str, entered: Mapping[str, object]) -> TrialView:
+        """Opens a device for a look, or shows the station's own if it is that one.
+
+        Raises:
+            OperationError: there is no such driver, or it refuses an option.
+        """
+        options = check_options(kind, driver, entered)
+        in_use = self._is_in_use(kind, driver, options)
+        return self.trials.start(TrialSubject(kind, driver, options, in_use))
+
+    def choose(
+        self, kind: DeviceKind, driver: str, entered: Mapping[str, object], label: str
+    ) -> None:
+        """Saves a device in ``station.toml``, and the station uses it at once.
+
+        Raises:
+            OperationError: the driver refuses an option, the station is at work, or the file
+                cannot be changed; everything is then as before.
+        """
+        options = check_options(kind, driver, entered)
+        self._change(kind, DeviceTable(driver=driver, label=label.strip(), **options))
+
+    def remove(self, kind: DeviceKind) -> None:
+        """Takes a device out of ``station.toml``: a demonstration uses the simulated one again.
+
+        Raises:
+            OperationError: as ``choose``.
+        """
+        if kind in self._tables:
+            self._change(kind, None)
+
+    def close(self) -> None:
+        """Ends a trial."""
+        self.trials.close()
+
+    def _change(self, kind: DeviceKind, table: DeviceTable | None) -> None:
+        with self._changing:
+            if self._file is None:
+                raise OperationError("devices-fixed", message("devices-of-replay-are-fixed"))
+            busy = self._busy()
+            if busy is not None:
+                raise busy
+            self.trials.stop()  # it may have the device open
+            write_device(self._file, kind, table)
+            if table is None:
+                self._tables.pop(kind, None)
+            else:
+                self._tables[kind] = table
+            use_choice(self._rig, kind, choice_of(table), self._simulation)
+            self._note(self._tables)
+        self._bus.event("device-chosen", message("device-was-chosen", title=word(kind)), "good")
+
+    def _is_in_use(self, kind: DeviceKind, driver: str, options: Mapping[str, object]) -> bool:
+        table = self._tables.get(kind)
+        return table is not None and is_same_device(driver, options, table.driver, table.options)
+
+    def _device(self, kind: DeviceKind) -> StationDevice:
+        table = self._tables.get(kind)
+        side = self._rig.arm if kind == "arm" else self._rig.sensor
+        return StationDevice(
+            kind=kind,
+            driver="" if table is None else table.driver,
+            label="" if table is None else table.label,
+            options={} if table is None else dict(table.options),
+            simulated=table is None and self._simulation is not None,
+            state=side.link(),
+        )

@@ -1,0 +1,209 @@
+"""Finding, trying and choosing devices of a running station."""
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from app.settings.station_toml import read_settings
+from app.station.setup.trials import DeviceTrials
+from tests.api.conftest import Server, running_server
+
+pytestmark = pytest.mark.slow
+
+WIDTH, HEIGHT = 160, 120
+
+
+@pytest.fixture
+def pictures(tmp_path: Path) -> Path:
+    """A camera of its own: a folder of pictures."""
+    folder = tmp_path / "pictures"
+    folder.mkdir()
+    for index in range(5):
+        grey = np.full((HEIGHT, WIDTH), 40 * index, np.uint8)
+        cv2.imwrite(str(folder / f"{index}.png"), grey)
+    return folder
+
+
+@pytest.fixture
+def station(server: Server) -> Iterator[Server]:
+    yield server
+    server.http.delete("/api/devices/trial").raise_for_status()
+    for kind in ("arm", "sensor"):
+        server.http.post("/api/devices/remove", json={"kind": kind}).raise_for_status()
+
+
+def wait_for(read: Callable[[], Any], ready: Callable[[Any], bool]) -> Any:
+    deadline = time.monotonic() + 30.0
+    while not ready(value := read()):
+        assert time.monotonic() < deadline, value
+        time.sleep(0.05)
+    return value
+
+
+def view(server: Server) -> dict[str, Any]:
+    return dict(server.http.get("/api/devices").raise_for_status().json())
+
+
+def trial(server: Server) -> dict[str, Any]:
+    return dict(server.http.get("/api/devices/trial").raise_for_status().json())
+
+
+def asked(pictures: Path, **more: object) -> dict[str, object]:
+    options = {"path": str(pictures), "rate_hz": "50", "exposure_us": "500"}
+    return {"kind": "sensor", "driver": "folder", "options": options} | more
+
+
+def device(server: Server, kind: str) -> dict[str, Any]:
+    return next(one for one in view(server)["devices"] if one["kind"] == kind)
+
+
+def test_a_demonstration_has_simulated_devices_and_lists_the_drivers(station: Server) -> None:
+    shown = view(station)
+    assert shown["demonstration"]
+    assert shown["file"] == "station.toml"
+    assert [one["simulated"] for one in shown["devices"]] == [True, True]
+    drivers = {(one["kind"], one["name"]): one for one in shown["drivers"]}
+    assert drivers["sensor", "folder"]["fields"][0]["key"] == "path"
+    assert ("arm", "serial-encoder") in drivers
+
+
+def test_a_search_ends_and_says_so(station: Server) -> None:
+    station.http.post("/api/devices/search").raise_for_status()
+    shown = wait_for(lambda: view(station), lambda one: one["searched"] and not one["searching"])
+    assert all(one["kind"] in ("arm", "sensor") for one in shown["found"])
+
+
+def test_a_tried_camera_shows_pictures_and_is_closed(station: Server, pictures: Path) -> None:
+    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
+    live = wait_for(lambda: trial(station), lambda one: one["rate_hz"] is not None)
+    assert (live["state"], live["in_use"]) == ("live", False)
+    assert (live["width_px"], live["height_px"]) == (WIDTH, HEIGHT)
+    assert (live["stamps"], live["lost"], live["corrupt"]) == ("arrival", 0, 0)
+    later = wait_for(lambda: trial(station), lambda one: one["picture"] != live["picture"])
+    assert later["picture"] > live["picture"]
+    answer = station.http.get("/api/devices/trial/picture.jpg").raise_for_status()
+    image = cv2.imdecode(np.frombuffer(answer.content, np.uint8), cv2.IMREAD_UNCHANGED)
+    assert image is not None
+    assert image.shape == (HEIGHT, WIDTH)
+    station.http.delete("/api/devices/trial").raise_for_status()
+    assert station.http.get("/api/devices/trial").json() is None
+    assert station.http.get("/api/devices/trial/picture.jpg").json()["code"] == "no-picture"
+
+
+def test_a_tried_arm_shows_its_joints(station: Server) -> None:
+    options = {"url": station.simulation.arm_url}
+    body = {"kind": "arm", "driver": "serial-encoder", "options": options}
+    station.http.post("/api/devices/trial", json=body).raise_for_status()
+    live = wait_for(lambda: trial(station), lambda one: len(one["joints_deg"]) > 0)
+    assert live["name"]
+    assert live["stamps"] == "device"
+
+
+def test_what_cannot_be_opened_says_why(station: Server, tmp_path: Path) -> None:
+    body = asked(tmp_path / "nowhere")
+    station.http.post("/api/devices/trial", json=body).raise_for_status()
+    failed = wait_for(lambda: trial(station), lambda one: one["state"] == "failed")
+    assert "nowhere" in str(failed["text"])
+
+
+def test_a_wrong_option_is_refused_in_the_drivers_words(station: Server, pictures: Path) -> None:
+    body = asked(pictures)
+    body["options"] = {"pth": str(pictures)}
+    answer = station.http.post("/api/devices/trial", json=body)
+    assert answer.json()["code"] == "driver-options"
+    assert "no option 'pth'" in answer.json()["detail"]
+    unknown = station.http.post("/api/devices/trial", json=body | {"driver": "foldr"})
+    assert "Did you mean folder?" in unknown.json()["remedy"]
+
+
+def test_a_chosen_camera_is_used_at_once_and_after_a_restart(
+    tmp_path: Path, pictures: Path
+) -> None:
+    data = tmp_path / "data"
+    with running_server(data) as server:
+        chosen = asked(pictures, label="Left camera")
+        server.http.post("/api/devices", json=chosen).raise_for_status()
+        state = wait_for(
+            lambda: device(server, "sensor"),
+            lambda one: one["state"]["state"] == "connected" and one["state"]["rate_hz"],
+        )
+        assert (state["driver"], state["label"]) == ("folder", "Left camera")
+        assert state["options"] == {"path": str(pictures), "rate_hz": 50, "exposure_us": 500}
+        assert not state["simulated"]
+        assert not server.context.station.has_simulation
+        assert server.context.station.simulated, "the arm still is"
+        assert read_settings(data / "station.toml").devices["sensor"].driver == "folder"
+    with running_server(data) as again:
+        wait_for(lambda: device(again, "sensor"), lambda one: one["state"]["state"] == "connected")
+        assert device(again, "sensor")["driver"] == "folder"
+        again.http.post("/api/devices/remove", json={"kind": "sensor"}).raise_for_status()
+        back = wait_for(
+            lambda: device(again, "sensor"), lambda one: one["state"]["state"] == "connected"
+        )
+        assert back["simulated"]
+        assert again.context.station.has_simulation
+
+
+def test_the_stations_own_device_is_shown_and_not_opened_again(
+    station: Server, pictures: Path
+) -> None:
+    station.http.post("/api/devices", json=asked(pictures)).raise_for_status()
+    station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
+    live = wait_for(lambda: trial(station), lambda one: one["state"] == "live")
+    assert live["in_use"]
+    station.http.delete("/api/devices/trial").raise_for_status()
+    assert station.context.rig.sensor.fresh
+
+
+def test_devices_do_not_change_during_a_session(at_setup: Server, pictures: Path) -> None:
+    before = device(at_setup, "sensor")
+    answer = at_setup.http.post("/api/devices", json=asked(pictures))
+    assert answer.json()["code"] == "busy"
+    assert device(at_setup, "sensor")["simulated"] == before["simulated"]
+    assert (
+        not (at_setup.data / "station.toml").exists()
+        or not read_settings(at_setup.data / "station.toml").devices
+    )
+    at_setup.do("abandon")
+
+
+def test_a_file_with_an_error_is_not_overwritten(station: Server, pictures: Path) -> None:
+    file = station.data / "station.toml"
+    file.write_text("[sensor\n")
+    answer = station.http.post("/api/devices", json=asked(pictures))
+    assert answer.json()["code"] == "settings-not-valid"
+    assert file.read_text() == "[sensor\n"
+    assert device(station, "sensor")["simulated"]
+    file.unlink()
+
+
+@pytest.mark.parametrize(
+    ("longest_s", "away_s", "looks", "words"),
+    [(0.5, 60.0, True, "Closed after"), (60.0, 0.3, False, "nobody was looking")],
+)
+def test_a_trial_ends_by_itself(
+    station: Server, pictures: Path, longest_s: float, away_s: float, looks: bool, words: str
+) -> None:
+    setup = station.context.device_setup
+    before, setup.trials = setup.trials, DeviceTrials(station.context.rig, longest_s, away_s)
+    try:
+        setup.try_device("sensor", "folder", {"path": str(pictures)})
+        inside = setup.trials._trial
+        assert inside is not None
+        assert inside.sensor is not None
+        wait_for(
+            setup.trials.view if looks else lambda: inside.ended,
+            lambda one: one.state == "ended" if looks else bool(one),
+        )
+        ended = setup.trials.view()
+        assert ended is not None
+        assert words in str(ended.text)
+        wait_for(lambda: inside.sensor and inside.sensor.reader.driver, lambda one: one is None)
+    finally:
+        setup.trials.close()
+        setup.trials = before
