@@ -6,6 +6,7 @@ import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
 import { ArmPage } from "./pages/ArmPage";
 import { CalibratePage } from "./pages/CalibratePage";
+import { DevicesPage } from "./pages/DevicesPage";
 import { EntrancePage } from "./pages/EntrancePage";
 import { HealthPage } from "./pages/HealthPage";
 import { HomePage } from "./pages/HomePage";
@@ -31,6 +32,7 @@ const PAGE = {
   supervise: SupervisePage,
   health: HealthPage,
   settings: SettingsPage,
+  devices: DevicesPage,
   people: PeoplePage,
   docs: ReferencePage,
 };

@@ -70,6 +70,8 @@ function onText(text: string): void {
     case "topic":
       put({
         [message.name]: message.value,
+        // it changes with the devices that are chosen
+        ...(message.name === "home" && { station: message.value.station }),
         ...(message.name === "stations" && { stationsAt: performance.now() }),
       });
       break;

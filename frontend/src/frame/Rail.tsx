@@ -3,6 +3,7 @@ import { type MouseEvent, useEffect, useRef } from "react";
 import {
   ArmIcon,
   CalibrateIcon,
+  DevicesIcon,
   HealthIcon,
   HomeIcon,
   PeopleIcon,
@@ -29,8 +30,12 @@ const ICONS = {
   supervise: SuperviseIcon,
   health: HealthIcon,
   settings: SettingsIcon,
+  devices: DevicesIcon,
   people: PeopleIcon,
 };
+
+/** Pages that only an administrator can use. */
+const ADMINISTRATION: ReadonlySet<Page> = new Set(["devices", "people"]);
 
 /** Pages, and under them the steps of the page's guided session while it is on. */
 export function Rail({ page }: { page: Page }) {
@@ -39,7 +44,7 @@ export function Rail({ page }: { page: Page }) {
   return (
     <div className={styles.rail}>
       <nav className={styles.pages} aria-label={t("ui-pages")}>
-        {PAGES.filter((to) => to !== "people" || admin).map((to) => (
+        {PAGES.filter((to) => admin || !ADMINISTRATION.has(to)).map((to) => (
           <PageLink key={to} to={to} current={to === page} />
         ))}
       </nav>

@@ -54,6 +54,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
 
 function Next({ home }: { home: Home }) {
   const { next } = home;
+  const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
     <>
       {/* on a phone it is read first, as a verdict is */}
@@ -65,6 +66,11 @@ function Next({ home }: { home: Home }) {
           {next.label}
         </PressButton>
       </MainAct>
+      {admin && home.station.simulated && (
+        <PressButton free onPress={() => go("devices")}>
+          {t("ui-connect-your-own-devices")}
+        </PressButton>
+      )}
       <Findings findings={home.findings} />
       <TemperatureField celsius={home.temperature_c} />
     </>

@@ -113,6 +113,7 @@ export const CameraIcon = icon(
     <circle cx="12" cy="13" r="3.500" />
   </>,
 );
+export const DevicesIcon = icon(<path d="M9 3v5M15 3v5M6 8h12v4a6 6 0 0 1-12 0zM12 18v3" />);
 export const PlaneIcon = icon(<path d="M8 7h13l-5 10H3z" />);
 export const SphereIcon = icon(
   <>

@@ -12,6 +12,7 @@ export const PAGES = [
   "supervise",
   "health",
   "settings",
+  "devices",
   "people",
 ] as const;
 /** A page that is not in the menu: the Health page links to it. */
@@ -28,6 +29,7 @@ export const TITLES: Record<Page, PlainId> = {
   supervise: "ui-supervise",
   health: "ui-health",
   settings: "ui-settings",
+  devices: "ui-devices",
   people: "ui-people",
   docs: "ui-http-interface",
 };

@@ -1,0 +1,55 @@
+import { clearBanner } from "../state/banner";
+import { t } from "../state/language";
+import { localized } from "../state/localized";
+import { notifyOfError } from "./commands";
+import { drop, get, post } from "./http";
+import type { DevicesView, TrialView } from "./wire";
+
+export type DeviceKind = TrialView["kind"];
+export type Options = Record<string, unknown>;
+
+/** A driver with its options; numbers may be typed text. */
+export interface Choice {
+  kind: DeviceKind;
+  driver: string;
+  options: Options;
+}
+
+const PATH = "/api/devices";
+
+async function done<T>(act: () => Promise<T | null>, whatWas: string): Promise<T | null> {
+  try {
+    const answer = await act();
+    clearBanner();
+    return localized(answer);
+  } catch (error) {
+    notifyOfError(error, whatWas);
+    return null;
+  }
+}
+
+export const readDevices = () => get<DevicesView>(PATH);
+export const readTrial = () => get<TrialView | null>(`${PATH}/trial`);
+
+export const searchDevices = () => done(() => post<DevicesView>(`${PATH}/search`), t("ui-the-search-was-not-started"));
+
+export const tryDevice = (choice: Choice) =>
+  done(() => post<TrialView>(`${PATH}/trial`, choice), t("ui-the-device-was-not-opened"));
+
+export const chooseDevice = (choice: Choice, label: string) =>
+  done(() => post<DevicesView>(PATH, { ...choice, label }), t("ui-the-device-was-not-saved"));
+
+export const removeDevice = (kind: DeviceKind) =>
+  done(() => post<DevicesView>(`${PATH}/remove`, { kind }), t("ui-the-device-was-not-changed"));
+
+/** The station closes it by itself if this does not arrive. */
+export async function endTrial(): Promise<void> {
+  try {
+    await drop(`${PATH}/trial`);
+  } catch {
+    /* it is closed when nobody looks any more */
+  }
+}
+
+/** The address of a picture: each has its own, so that none is shown from memory. */
+export const trialPicture = ({ number, picture }: TrialView) => `${PATH}/trial/picture.jpg?n=${number}-${picture}`;

@@ -1,0 +1,103 @@
+import { type DeviceKind, removeDevice } from "../api/deviceCommands";
+import type { DevicesView, StationDevice } from "../api/wire";
+import { MainAct } from "../parts/Actions";
+import { CardHead } from "../parts/CardHead";
+import { PressButton } from "../parts/PressButton";
+import { QualityMark } from "../parts/QualityMark";
+import { t } from "../state/language";
+import { go } from "../state/router";
+import styles from "./Devices.module.css";
+import { driverTitle, kindTitle } from "./names";
+
+interface DevicesCardProps {
+  view: DevicesView;
+  /** The kind of device that was just saved. */
+  saved: DeviceKind | null;
+  onSearch: () => Promise<void>;
+  onView: (view: DevicesView | null) => void;
+}
+
+/** The devices in use, and what a search could not look at. */
+export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps) {
+  const title = saved === "arm" ? t("ui-the-arm-is-connected") : t("ui-the-camera-is-connected");
+  return (
+    <>
+      {saved ? (
+        <div role="status">
+          <CardHead title={title} text={t("ui-saved-in-file-used-from-now-on", { file: view.file })} />
+        </div>
+      ) : (
+        <CardHead title={t("ui-devices")} text={t("ui-choose-a-device-and-try-it")} />
+      )}
+      {saved && (
+        <MainAct>
+          <PressButton free kind="primary" onPress={() => go("home")}>
+            {t("ui-continue-to-home")}
+          </PressButton>
+        </MainAct>
+      )}
+      <section className={styles.section} aria-labelledby="used">
+        <h2 id="used" className={styles.heading}>
+          {t("ui-this-station-uses")}
+        </h2>
+        {view.devices.map((device) => (
+          <Used key={device.kind} device={device} view={view} onView={onView} />
+        ))}
+      </section>
+      {view.searching ? (
+        <p className={styles.searching} role="status">
+          {t("ui-searching")}
+        </p>
+      ) : (
+        <PressButton free onPress={onSearch}>
+          {t("ui-search-again")}
+        </PressButton>
+      )}
+      {view.problems.length > 0 && (
+        <ul className={styles.problems} aria-label={t("ui-what-is-missing")}>
+          {view.problems.map((problem) => (
+            <li key={problem.text}>
+              <QualityMark quality="attention" size="1.25rem" />
+              <div>
+                <p className={styles.name}>{problem.text}</p>
+                <p className={styles.remedy}>{problem.remedy}</p>
+              </div>
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  );
+}
+
+const QUALITIES = { connected: "good", connecting: "attention", lost: "bad", off: "bad" } as const;
+
+function Used({
+  device,
+  view,
+  onView,
+}: {
+  device: StationDevice;
+  view: DevicesView;
+  onView: DevicesCardProps["onView"];
+}) {
+  const { kind, state, label, driver, simulated } = device;
+  const name = simulated ? t("ui-simulated") : label || (driver ? driverTitle(driver) : t("ui-none"));
+  const remove = async () => onView(await removeDevice(kind));
+  return (
+    <div className={styles.used}>
+      <QualityMark quality={QUALITIES[state.state]} size="1.25rem" />
+      <div className={styles.what}>
+        <p className={styles.name}>
+          {kindTitle(kind)}: {name}
+        </p>
+        <p className={styles.note}>{state.text}</p>
+        {view.demonstration && !simulated && (
+          <PressButton kind="quiet" onPress={remove}>
+            {t("ui-use-the-simulated-one-again")}
+          </PressButton>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,106 @@
+import { useId } from "react";
+
+import type { Options } from "../api/deviceCommands";
+import type { OptionField } from "../api/wire";
+import look from "../parts/Control.module.css";
+import fields from "../parts/Field.module.css";
+import settings from "../settings/Settings.module.css";
+import { t } from "../state/language";
+import styles from "./Devices.module.css";
+import { optionLabel } from "./names";
+
+interface OptionFieldsProps {
+  fields: OptionField[];
+  options: Options;
+  /** The fields at the top; the others are under "More options". */
+  isMain: (field: OptionField) => boolean;
+  onChange: (options: Options) => void;
+}
+
+/** The options of a driver: those needed most at once, the others on request. */
+export function OptionFields({ fields: all, options, isMain, onChange }: OptionFieldsProps) {
+  const row = (field: OptionField) => (
+    <OptionInput
+      key={field.key}
+      field={field}
+      value={options[field.key]}
+      onValue={(value) => onChange({ ...options, [field.key]: value })}
+    />
+  );
+  const more = all.filter((field) => !isMain(field));
+  return (
+    <>
+      {all.filter(isMain).map(row)}
+      {more.length > 0 && (
+        <details className={styles.more}>
+          <summary>{t("ui-more-options")}</summary>
+          <div className={styles.fields}>{more.map(row)}</div>
+        </details>
+      )}
+    </>
+  );
+}
+
+interface OptionInputProps {
+  field: OptionField;
+  value: unknown;
+  onValue: (value: string | boolean) => void;
+}
+
+function OptionInput({ field, value, onValue }: OptionInputProps) {
+  const id = useId();
+  const { kind, key, unit, help } = field;
+  const label = unit ? `${optionLabel(field)} (${unit})` : optionLabel(field);
+  if (kind === "switch") {
+    return (
+      <label className={settings.switch}>
+        <input
+          type="checkbox"
+          checked={value === undefined ? field.default === "true" : value === true || value === "true"}
+          onChange={(event) => onValue(event.target.checked)}
+        />
+        {label}
+      </label>
+    );
+  }
+  const common = { id, className: `${look.input} ${fields.input}`, "aria-describedby": `${id}-help` };
+  return (
+    <div className={fields.field}>
+      <label className={fields.label} htmlFor={id}>
+        {label}
+      </label>
+      {kind === "choice" ? (
+        <select {...common} value={text(value)} onChange={(event) => onValue(event.target.value)}>
+          <option value="">{field.default || "–"}</option>
+          {field.choices
+            .filter((choice) => choice !== field.default)
+            .map((choice) => (
+              <option key={choice}>{choice}</option>
+            ))}
+        </select>
+      ) : (
+        <input
+          {...common}
+          type="text"
+          inputMode={kind === "number" ? "decimal" : "text"}
+          value={text(value)}
+          placeholder={field.default}
+          required={field.required}
+          autoComplete="off"
+          autoCapitalize="off"
+          spellCheck={false}
+          onChange={(event) => onValue(event.target.value)}
+        />
+      )}
+      <p id={`${id}-help`} className={fields.help}>
+        {help && `${help} `}
+        <code>{key}</code>
+      </p>
+    </div>
+  );
+}
+
+function text(value: unknown): string {
+  if (value === undefined || value === null) return "";
+  return Array.isArray(value) ? value.join(", ") : String(value);
+}

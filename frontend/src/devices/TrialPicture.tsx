@@ -1,0 +1,79 @@
+import { useEffect, useRef, useState } from "react";
+
+import { trialPicture } from "../api/deviceCommands";
+import type { TrialView } from "../api/wire";
+import { measured } from "../parts/lengths";
+import { type Readout, Readouts } from "../parts/Readouts";
+import { t } from "../state/language";
+import styles from "./Devices.module.css";
+import { JointDials } from "./JointDials";
+import { stampsText } from "./names";
+
+/** What the tried device sends: the camera's picture or the arm's joints, and how well it arrives. */
+export function TrialPicture({ trial }: { trial: TrialView }) {
+  return (
+    <>
+      <div className={styles.stage}>
+        {trial.kind === "sensor" ? <Picture trial={trial} /> : <JointDials trial={trial} />}
+      </div>
+      <Readouts wrap readouts={readouts(trial)} />
+    </>
+  );
+}
+
+/** The newest picture; the one before stays until it is complete. */
+function Picture({ trial }: { trial: TrialView }) {
+  const [shown, setShown] = useState("");
+  const loading = useRef(false);
+  const next = trial.picture === null ? "" : trialPicture(trial);
+  useEffect(() => {
+    if (!next || loading.current) return;
+    loading.current = true;
+    const image = new Image();
+    image.onload = () => {
+      loading.current = false;
+      setShown(next);
+    };
+    image.onerror = () => {
+      loading.current = false;
+    };
+    image.src = next;
+  }, [next]);
+  if (!shown || trial.state === "failed") return <Waiting trial={trial} />;
+  return <img className={styles.image} src={shown} alt={t("ui-live-picture-of-the-tried-camera")} />;
+}
+
+export function Waiting({ trial }: { trial: TrialView }) {
+  return <p className={styles.waiting}>{trial.text || t("ui-opening-the-device")}</p>;
+}
+
+function readouts(trial: TrialView): Readout[] {
+  const { kind, rate_hz, lost, corrupt, stamps, width_px, height_px, exposure_us, exposure_range_us } = trial;
+  const sound = (count: number) => ({
+    value: String(count),
+    quality: count ? ("attention" as const) : ("good" as const),
+  });
+  const rows: Readout[] = [
+    { label: t("ui-rate"), value: rate_hz === null ? "–" : measured(rate_hz, "Hz", rate_hz < 100 ? 1 : 0) },
+    { label: t("ui-lost-records"), ...sound(lost) },
+    { label: t("ui-corrupt-records"), ...sound(corrupt) },
+    {
+      label: t("ui-time-stamps"),
+      value: stampsText(stamps),
+      ...(stamps === "arrival" && { note: t("ui-stamps-arrival-note") }),
+    },
+  ];
+  if (kind === "arm") return rows;
+  const range = exposure_range_us;
+  return [
+    ...rows,
+    { label: t("ui-picture-size"), value: width_px === null ? "–" : `${width_px} × ${height_px}`, unit: "px" },
+    {
+      label: t("ui-exposure"),
+      value: exposure_us === null ? "–" : measured(exposure_us, "µs"),
+      note: range
+        ? t("ui-from-to", { from: measured(range[0], "µs"), to: measured(range[1], "µs") })
+        : t("ui-set-at-the-camera"),
+    },
+  ];
+}

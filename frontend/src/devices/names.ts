@@ -1,0 +1,63 @@
+import type { DeviceKind } from "../api/deviceCommands";
+import type { OptionField, TrialView } from "../api/wire";
+import type { PlainId } from "../messages/text";
+import { t } from "../state/language";
+
+const DRIVERS: Record<string, PlainId> = {
+  "serial-encoder": "ui-driver-serial-encoder",
+  opencv: "ui-driver-opencv",
+  folder: "ui-driver-folder",
+};
+
+const OPTIONS: Record<string, PlainId> = {
+  address: "ui-option-address",
+  baudrate: "ui-option-baudrate",
+  bayer: "ui-option-bayer",
+  counts_per_revolution: "ui-option-counts-per-revolution",
+  exposure_range_us: "ui-option-exposure-range",
+  exposure_us: "ui-exposure",
+  height_px: "ui-option-height",
+  host: "ui-option-host",
+  joint_count: "ui-option-joint-count",
+  laser_colour: "ui-option-laser-colour",
+  latency_us: "ui-option-latency",
+  loop: "ui-option-loop",
+  path: "ui-option-path",
+  port: "ui-option-port",
+  rate_hz: "ui-rate",
+  serial: "ui-option-serial",
+  serial_number: "ui-option-serial",
+  source: "ui-option-source",
+  timeout_s: "ui-option-timeout",
+  url: "ui-option-url",
+  width_px: "ui-option-width",
+};
+
+const STAMPS: Record<NonNullable<TrialView["stamps"]>, PlainId> = {
+  arrival: "ui-stamps-arrival",
+  device: "ui-stamps-device",
+  pulse: "ui-stamps-pulse",
+};
+
+/** What a driver is for; that of another package has its own name. */
+export function driverTitle(name: string): string {
+  const id = DRIVERS[name];
+  return id ? t(id) : name;
+}
+
+/** The label of an option; one that is not known has the name of its key, without the unit. */
+export function optionLabel({ key, unit }: OptionField): string {
+  const id = OPTIONS[key];
+  if (id) return t(id);
+  const words = (unit ? key.replace(/_[a-z]+$/, "") : key).replaceAll("_", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** Where time stamps come from. */
+export function stampsText(stamps: TrialView["stamps"]): string {
+  return stamps ? t(STAMPS[stamps]) : "–";
+}
+
+export function kindTitle(kind: DeviceKind): string {
+  return kind === "arm" ? t("ui-arm") : t("ui-camera");
+}

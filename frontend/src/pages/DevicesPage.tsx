@@ -1,0 +1,93 @@
+import { useState } from "react";
+
+import { type Choice, chooseDevice, type DeviceKind, searchDevices, tryDevice } from "../api/deviceCommands";
+import type { FoundView, TrialView } from "../api/wire";
+import { DeviceList } from "../devices/DeviceList";
+import { DevicesCard } from "../devices/DevicesCard";
+import { ManualCard } from "../devices/ManualCard";
+import { TrialCard } from "../devices/TrialCard";
+import { TrialPicture } from "../devices/TrialPicture";
+import { useDevices, useTrial } from "../devices/useDevices";
+import { Layout } from "../frame/Layout";
+import { CardHead } from "../parts/CardHead";
+import { t } from "../state/language";
+
+/** Finds cameras and arms, tries them, and takes them into use. */
+export function DevicesPage() {
+  const [view, putView] = useDevices();
+  const [choice, setChoice] = useState<Choice | null>(null);
+  const [title, setTitle] = useState("");
+  const [label, setLabel] = useState("");
+  const [opened, setOpened] = useState<TrialView | null>(null);
+  const [saved, setSaved] = useState<DeviceKind | null>(null);
+  const trial = useTrial(opened !== null, opened);
+
+  const back = () => {
+    setOpened(null);
+    setChoice(null);
+  };
+  const attempt = async (wanted: Choice) => {
+    setSaved(null);
+    setChoice(wanted);
+    const now = await tryDevice(wanted);
+    if (now) setOpened(now);
+  };
+  const tryFound = async ({ kind, driver, options, title: name }: FoundView) => {
+    setTitle(name);
+    setLabel("");
+    await attempt({ kind, driver, options });
+  };
+  const enter = (kind: DeviceKind) => {
+    const driver = view?.drivers.find((one) => one.kind === kind)?.name ?? "";
+    setTitle("");
+    setLabel("");
+    setSaved(null);
+    setChoice({ kind, driver, options: {} });
+  };
+  const use = async () => {
+    if (!choice) return;
+    const now = await chooseDevice(choice, label);
+    if (!now) return;
+    putView(now);
+    setSaved(choice.kind);
+    back();
+  };
+
+  if (!view) {
+    return <Layout picture={null} card={<CardHead title={t("ui-devices")} text={t("ui-waiting-for-the-station")} />} />;
+  }
+  if (choice && opened && trial) {
+    return (
+      <Layout
+        picture={<TrialPicture trial={trial} />}
+        card={
+          <TrialCard
+            trial={trial}
+            title={title || trial.name || t("ui-devices")}
+            view={view}
+            choice={choice}
+            label={label}
+            onChoice={setChoice}
+            onLabel={setLabel}
+            onTry={() => attempt(choice)}
+            onUse={use}
+            onBack={back}
+          />
+        }
+      />
+    );
+  }
+  const search = async () => putView(await searchDevices());
+  return (
+    <Layout
+      picture={<DeviceList view={view} onTry={tryFound} onManual={enter} />}
+      card={
+        choice && !title ? (
+          <ManualCard view={view} choice={choice} onChoice={setChoice} onTry={() => attempt(choice)} onBack={back} />
+        ) : (
+          <DevicesCard view={view} saved={saved} onSearch={search} onView={putView} />
+        )
+      }
+    />
+  );
+}
