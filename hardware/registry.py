@@ -38,7 +38,7 @@ BUILT_IN = {
     },
     FINDERS: {
         "opencv": "hardware.sensor.find_cameras:find_cameras",
-        "serial-encoder": "hardware.arm.find_serial_ports:find_serial_ports",
+        "bridge": "hardware.device_files:find_serial_ports",
     },
 }
 
@@ -69,6 +69,14 @@ def arm_driver(name: str, options: Mapping[str, object]) -> ArmDriver:
 def sensor_driver(name: str, options: Mapping[str, object]) -> SensorDriver:
     """An unopened sensor driver; like ``arm_driver``, for ``[sensor]``."""
     return cast(SensorDriver, _factory(_SENSORS, name)(options))
+
+
+def first_name(kind: DeviceKind, name: str) -> str:
+    """The first name, by the alphabet, under which a driver is offered; else the name itself."""
+    found = find_entries(_ARMS if kind == "arm" else _SENSORS)
+    values = {entry.value for entry in found.get(name, [])}
+    same = [other for other, entries in found.items() if values & {one.value for one in entries}]
+    return min(same, default=name)
 
 
 def driver_options(kind: DeviceKind, name: str) -> type[Options] | None:

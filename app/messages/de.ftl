@@ -2617,6 +2617,18 @@ tilt-front-by = { $angle } nach vorn neigen
 tilt-left-by = { $angle } nach links neigen
 tilt-level = Neigung gegen die Waagerechte
 tilt-right-by = { $angle } nach rechts neigen
+time-stamps-come-from =
+    { $stamps ->
+        [arrival] Vom Eintreffen der Daten an diesem Rechner.
+        [pulse] Von Triggerimpulsen, die Messarm und Kamera beide zählen.
+       *[device] Von der eigenen Uhr des Geräts.
+    }
+time-stamps-explained = Das Eintreffen schwankt um Millisekunden, was Genauigkeit kostet, während der Arm sich bewegt. Besser ist die eigene Uhr des Geräts, am besten sind Triggerimpulse.
+time-stamps-of =
+    { $device ->
+        [arm] Zeitstempel, Messarm
+       *[sensor] Zeitstempel, Kamera
+    }
 tip = Tastkugel
 tip-3 = Tastkugel: { $text }
 tip-bars-end = Die Tastkugel sitzt im Stabende

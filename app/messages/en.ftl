@@ -2604,6 +2604,18 @@ tilt-front-by = tilt to the front { $angle }
 tilt-left-by = tilt left { $angle }
 tilt-level = Tilt from horizontal
 tilt-right-by = tilt right { $angle }
+time-stamps-come-from =
+    { $stamps ->
+        [arrival] From the arrival of the data at this computer.
+        [pulse] From trigger pulses that arm and camera count both.
+       *[device] From the device's own clock.
+    }
+time-stamps-explained = Arrival varies by milliseconds, which costs accuracy while the arm moves. The device's own clock is better; trigger pulses are best.
+time-stamps-of =
+    { $device ->
+        [arm] Time stamps, arm
+       *[sensor] Time stamps, camera
+    }
 tip = Tip
 tip-3 = Tip: { $text }
 tip-bars-end = The tip is in the bar's end

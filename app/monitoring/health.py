@@ -74,6 +74,22 @@ def device(kind: DeviceKind, state: DeviceState) -> HealthItem:
     )
 
 
+def stamps(kind: DeviceKind, state: DeviceState) -> list[HealthItem]:
+    """Where the time stamps of a device come from; nothing while it is not connected."""
+    if state.stamps is None:
+        return []
+    return [
+        HealthItem(
+            f"stamps-{kind}",
+            message("time-stamps-of", device=kind),
+            "neutral" if state.stamps == "arrival" else "good",
+            message("time-stamps-come-from", stamps=state.stamps),
+            message("time-stamps-explained"),
+            "",
+        )
+    ]
+
+
 def losses(kind: DeviceKind, lately: Losses) -> HealthItem:
     """Whether all data of a device arrives."""
     quality: Quality = "good"

@@ -191,7 +191,9 @@ class DeviceSetup:
 
     def _is_in_use(self, kind: DeviceKind, driver: str, options: Mapping[str, object]) -> bool:
         table = self._tables.get(kind)
-        return table is not None and is_same_device(driver, options, table.driver, table.options)
+        return table is not None and is_same_device(
+            kind, driver, options, table.driver, table.options
+        )
 
     def _device(self, kind: DeviceKind) -> StationDevice:
         table = self._tables.get(kind)

@@ -81,7 +81,11 @@ class HealthChecker:
         counts = (state.received, state.lost, state.corrupt)
         window = self._context.monitoring.losses[name]
         window.note(*counts)
-        return [health.device(name, state), health.losses(name, window.over(*counts))]
+        return [
+            health.device(name, state),
+            *health.stamps(name, state),
+            health.losses(name, window.over(*counts)),
+        ]
 
     def _readings(self) -> list[HealthItem]:
         arm = self._context.rig.arm

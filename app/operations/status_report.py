@@ -61,6 +61,7 @@ def _device(name: str, state: DeviceState) -> DeviceReport:
             "received": state.received,
             "lost": state.lost,
             "corrupt": state.corrupt,
+            "stamps": state.stamps,
         }
     )
 

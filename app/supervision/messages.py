@@ -61,6 +61,9 @@ class DeviceReport(Payload):
     received: Count
     lost: Count
     corrupt: Count
+    stamps: Literal["arrival", "device", "pulse"] | None = Field(
+        default=None, description="Where the time stamps of its data come from"
+    )
 
 
 class ActivityReport(Payload):

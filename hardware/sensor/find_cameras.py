@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app.messages.message import join
+from hardware.device_files import permission_error
 from hardware.discovery import Finding, FoundDevice
-from hardware.permission import permission_error
 from hardware.sensor.opencv_camera import usb_identity
 
 _CODECS = re.compile(r"\b(codec|isp|encoder|decoder|scaler)\b", re.IGNORECASE)

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.slow
 
 PAGES = (
     *("", "calibrate", "verify", "scan", "arm", "records", "supervise", "health", "settings"),
-    "people",
+    *("devices", "people"),
 )
 MOST_BYTES = 500_000
 """Of everything that a page's first visit loads, the 3D view aside, as sent by gzip."""

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from hardware.arm.find_serial_ports import find_serial_ports
+from hardware.device_files import find_serial_ports, permission_error
 from hardware.discovery import FoundDevice, find_devices
 from hardware.errors import DeviceError
-from hardware.permission import permission_error
 from hardware.sensor.find_cameras import find_cameras
 from tests.hardware.test_registry import install
 
@@ -119,7 +118,7 @@ def test_a_machine_without_cameras_has_none(tmp_path: Path) -> None:
 def test_every_serial_port_found_is_one_of_this_machine() -> None:
     for found in find_serial_ports():
         if isinstance(found, FoundDevice):
-            assert (found.kind, found.driver) == ("arm", "serial-encoder")
+            assert (found.kind, found.driver) == ("arm", "bridge")
             assert Path(str(found.options["url"])).exists()
 
 

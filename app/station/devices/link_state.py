@@ -8,7 +8,7 @@ from typing import Literal
 
 from app.messages.message import Text, message
 from app.station.devices.device_thread import Link, LinkState
-from hardware.interfaces import ArmInfo, SensorInfo
+from hardware.interfaces import ArmInfo, SensorInfo, StampKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +24,8 @@ class DeviceState:
     received: int
     lost: int
     corrupt: int
+    stamps: StampKind | None = None
+    """Where the time stamps come from; None while it is not connected."""
 
 
 def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
@@ -44,6 +46,7 @@ def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> 
         link.received,
         link.lost,
         link.corrupt,
+        info.stamps if info is not None else None,
     )
 
 

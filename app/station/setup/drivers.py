@@ -25,6 +25,8 @@ class DriverForm:
     fields: tuple[OptionField, ...]
     problem: Text
     """Why it cannot be used; usually empty."""
+    alias: bool
+    """Another name of a driver that is listed, too."""
 
 
 def driver_forms() -> tuple[DriverForm, ...]:
@@ -35,11 +37,12 @@ def driver_forms() -> tuple[DriverForm, ...]:
 
 
 def _form(kind: DeviceName, name: str) -> DriverForm:
+    alias = registry.first_name(kind, name) != name
     try:
         model = registry.driver_options(kind, name)
     except DeviceError as error:
-        return DriverForm(kind, name, (), error.what)
-    return DriverForm(kind, name, () if model is None else option_fields(model), "")
+        return DriverForm(kind, name, (), error.what, alias)
+    return DriverForm(kind, name, () if model is None else option_fields(model), "", alias)
 
 
 def check_options(kind: DeviceName, driver: str, entered: Options) -> dict[str, object]:
@@ -78,7 +81,9 @@ def no_device_factory(kind: DeviceName) -> Callable[[], NoReturn]:
     return make
 
 
-def is_same_device(driver: str, options: Options, other: str, other_options: Options) -> bool:
+def is_same_device(
+    kind: DeviceName, driver: str, options: Options, other: str, other_options: Options
+) -> bool:
     """Whether two tables address the same device, as far as can be seen without opening it.
 
     Args:
@@ -88,7 +93,8 @@ def is_same_device(driver: str, options: Options, other: str, other_options: Opt
     files = _device_files(options)
     if files & _device_files(other_options):
         return True
-    if driver != other or not options:
+    names = registry.first_name(kind, driver), registry.first_name(kind, other)
+    if names[0] != names[1] or not options:
         return False
     return all(other_options.get(key) == value for key, value in options.items())
 

@@ -42,7 +42,7 @@ function Kind({ kind, view, onTry, onManual }: DeviceListProps & { kind: DeviceK
           ))}
         </ul>
       )}
-      <PressButton free kind="quiet" onPress={() => onManual(kind)}>
+      <PressButton free onPress={() => onManual(kind)}>
         {camera ? t("ui-my-camera-is-not-listed") : t("ui-my-arm-is-not-listed")}
       </PressButton>
     </section>

@@ -23,7 +23,7 @@ export function DevicesCard({ view, saved, onSearch, onView }: DevicesCardProps)
   return (
     <>
       {saved ? (
-        <div role="status">
+        <div role="status" data-verdict>
           <CardHead title={title} text={t("ui-saved-in-file-used-from-now-on", { file: view.file })} />
         </div>
       ) : (

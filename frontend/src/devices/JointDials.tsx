@@ -16,7 +16,7 @@ export function JointDials({ trial }: { trial: TrialView }) {
   const { joints_deg, position_mm, rotation_deg } = trial;
   const values = position_mm && rotation_deg ? [...position_mm, ...rotation_deg] : joints_deg;
   const moving = useMoving(values);
-  if (values.length === 0 || trial.state === "failed") return <Waiting trial={trial} />;
+  if (values.length === 0 || trial.state === "failed" || trial.state === "ended") return <Waiting trial={trial} />;
   return (
     <div className={styles.dials}>
       <p className={styles.hint}>{t("ui-move-the-arm-every-value-must-follow")}</p>

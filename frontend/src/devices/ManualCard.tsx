@@ -9,7 +9,7 @@ import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
-import { driverTitle } from "./names";
+import { driverTitle, manualTitle } from "./names";
 import { OptionFields } from "./OptionFields";
 import { formOf } from "./TrialCard";
 
@@ -25,14 +25,14 @@ interface ManualCardProps {
 export function ManualCard({ view, choice, onChoice, onTry, onBack }: ManualCardProps) {
   const id = useId();
   const form = formOf(view, choice);
-  const drivers = view.drivers.filter((one) => one.kind === choice.kind);
+  const drivers = view.drivers.filter((one) => one.kind === choice.kind && !one.alias);
   const missing = (form?.fields ?? []).some((one) => one.required && !String(choice.options[one.key] ?? "").trim());
   return (
     <>
-      <CardHead
-        title={choice.kind === "sensor" ? t("ui-another-camera") : t("ui-another-arm")}
-        text={t("ui-choose-how-it-is-connected")}
-      />
+      {/* below the list, it would not be seen on a small screen */}
+      <div data-verdict>
+        <CardHead title={manualTitle(choice.kind)} text={t("ui-choose-how-it-is-connected")} />
+      </div>
       <div className={styles.fields}>
         <div className={fields.field}>
           <label className={fields.label} htmlFor={id}>
@@ -64,7 +64,7 @@ export function ManualCard({ view, choice, onChoice, onTry, onBack }: ManualCard
       </div>
       <MainAct>
         <PressButton free kind="primary" disabled={missing} why={t("ui-fill-in-what-is-needed")} onPress={onTry}>
-          {t("ui-try")}
+          {t("ui-try-this-device")}
         </PressButton>
       </MainAct>
       <div className={styles.foot}>

@@ -39,11 +39,6 @@ export function TrialCard(props: TrialCardProps) {
   return (
     <>
       <CardHead title={title} text={t(STATES[trial.state])} />
-      {(trial.state === "failed" || trial.state === "ended") && (
-        <p className={styles.failure} role="alert" data-quality={trial.state === "failed" ? "bad" : "attention"}>
-          {trial.text}
-        </p>
-      )}
       {trial.in_use && <p className={styles.note}>{t("ui-station-uses-it-already")}</p>}
       {!trial.in_use && (
         <MainAct>

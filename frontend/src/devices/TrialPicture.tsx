@@ -3,11 +3,12 @@ import { useEffect, useRef, useState } from "react";
 import { trialPicture } from "../api/deviceCommands";
 import type { TrialView } from "../api/wire";
 import { measured } from "../parts/lengths";
+import { QualityMark } from "../parts/QualityMark";
 import { type Readout, Readouts } from "../parts/Readouts";
 import { t } from "../state/language";
+import { stampsText } from "../state/stamps";
 import styles from "./Devices.module.css";
 import { JointDials } from "./JointDials";
-import { stampsText } from "./names";
 
 /** What the tried device sends: the camera's picture or the arm's joints, and how well it arrives. */
 export function TrialPicture({ trial }: { trial: TrialView }) {
@@ -39,20 +40,29 @@ function Picture({ trial }: { trial: TrialView }) {
     };
     image.src = next;
   }, [next]);
-  if (!shown || trial.state === "failed") return <Waiting trial={trial} />;
+  if (!shown || trial.state === "failed" || trial.state === "ended") return <Waiting trial={trial} />;
   return <img className={styles.image} src={shown} alt={t("ui-live-picture-of-the-tried-camera")} />;
 }
 
+/** Instead of data: that it is being opened, or why there are none. */
 export function Waiting({ trial }: { trial: TrialView }) {
-  return <p className={styles.waiting}>{trial.text || t("ui-opening-the-device")}</p>;
+  const failed = trial.state === "failed";
+  if (!failed && trial.state !== "ended") {
+    return <p className={styles.waiting}>{trial.text || t("ui-opening-the-device")}</p>;
+  }
+  const quality = failed ? "bad" : "attention";
+  return (
+    <p className={styles.failure} role="alert" data-quality={quality}>
+      <QualityMark quality={quality} size="1.5rem" />
+      {trial.text}
+    </p>
+  );
 }
 
 function readouts(trial: TrialView): Readout[] {
   const { kind, rate_hz, lost, corrupt, stamps, width_px, height_px, exposure_us, exposure_range_us } = trial;
-  const sound = (count: number) => ({
-    value: String(count),
-    quality: count ? ("attention" as const) : ("good" as const),
-  });
+  const sound = (count: number): Pick<Readout, "value" | "quality"> =>
+    stamps ? { value: String(count), quality: count ? "attention" : "good" } : { value: "–" };
   const rows: Readout[] = [
     { label: t("ui-rate"), value: rate_hz === null ? "–" : measured(rate_hz, "Hz", rate_hz < 100 ? 1 : 0) },
     { label: t("ui-lost-records"), ...sound(lost) },

@@ -1,10 +1,13 @@
 import type { DeviceKind } from "../api/deviceCommands";
-import type { OptionField, TrialView } from "../api/wire";
+import type { OptionField } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { t } from "../state/language";
 
 const DRIVERS: Record<string, PlainId> = {
-  "serial-encoder": "ui-driver-serial-encoder",
+  bridge: "ui-driver-bridge",
+  "serial-encoder": "ui-driver-bridge",
+  "ur-rtde": "ui-driver-ur-rtde",
+  genicam: "ui-driver-genicam",
   opencv: "ui-driver-opencv",
   folder: "ui-driver-folder",
 };
@@ -33,12 +36,6 @@ const OPTIONS: Record<string, PlainId> = {
   width_px: "ui-option-width",
 };
 
-const STAMPS: Record<NonNullable<TrialView["stamps"]>, PlainId> = {
-  arrival: "ui-stamps-arrival",
-  device: "ui-stamps-device",
-  pulse: "ui-stamps-pulse",
-};
-
 /** What a driver is for; that of another package has its own name. */
 export function driverTitle(name: string): string {
   const id = DRIVERS[name];
@@ -53,9 +50,9 @@ export function optionLabel({ key, unit }: OptionField): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** Where time stamps come from. */
-export function stampsText(stamps: TrialView["stamps"]): string {
-  return stamps ? t(STAMPS[stamps]) : "–";
+/** Of a device that no search has found. */
+export function manualTitle(kind: DeviceKind): string {
+  return kind === "arm" ? t("ui-another-arm") : t("ui-another-camera");
 }
 
 export function kindTitle(kind: DeviceKind): string {

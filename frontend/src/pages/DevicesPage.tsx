@@ -5,6 +5,7 @@ import type { FoundView, TrialView } from "../api/wire";
 import { DeviceList } from "../devices/DeviceList";
 import { DevicesCard } from "../devices/DevicesCard";
 import { ManualCard } from "../devices/ManualCard";
+import { manualTitle } from "../devices/names";
 import { TrialCard } from "../devices/TrialCard";
 import { TrialPicture } from "../devices/TrialPicture";
 import { useDevices, useTrial } from "../devices/useDevices";
@@ -38,7 +39,7 @@ export function DevicesPage() {
     await attempt({ kind, driver, options });
   };
   const enter = (kind: DeviceKind) => {
-    const driver = view?.drivers.find((one) => one.kind === kind)?.name ?? "";
+    const driver = view?.drivers.find((one) => one.kind === kind && !one.alias)?.name ?? "";
     setTitle("");
     setLabel("");
     setSaved(null);
@@ -63,7 +64,7 @@ export function DevicesPage() {
         card={
           <TrialCard
             trial={trial}
-            title={title || trial.name || t("ui-devices")}
+            title={title || trial.name || manualTitle(trial.kind)}
             view={view}
             choice={choice}
             label={label}

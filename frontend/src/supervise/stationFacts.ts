@@ -4,6 +4,7 @@ import type { PlainId } from "../messages/text";
 import { age, days, daysAgo, figures } from "../parts/format";
 import { measured } from "../parts/lengths";
 import { t } from "../state/language";
+import { stampsText } from "../state/stamps";
 
 export interface Fact {
   id: string;
@@ -85,7 +86,10 @@ function deviceFact(device: DeviceReport, more_s: number): Fact {
   const fresh = old === null ? t("ui-no-data") : t("ui-old-age", { age: old });
   if (device.rate_hz === null) return stated(fresh, "", "good");
   const rate = { n: figures(device.rate_hz) };
-  return stated(arm ? t("ui-hz", rate) : t("ui-fps", rate), fresh, "good");
+  // a station of an earlier version does not say where they come from
+  const stamps = device.stamps ? [t("ui-stamps-by", { stamps: stampsText(device.stamps) })] : [];
+  const missing = t("ui-lost-and-corrupt", { lost: device.lost, corrupt: device.corrupt });
+  return stated(arm ? t("ui-hz", rate) : t("ui-fps", rate), [fresh, missing, ...stamps].join(" · "), "good");
 }
 
 function calibrationFact(calibration: CalibrationReport | null): Fact {

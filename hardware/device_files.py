@@ -1,13 +1,18 @@
-"""Finds serial ports for the ``serial-encoder`` driver, as pyserial lists them."""
+"""Device files: the serial ports that are connected, and who may open a file.
 
+``find_serial_ports`` is the finder of the ``bridge`` driver; pyserial lists the ports.
+"""
+
+import getpass
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
 from serial.tools import list_ports
 
-from app.messages.message import join
+from app.messages.message import join, message
 from hardware.discovery import Finding, FoundDevice
-from hardware.permission import permission_error
+from hardware.errors import DeviceError
 
 
 def find_serial_ports(identities: Path = Path("/dev/serial/by-id")) -> Sequence[Finding]:
@@ -23,8 +28,25 @@ def find_serial_ports(identities: Path = Path("/dev/serial/by-id")) -> Sequence[
         parts = (port.description if known else None, port.serial_number, port.device)
         title = join([part for part in parts if part], " · ")
         url = str(lasting.get(Path(port.device).resolve(), port.device))
-        found.append(FoundDevice("arm", "serial-encoder", title, {"url": url}))
+        found.append(FoundDevice("arm", "bridge", title, {"url": url}))
         refused = permission_error(Path(port.device), port.device)
         if refused is not None:
             found.append(refused)
     return found
+
+
+def permission_error(device: Path, name: str) -> DeviceError | None:
+    """Why this user may not read and write a device file of Linux; None if allowed, or no file.
+
+    Args:
+        device: such as ``/dev/ttyUSB0``.
+        name: what a person recognises it by.
+    """
+    if os.name != "posix" or not device.exists() or os.access(device, os.R_OK | os.W_OK):
+        return None
+    group = device.group()
+    what = message("device-not-permitted", name=name, device=device)
+    if group == "root":
+        return DeviceError(what, message("ask-administrator-for-access", device=device))
+    command = f"sudo usermod -aG {group} {getpass.getuser()}"
+    return DeviceError(what, message("join-group-of-device", command=command))

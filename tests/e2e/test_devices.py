@@ -1,0 +1,173 @@
+"""From the demonstration's first page to a camera of one's own, in a real browser."""
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from unittest.mock import patch
+
+import cv2
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from app.settings.station_toml import read_settings
+from tests.e2e.conftest import Demo
+from tests.e2e.test_access_for_all import in_both_themes
+from tests.e2e.test_demo import Visit
+from tests.hardware.test_registry import install
+
+pytestmark = pytest.mark.slow
+
+MOST_CLICKS = 6
+WAIT_MS = 30_000
+COUNT_CLICKS = """
+window.clicks = 0;
+document.addEventListener('click', () => { window.clicks += 1; }, true);
+"""
+FINDER = """
+from hardware.discovery import FoundDevice
+from hardware.errors import DeviceError
+
+def find():
+    return [
+        FoundDevice("sensor", "folder", "Bench camera · AB-1", {{"path": {folder!r}}}),
+        DeviceError("The library libbench is missing", "Run: sudo apt install libbench"),
+    ]
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The pictures of the camera: no camera is connected to a machine that tests."""
+    made = tmp_path_factory.mktemp("pictures")
+    for index in range(20):
+        image = np.full((600, 800), 40, np.uint8)
+        cv2.circle(image, (100 + 30 * index, 300), 80, 220, -1)
+        cv2.imwrite(str(made / f"{index}.png"), image)
+    return made
+
+
+@pytest.fixture(scope="module")
+def station(tmp_path_factory: pytest.TempPathFactory, folder: Path) -> Iterator[Demo]:
+    """A demonstration beside a package that finds a camera."""
+    site = tmp_path_factory.mktemp("site")
+    (site / "bench_finder.py").write_text(FINDER.format(folder=str(folder)))
+    install(site, "bench-finder", "crenel.finders", "bench = bench_finder:find")
+    paths = [str(site), *filter(None, [os.environ.get("PYTHONPATH")])]
+    with patch.dict(os.environ, PYTHONPATH=os.pathsep.join(paths)):
+        running = Demo(tmp_path_factory.mktemp("demo") / "data")
+    yield running
+    running.end()
+
+
+def clicks(page: Page) -> int:
+    return int(page.evaluate("window.clicks"))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a path of a device file")
+def test_a_camera_is_connected_in_a_few_clicks(
+    station: Demo, browser: Browser, pictures: Path, folder: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.add_init_script(COUNT_CLICKS)
+    visit = Visit(page, pictures)
+    page.goto(station.link)
+    page.get_by_role("button", name="Connect your own devices").click()
+
+    expect(page.get_by_text("sudo apt install libbench")).to_be_visible(timeout=WAIT_MS)
+    camera = page.get_by_role("listitem").filter(has_text="Bench camera")
+    camera.get_by_role("button", name="Try").click()
+    picture = page.get_by_role("img", name="Live picture of the camera")
+    expect(picture).to_be_visible(timeout=WAIT_MS)
+    first = picture.get_attribute("src")
+    expect(picture).not_to_have_attribute("src", first or "", timeout=WAIT_MS)
+    expect(page.get_by_text("800 × 600")).to_be_visible()
+    expect(page.get_by_text("arrival", exact=True)).to_be_visible()
+
+    page.get_by_role("button", name="Use this camera").click()
+    expect(page.get_by_role("heading", name="The camera is chosen")).to_be_visible(timeout=WAIT_MS)
+    assert clicks(page) <= MOST_CLICKS
+    print(f"connected in {clicks(page)} clicks")
+
+    visit.wait_until(
+        "used",
+        "/api/devices",
+        lambda now: (
+            now["devices"][1]["state"]["state"] == "connected"
+            and now["devices"][1]["driver"] == "folder"
+        ),
+    )
+    chosen = read_settings(station.data / "station.toml").devices
+    assert chosen["sensor"].options == {"path": str(folder)}
+    assert "arm" not in chosen
+    expect(camera.get_by_text("In use")).to_be_visible(timeout=WAIT_MS)
+    page.screenshot(path=pictures / "devices.png")
+
+    page.get_by_role("button", name="Use the simulated one again").click()
+    visit.wait_until(
+        "simulated again", "/api/devices", lambda now: bool(now["devices"][1]["simulated"])
+    )
+    assert read_settings(station.data / "station.toml").devices == {}
+    assert not visit.faults
+    page.close()
+
+
+def test_an_address_that_is_wrong_is_named_and_can_be_corrected(
+    station: Demo, browser: Browser, folder: Path
+) -> None:
+    page = browser.new_page(viewport={"width": 820, "height": 1180})
+    page.goto(station.link)
+    page.get_by_role("button", name="Connect your own devices").click()
+    page.get_by_role("button", name="My camera is not listed").click()
+    page.get_by_label("Connection").select_option("folder")
+    page.get_by_label("Folder", exact=True).fill(str(folder / "nowhere"))
+    page.get_by_role("button", name="Try this device").click()
+    alert = page.get_by_role("alert").filter(has_text="nowhere")
+    expect(alert).to_be_visible(timeout=WAIT_MS)
+    expect(page.get_by_role("button", name="Use this camera")).to_be_disabled()
+    page.get_by_label("Folder", exact=True).fill(str(folder))
+    page.get_by_role("button", name="Try again").click()
+    picture = page.get_by_role("img", name="Live picture of the camera")
+    expect(picture).to_be_visible(timeout=WAIT_MS)
+    expect(page.get_by_role("button", name="Use this camera")).to_be_enabled(timeout=WAIT_MS)
+    page.close()
+
+
+def test_a_trial_ends_with_its_page(station: Demo, browser: Browser) -> None:
+    page = browser.new_page()
+    page.goto(station.link)
+    page.get_by_role("button", name="Connect your own devices").click()
+    camera = page.get_by_role("listitem").filter(has_text="Bench camera")
+    camera.get_by_role("button", name="Try").click()
+    expect(page.get_by_role("img", name="Live picture of the camera")).to_be_visible(
+        timeout=WAIT_MS
+    )
+    page.get_by_role("link", name="Home").click()
+    ended = """async () => {
+      const end = Date.now() + 30000;
+      while (await (await fetch("/api/devices/trial")).json() !== null) {
+        if (Date.now() > end) return false;
+      }
+      return true;
+    }"""
+    assert page.evaluate(ended)
+    page.close()
+
+
+def test_the_page_is_for_everyone(station: Demo, browser: Browser) -> None:
+    page = browser.new_page(viewport={"width": 1180, "height": 820})
+    page.goto(station.link)
+    page.get_by_role("button", name="Connect your own devices").click()
+    camera = page.get_by_role("listitem").filter(has_text="Bench camera")
+    camera.wait_for()
+    found = in_both_themes(page, "devices, found")
+    page.get_by_role("button", name="My arm is not listed").press("Enter")
+    page.get_by_text("More options").press("Enter")
+    found += in_both_themes(page, "devices, by hand")
+    page.get_by_role("button", name="Back to the list").press("Enter")
+    camera.get_by_role("button", name="Try").press("Enter")
+    page.get_by_role("img", name="Live picture of the camera").wait_for()
+    found += in_both_themes(page, "devices, trial")
+    assert not found, "\n".join(found)
+    page.close()
