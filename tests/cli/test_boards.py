@@ -18,6 +18,7 @@ from app.formats.session.calibration_session import ContactReadings, write_conta
 from app.formats.session.pose_pictures import ImageRow, write_images
 from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
 from app.metrology.arm.kinematics import flange_pose
+from app.metrology.arm.reported_poses import pose_from_transform
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.sensor.triangulation import sensor_points
@@ -210,48 +211,56 @@ def test_one_pose_is_refused_on_a_board(robot_session: Path, tmp_path: Path) -> 
     assert names_in(tmp_path) == []
 
 
-def test_scans_of_an_arm_are_reconstructed_with_it(
-    by_arm: Path, arm_session: Path, tmp_path: Path
+@pytest.mark.parametrize("reports", ["joints", "pose"])
+def test_a_scan_is_reconstructed_with_its_arm(
+    by_arm: Path, arm_session: Path, robot_session: Path, tmp_path: Path, reports: str
 ) -> None:
-    names = tuple(joint.name for joint in ARM.joints)
+    """By the joints of an arm, or by the poses that a robot reports."""
+    names = tuple(joint.name for joint in ARM.joints) if reports == "joints" else None
+    reading = START_RAD if names else pose_from_transform(flange_pose(ARM, START_RAD))
+    calibration = tmp_path / "calibration.json"
+    shutil.copy(by_arm, calibration)
+    session = arm_session
+    if reports == "pose":
+        session = robot_session
+        shown = crenel("calibrate", robot_session, "-o", calibration)
+        assert shown.exit_code == 0, shown.output
     v = np.linspace(40.0, 470.0, 60)
     u = 320 + 0.1 * (v - 256)
     uv = np.column_stack([u, v])
     stripe = Stripe(u, v, np.full(60, 90.0), np.full(60, 0.05), "v")
     with RecordingWriter(tmp_path / "scan.mcap", names) as writer:
         for stamp in range(0, 100 * MS, 4 * MS):
-            writer.joints(stamp, START_RAD)
+            writer.reading(stamp, reading)
         writer.stripe(50 * MS, stripe, *SIZE)
     cloud = tmp_path / "cloud.ply"
     shown = crenel(
         "reconstruct",
         tmp_path / "scan.mcap",
         "--calibration",
-        by_arm,
+        calibration,
         "--arm",
-        arm_session / "arm.json",
+        session / "arm.json",
         "-o",
         cloud,
     )
     assert shown.exit_code == 0, shown.output
     in_cam = sensor_points(camera_at(np.eye(4)), LaserPlane(NORMAL, OFFSET_MM), uv)
     true = apply(flange_pose(ARM, START_RAD) @ T_FLANGE_CAM, in_cam)
-    claimed = CalibrationFile.read(by_arm).uncertainty
+    claimed = CalibrationFile.read(calibration).uncertainty
     assert claimed is not None
     off_um = 1e3 * np.linalg.norm(read_cloud(cloud).points_mm - true, axis=1)
     assert float(np.sqrt(np.mean(off_um**2))) < max(3 * claimed.total_um, 100)
 
 
-def test_a_robots_poses_are_no_scan(robot_session: Path, by_arm: Path, tmp_path: Path) -> None:
-    said = refused(
-        "reconstruct",
-        tmp_path / "scan.mcap",
-        "--calibration",
-        by_arm,
-        "--arm",
-        robot_session / "arm.json",
-    )
-    assert "convention is 'pose'" in said
+def test_a_scan_by_joints_is_refused_with_a_robot(
+    robot_session: Path, by_arm: Path, tmp_path: Path
+) -> None:
+    with RecordingWriter(tmp_path / "scan.mcap", tuple(one.name for one in ARM.joints)) as writer:
+        writer.joints(0, START_RAD)
+    arguments = (tmp_path / "scan.mcap", "--calibration", by_arm)
+    said = refused("reconstruct", *arguments, "--arm", robot_session / "arm.json")
+    assert "give" in said.lower()
 
 
 @pytest.fixture

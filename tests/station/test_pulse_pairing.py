@@ -110,7 +110,7 @@ def test_a_camera_that_misses_triggers_is_noticed() -> None:
     raise AssertionError("the slip was never noticed")
 
 
-def test_an_arm_that_counts_anew_is_paired_anew() -> None:
+def test_an_arm_that_counts_from_1_again_is_paired_again() -> None:
     """It was reset, and pulses on by itself: nothing is taken by the old counts."""
     camera, pairing = Camera(0, 3), PulsePairing()
     run_train(pairing, camera, 10**9, 15)

@@ -25,8 +25,8 @@ def transforms_from_poses(poses: Floats) -> Floats:
 
     Example:
         >>> turned = [10.0, 0.0, 0.0, 0.0, 0.0, np.sqrt(0.5), np.sqrt(0.5)]
-        >>> transforms_from_poses(np.array([turned]))[0].round(6).tolist()[1]
-        [1.0, 0.0, 0.0, 0.0]
+        >>> transforms_from_poses(np.array([turned]))[0, :, 3].tolist()
+        [10.0, 0.0, 0.0, 1.0]
     """
     rows = np.asarray(poses, dtype=np.float64)
     x, y, z, w = (rows[:, 3:] / np.linalg.norm(rows[:, 3:], axis=1, keepdims=True)).T

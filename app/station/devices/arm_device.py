@@ -40,7 +40,7 @@ class StationArm:
     def __init__(
         self, bus: Bus, make: Callable[[], ArmDriver], pairing: PulsePairing | None = None
     ) -> None:
-        """``pairing``: is told the samples that were latched at trigger pulses."""
+        """``pairing``: receives the samples that were latched at trigger pulses."""
         self._bus = bus
         self._pairing = pairing
         self._chosen: AnyArm | None = None

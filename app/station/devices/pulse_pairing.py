@@ -71,7 +71,7 @@ class PulsePairing:
     def note_pulse(self, pulse: int, stamp_ns: int) -> None:
         """A sample of the arm that was latched at a pulse."""
         with self._changed:
-            if self._pulses and pulse <= self._pulses[-1][0]:  # counted anew
+            if self._pulses and pulse <= self._pulses[-1][0]:  # counted from 1 again
                 self._pulses.clear()
                 self._forget()
             self._pulses.append((pulse, stamp_ns))

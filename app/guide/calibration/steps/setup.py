@@ -43,14 +43,14 @@ def _line(link: DeviceState) -> DeviceLine:
 
 def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
     """Which arm, which object, which sensor?"""
-    item = live.chosen.object
+    item, chosen_arm = live.chosen.object, live.chosen.arm
     return StepView(
         instruction=message("check-arm-tip-object-sensor-those"),
         picture=ChoicesPicture(_choices(state, live), geometry(item) if item else None),
         actions=[offer(state, live, "confirm_setup", message("these-use"), primary=True)],
         findings=[
             *other_devices(live),
-            *([live.tip] if live.tip is not None else []),
+            *([live.tip] if live.tip is not None and isinstance(chosen_arm, Arm) else []),
             *live.library.findings,
         ],
     )
