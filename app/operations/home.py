@@ -68,6 +68,7 @@ def validity_inputs(context: Context, record: CalibrationRecord | None) -> Valid
         tip=None if tip is None else CheckResult(tip.at, _state(tip.verdict), tip.text),
         arm=None if arm is None else CheckResult(arm.at, _state(arm.verdict), _arm_text(arm)),
         warmer_c=None if record is None else store.temperatures.change_since(record.accepted_at),
+        has_joints=not (info := context.rig.arm.info) or info.reports == "joints",
     )
 
 

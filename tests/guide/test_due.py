@@ -122,3 +122,9 @@ def test_the_state_of_the_tip_is_shown_before_touching() -> None:
     never = tip_finding(lines(NOTHING)["tip"])
     assert (never.quality, str(never.text)) == ("neutral", "The tip has never been checked.")
     assert never.remedy
+
+
+def test_a_robot_has_no_tip_and_no_joints_to_check() -> None:
+    lines = check_validity(replace(ALL, has_joints=False), NOW)
+    assert [line.id for line in lines] == ["calibration", "verification"]
+    assert choose_next_action(lines, False, False, "").page == "scan"

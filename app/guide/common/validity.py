@@ -54,6 +54,8 @@ class ValidityInputs:
     arm: CheckResult | None
     warmer_c: float | None
     """Now against the calibration's time; None where one of the two is not known."""
+    has_joints: bool = True
+    """False of an arm that reports poses: its joints and its tip are not checked here."""
 
 
 @dataclass(frozen=True)
@@ -93,14 +95,16 @@ QUALITY: dict[State, Quality] = {
 def check_validity(
     known: ValidityInputs, now: datetime, limits: DueLimits = DUE
 ) -> tuple[Validity, ...]:
-    """Every line, the calibration first."""
+    """Every line, the calibration first; of tip and arm only for an arm with joints."""
+    lines = (_calibration(known, now, limits), _verification(known, now, limits))
+    if not known.has_joints:
+        return lines
+    tip_days, tip_action = limits.tip_hours / 24, message("check-tip")
+    arm_days, arm_action = limits.arm_days, message("check-arm")
     return (
-        _calibration(known, now, limits),
-        _verification(known, now, limits),
-        _check_age(
-            "tip", message("tip"), known.tip, now, limits.tip_hours / 24, message("check-tip")
-        ),
-        _check_age("arm", message("arm-4"), known.arm, now, limits.arm_days, message("check-arm")),
+        *lines,
+        _check_age("tip", message("tip"), known.tip, now, tip_days, tip_action),
+        _check_age("arm", message("arm-4"), known.arm, now, arm_days, arm_action),
     )
 
 
@@ -228,10 +232,11 @@ def choose_next_action(
     if verifying:
         text = message("verification-under-way-go-where-stands")
         return NextAction(message("go-verifying"), "verify", text)
-    if line["tip"].state == "failed":
-        return NextAction(message("check-tip-again"), "arm", line["tip"].text)
-    if line["arm"].state == "failed":
-        return NextAction(message("check-arm-again"), "arm", line["arm"].text)
+    tip, arm = line.get("tip"), line.get("arm")
+    if tip is not None and tip.state == "failed":
+        return NextAction(message("check-tip-again"), "arm", tip.text)
+    if arm is not None and arm.state == "failed":
+        return NextAction(message("check-arm-again"), "arm", arm.text)
     if calibration.state == "missing":
         text = message("calibrate-sensor-arm-touch-object-then")
         return NextAction(message("calibrate"), "calibrate", text)
