@@ -122,6 +122,7 @@ arm-reports-joints =
        *[other] { $joints } Gelenke
     }
 arm-reports-no-counts-per-revolution = Der Messarm unter { $url } meldet für Gelenk { $joint } 0 Inkremente je Umdrehung
+arm-reports-poses-not-checked-here = Der angeschlossene Arm meldet Posen: Seine eigene Software prüft seine Gelenke und seine Tastkugel.
 arm-sees-bar-given = der Messarm misst Kugelstab { $bar } mit { $measured }, angegeben sind { $given }
 arm-sends-hello-but-no-samples = Der Messarm unter { $url } meldet sich ({ $name }), sendet aber keine Messwerte
 arm-sends-no-joint-angles = der Messarm sendet keine Gelenkwinkel

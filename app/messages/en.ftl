@@ -122,6 +122,7 @@ arm-reports-joints =
        *[other] { $joints } joints
     }
 arm-reports-no-counts-per-revolution = The arm at { $url } reports 0 counts per revolution for joint { $joint }
+arm-reports-poses-not-checked-here = The connected arm reports poses: its own software checks its joints and its tip.
 arm-sees-bar-given = the arm measures bar { $bar } as { $measured }, but its stated length is { $given }
 arm-sends-hello-but-no-samples = The arm at { $url } sends its hello ({ $name }) but no samples
 arm-sends-no-joint-angles = the arm sends no joint angles

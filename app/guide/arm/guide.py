@@ -1,7 +1,7 @@
 """The one arm session of a station: its journal, its points, and what is shown of it."""
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from app.errors import OperationError
@@ -86,8 +86,12 @@ class ArmGuide(GuidedSession[ArmState, ArmLive, ArmView]):
         )
 
     def library(self) -> DatasheetLibrary:
-        """What the station knows; read again only while an arm can be chosen."""
-        return self._library.latest(choosing=not self.running or not self.state.has_points)
+        """The arms with joints that the station knows; read again only while one can be chosen."""
+        library = self._library.latest(choosing=not self.running or not self.state.has_points)
+        joints = {
+            name: entry for name, entry in library.arms.items() if isinstance(entry.datasheet, Arm)
+        }
+        return replace(library, arms=joints)
 
     def arm(self) -> Arm | None:
         """The session's own copy of the arm once points were taken, before it the library's."""

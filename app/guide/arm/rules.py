@@ -46,6 +46,8 @@ def touches_wanted(state: ArmState) -> int:
 
 
 def _arm_ready(state: ArmState, live: ArmLive, args: Args) -> Text:
+    if live.connected_joints == 0:
+        return message("arm-reports-poses-not-checked-here")
     if live.arm is None:
         return message("choose-arm-first")
     if live.link.state != "connected":
