@@ -16,7 +16,7 @@ from google.protobuf.descriptor_pb2 import FileDescriptorSet
 import app.formats
 from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.csv_table import read_table
-from app.formats.datasheets.arm import read_any_arm
+from app.formats.datasheets.arm import read_any_arm, read_arm
 from app.formats.datasheets.gauge import read_gauge
 from app.formats.datasheets.gauge_nominal import read_nominal
 from app.formats.datasheets.sensor import read_sensor
@@ -39,7 +39,7 @@ from app.formats.session.pose_pictures import ImageRow, write_images
 from app.formats.settings.mask import Mask
 from app.formats.settings.scan_settings import ScanSettings, Sync
 from app.messages.message import Message
-from app.metrology.arm.kinematics import Arm, RobotArm
+from app.metrology.arm.kinematics import Arm, RobotArm, flange_pose
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.targets.chessboard import Chessboard, Markers
 from app.settings.settings import Settings
@@ -117,6 +117,14 @@ def test_the_robots_session_on_a_chessboard_is_read(examples: Path) -> None:
     assert pose.T_arm_flange is not None
     assert pose.T_arm_flange[:3, 3].tolist() == [612.5, -80.25, 433.0]
     assert columns(examples / "board/images.csv")[3:] == POSE_COLUMNS
+
+
+def test_an_arm_of_five_joints_in_the_modified_convention_is_read(examples: Path) -> None:
+    arm = read_arm(examples / "five/arm.json")
+    assert arm.joint_count == 5
+    # at zero: 25 + 260 + 20 along x, the last two lengths across
+    T = flange_pose(arm, np.zeros(5))
+    np.testing.assert_allclose(T[:3, 3], [305.0, 0.0, -25.0], atol=1e-9)
 
 
 def test_the_arms_folder_is_read(examples: Path) -> None:
