@@ -1,0 +1,1 @@
+"""A circuit board around the machine code of the firmware."""
