@@ -3,6 +3,7 @@
 import os
 import tty
 from collections.abc import Iterator
+from functools import partial
 from math import pi
 from pathlib import Path
 
@@ -280,6 +281,10 @@ def test_a_bouncing_contact_gives_one_press(board: Board, line: RawLine) -> None
     assert np.diff(changes)[0] >= 5
 
 
+def has_lost_more_than(driver: ArmDriver, count: int, _: list[ArmRecord]) -> bool:
+    return driver.health.lost > count
+
+
 def test_an_encoder_that_reports_an_error_costs_few_samples(
     board: Board, driver: SerialEncoderArm
 ) -> None:
@@ -289,7 +294,7 @@ def test_an_encoder_that_reports_an_error_costs_few_samples(
     for command in ("error", "noise"):
         lost = driver.health.lost
         board.tell(command, 3)
-        read_until(driver, lambda _, lost=lost: driver.health.lost > lost)
+        read_until(driver, partial(has_lost_more_than, driver, lost))
         later = select_samples(read_until(driver, lambda got: len(got) > 20))
         assert driver.health.lost - lost <= 3
         assert counts_of(later[-1]) == pytest.approx([500] * 6)
