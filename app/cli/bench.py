@@ -254,6 +254,24 @@ def live(
 
 @bench.command()
 @report_errors
+def camera(
+    minutes: Annotated[float, typer.Option(min=0.05, help="Duration of the stream.")] = 10.0,
+    rate_hz: Annotated[float, typer.Option(min=1.0, help="Pictures per second.")] = 100.0,
+    lost_per_mille: Annotated[
+        int, typer.Option(min=0, max=999, help="Packets that are lost, of a thousand.")
+    ] = 10,
+    as_json: AsJson = False,
+) -> None:
+    """Stream from a simulated GigE Vision camera that loses packets (package aravis-tools)."""
+    from app.bench.station.camera import COLUMNS, run, table
+
+    shown = Shown("Streaming", "1280 × 1024 pixels over GigE Vision")
+    measure = partial(run, 60.0 * minutes, rate_hz, lost_per_mille)
+    _measure(shown, as_json, measure, COLUMNS, table)
+
+
+@bench.command()
+@report_errors
 def view(
     million_points: Annotated[float, typer.Option(min=0.1, help="Millions of points.")] = 50.0,
     as_json: AsJson = False,
