@@ -37,6 +37,7 @@ BUILT_IN = {
         "genicam": "hardware.sensor.genicam.driver:from_options",
     },
     FINDERS: {
+        "genicam": "hardware.sensor.genicam.find_genicam:find_genicam",
         "opencv": "hardware.sensor.find_cameras:find_cameras",
         "bridge": "hardware.device_files:find_serial_ports",
     },

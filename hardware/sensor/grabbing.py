@@ -21,7 +21,6 @@ from hardware.sensor.image_source import (
     NoImage,
 )
 
-_QUEUE_LENGTH = 4
 _JOIN_S = 5.0
 
 
@@ -261,9 +260,9 @@ class _Grabber(threading.Thread):
         with self._changed:
             if self.source.waits:
                 self._changed.wait_for(
-                    lambda: len(self._queue) < _QUEUE_LENGTH or self._stop_asked.is_set()
+                    lambda: len(self._queue) < self.source.queue_length or self._stop_asked.is_set()
                 )
-            elif len(self._queue) == _QUEUE_LENGTH:
+            elif len(self._queue) == self.source.queue_length:
                 self._queue.popleft()
                 self._health.lost += 1
             self._queue.append(frame)

@@ -60,6 +60,8 @@ class ImageSource(ABC):
     waits: bool
     """True of a recording, which waits for its reader; a camera does not, and old pictures are
     lost."""
+    queue_length = 4
+    """How many pictures wait for a late reader; more than these, and the oldest is lost."""
     exposure_range_us = (0.0, 0.0)
     has_laser_switch = False
     stamps: StampKind = "arrival"

@@ -82,7 +82,7 @@ def test_a_finder_that_hangs_is_late_once_and_is_not_started_twice(finder: Path)
     module = sys.modules[MODULE]
     assert module.started == [1]
     module.go_on.set()
-    assert not errors()
+    assert not any("bench" in str(one.what) for one in errors())
 
 
 def lay_out(root: Path, node: str, name: str, index: int) -> None:

@@ -61,8 +61,8 @@ def table(found: CameraBench) -> list[tuple[str, str]]:
         ("sent, received whole, counted as lost", f"{found.sent}, {found.whole}, {found.lost}"),
         ("neither received nor counted", f"{found.unaccounted}"),
         (
-            "age of a picture in the station",
-            f"{1e3 * found.age_median_s:.1f} ms median, {1e3 * found.age_99_s:.1f} ms 99th centile",
+            "age of a picture: median, 99th percentile",
+            f"{1e3 * found.age_median_s:.1f} ms, {1e3 * found.age_99_s:.1f} ms",
         ),
         ("processor", f"{found.cores:.2f} cores"),
     ]

@@ -1,17 +1,17 @@
 """A camera as a source of pictures."""
 
+import math
 import threading
 import time
 
 from app.messages.message import Text, message
 from hardware.clock import now_ns
-from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import AravisError
 from hardware.sensor.genicam.block_ids import BlockCounter
 from hardware.sensor.genicam.camera import open_camera
-from hardware.sensor.genicam.history import SettingHistory
 from hardware.sensor.genicam.link import CameraLink, control_lost_error
+from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
 from hardware.sensor.genicam.pixel_formats import PixelFormat, decode, format_of
 from hardware.sensor.genicam.settings import (
     GenicamOptions,
@@ -27,22 +27,15 @@ from hardware.sensor.image_source import (
     GreyImage,
     ImageSource,
     NoImage,
-    StampAt,
 )
 
 _WAIT_S = 0.1
 _SILENT_S = 0.3
 _INCOMPLETE_S = 2.0
 _FEWEST_INCOMPLETE = 10
-_EXPOSURE_CHANGE_NS = 1_000_000_000
 _LONGEST_GAPS = 3
-_TO_MIDDLE: dict[StampAt, float] = {
-    "exposure-start": 0.5,
-    "mid-exposure": 0.0,
-    "exposure-end": -0.5,
-    "frame-end": -0.5,
-}
-"""From the stamped event to the middle of the exposure, in exposures."""
+_QUEUE_S = 0.4
+_QUEUE_BYTES = 128_000_000
 
 
 class GenicamSource(ImageSource):
@@ -90,13 +83,16 @@ class GenicamSource(ImageSource):
         self.stamps, self.stamp_at = "device", options.stamp_at
         self.longest_gap_s = _LONGEST_GAPS / settings.rate_hz if settings.rate_hz else 0.0
         width_px, height_px = settings.size_px
+        most = max(self.queue_length, _QUEUE_BYTES // (2 * width_px * height_px))
+        self.queue_length = min(
+            max(self.queue_length, math.ceil(_QUEUE_S * (settings.rate_hz or 0.0))), most
+        )
         is_raw = (options.bayer or settings.pixel_format.bayer) is not None
         self.size_px = (width_px // 2, height_px // 2) if is_raw else (width_px, height_px)
         self._exposures = SettingHistory(settings.exposure_us)
         self._laser = SettingHistory(not self.has_laser_switch)
         self._blocks = BlockCounter()
-        self._clock = DeviceClock()
-        self._last_ns = 0
+        self._times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
         self._heard_s = self._whole_s = time.monotonic()
         self._incomplete = 0
         self._format: PixelFormat | None = None
@@ -192,7 +188,10 @@ class GenicamSource(ImageSource):
         image = self._decode(stream, block)
         if image is None:
             return NoImage.DAMAGED
-        mid_ns, exposure_us = self._time(block)
+        mid_ns, exposure_us = self._times.middle(
+            self._device_ns(block), block.arrival_ns, self._chunk_exposure_us(block)
+        )
+        self.stamps, self.stamp_at = self._times.stamps, self._times.stamp_at
         half_ns = round(exposure_us * 500)
         lit = self._laser.values_between(mid_ns - half_ns, mid_ns + half_ns)
         return GrabbedImage(
@@ -217,35 +216,12 @@ class GenicamSource(ImageSource):
         options = self._options
         return to_grey(raw, height_px, options.laser_colour, options.bayer or self._format.bayer)
 
-    def _time(self, block: StreamBlock) -> tuple[int, float]:
-        """The middle of the exposure on the host's clock, and the exposure in µs."""
-        device_ns = self._chunk_timestamp_ns(block) if self._parser else block.device_ns
-        if device_ns is None:
-            self.stamps, self.stamp_at = "arrival", "frame-end"
-            event_ns = block.arrival_ns
-        else:
-            # the first packet follows the end of the exposure
-            recent = self._exposures.values_between(
-                block.arrival_ns - _EXPOSURE_CHANGE_NS, block.arrival_ns
-            )
-            after_event = (0.5 + _TO_MIDDLE[self.stamp_at]) * min(recent)
-            self._clock.observe(device_ns, block.arrival_ns - round(after_event * 1000))
-            event_ns = self._clock.stamp(device_ns)
-        to_middle = _TO_MIDDLE[self.stamp_at]
-        exposure_us = self._chunk_exposure_us(block)
-        if exposure_us is None:
-            begun = (0.5 - to_middle) * self._exposures.latest
-            exposure_us = self._exposures.value_at(event_ns - round(begun * 1000))
-        mid_ns = event_ns + round((to_middle * exposure_us - self._options.latency_us) * 1000)
-        self._last_ns = max(mid_ns, self._last_ns + 1)
-        return self._last_ns, exposure_us
-
     def _chunk_exposure_us(self, block: StreamBlock) -> float | None:
         if "ExposureTime" not in self._options.chunks:
             return None
         return float(self._chunk("float", block, b"ChunkExposureTime"))
 
-    def _chunk_timestamp_ns(self, block: StreamBlock) -> int | None:
+    def _device_ns(self, block: StreamBlock) -> int | None:
         if "Timestamp" not in self._options.chunks:
             return block.device_ns
         return int(self._chunk("integer", block, b"ChunkTimestamp")) or None

@@ -1,0 +1,91 @@
+"""When a picture was exposed, for how long, and with which state of the laser."""
+
+from collections import deque
+
+from hardware.device_clock import DeviceClock
+from hardware.interfaces import StampKind
+from hardware.sensor.image_source import StampAt
+
+_KEPT = 16
+_RECENT_NS = 1_000_000_000
+_TO_MIDDLE: dict[StampAt, float] = {
+    "exposure-start": 0.5,
+    "mid-exposure": 0.0,
+    "exposure-end": -0.5,
+    "frame-end": -0.5,
+}
+"""From the stamped event to the middle of the exposure, in exposures."""
+
+
+class SettingHistory:
+    """The values of a setting over time; a picture that arrives now may be older than the last
+    change."""
+
+    def __init__(self, value: float) -> None:
+        self._changes: deque[tuple[int, float]] = deque([(0, value)], maxlen=_KEPT)
+
+    def change(self, at_ns: int, value: float) -> None:
+        """Notes a value that holds from a host time on."""
+        self._changes.append((at_ns, value))
+
+    @property
+    def latest(self) -> float:
+        return self._changes[-1][1]
+
+    def value_at(self, time_ns: int) -> float:
+        """The value at a host time; the oldest one known for an earlier time."""
+        changes = tuple(self._changes)
+        held = [value for at_ns, value in changes if at_ns <= time_ns]
+        return held[-1] if held else changes[0][1]
+
+    def values_between(self, start_ns: int, end_ns: int) -> set[float]:
+        """All values that the setting had between two host times."""
+        inside = {value for at_ns, value in tuple(self._changes) if start_ns < at_ns <= end_ns}
+        return inside | {self.value_at(start_ns)}
+
+
+class PictureTimes:
+    """Computes the middle of each exposure from the camera's stamp; the results increase.
+
+    Args:
+        exposures: the exposure in µs over time.
+        stamp_at: what the camera stamps.
+        latency_us: taken off each stamp.
+    """
+
+    def __init__(self, exposures: SettingHistory, stamp_at: StampAt, latency_us: float) -> None:
+        self.stamps: StampKind = "device"
+        """``"arrival"`` as soon as the camera has sent a picture without a stamp."""
+        self.stamp_at = stamp_at
+        self._exposures = exposures
+        self._latency_us = latency_us
+        self._clock = DeviceClock()
+        self._last_ns: int | None = None
+
+    def middle(
+        self, device_ns: int | None, arrival_ns: int, exposure_us: float | None
+    ) -> tuple[int, float]:
+        """Host-monotonic middle of an exposure in ns, and the exposure in µs.
+
+        Args:
+            device_ns: the camera's stamp, if it has one.
+            arrival_ns: host-monotonic arrival of the first packet, which follows the exposure.
+            exposure_us: as the camera states it with the picture, if it does.
+        """
+        if device_ns is None:
+            self.stamps, self.stamp_at = "arrival", "frame-end"
+            event_ns = arrival_ns
+        else:
+            shortest_us = min(self._exposures.values_between(arrival_ns - _RECENT_NS, arrival_ns))
+            after_event_us = (0.5 + _TO_MIDDLE[self.stamp_at]) * (exposure_us or shortest_us)
+            self._clock.observe(device_ns, arrival_ns - round(after_event_us * 1000))
+            event_ns = self._clock.stamp(device_ns)
+        to_middle = _TO_MIDDLE[self.stamp_at]
+        if exposure_us is None:
+            before_event_us = (0.5 - to_middle) * self._exposures.latest
+            exposure_us = self._exposures.value_at(event_ns - round(before_event_us * 1000))
+        middle_ns = event_ns + round((to_middle * exposure_us - self._latency_us) * 1000)
+        if self._last_ns is not None:
+            middle_ns = max(middle_ns, self._last_ns + 1)
+        self._last_ns = middle_ns
+        return middle_ns, exposure_us

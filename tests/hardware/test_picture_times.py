@@ -1,0 +1,112 @@
+"""Times of pictures: the camera's stamps, and settings that change while pictures arrive late."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
+from hardware.sensor.image_source import StampAt
+
+PERIOD_NS = 20_000_000
+DELAY_NS = 300_000
+
+
+def test_a_picture_before_the_change_has_the_old_value() -> None:
+    history = SettingHistory(1000.0)
+    history.change(50, 2000.0)
+    history.change(90, 3000.0)
+    assert [history.value_at(time) for time in (-5, 49, 50, 89, 90, 500)] == [
+        1000.0,
+        1000.0,
+        2000.0,
+        2000.0,
+        3000.0,
+        3000.0,
+    ]
+    assert history.latest == 3000.0
+
+
+def test_between_two_times_all_values_count() -> None:
+    history = SettingHistory(False)
+    history.change(10, True)
+    history.change(20, False)
+    assert history.values_between(11, 19) == {True}
+    assert history.values_between(9, 12) == {False, True}
+    assert history.values_between(15, 25) == {False, True}
+    assert history.values_between(20, 30) == {False}
+
+
+@given(st.lists(st.integers(1, 1000), min_size=20, max_size=60))
+def test_the_latest_changes_are_kept(steps: list[int]) -> None:
+    history, time = SettingHistory(0.0), 0
+    for number, step in enumerate(steps, 1):
+        time += step
+        history.change(time, float(number))
+    assert history.value_at(time) == len(steps)
+    assert history.value_at(time - 1) == len(steps) - 1
+    assert history.value_at(0) > 0
+
+
+def show(
+    times: PictureTimes, exposures: SettingHistory, begun_ns: int, stamp_at: StampAt, jitter_ns: int
+) -> tuple[int, float]:
+    """One picture of a camera whose clock is a day behind; its middle and exposure as computed."""
+    exposure_ns = round(1000 * exposures.value_at(begun_ns))
+    after_begin = {"exposure-start": 0, "mid-exposure": exposure_ns // 2}.get(stamp_at, exposure_ns)
+    arrival_ns = begun_ns + exposure_ns + DELAY_NS + jitter_ns
+    return times.middle(begun_ns + after_begin - 86_400_000_000_000, arrival_ns, None)
+
+
+@pytest.mark.parametrize("stamp_at", ["exposure-start", "mid-exposure", "exposure-end"])
+def test_the_middle_is_that_of_the_exposure_whatever_is_stamped(stamp_at: StampAt) -> None:
+    rng = np.random.default_rng(3)
+    exposures = SettingHistory(2000.0)
+    times = PictureTimes(exposures, stamp_at, DELAY_NS / 1000)
+    middles = [
+        show(
+            times, exposures, 10**12 + index * PERIOD_NS, stamp_at, int(rng.integers(0, 3_000_000))
+        )
+        for index in range(100)
+    ]
+    late_ns = [
+        middle - (10**12 + index * PERIOD_NS + 1_000_000)
+        for index, (middle, _) in enumerate(middles)
+    ]
+    # the first arrivals may all be late; then the earliest ones count
+    assert max(np.abs(late_ns[50:])) < 200_000
+    assert {exposure_us for _, exposure_us in middles} == {2000.0}
+    assert times.stamps == "device"
+
+
+@pytest.mark.parametrize("stamp_at", ["exposure-start", "mid-exposure", "exposure-end"])
+def test_a_changed_exposure_holds_for_pictures_that_began_after_it(stamp_at: StampAt) -> None:
+    exposures = SettingHistory(2000.0)
+    times = PictureTimes(exposures, stamp_at, DELAY_NS / 1000)
+    found = []
+    for index in range(100):
+        begun_ns = 10**12 + index * PERIOD_NS
+        found.append((show(times, exposures, begun_ns, stamp_at, 0), begun_ns))
+        if index == 49:
+            exposures.change(begun_ns + 10_000_000, 8000.0)
+    assert [exposure for (_, exposure), _ in found] == 50 * [2000.0] + 50 * [8000.0]
+    for (middle_ns, exposure_us), begun_ns in found:
+        assert middle_ns == pytest.approx(begun_ns + 500 * exposure_us, abs=100_000)
+
+
+def test_the_exposure_that_comes_with_the_picture_counts() -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    assert times.middle(10**9, 10**12, 5000.0) == (10**12 - 2_500_000, 5000.0)
+
+
+def test_without_stamps_the_arrival_is_the_end_of_the_exposure() -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 100.0)
+    assert times.middle(None, 10**12, None) == (10**12 - 1_100_000, 2000.0)
+    assert (times.stamps, times.stamp_at) == ("arrival", "frame-end")
+
+
+def test_middles_increase_whatever_arrives() -> None:
+    times = PictureTimes(SettingHistory(2000.0), "exposure-start", 0.0)
+    arrivals = [10**12, 10**12, 10**12 - 5_000_000, 10**12 + 1]
+    middles = [times.middle(None, arrival, None)[0] for arrival in arrivals]
+    assert np.all(np.diff(middles) > 0)
