@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from app.messages.message import join
+from hardware.device_files import permission_error
 from hardware.discovery import Finding, FoundDevice
 from hardware.errors import DeviceError
-from hardware.device_files import permission_error
 from hardware.sensor.genicam.aravis import load_aravis
 from hardware.sensor.genicam.camera import GIGE_VISION, USB3_VISION, ListedCamera, list_cameras
 
