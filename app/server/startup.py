@@ -72,10 +72,13 @@ class Plan:
 def serve(config: Path | None, data: Path | None, host: str, port: int, open_browser: bool) -> None:
     """Runs the station with the devices in ``station.toml`` until it is ended.
 
+    Without a ``station.toml`` in the working folder, it is a station without devices: they are
+    chosen on the Devices page.
+
     Raises:
         OperationError: settings, driver, data folder or port are unusable.
     """
-    settings = read_settings(config)
+    settings = _read_or_begin(config)
     _check_drivers(settings, config)
     listening = listen(host, port, 1)
     plan = Plan(
@@ -87,6 +90,18 @@ def serve(config: Path | None, data: Path | None, host: str, port: int, open_bro
     )
     print("Starting the station.", flush=True)
     run(plan, listening, open_browser)
+
+
+def _read_or_begin(config: Path | None) -> Settings:
+    """The settings; without a file and a name for it, those of a new station without devices."""
+    if config is None and not Path(DEFAULT_FILE).exists():
+        print(
+            f"There is no {DEFAULT_FILE} here: choose the devices on the Devices page, which "
+            "writes it.",
+            flush=True,
+        )
+        return Settings()
+    return read_settings(config)
 
 
 def _check_drivers(settings: Settings, config: Path | None) -> None:

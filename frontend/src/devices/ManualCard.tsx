@@ -9,7 +9,7 @@ import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
-import { driverTitle, manualTitle } from "./names";
+import { driversOf, driverTitle, manualTitle } from "./names";
 import { OptionFields } from "./OptionFields";
 import { formOf } from "./TrialCard";
 
@@ -25,7 +25,7 @@ interface ManualCardProps {
 export function ManualCard({ view, choice, onChoice, onTry, onBack }: ManualCardProps) {
   const id = useId();
   const form = formOf(view, choice);
-  const drivers = view.drivers.filter((one) => one.kind === choice.kind && !one.alias);
+  const drivers = driversOf(view, choice.kind);
   const missing = (form?.fields ?? []).some((one) => one.required && !String(choice.options[one.key] ?? "").trim());
   return (
     <>

@@ -1,14 +1,19 @@
 import type { DeviceKind } from "../api/deviceCommands";
-import type { OptionField } from "../api/wire";
+import type { DevicesView, DriverForm, OptionField } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { t } from "../state/language";
 
+/** In the order in which they are offered; drivers of other packages follow. */
 const DRIVERS: Record<string, PlainId> = {
   bridge: "ui-driver-bridge",
   "serial-encoder": "ui-driver-bridge",
+  microscribe: "ui-driver-microscribe",
   "ur-rtde": "ui-driver-ur-rtde",
-  genicam: "ui-driver-genicam",
+  fanuc: "ui-driver-fanuc",
+  "kuka-rsi": "ui-driver-kuka-rsi",
+  "abb-egm": "ui-driver-abb-egm",
   opencv: "ui-driver-opencv",
+  genicam: "ui-driver-genicam",
   folder: "ui-driver-folder",
 };
 
@@ -40,6 +45,13 @@ const OPTIONS: Record<string, PlainId> = {
 export function driverTitle(name: string): string {
   const id = DRIVERS[name];
   return id ? t(id) : name;
+}
+
+/** The drivers for a kind of device, each once, in the order in which they are offered. */
+export function driversOf(view: DevicesView, kind: DeviceKind): DriverForm[] {
+  const known = Object.keys(DRIVERS);
+  const place = ({ name }: DriverForm) => (known.includes(name) ? known.indexOf(name) : known.length);
+  return view.drivers.filter((one) => one.kind === kind && !one.alias).sort((a, b) => place(a) - place(b));
 }
 
 /** The label of an option; one that is not known has the name of its key, without the unit. */

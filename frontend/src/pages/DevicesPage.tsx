@@ -5,7 +5,7 @@ import type { FoundView, TrialView } from "../api/wire";
 import { DeviceList } from "../devices/DeviceList";
 import { DevicesCard } from "../devices/DevicesCard";
 import { ManualCard } from "../devices/ManualCard";
-import { manualTitle } from "../devices/names";
+import { driversOf, manualTitle } from "../devices/names";
 import { TrialCard } from "../devices/TrialCard";
 import { TrialPicture } from "../devices/TrialPicture";
 import { useDevices, useTrial } from "../devices/useDevices";
@@ -39,7 +39,7 @@ export function DevicesPage() {
     await attempt({ kind, driver, options });
   };
   const enter = (kind: DeviceKind) => {
-    const driver = view?.drivers.find((one) => one.kind === kind && !one.alias)?.name ?? "";
+    const driver = (view && driversOf(view, kind)[0]?.name) ?? "";
     setTitle("");
     setLabel("");
     setSaved(null);
