@@ -84,7 +84,7 @@ class DevicesView:
 
 def choice_of(table: DeviceTable | None) -> DeviceChoice | None:
     """The choice that a table of ``station.toml`` makes."""
-    return None if table is None else DeviceChoice(table.driver, table.options)
+    return None if table is None else DeviceChoice(table.driver, table.options, table.label)
 
 
 class DeviceSetup:
@@ -106,6 +106,8 @@ class DeviceSetup:
         self._bus, self._rig, self._busy, self._note = bus, rig, busy, note
         self._file, self._simulation = devices.file, devices.simulation
         self._tables = dict(devices.tables)
+        for kind, table in self._tables.items():
+            (rig.arm if kind == "arm" else rig.sensor).label = table.label
         self._changing = threading.Lock()
         self.search = DeviceSearch()
         self.trials = DeviceTrials(rig)

@@ -133,6 +133,7 @@ def test_a_chosen_camera_is_used_at_once_and_after_a_restart(
             lambda one: one["state"]["state"] == "connected" and one["state"]["rate_hz"],
         )
         assert (state["driver"], state["label"]) == ("folder", "Left camera")
+        assert "Left camera · pictures" in str(server.context.rig.sensor.link().text)
         assert state["options"] == {"path": str(pictures), "rate_hz": 50, "exposure_us": 500}
         assert not state["simulated"]
         assert not server.context.station.has_simulation

@@ -10,6 +10,7 @@ import ssl
 import subprocess
 import sys
 import time
+import tomllib
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
@@ -43,10 +44,14 @@ def demo(data: Path, port: int = 0) -> AbstractContextManager[Running]:
 
 
 @contextmanager
-def running(*arguments: str) -> Iterator[Running]:
+def running(*arguments: str, folder: Path = ROOT) -> Iterator[Running]:
     """A server's process and its address; killed at the end if it still runs."""
     with subprocess.Popen(
-        command(*arguments), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        command(*arguments),
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
     ) as process:
         try:
             assert process.stdout is not None
@@ -165,6 +170,29 @@ def test_a_station_on_real_drivers(tmp_path: Path) -> None:
             assert http.post("/api/laser/off").status_code == 200
             process.send_signal(signal.SIGTERM)
             process.wait(15.0)
+
+
+def test_a_new_station_gets_its_devices_in_the_browser(tmp_path: Path) -> None:
+    write_png(tmp_path / "picture.png", np.full((240, 320), 90, np.uint8))
+    asked = running("serve", "--data", str(tmp_path / "data"), "--port", "0", folder=tmp_path)
+    with asked as (process, address), httpx.Client(base_url=address) as http:
+        make_admin(process, http)
+        shown = http.get("/api/devices").json()
+        assert [one["driver"] for one in shown["devices"]] == ["", ""]
+        assert "Choose one" in english(shown["devices"][1]["state"]["text"])
+        options = {"path": str(tmp_path)}
+        chosen = {"kind": "sensor", "driver": "folder", "options": options}
+        http.post("/api/devices", json=chosen).raise_for_status()
+        deadline = time.monotonic() + START_S
+        while (state := http.get("/api/devices").json()["devices"][1]["state"]["state"]) != (
+            "connected"
+        ):
+            assert time.monotonic() < deadline, state
+            time.sleep(0.1)
+        process.send_signal(signal.SIGTERM)
+        process.wait(15.0)
+    tables = tomllib.loads((tmp_path / "station.toml").read_text())
+    assert tables == {"sensor": {"driver": "folder", "path": str(tmp_path)}}
 
 
 def test_a_station_over_tls(tmp_path: Path) -> None:

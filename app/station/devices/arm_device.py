@@ -41,6 +41,8 @@ class StationArm:
         self, bus: Bus, make: Callable[[], ArmDriver], pairing: PulsePairing | None = None
     ) -> None:
         """``pairing``: receives the samples that were latched at trigger pulses."""
+        self.label = ""
+        """What people call it."""
         self._bus = bus
         self._pairing = pairing
         self._chosen: AnyArm | None = None
@@ -94,7 +96,7 @@ class StationArm:
     def link(self) -> DeviceState:
         """State of the arm; an arm with impossible readings counts as lost, with the reason."""
         link, doubt = self.reader.link(), self.doubt()
-        state = device_state(message("arm-4"), link, self.info)
+        state = device_state(message("arm-4"), link, self.info, self.label)
         if doubt is None or state.state != "connected":
             return state
         return replace(state, state="lost", text=doubt.text)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from app.messages.message import Text, message
+from app.messages.message import Text, join, message
 from app.station.devices.device_thread import Link, LinkState
 from hardware.interfaces import ArmInfo, SensorInfo, StampKind
 
@@ -28,8 +28,14 @@ class DeviceState:
     """Where the time stamps come from; None while it is not connected."""
 
 
-def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> DeviceState:
-    """The state of a link; for a connected device, with its name and serial number."""
+def device_state(
+    title: Text, link: Link, info: ArmInfo | SensorInfo | None, label: str = ""
+) -> DeviceState:
+    """The state of a link; for a connected device, with its name and serial number.
+
+    Args:
+        label: what people call the device; empty if they call it nothing else.
+    """
     text: Text = link.text
     if info is not None and link.state is LinkState.CONNECTED:
         text = info.name
@@ -37,6 +43,7 @@ def device_state(title: Text, link: Link, info: ArmInfo | SensorInfo | None) -> 
             text = message(
                 "name-and-serial-number", name=info.name, serial_number=info.serial_number
             )
+        text = join([label, text], " · ") if label else text
     return DeviceState(
         title,
         link.state.value,

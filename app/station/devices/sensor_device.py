@@ -29,6 +29,8 @@ class StationSensor:
         self, bus: Bus, make: Callable[[], SensorDriver], pairing: PulsePairing | None = None
     ) -> None:
         """``pairing``: gives frames the times of their trigger pulses."""
+        self.label = ""
+        """What people call it."""
         self._bus = bus
         self._pairing = pairing
         self._unpaired = 0
@@ -74,7 +76,7 @@ class StationSensor:
         return self._unpaired
 
     def link(self) -> DeviceState:
-        return device_state(message("sensor-2"), self.reader.link(), self.info)
+        return device_state(message("sensor-2"), self.reader.link(), self.info, self.label)
 
     @property
     def laser_on(self) -> bool:

@@ -126,6 +126,8 @@ class DeviceChoice:
 
     driver: str
     options: Options
+    label: str = ""
+    """What people call the device."""
 
 
 def choose_arm(
@@ -150,6 +152,8 @@ def use_choice(
     rig: Rig, kind: DeviceName, choice: DeviceChoice | None, simulation: SimulatedDevices | None
 ) -> None:
     """Changes a device of the station to the choice, without a restart."""
+    side = rig.arm if kind == "arm" else rig.sensor
+    side.label = "" if choice is None else choice.label
     if kind == "arm":
         rig.use_arm(choose_arm(choice, simulation), real=choice is not None)
     else:
