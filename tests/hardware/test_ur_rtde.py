@@ -164,8 +164,8 @@ def test_a_changed_tool_is_an_error_and_opening_takes_the_new_one(
         (16, np.inf, "no numbers"),
         (40, np.nan, "no numbers"),
         (4, np.nan, "no numbers"),
-        (4, 1e7, "clock of the robot"),
-        (4, 1.0, "clock of the robot"),
+        (4, 1e7, "clock of the arm"),
+        (4, 1.0, "clock of the arm"),
     ],
 )
 def test_what_cannot_be_true_is_an_error(

@@ -70,7 +70,7 @@ class AbbEgmOptions(RobotOptions):
 def from_options(options: Mapping[str, object]) -> StreamingArm:
     """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
     checked = read_options(AbbEgmOptions, options, "arm")
-    return StreamingArm(checked, lambda: EgmStream(checked))
+    return StreamingArm(checked, checked.address, lambda: EgmStream(checked))
 
 
 class EgmStream:

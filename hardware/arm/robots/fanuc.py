@@ -64,7 +64,7 @@ class FanucOptions(RobotOptions):
 def from_options(options: Mapping[str, object]) -> StreamingArm:
     """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
     checked = read_options(FanucOptions, options, "arm")
-    return StreamingArm(checked, lambda: StreamMotion(checked))
+    return StreamingArm(checked, checked.address, lambda: StreamMotion(checked))
 
 
 class StreamMotion:

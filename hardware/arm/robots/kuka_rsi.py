@@ -68,7 +68,7 @@ class KukaRsiOptions(RobotOptions):
 def from_options(options: Mapping[str, object]) -> StreamingArm:
     """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
     checked = read_options(KukaRsiOptions, options, "arm")
-    return StreamingArm(checked, lambda: RsiStream(checked))
+    return StreamingArm(checked, checked.address, lambda: RsiStream(checked))
 
 
 class RsiStream:

@@ -18,7 +18,16 @@ from app.messages.message import Text, message, rounded
 from hardware.clock import now_ns
 from hardware.device_clock import DeviceClock
 from hardware.errors import DeviceError
-from hardware.interfaces import ArmInfo, ArmReading, ArmRecord, JointSample, LinkHealth, PoseSample
+from hardware.interfaces import (
+    ArmInfo,
+    ArmReading,
+    ArmRecord,
+    Button,
+    ButtonEvent,
+    JointSample,
+    LinkHealth,
+    PoseSample,
+)
 from hardware.options import Options
 
 _SETTLE_S = 0.25
@@ -32,12 +41,17 @@ _JUMP_NS = 3_000_000_000
 _UNIT_TOLERANCE = 1e-3
 
 
-class RobotOptions(Options):
-    """Options that every streaming controller has."""
+class StreamOptions(Options):
+    """Options of every arm that streams."""
 
-    address: str = Field(min_length=1)
     latency_us: float = Field(default=0.0, ge=0, le=100_000)
     timeout_s: float = Field(default=3.0, gt=0, le=60)
+
+
+class RobotOptions(StreamOptions):
+    """Options of every controller in a network."""
+
+    address: str = Field(min_length=1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +65,8 @@ class RobotReading:
     joints_rad: tuple[float, ...] = ()
     position_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
     quaternion_xyzw: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    pressed: frozenset[Button] = frozenset()
+    """The buttons that are down."""
 
 
 class ControllerStream(Protocol):
@@ -73,12 +89,15 @@ class StreamingArm:
     """A robot or another device that streams. Implements ``ArmDriver``; commands nothing.
 
     Args:
-        options: address and times.
+        options: times.
+        address: of the device, for messages.
         make: returns a stream for one connection, which has not touched the controller yet.
     """
 
-    def __init__(self, options: RobotOptions, make: Callable[[], ControllerStream]) -> None:
-        self._options, self._make = options, make
+    def __init__(
+        self, options: StreamOptions, address: str, make: Callable[[], ControllerStream]
+    ) -> None:
+        self._options, self._address, self._make = options, address, make
         self._state = threading.Lock()
         self._closings = 0
         self._stream: ControllerStream | None = None
@@ -103,7 +122,7 @@ class StreamingArm:
         self._health = LinkHealth()
         try:
             info = stream.start(self._options.timeout_s, self._health)
-            self._judge = _ReadingJudge(self._options, info, self._health)
+            self._judge = _ReadingJudge(self._options, self._address, info, self._health)
             self._settle(stream)
         except DeviceError:
             self._drop(stream)
@@ -113,14 +132,14 @@ class StreamingArm:
                 self._info = info
         if self._info is None:
             self._drop(stream)
-            raise DeviceError(message("arm-closed-while-opening", url=self._options.address))
+            raise DeviceError(message("arm-closed-while-opening", url=self._address))
         return info
 
     def read(self, timeout_s: float) -> Sequence[ArmRecord]:
         """Samples or poses since the last call."""
         stream = self._stream
         if stream is None or self._info is None:
-            raise DeviceError(message("arm-not-open", url=self._options.address))
+            raise DeviceError(message("arm-not-open", url=self._address))
         deadline = time.monotonic() + timeout_s
         try:
             while True:
@@ -154,46 +173,63 @@ class StreamingArm:
 
     def _take(
         self, stream: ControllerStream, timeout_s: float, silence_s: float
-    ) -> list[ArmReading]:
-        """Readings that arrived, checked; raises ``DeviceError`` after ``silence_s`` without."""
+    ) -> list[ArmRecord]:
+        """Records of what arrived, checked; raises ``DeviceError`` after ``silence_s`` without."""
         wait_s = max(0.0, min(timeout_s, self._heard_s + silence_s - time.monotonic()))
         arrived = stream.receive(wait_s)
-        readings = self._judge.accept(arrived, now_ns())
-        if readings:
+        records = self._judge.accept(arrived, now_ns())
+        if records:
             self._heard_s = time.monotonic()
         elif time.monotonic() - self._heard_s >= silence_s:
             raise DeviceError(
                 message(
                     "robot-sends-nothing",
-                    address=self._options.address,
+                    address=self._address,
                     time=rounded(silence_s, "s"),
                 ),
                 stream.silence_remedy,
             )
-        return readings
+        return records
 
 
 class _ReadingJudge:
     """Checks the readings of one connection, and puts them on the host's clock."""
 
-    def __init__(self, options: RobotOptions, info: ArmInfo, health: LinkHealth) -> None:
-        self._address = options.address
+    def __init__(
+        self, options: StreamOptions, address: str, info: ArmInfo, health: LinkHealth
+    ) -> None:
+        self._address = address
         self._latency_ns = round(options.latency_us * 1000)
         self._info, self._health = info, health
         self._clock = DeviceClock()
         self._last: RobotReading | None = None
         self._last_arrival_ns = 0
         self._sequence = 0
+        self._pressed: frozenset[Button] | None = None
 
-    def accept(self, readings: Sequence[RobotReading], arrival_ns: int) -> list[ArmReading]:
-        """Samples of the host's interface; raises ``DeviceError`` for what cannot be true."""
+    def accept(self, readings: Sequence[RobotReading], arrival_ns: int) -> list[ArmRecord]:
+        """Samples or poses, each before the edges of its buttons; raises ``DeviceError`` for what
+        cannot be true."""
         for reading in readings:
             self._require_numbers(reading)
         fresh: list[tuple[int, RobotReading]] = []
         for reading in readings:
             if self._advance(reading, arrival_ns):
                 fresh.append((self._sequence, reading))
-        return [self._convert(sequence, reading) for sequence, reading in fresh]
+        records: list[ArmRecord] = []
+        for sequence, reading in fresh:
+            sample = self._convert(sequence, reading)
+            records.append(sample)
+            records += self._edges(sample, reading.pressed)
+        return records
+
+    def _edges(self, sample: ArmReading, pressed: frozenset[Button]) -> list[ButtonEvent]:
+        before, self._pressed = self._pressed, pressed
+        changed = pressed ^ before if before is not None else frozenset()
+        return [
+            ButtonEvent(sample.sequence, sample.stamp_ns, button, button in pressed)
+            for button in sorted(changed)
+        ]
 
     def _advance(self, reading: RobotReading, arrival_ns: int) -> bool:
         """Counts a reading and notes its time; False for a repeated or overtaken one."""

@@ -67,7 +67,7 @@ class UrRtdeOptions(RobotOptions):
 def from_options(options: Mapping[str, object]) -> StreamingArm:
     """The driver for an ``[arm]`` table of station.toml; raises ``DeviceError``."""
     checked = read_options(UrRtdeOptions, options, "arm")
-    return StreamingArm(checked, lambda: RtdeStream(checked))
+    return StreamingArm(checked, checked.address, lambda: RtdeStream(checked))
 
 
 class RtdeStream:

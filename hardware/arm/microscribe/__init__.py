@@ -1,0 +1,1 @@
+"""MicroScribe arms, read by the serial protocol of their Immersion HCI."""
