@@ -1,0 +1,99 @@
+"""Contact tests of articulated arms after ASME B89.4.22: diameter, articulation, volume."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.errors import OperationError
+from app.messages.message import message
+from app.metrology.performance.sphere import least_squares_sphere
+from app.metrology.transforms import Floats
+
+SPHERES, SPHERE_POINTS = 3, 9
+SEATS, SEAT_POINTS = 3, 10
+PLACEMENTS = 20
+
+
+@dataclass(frozen=True)
+class EffectiveDiameter:
+    """A master sphere measured three times near the middle of the reach."""
+
+    mean_error_um: float
+    """Mean diameter minus the calibrated one."""
+    standard_deviation_um: float
+
+
+@dataclass(frozen=True)
+class SeatArticulation:
+    """The tip in one seat, with the arm articulated about it."""
+
+    centre_mm: Floats  # (3,)
+    largest_um: float
+    """Largest distance of a point from the mean."""
+    two_s_um: float
+    """Twice the standard deviation of the distances: ``2 sqrt(sum(d²) / (n - 1))``."""
+
+
+@dataclass(frozen=True)
+class VolumetricLength:
+    """Deviations of a ball bar's length over its placements."""
+
+    deviations_um: tuple[float, ...]
+    largest_um: float
+    """In absolute value."""
+    two_rms_um: float
+
+
+def effective_diameter(
+    spheres_mm: Sequence[Floats], tip_diameter_mm: float, calibrated_mm: float
+) -> EffectiveDiameter:
+    """The effective diameter test.
+
+    Args:
+        spheres_mm: tip centres (N, 3) of each measurement of the master sphere.
+        tip_diameter_mm, calibrated_mm: of the tip and of the sphere.
+
+    Source:
+        ASME B89.4.22-2004: three measurements near the middle of the arm's extension.
+    """
+    errors_um = [
+        1e3 * (least_squares_sphere(points).diameter_mm - tip_diameter_mm - calibrated_mm)
+        for points in spheres_mm
+    ]
+    sd = float(np.std(errors_um, ddof=1)) if len(errors_um) > 1 else 0.0
+    return EffectiveDiameter(float(np.mean(errors_um)), sd)
+
+
+def seat_articulation(tips_mm: Floats) -> SeatArticulation:
+    """Single-point articulation in one seat, in three dimensions.
+
+    Args:
+        tips_mm: (N, 3) tip centres, N >= 2.
+
+    Source:
+        ASME B89.4.22-2004, single-point articulation performance test.
+    """
+    if len(tips_mm) < 2:
+        raise OperationError("too-few-points", message("seat-needs-two-points"))
+    centre = tips_mm.mean(axis=0)
+    away = np.linalg.norm(tips_mm - centre, axis=1)
+    two_s = 2 * float(np.sqrt(np.sum(away**2) / (len(tips_mm) - 1)))
+    return SeatArticulation(centre, 1e3 * float(away.max()), 1e3 * two_s)
+
+
+def volumetric_length(deviations_um: Sequence[float]) -> VolumetricLength:
+    """The volumetric performance test.
+
+    Args:
+        deviations_um: measured minus calibrated length of each placement.
+
+    Source:
+        ASME B89.4.22-2004: twenty placements of a ball bar.
+    """
+    values = np.asarray(deviations_um, dtype=np.float64)
+    return VolumetricLength(
+        tuple(values.tolist()),
+        float(np.max(np.abs(values))),
+        2 * float(np.sqrt(np.mean(values**2))),
+    )

@@ -1,0 +1,142 @@
+"""Errors of length: 5 lengths in 7 places, 3 times each."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.metrology.transforms import Floats
+
+LENGTHS, PLACES, REPEATS = 5, 7, 3
+MOST_PLACES_OUTSIDE = 5
+"""So many of the 35 may have one of their three values outside, and are measured again."""
+REFERENCE_C = 20.0
+
+
+@dataclass(frozen=True)
+class CalibratedLength:
+    """A length by its certificate."""
+
+    length_mm: float
+    """At 20 °C."""
+    standard_uncertainty_um: float
+    expansion_per_c: float
+    """Coefficient of thermal expansion."""
+    expansion_sd_per_c: float = 0.0
+
+
+@dataclass(frozen=True)
+class MeasuredLength:
+    """One of the values."""
+
+    place: int
+    repeat: int
+    nominal: CalibratedLength
+    measured_mm: float
+    temperature_c: float | None = None
+    """Of the artefact; None: taken as 20 °C."""
+    temperature_sd_c: float = 0.0
+
+    @property
+    def error_um(self) -> float:
+        """Measured minus calibrated length, with the artefact brought to 20 °C.
+
+        Source:
+            ISO 10360-2 and -12: E = L_measured - L_calibrated, expansion corrected.
+        """
+        off_c = 0.0 if self.temperature_c is None else self.temperature_c - REFERENCE_C
+        at_20_mm = self.measured_mm / (1 + self.nominal.expansion_per_c * off_c)
+        return 1e3 * (at_20_mm - self.nominal.length_mm)
+
+    @property
+    def test_uncertainty_um(self) -> float:
+        """Test value uncertainty, k = 1: of the certificate and the temperature, not the arm's.
+
+        Source:
+            ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)².
+        """
+        nominal = self.nominal
+        off_c = 0.0 if self.temperature_c is None else self.temperature_c - REFERENCE_C
+        length_um = 1e3 * nominal.length_mm
+        return float(
+            np.sqrt(
+                nominal.standard_uncertainty_um**2
+                + (length_um * off_c * nominal.expansion_sd_per_c) ** 2
+                + (length_um * nominal.expansion_per_c * self.temperature_sd_c) ** 2
+            )
+        )
+
+
+@dataclass(frozen=True)
+class LengthSummary:
+    """What the values of a length test say together."""
+
+    worst: MeasuredLength
+    outside: tuple[MeasuredLength, ...]
+    """Values beyond the limit."""
+    to_repeat: tuple[tuple[int, float], ...]
+    """Places and lengths with one of three values outside: measured again, they must be inside."""
+    accepted: bool
+    """Whether the limit is kept, or may still be after the repeats."""
+
+
+def summarise_lengths(
+    values: Sequence[MeasuredLength], limits_um: Sequence[float]
+) -> LengthSummary:
+    """Judges values by their limits.
+
+    Args:
+        values: at least one.
+        limits_um: the maximum permissible error of each.
+
+    Source:
+        ISO 10360-2: of the 35 groups, up to five may have one value outside.
+    """
+    pairs = list(zip(values, limits_um, strict=True))
+    worst = max(pairs, key=lambda pair: abs(pair[0].error_um) / pair[1])[0]
+    outside = tuple(value for value, limit in pairs if abs(value.error_um) > limit)
+    groups: dict[tuple[int, float], int] = {}
+    for value in outside:
+        key = (value.place, value.nominal.length_mm)
+        groups[key] = groups.get(key, 0) + 1
+    single = tuple(sorted(key for key, count in groups.items() if count == 1))
+    accepted = len(single) == len(groups) <= MOST_PLACES_OUTSIDE
+    return LengthSummary(worst, outside, single, accepted)
+
+
+def length_of_bar_mm(first_mm: Floats, second_mm: Floats) -> float:
+    """Distance of the centres (3,) of a ball bar's two spheres."""
+    return float(np.linalg.norm(np.asarray(first_mm) - np.asarray(second_mm)))
+
+
+def propose_places(reach_mm: float, bar_mm: float, height_mm: float = 250.0) -> Floats:
+    """Seven placements (7, 2, 3) mm of a bar's ends within the arm's reach, arm frame.
+
+    Radial, tangential to the left and right, vertical, two inclined by 45°, and the diagonal
+    through the workspace.
+
+    Args:
+        reach_mm: length of the arm stretched out.
+        bar_mm: length of the bar.
+        height_mm: of the table above the arm's base plane.
+    """
+    middle = 0.55 * reach_mm
+    places = []
+    for azimuth_deg, along in (
+        (0.0, (1.0, 0.0, 0.0)),
+        (50.0, (0.0, 1.0, 0.0)),
+        (-50.0, (0.0, 1.0, 0.0)),
+        (20.0, (0.0, 0.0, 1.0)),
+        (35.0, (0.0, 0.7071, 0.7071)),
+        (-35.0, (0.7071, 0.0, 0.7071)),
+        (0.0, (0.5774, 0.5774, 0.5774)),
+    ):
+        turn = np.radians(azimuth_deg)
+        R = np.array(
+            [[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1.0]]
+        )
+        direction = R @ np.array(along)
+        low = 0.5 * bar_mm * abs(direction[2])
+        centre = R @ np.array([middle, 0.0, height_mm + low])
+        places.append([centre - 0.5 * bar_mm * direction, centre + 0.5 * bar_mm * direction])
+    return np.array(places)

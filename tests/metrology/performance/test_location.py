@@ -1,0 +1,68 @@
+"""Location error over articulations, and the error of the probe matrix that it implies."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from app.errors import OperationError
+from app.metrology.performance.location import estimate_offset, location_error_mm
+
+CENTRE = np.array([700.0, 100.0, 200.0])
+
+
+def articulations(tilt_deg: float) -> np.ndarray:
+    """Orientations (5, 3, 3): looking down, and tilted to four sides."""
+    down = Rotation.from_euler("x", 180, degrees=True)
+    tilts = [("y", 0.0), ("y", tilt_deg), ("y", -tilt_deg), ("x", tilt_deg), ("x", -tilt_deg)]
+    turns = [Rotation.from_euler(axis, tilt, degrees=True) for axis, tilt in tilts]
+    return np.array([(turn * down).as_matrix() for turn in turns])
+
+
+def centres(R: np.ndarray, offset_mm: np.ndarray, noise_mm: float, seed: int = 0) -> np.ndarray:
+    """Where a sphere seems to be if the matrix is wrong: the true sensor is ``offset`` away."""
+    noise = noise_mm * np.random.default_rng(seed).normal(size=(len(R), 3))
+    return np.asarray(CENTRE - R @ offset_mm + noise)
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+@pytest.mark.parametrize(("tilt_deg", "least", "most"), [(90, 1.41, 2.0), (45, 1.0, 1.42)])
+def test_an_offset_shows_in_the_location_error(
+    axis: int, tilt_deg: float, least: float, most: float
+) -> None:
+    """50 µm show as 2.0 or 1.41 times as much at 90°, depending on the direction."""
+    offset = 0.05 * np.eye(3)[axis]
+    found = location_error_mm(centres(articulations(tilt_deg), offset, 0.0))
+    assert least * 0.05 - 1e-6 <= found <= most * 0.05 + 1e-6
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_the_offset_is_found_with_its_direction(axis: int) -> None:
+    R, offset = articulations(60), 0.05 * np.eye(3)[axis]
+    found = estimate_offset(centres(R, offset, 0.003), R)
+    np.testing.assert_allclose(found.offset_mm, offset, atol=0.012)
+    assert found.is_significant
+    assert found.left_mm < 0.02
+
+
+def test_noise_alone_implies_nothing() -> None:
+    R = articulations(60)
+    claimed = [
+        estimate_offset(centres(R, np.zeros(3), 0.005, seed), R).is_significant
+        for seed in range(200)
+    ]
+    assert sum(claimed) < 20
+
+
+def test_the_stated_scatter_of_the_offset_is_true() -> None:
+    R = articulations(60)
+    found = [estimate_offset(centres(R, np.zeros(3), 0.005, seed), R) for seed in range(500)]
+    observed = np.array([one.offset_mm for one in found]).std(axis=0)
+    stated = np.sqrt(np.mean([np.diag(one.covariance) for one in found], axis=0))
+    np.testing.assert_allclose(stated / observed, 1.0, atol=0.1)
+
+
+def test_articulations_from_one_side_tell_nothing() -> None:
+    R = np.repeat(articulations(0)[:1], 5, axis=0)
+    with pytest.raises(OperationError) as caught:
+        estimate_offset(centres(R, np.zeros(3), 0.005), R)
+    assert caught.value.code == "articulations-alike"
