@@ -29,6 +29,7 @@ BUILT_IN = {
         "fanuc": "hardware.arm.robots.fanuc:from_options",
         "kuka-rsi": "hardware.arm.robots.kuka_rsi:from_options",
         "microscribe": "hardware.arm.microscribe.microscribe:from_options",
+        "ros2": "hardware.arm.robots.ros2:from_options",
         "serial-encoder": "hardware.arm.serial_encoder:from_options",
         "ur-rtde": "hardware.arm.universal_robots.ur_rtde:from_options",
     },

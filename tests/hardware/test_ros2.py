@@ -1,0 +1,153 @@
+"""The driver for ROS 2 against a node of ROS 2 in a process of its own.
+
+It needs ``rclpy``, from an installation of ROS 2 or the wheels ``ros-kilted-rclpy[fastrtps]``,
+``ros-kilted-sensor-msgs`` and ``ros-kilted-geometry-msgs``, in an environment of its own.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from hardware.errors import DeviceError
+from hardware.interfaces import ArmDriver, PoseSample
+from hardware.registry import arm_driver
+from tests.hardware.conformance import (
+    ArmBench,
+    ArmConformance,
+    read_until,
+    read_until_lost,
+    select_readings,
+)
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.filterwarnings("ignore:module 'sre_:DeprecationWarning"),  # of rclpy's parser
+]
+
+PUBLISHER = Path(__file__).parent / "ros2_publisher.py"
+NAMES = ["joint_a", "joint_b", "joint_c", "joint_d", "joint_e", "joint_f"]
+OPTIONS: dict[str, dict[str, object]] = {
+    "joints": {"topic": "/bench/joints", "kind": "joints", "joint_names": NAMES},
+    "pose": {"topic": "/bench/pose", "kind": "pose"},
+}
+
+
+def test_without_ros_the_remedy_is_its_setup_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "rclpy", None)
+    with pytest.raises(DeviceError) as caught:
+        arm_driver("ros2", OPTIONS["pose"]).open()
+    assert "ROS 2 is not installed here" in str(caught.value.what)
+    assert "setup.bash" in str(caught.value.remedy)
+
+
+def test_joints_need_names() -> None:
+    with pytest.raises(DeviceError, match="'joint_names' is missing"):
+        arm_driver("ros2", {"topic": "/joint_states", "kind": "joints"})
+    with pytest.raises(DeviceError, match="kind = 'tf' cannot be used"):
+        arm_driver("ros2", {"topic": "/tf", "kind": "tf"})
+
+
+class Ros2Bench(ArmBench):
+    counts_losses = False
+
+    def __init__(self, kind: str) -> None:
+        self.kind = kind
+        self._process: subprocess.Popen[str] | None = None
+        self.plug_in()
+
+    def driver(self) -> ArmDriver:
+        return arm_driver("ros2", OPTIONS[self.kind])
+
+    def contacts(self) -> None:
+        return None
+
+    def plug_in(self) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, str(PUBLISHER)], stdin=subprocess.PIPE, text=True
+        )
+
+    def unplug(self) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.communicate()
+            self._process = None
+
+    def command(self, word: str) -> None:
+        assert self._process is not None
+        assert self._process.stdin is not None
+        self._process.stdin.write(f"{word}\n")
+        self._process.stdin.flush()
+
+    def silence(self, silent: bool) -> None:
+        self.command("silent" if silent else "loud")
+
+
+@pytest.fixture(params=["joints", "pose"])
+def bench(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Ros2Bench]:
+    pytest.importorskip("rclpy")
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(100 + os.getpid() % 100))
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    bench = Ros2Bench(request.param)
+    yield bench
+    bench.unplug()
+
+
+class TestRos2(ArmConformance):
+    pass
+
+
+def test_readings_are_as_published(bench: Ros2Bench) -> None:
+    driver = bench.driver()
+    info = driver.open()
+    assert info.rate_hz == pytest.approx(250, rel=0.2)
+    reading = select_readings(read_until(driver, select_readings))[0]
+    if isinstance(reading, PoseSample):
+        assert reading.position_mm == pytest.approx((500.0, -250.0, 125.0))
+        assert reading.quaternion_xyzw == pytest.approx((0.6, 0.0, 0.0, 0.8))
+    else:
+        assert reading.joints_rad == pytest.approx((0.1, 0.0, 0.2, 0.4, 0.3, 0.5))
+    driver.close()
+
+
+@pytest.mark.parametrize("word", ["nan", "unstamped", "moved", "short", "earlier"])
+def test_what_cannot_be_used_is_an_error(bench: Ros2Bench, word: str) -> None:
+    of_one_kind = {"moved": "pose", "short": "joints"}
+    if of_one_kind.get(word, bench.kind) != bench.kind:
+        pytest.skip("the other kind of message")
+    driver = bench.driver()
+    driver.open()
+    bench.command(word)
+    error = read_until_lost(lambda: driver.read(0.1))
+    assert {
+        "nan": "no numbers",
+        "unstamped": "no time stamps",
+        "moved": "in the frame elsewhere instead of base",
+        "short": "no joint joint_b",
+        "earlier": "has jumped",
+    }[word] in str(error.what)
+
+
+def test_stamps_of_arrival_need_no_time_in_the_message(bench: Ros2Bench) -> None:
+    driver = arm_driver("ros2", {**OPTIONS[bench.kind], "stamps": "arrival"})
+    assert driver.open().stamps == "arrival"
+    bench.command("unstamped")
+    before = time.monotonic_ns()
+    read_until(
+        driver, lambda got: any(r.stamp_ns > before + 200_000_000 for r in select_readings(got))
+    )
+    driver.close()
+
+
+def test_a_wrong_topic_lists_those_that_are_there(bench: Ros2Bench) -> None:
+    wrong = {**OPTIONS[bench.kind], "topic": "/bench/nothing", "timeout_s": 5.0}
+    with pytest.raises(DeviceError) as caught:
+        arm_driver("ros2", wrong).open()
+    assert "Nothing is published on /bench/nothing" in str(caught.value.what)
+    assert str(OPTIONS[bench.kind]["topic"]) in str(caught.value.remedy)
+    with pytest.raises(DeviceError, match="refuses the subscription"):
+        arm_driver("ros2", {**wrong, "topic": "no topic!"}).open()
