@@ -1,9 +1,9 @@
 """From the demonstration's first page to a camera of one's own, in a real browser."""
 
 import os
-import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 import cv2
@@ -15,6 +15,7 @@ from app.settings.station_toml import read_settings
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
 from tests.e2e.test_demo import Visit
+from tests.hardware.fake_cameras import AravisFake, port_for_this_test
 from tests.hardware.test_registry import install
 
 pytestmark = pytest.mark.slow
@@ -65,7 +66,55 @@ def clicks(page: Page) -> int:
     return int(page.evaluate("window.clicks"))
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="a path of a device file")
+def test_an_industrial_camera_is_connected_in_a_few_clicks(
+    station: Demo, browser: Browser, pictures: Path
+) -> None:
+    with port_for_this_test():
+        camera = AravisFake()
+        page = browser.new_page(viewport={"width": 1280, "height": 800})
+        try:
+            connect_the_industrial_camera(station, page, pictures)
+        finally:
+            page.close()
+            camera.stop()
+
+
+def connect_the_industrial_camera(station: Demo, page: Page, pictures: Path) -> None:
+    """From the first page to the camera in use, and back to the simulated one."""
+    page.add_init_script(COUNT_CLICKS)
+    visit = Visit(page, pictures)
+    page.goto(station.link)
+    page.get_by_role("button", name="Connect your own devices").click()
+    row = page.get_by_role("listitem").filter(has_text="127.0.0.1")
+    row.get_by_role("button", name="Try").click()
+    picture = page.get_by_role("img", name="Live picture of the camera")
+    expect(picture).to_be_visible(timeout=WAIT_MS)
+    expect(page.get_by_text("device clock", exact=True)).to_be_visible()
+    page.screenshot(path=pictures / "devices-industrial.png")
+    page.get_by_role("button", name="Use this camera").click()
+    expect(page.get_by_role("heading", name="The camera is chosen")).to_be_visible(timeout=WAIT_MS)
+    assert clicks(page) <= MOST_CLICKS
+    visit.wait_until("used", "/api/devices", is_used("genicam"))
+    assert read_settings(station.data / "station.toml").devices["sensor"].options == {
+        "address": "127.0.0.1"
+    }
+    page.get_by_role("button", name="Use the simulated one again").click()
+    visit.wait_until(
+        "simulated again", "/api/devices", lambda now: bool(now["devices"][1]["simulated"])
+    )
+    assert not visit.faults
+
+
+def is_used(driver: str) -> Callable[[dict[str, Any]], bool]:
+    """Whether the station's camera is connected, and has this driver."""
+
+    def look(view: dict[str, Any]) -> bool:
+        camera = view["devices"][1]
+        return bool(camera["state"]["state"] == "connected" and camera["driver"] == driver)
+
+    return look
+
+
 def test_a_camera_is_connected_in_a_few_clicks(
     station: Demo, browser: Browser, pictures: Path, folder: Path
 ) -> None:
