@@ -861,6 +861,8 @@ edges-x-mm-odd-count =
         [one] { $count } Kante
        *[other] { $count } Kanten
     }; jede Zinne hat zwei, eine linke und eine rechte
+edition-has-no-symbol = die Ausgabe { $edition } hat kein Symbol für { $quantity }
+editions-are = Ausgaben sind { $names }
 egm-lacks = Die Pakete des Roboters unter { $address } enthalten kein { $name }
 egm-no-egm = Was der Roboter unter { $address } sendet, ist kein EGM
 egm-start-stream = Das RAPID-Programm ausführen, das den Datenstrom startet (EGMStreamStart). Sein UDPUC-Gerät muss Adresse und Port dieses Rechners haben.
@@ -1841,6 +1843,25 @@ passed-ago-due-after-days = Bestanden ({ $ago } her); Frist { $limit }.
 password-has-characters = Das Passwort hat { $count } Zeichen
 password-is-name = Das Passwort ist mit dem Namen identisch
 password-length-wanted = { $least } bis { $most } sind erforderlich
+performance-articulation-largest = Einzelpunkt-Schwenkprüfung, größter Abstand
+performance-articulation-two-s = Einzelpunkt-Schwenkprüfung, zweifache Standardabweichung
+performance-dispersion-scan = Streuung der gescannten Kugel, 95 % aller Punkte
+performance-effective-diameter = wirksamer Durchmesser der Prüfkugel
+performance-form-both = Form, angetastet und gescannt zusammen
+performance-form-scan = Form der gescannten Kugel, 25 Stellen
+performance-form-touch = Form der angetasteten Kugel
+performance-length-scan = Längenabweichung durch Scannen
+performance-length-touch = Längenabweichung durch Antasten
+performance-location-both = Abstand der gescannten von der angetasteten Kugel
+performance-location-scan = Lage der gescannten Kugel über die Stellungen
+performance-location-touch = Lage der angetasteten Kugel über die Stellungen
+performance-plane-scan = Form der gescannten Ebene, 95 % aller Punkte
+performance-size-all-scan = Größenabweichung der gescannten Kugel, alle Punkte
+performance-size-both = Größenabweichung, angetastet und gescannt zusammen
+performance-size-scan = Größenabweichung der gescannten Kugel, 25 Stellen
+performance-size-touch = Größenabweichung der angetasteten Kugel
+performance-volumetric-largest = räumliche Länge, größte Abweichung
+performance-volumetric-two-rms = räumliche Länge, zweifacher quadratischer Mittelwert
 permission-denied = Zugriff verweigert
 pick-more-way-round-fit-plane = Mehr vom Umfang auswählen oder eine Ebene einpassen
 picture-being-taken-already = es wird bereits ein Bild aufgenommen

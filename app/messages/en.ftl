@@ -857,6 +857,8 @@ edges-x-mm-odd-count =
         [one] { $count } edge
        *[other] { $count } edges
     }; every merlon has two, a left and a right one
+edition-has-no-symbol = the edition { $edition } has no symbol for { $quantity }
+editions-are = editions are { $names }
 egm-lacks = The packets of the robot at { $address } have no { $name }
 egm-no-egm = What the robot at { $address } sends is no EGM
 egm-start-stream = Run the RAPID program that starts the stream (EGMStreamStart). Its UDPUC device must have the address and port of this computer.
@@ -1832,6 +1834,25 @@ password-has-characters =
     }
 password-is-name = The password is the same as the name
 password-length-wanted = { $least } to { $most } are required
+performance-articulation-largest = single-point articulation, largest distance
+performance-articulation-two-s = single-point articulation, twice the standard deviation
+performance-dispersion-scan = dispersion of the scanned sphere, 95 % of all points
+performance-effective-diameter = effective diameter of the master sphere
+performance-form-both = form, touched and scanned together
+performance-form-scan = form of the scanned sphere, 25 places
+performance-form-touch = form of the touched sphere
+performance-length-scan = error of length by scan
+performance-length-touch = error of length by touch
+performance-location-both = distance of the scanned from the touched sphere
+performance-location-scan = location of the scanned sphere over articulations
+performance-location-touch = location of the touched sphere over articulations
+performance-plane-scan = form of the scanned plane, 95 % of all points
+performance-size-all-scan = error of size of the scanned sphere, all points
+performance-size-both = error of size, touched and scanned together
+performance-size-scan = error of size of the scanned sphere, 25 places
+performance-size-touch = error of size of the touched sphere
+performance-volumetric-largest = volumetric length, largest deviation
+performance-volumetric-two-rms = volumetric length, twice the rms
 permission-denied = permission denied
 pick-more-way-round-fit-plane = Select more of its circumference, or fit a plane
 picture-being-taken-already = a picture is already being taken

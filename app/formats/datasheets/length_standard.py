@@ -1,0 +1,38 @@
+"""``lengths/*.json``: a ball bar, step gauge or scale bar with its calibrated lengths."""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from app.formats.json_document import Document, DocumentPart, NotNegative, Positive
+
+
+class LengthPart(DocumentPart):
+    """One length at 20 °C, with its standard uncertainty (k = 1)."""
+
+    length_mm: Positive
+    standard_uncertainty_um: NotNegative
+
+
+class LengthStandardFile(Document):
+    """The file."""
+
+    FORMAT: ClassVar[str] = "crenel/length-standard"
+
+    name: Annotated[str, Field(max_length=120)]
+    serial_number: Annotated[str, Field(max_length=80)] = ""
+    certificate: Annotated[str, Field(max_length=200)] = ""
+    valid_until: Annotated[str, Field(max_length=20)] = ""
+    """ISO 8601 date; empty: not stated."""
+    kind: Literal["ball-bar", "step-gauge"] = "ball-bar"
+    sphere_diameter_mm: Positive | None = None
+    """Of a ball bar's spheres."""
+    expansion_per_c: NotNegative = 0.0
+    expansion_sd_per_c: NotNegative = 0.0
+    lengths: Annotated[tuple[LengthPart, ...], Field(min_length=1)]
+
+
+def read_length_standard(path: Path) -> LengthStandardFile:
+    """Reads the file; raises ``OperationError`` naming file and field."""
+    return LengthStandardFile.read(path)

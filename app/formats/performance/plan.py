@@ -1,0 +1,183 @@
+"""``plan.json``: what a performance test measures, by which limits; frozen at its first point.
+
+The folder of a test, ``performance/<id>``, holds ``plan.json``, the ``arm.json`` and
+``calibration.json`` in use, ``touches.csv`` (as ``probing.csv``; the feature names the touch's
+part of the test, see ``sphere_feature``), and ``<scan>/scan.mcap`` for every scan.
+"""
+
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from app.formats.datasheets.length_standard import LengthStandardFile
+from app.formats.json_document import Document, DocumentPart, NotNegative, Positive, Vector3
+from app.formats.performance.symbols import DEFAULT_EDITION, Quantity
+from app.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
+from app.metrology.performance.gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
+from app.metrology.performance.permissible_error import PermissibleError
+
+PLAN, RESULT, TOUCHES = "plan.json", "performance.json", "touches.csv"
+ARTICULATIONS, LOCATION_TOUCHES, PATTERN_TOUCHES, END_TOUCHES = 5, 5, 25, 5
+Kind = Literal["sphere", "lengths", "plane", "contact"]
+
+
+class LimitPart(DocumentPart):
+    """A maximum permissible error: ``A``, or ``A + L/K`` up to ``B``."""
+
+    quantity: Quantity
+    a_um: Positive
+    k: Positive | None = None
+    b_um: Positive | None = None
+
+    @property
+    def error(self) -> PermissibleError:
+        return PermissibleError(self.a_um, self.k, self.b_um)
+
+
+class RulePart(DocumentPart):
+    """The decision rule."""
+
+    name: str = GUARDED_95.name
+    standard: str = GUARDED_95.standard
+    edition: str = GUARDED_95.edition
+    guard_factor: NotNegative = GUARDED_95.guard_factor
+    bearer: Bearer = "prover"
+
+    @property
+    def rule(self) -> DecisionRule:
+        return DecisionRule(self.name, self.standard, self.edition, self.guard_factor, self.bearer)
+
+    @staticmethod
+    def of(name: str, bearer: Bearer = "prover") -> "RulePart":
+        """A rule that the program knows; raises ``KeyError``."""
+        rule = RULES[name]
+        return RulePart(
+            name=rule.name,
+            standard=rule.standard,
+            edition=rule.edition,
+            guard_factor=rule.guard_factor,
+            bearer=bearer,
+        )
+
+
+class GatePart(DocumentPart):
+    """Which points of a scan take part, fixed before the test."""
+
+    shell_mm: Positive = SHELL_MM
+    incidence_deg: Annotated[Positive, Field(le=90)] = INCIDENCE_DEG
+    cone_deg: Annotated[Positive, Field(le=180)] = CONE_DEG
+    pole: Vector3 = (0.0, 0.0, 1.0)
+    """Away from the artefact's holder, arm frame."""
+
+    @property
+    def gate(self) -> SphereGate:
+        return SphereGate(self.shell_mm, self.incidence_deg, self.cone_deg)
+
+
+class SpherePart(DocumentPart):
+    """The test sphere by its certificate; standard uncertainties, k = 1."""
+
+    name: str
+    serial_number: str = ""
+    certificate: str = ""
+    valid_until: str = ""
+    """ISO 8601 date; empty: not stated."""
+    diameter_mm: Positive
+    diameter_sd_um: NotNegative
+    form_um: NotNegative
+    form_sd_um: NotNegative = 0.0
+    expansion_per_c: NotNegative = 0.0
+
+
+class PlatePart(DocumentPart):
+    """The flat artefact by its certificate."""
+
+    name: str
+    serial_number: str = ""
+    certificate: str = ""
+    valid_until: str = ""
+    flatness_um: NotNegative
+    flatness_sd_um: NotNegative = 0.0
+
+
+class PerformancePlan(Document):
+    """The plan."""
+
+    FORMAT: ClassVar[str] = "crenel/performance-plan"
+
+    id: str
+    kind: Kind
+    station: str = ""
+    operator: str = ""
+    simulated: bool = False
+    started_at: str
+    edition: str = DEFAULT_EDITION
+    standards_at_hand: bool = False
+    """The laboratory holds the standards' documents: the status line is not printed."""
+    sphere: SpherePart | None = None
+    length: LengthStandardFile | None = None
+    plate: PlatePart | None = None
+    positions: Annotated[int, Field(ge=1, le=2)] = 1
+    """Positions of the sphere within the reach; the standard takes two."""
+    seats: Annotated[int, Field(ge=0, le=3)] = 0
+    """Of the contact test."""
+    gate: GatePart = GatePart()
+    limits: tuple[LimitPart, ...] = ()
+    rule: RulePart = RulePart()
+    temperature_sd_c: NotNegative = 0.0
+    """Standard uncertainty of the artefact's temperature."""
+
+    def limit(self, quantity: Quantity) -> PermissibleError | None:
+        """The limit of a quantity; None without one."""
+        found = next((one for one in self.limits if one.quantity == quantity), None)
+        return None if found is None else found.error
+
+
+def sphere_feature(
+    position: int, part: Literal["pattern", "location", "end"], number: int = 0
+) -> str:
+    """The name of a group of touches.
+
+    Example:
+        >>> sphere_feature(1, "pattern"), sphere_feature(1, "location", 3), sphere_feature(2, "end")
+        ('p1-pattern', 'p1-location-3', 'p2-end')
+    """
+    return f"p{position}-{part}" + (f"-{number}" if part == "location" else "")
+
+
+def sphere_features(positions: int) -> list[str]:
+    """All groups of touches of the one-sphere test, in their order."""
+    found = []
+    for position in range(1, positions + 1):
+        found.append(sphere_feature(position, "pattern"))
+        found += [
+            sphere_feature(position, "location", number) for number in range(1, ARTICULATIONS + 1)
+        ]
+        found.append(sphere_feature(position, "end"))
+    return found
+
+
+def sphere_scan(position: int, articulation: int) -> str:
+    """The folder of a scan of the one-sphere test.
+
+    Example:
+        >>> sphere_scan(1, 5)
+        'p1-a5'
+    """
+    return f"p{position}-a{articulation}"
+
+
+def length_feature(place: int, repeat: int, length: int, end: int) -> str:
+    """The name of the touches on one end of a length.
+
+    Example:
+        >>> length_feature(2, 1, 3, 0)
+        'l2-1-3-0'
+    """
+    return f"l{place}-{repeat}-{length}-{end}"
+
+
+def read_plan(folder: Path) -> PerformancePlan:
+    """The plan in the folder of a test; raises ``OperationError``."""
+    return PerformancePlan.read(folder / PLAN)
