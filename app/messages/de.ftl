@@ -405,6 +405,7 @@ check-each-laser-picture-own-pose-2 = prüfen, ob jedes Laserbild zu seiner Pose
 check-encoder-swing-arm-so-every = Winkelgeber prüfen; den Messarm so schwenken, dass sich jedes Gelenk dreht
 check-encoders-arm-json-how-points = Winkelgeber, arm.json und die Aufnahme der Punkte prüfen
 check-failed = Fehlgeschlagene Prüfung
+check-firewall-for-pictures = Lassen Sie die UDP-Pakete der Kamera durch die Firewall dieses Rechners; prüfen Sie packet_size und das Kabel
 check-first-page-arm-tip-takes = Zuerst auf der Seite „Messarm und Tastkugel“ prüfen; das dauert eine Minute.
 check-folders-owner-whether-disk-mounted = Prüfen, wem der Ordner gehört und ob der Datenträger eingehängt ist.
 check-frame-and-tool-of-arm = prüfen Sie, ob Basis oder Werkzeug in der Software des Arms geändert wurde; wenn ja, stellen Sie zurück

@@ -405,6 +405,7 @@ check-each-laser-picture-own-pose-2 = check that each laser picture belongs to i
 check-encoder-swing-arm-so-every = Check the encoder; swing the arm so that every joint rotates
 check-encoders-arm-json-how-points = Check the encoders, arm.json, and how the points were taken
 check-failed = Failed check
+check-firewall-for-pictures = Let the camera's UDP packets through the firewall of this computer; check packet_size and the cable
 check-first-page-arm-tip-takes = Check it first on the page Arm & tip; it takes a minute.
 check-folders-owner-whether-disk-mounted = Check the folder's owner and whether its disk is mounted.
 check-frame-and-tool-of-arm = check whether the base frame or the tool was changed in the arm’s software; if it was, set it back

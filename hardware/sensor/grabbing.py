@@ -171,7 +171,7 @@ class _Grabber(threading.Thread):
                     message(
                         "gave-no-picture-within", title=self._title, time=rounded(within_s, "s")
                     ),
-                    message("check-cable-no-other-program-uses"),
+                    self.source.no_picture_remedy,
                 )
             )
 

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.messages.message import Text, message
 from hardware.clock import now_ns
 from hardware.interfaces import StampKind
 
@@ -69,6 +70,8 @@ class ImageSource(ABC):
     free_running = True
     """False of a camera that waits for a trigger: it may be silent."""
     longest_gap_s = 0.0
+    no_picture_remedy: Text = message("check-cable-no-other-program-uses")
+    """What to do if the device is open and sends nothing."""
     size_px: tuple[int, int] | None = None
     """Width and height; None if they are unknown until the first picture. Required of a camera
     that waits for a trigger."""

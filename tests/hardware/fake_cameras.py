@@ -6,6 +6,7 @@ all processes of a test run.
 
 import fcntl
 import shutil
+import signal
 import socket
 import struct
 import subprocess
@@ -106,6 +107,17 @@ class AravisFake:
         if process is not None:
             process.kill()
             process.wait()
+
+    def freeze(self) -> None:
+        """Nothing answers any more, and nobody says so."""
+        self._signal(signal.SIGSTOP)
+
+    def go_on(self) -> None:
+        self._signal(signal.SIGCONT)
+
+    def _signal(self, number: signal.Signals) -> None:
+        assert self._process is not None
+        self._process.send_signal(number)
 
 
 _LASER_FEATURES = """

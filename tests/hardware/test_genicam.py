@@ -28,6 +28,7 @@ from tests.hardware.conformance import (
     next_frame,
     open_in_time,
     read_past,
+    read_until_lost,
 )
 from tests.hardware.fake_cameras import (
     ADDRESS,
@@ -43,6 +44,8 @@ from tests.hardware.fake_cameras import (
     port_for_this_test,
     write_laser_camera,
 )
+
+pytestmark = pytest.mark.slow
 
 WIDTH, HEIGHT = 320, 240
 REGION = [0, 0, WIDTH, HEIGHT]
@@ -373,6 +376,19 @@ def test_without_a_clock_in_the_camera_the_arrival_counts(fake: AravisFake) -> N
     assert (info.stamps, info.stamp_at) == ("arrival", "frame-end")
     assert before_ns - 4_000_000 < frames[0].mid_exposure_ns < time.monotonic_ns() - 2_000_000
     assert np.all(np.diff([frame.mid_exposure_ns for frame in frames]) > 0)
+
+
+def test_a_camera_that_no_longer_answers_is_lost(fake: AravisFake) -> None:
+    driver = from_options(options())
+    driver.open()
+    next_frame(driver)
+    fake.freeze()
+    read_until_lost(lambda: driver.read(0.1))
+    driver.close()
+    fake.go_on()
+    open_in_time(driver)
+    next_frame(driver)
+    driver.close()
 
 
 def test_a_packet_size_is_set(fake: AravisFake) -> None:

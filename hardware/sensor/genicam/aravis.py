@@ -70,6 +70,7 @@ _FALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_void_p,
         (c_void_p, c_char_p, POINTER(c_uint)),
     ),
+    "arv_camera_get_integer": (c_int64, (c_void_p, c_char_p)),
     "arv_camera_get_string": (c_char_p, (c_void_p, c_char_p)),
     "arv_camera_set_string": (None, (c_void_p, c_char_p, c_char_p)),
     "arv_camera_set_boolean": (None, (c_void_p, c_char_p, c_int)),
@@ -153,12 +154,6 @@ class Aravis:
             self._functions["g_error_free"](error)
             raise AravisError(text)
         return result
-
-    def bounds(self, name: str, camera: int) -> tuple[float, float]:
-        """Smallest and largest value, from a function such as ``arv_camera_get_gain_bounds``."""
-        least, most = c_double(), c_double()
-        self.call(name, camera, byref(least), byref(most))
-        return least.value, most.value
 
     def entries(self, camera: int, feature: str) -> list[str]:
         """The values that an enumeration of the camera offers now."""

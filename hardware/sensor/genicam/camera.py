@@ -60,10 +60,13 @@ class AravisCamera:
 
     def call(self, name: str, *arguments: Any) -> Any:
         """Calls ``arv_camera_NAME`` on this camera."""
+        return self._call_open(f"arv_camera_{name}", self.handle, *arguments)
+
+    def _call_open(self, name: str, *arguments: Any) -> Any:
         with self._lock:
             if self._closed:
                 raise AravisError("the camera is closed")
-            return self.aravis.call(f"arv_camera_{name}", self.handle, *arguments)
+            return self.aravis.call(name, *arguments)
 
     def text(self, name: str) -> str:
         """The result of ``arv_camera_NAME``, a text; empty if the camera does not have it."""
@@ -87,6 +90,9 @@ class AravisCamera:
         """The values that an enumeration offers now; none if the camera does not have it."""
         with self._lock:
             return self.aravis.entries(self.handle, feature) if self.has(feature) else []
+
+    def integer(self, feature: str) -> int:
+        return int(self.call("get_integer", feature.encode()))
 
     def switch(self, feature: str, on: bool) -> None:
         self.call("set_boolean", feature.encode(), on)
@@ -119,23 +125,20 @@ class AravisCamera:
     def read_heartbeat_timeout(self) -> int:
         """The register of a GigE Vision camera, in ms."""
         value = c_uint32()
-        with self._lock:
-            self.aravis.call(
-                "arv_device_read_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, byref(value)
-            )
+        self._call_open(
+            "arv_device_read_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, byref(value)
+        )
         return value.value
 
     def write_heartbeat_timeout(self, timeout_ms: int) -> None:
-        with self._lock:
-            self.aravis.call(
-                "arv_device_write_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, timeout_ms
-            )
+        self._call_open(
+            "arv_device_write_register", self.device, HEARTBEAT_TIMEOUT_REGISTER, timeout_ms
+        )
 
     def read_first_bytes(self) -> None:
         """Reads the version at the beginning of the register map, which every camera has."""
         version = (c_char * 4)()
-        with self._lock:
-            self.aravis.call("arv_device_read_memory", self.device, 0, 4, version)
+        self._call_open("arv_device_read_memory", self.device, 0, 4, version)
 
     def close(self) -> None:
         """Gives the camera up; idempotent. Aravis waits some seconds for one that is gone."""

@@ -88,6 +88,8 @@ def apply_options(title: Text, camera: AravisCamera, options: GenicamOptions) ->
         rate_hz = camera.call("get_frame_rate") if _can(camera, "frame_rate") else None
         if options.trigger is not None:
             _set_trigger(title, camera, options.trigger, options.trigger_edge)
+            if options.rate_hz is None and camera.has("AcquisitionFrameRateEnable"):
+                camera.switch("AcquisitionFrameRateEnable", False)
         if options.laser_line is not None:
             _route_laser(title, camera, options.laser_line)
         _enable_chunks(title, camera, options.chunks)
@@ -176,6 +178,8 @@ def _set_exposure(
         return 0.0, (0.0, 0.0)
     if _can(camera, "exposure_auto"):
         camera.call("set_exposure_time_auto", _OFF)
+    if "Timed" in camera.choices("ExposureMode"):
+        camera.choose("ExposureMode", "Timed")
     if options.exposure_us is not None:
         _set_number(title, camera, "exposure_us", "exposure_time", options.exposure_us)
     exposure_us = camera.call("get_exposure_time")

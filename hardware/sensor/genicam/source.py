@@ -3,6 +3,7 @@
 import math
 import threading
 import time
+from typing import Any
 
 from app.messages.message import Text, message
 from hardware.clock import now_ns
@@ -47,6 +48,7 @@ class GenicamSource(ImageSource):
     """
 
     waits = False
+    no_picture_remedy = message("check-firewall-for-pictures")
 
     def __init__(self, title: Text, options: GenicamOptions, stop: threading.Event) -> None:
         self._title = title
@@ -81,7 +83,8 @@ class GenicamSource(ImageSource):
         self.has_laser_switch = options.laser_line is not None
         self.free_running = options.trigger is None
         self.stamps, self.stamp_at = "device", options.stamp_at
-        self.longest_gap_s = _LONGEST_GAPS / settings.rate_hz if settings.rate_hz else 0.0
+        if settings.rate_hz and self.free_running:
+            self.longest_gap_s = _LONGEST_GAPS / settings.rate_hz
         width_px, height_px = settings.size_px
         most = max(self.queue_length, _QUEUE_BYTES // (2 * width_px * height_px))
         self.queue_length = min(
@@ -96,7 +99,10 @@ class GenicamSource(ImageSource):
         self._heard_s = self._whole_s = time.monotonic()
         self._incomplete = 0
         self._format: PixelFormat | None = None
+        self._ticks_hz = 1_000_000_000
         if options.chunks:
+            if camera.has("GevTimestampTickFrequency"):
+                self._ticks_hz = camera.integer("GevTimestampTickFrequency") or self._ticks_hz
             self._parser = camera.call("create_chunk_parser")
         self._stream = CameraStream(camera)
         camera.call("start_acquisition")
@@ -224,14 +230,13 @@ class GenicamSource(ImageSource):
     def _device_ns(self, block: StreamBlock) -> int | None:
         if "Timestamp" not in self._options.chunks:
             return block.device_ns
-        return int(self._chunk("integer", block, b"ChunkTimestamp")) or None
+        ticks: int = self._chunk("integer", block, b"ChunkTimestamp")
+        return ticks * 1_000_000_000 // self._ticks_hz or None
 
-    def _chunk(self, kind: str, block: StreamBlock, name: bytes) -> float:
+    def _chunk(self, kind: str, block: StreamBlock, name: bytes) -> Any:
         try:
-            return float(
-                self.camera.aravis.call(
-                    f"arv_chunk_parser_get_{kind}_value", self._parser, block.handle, name
-                )
+            return self.camera.aravis.call(
+                f"arv_chunk_parser_get_{kind}_value", self._parser, block.handle, name
             )
         except AravisError as error:
             raise self._refusal(error) from error
