@@ -17,9 +17,9 @@ from app.station.devices.sensor_device import StationSensor
 from hardware.errors import DeviceError
 from hardware.interfaces import SensorDriver
 from hardware.sensor.genicam import aravis
+from hardware.sensor.genicam.aravis_source import GenicamSource
 from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
 from hardware.sensor.genicam.settings import GenicamOptions
-from hardware.sensor.genicam.source import GenicamSource
 from hardware.sensor.grabbing import GrabbingSensor
 from tests.hardware.conformance import (
     LONG_S,

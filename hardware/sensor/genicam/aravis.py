@@ -28,6 +28,7 @@ from typing import Any
 
 from app.messages.message import message
 from hardware.errors import DeviceError
+from hardware.sensor.genicam.features import FeatureError
 
 _SONAMES = ("libaravis-0.8.so.0", "libaravis-0.10.so.0")
 _LIBRARY_NAMES = ("aravis-0.8", "aravis-0.10")
@@ -51,19 +52,14 @@ _FALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "arv_camera_set_exposure_time": (None, (c_void_p, c_double)),
     "arv_camera_get_exposure_time_bounds": (None, (c_void_p, _Doubles, _Doubles)),
     "arv_camera_is_exposure_time_available": (c_int, (c_void_p,)),
-    "arv_camera_is_exposure_auto_available": (c_int, (c_void_p,)),
-    "arv_camera_set_exposure_time_auto": (None, (c_void_p, c_int)),
     "arv_camera_get_gain": (c_double, (c_void_p,)),
     "arv_camera_set_gain": (None, (c_void_p, c_double)),
     "arv_camera_get_gain_bounds": (None, (c_void_p, _Doubles, _Doubles)),
     "arv_camera_is_gain_available": (c_int, (c_void_p,)),
-    "arv_camera_is_gain_auto_available": (c_int, (c_void_p,)),
-    "arv_camera_set_gain_auto": (None, (c_void_p, c_int)),
     "arv_camera_get_frame_rate": (c_double, (c_void_p,)),
     "arv_camera_set_frame_rate": (None, (c_void_p, c_double)),
     "arv_camera_get_frame_rate_bounds": (None, (c_void_p, _Doubles, _Doubles)),
     "arv_camera_is_frame_rate_available": (c_int, (c_void_p,)),
-    "arv_camera_set_acquisition_mode": (None, (c_void_p, c_int)),
     "arv_camera_clear_triggers": (None, (c_void_p,)),
     "arv_camera_is_feature_available": (c_int, (c_void_p, c_char_p)),
     "arv_camera_dup_available_enumerations_as_strings": (
@@ -117,8 +113,8 @@ _INFALLIBLE: dict[str, tuple[Any, tuple[Any, ...]]] = {
 """Functions that cannot fail: result and arguments."""
 
 
-class AravisError(Exception):
-    """Aravis or the camera refused a call; the text is that of Aravis, in English."""
+class AravisError(FeatureError):
+    """Aravis or the camera refused a call."""
 
 
 class _GError(ctypes.Structure):

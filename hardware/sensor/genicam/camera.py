@@ -8,8 +8,10 @@ from typing import Any
 from app.messages.message import Text, message
 from hardware.errors import DeviceError
 from hardware.sensor.genicam.aravis import Aravis, AravisError, load_aravis
+from hardware.sensor.genicam.features import Quantity
 
 GIGE_VISION, USB3_VISION = "GigEVision", "USB3Vision"
+_NEVER_ADJUST = 0
 _LISTING = threading.Lock()
 _NEEDED_FEATURES = ("Width", "Height", "PixelFormat", "AcquisitionStart")
 HEARTBEAT_TIMEOUT_REGISTER = 0x0938
@@ -46,7 +48,7 @@ def list_cameras(aravis: Aravis) -> list[ListedCamera]:
 
 
 class AravisCamera:
-    """An open camera. Its methods may be called from any thread, and raise ``AravisError``."""
+    """An open camera, a ``FeatureCamera``; for any thread. Its methods raise ``AravisError``."""
 
     def __init__(self, aravis: Aravis, handle: int, address: str) -> None:
         self.aravis = aravis
@@ -76,18 +78,15 @@ class AravisCamera:
             return ""
 
     def has(self, feature: str) -> bool:
-        """Whether a feature exists, and is available now."""
         return bool(self.call("is_feature_available", feature.encode()))
 
     def choice(self, feature: str) -> str:
-        """The present value of an enumeration."""
         return (self.call("get_string", feature.encode()) or b"").decode("utf-8", "replace")
 
     def choose(self, feature: str, value: str) -> None:
         self.call("set_string", feature.encode(), value.encode())
 
     def choices(self, feature: str) -> list[str]:
-        """The values that an enumeration offers now; none if the camera does not have it."""
         with self._lock:
             return self.aravis.entries(self.handle, feature) if self.has(feature) else []
 
@@ -97,23 +96,40 @@ class AravisCamera:
     def switch(self, feature: str, on: bool) -> None:
         self.call("set_boolean", feature.encode(), on)
 
-    def bounds(self, quantity: str) -> tuple[float, float]:
-        """Smallest and largest value from ``arv_camera_get_QUANTITY_bounds``."""
+    def offers(self, quantity: Quantity) -> bool:
+        return bool(self.call(f"is_{quantity}_available"))
+
+    def quantity(self, quantity: Quantity) -> float:
+        return float(self.call(f"get_{quantity}"))
+
+    def set_quantity(self, quantity: Quantity, value: float) -> None:
+        self.call(f"set_{quantity}", value)
+
+    def bounds(self, quantity: Quantity) -> tuple[float, float]:
         least, most = c_double(), c_double()
         self.call(f"get_{quantity}_bounds", byref(least), byref(most))
         return least.value, most.value
 
     def sensor_size(self) -> tuple[int, int]:
-        """Width and height in px."""
         width, height = c_int(), c_int()
         self.call("get_sensor_size", byref(width), byref(height))
         return width.value, height.value
 
     def region(self) -> tuple[int, int, int, int]:
-        """Offsets x and y, width and height in px."""
         x, y, width, height = (c_int() for _ in range(4))
         self.call("get_region", byref(x), byref(y), byref(width), byref(height))
         return x.value, y.value, width.value, height.value
+
+    def set_region(self, x: int, y: int, width: int, height: int) -> None:
+        self.call("set_region", x, y, width, height)
+
+    def clear_triggers(self) -> None:
+        self.call("clear_triggers")
+
+    def set_packet_size(self, size: int) -> None:
+        if self.is_gige:
+            self._call_open("arv_gv_device_set_packet_size_adjustment", self.device, _NEVER_ADJUST)
+            self.call("gv_set_packet_size", size)
 
     @property
     def has_control(self) -> bool:

@@ -43,8 +43,8 @@ from collections.abc import Mapping
 
 from app.messages.message import Text, message
 from hardware.options import read_options
+from hardware.sensor.genicam.aravis_source import GenicamSource
 from hardware.sensor.genicam.settings import GenicamOptions
-from hardware.sensor.genicam.source import GenicamSource
 from hardware.sensor.grabbing import GrabbingSensor
 from hardware.sensor.grey import require_colour
 

@@ -1,0 +1,151 @@
+"""A camera that Aravis reaches, as a source of pictures."""
+
+import threading
+import time
+from typing import Any
+
+from app.messages.message import Text
+from hardware.errors import DeviceError
+from hardware.sensor.genicam.aravis import AravisError
+from hardware.sensor.genicam.camera import open_camera
+from hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
+from hardware.sensor.genicam.link import CameraLink, control_lost_error
+from hardware.sensor.genicam.settings import (
+    GenicamOptions,
+    settings_refusal_error,
+    switch_laser,
+)
+from hardware.sensor.genicam.stream import CameraStream, StreamBlock
+from hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
+
+_WAIT_S = 0.1
+_SILENT_S = 0.3
+
+
+class GenicamSource(CameraSource):
+    """An open camera with GigE Vision or USB3 Vision. Raises ``DeviceError``.
+
+    Args:
+        title: the camera in words, for errors.
+        stop: an event that is set when ``grab`` must end.
+    """
+
+    def __init__(self, title: Text, options: GenicamOptions, stop: threading.Event) -> None:
+        super().__init__(title, options)
+        self._chunks = options.chunks
+        self._stop = stop
+        self._lost = False
+        self.camera = open_camera(title, options.address, options.serial_number)
+        self._stream: CameraStream | None = None
+        self._parser: int | None = None
+        self._link: CameraLink | None = None
+        try:
+            self._start()
+        except AravisError as error:
+            self.release()
+            raise settings_refusal_error(title, error) from error
+        except BaseException:
+            self.release()
+            raise
+
+    def _start(self) -> None:
+        camera = self.camera
+        self.name = " ".join(
+            dict.fromkeys((camera.text("get_vendor_name"), camera.text("get_model_name")))
+        ).strip()
+        self.serial_number = camera.text("get_device_serial_number")
+        self._link = CameraLink(self._title, camera)
+        self.set_up(camera)
+        self._ticks_hz = 1_000_000_000
+        if self._chunks:
+            if camera.has("GevTimestampTickFrequency"):
+                self._ticks_hz = camera.integer("GevTimestampTickFrequency") or self._ticks_hz
+            self._parser = camera.call("create_chunk_parser")
+        self._stream = CameraStream(camera)
+        camera.call("start_acquisition")
+        self._heard_s = time.monotonic()
+
+    def grab(self) -> GrabbedImage | NoImage:
+        if self._stop.is_set():
+            raise EndOfRecordingError
+        assert self._stream is not None
+        if not self.camera.has_control:
+            self.require_answer()
+            raise control_lost_error(self._title)
+        with self._stream.take(_WAIT_S) as block:
+            if block is not None:
+                self._heard_s = time.monotonic()
+                return self.show(self._complete(self._stream, block))
+        if time.monotonic() - self._heard_s > _SILENT_S:
+            self.require_answer()
+        return NoImage.SILENCE
+
+    def is_alive(self) -> bool:
+        return self._link is not None and self._link.is_alive()
+
+    def require_answer(self) -> None:
+        """Raises ``DeviceError`` if the camera does not answer, or obeys another program."""
+        assert self._link is not None
+        try:
+            self._link.require_control()
+        except DeviceError:
+            self._lost = True
+            raise
+        self._heard_s = time.monotonic()
+
+    def release(self) -> None:
+        """Switches the laser off, stops the camera and gives it up."""
+        if not self._lost and self._stream is not None:
+            try:
+                if self.has_laser_switch:
+                    switch_laser(self.camera, False)
+                self.camera.call("stop_acquisition")
+            except AravisError:
+                self._lost = True
+        if self._link is not None:
+            self._link.close()
+        if self._lost:
+            threading.Thread(target=self._free, name="giving up a camera", daemon=True).start()
+        else:
+            self._free()
+
+    def _free(self) -> None:
+        if self._stream is not None:
+            self._stream.close()
+        if self._parser is not None:
+            self.camera.aravis.call("g_object_unref", self._parser)
+        self.camera.close()
+
+    def _complete(self, stream: CameraStream, block: StreamBlock) -> ArrivedPicture:
+        data, code, width_px, height_px, padding = stream.image(block)
+        return ArrivedPicture(
+            block_id=block.block_id,
+            whole=block.whole,
+            arrival_ns=block.arrival_ns,
+            device_ns=self._device_ns(block),
+            exposure_us=self._exposure_us(block),
+            data=data,
+            code=code,
+            width_px=width_px,
+            height_px=height_px,
+            padding=padding,
+        )
+
+    def _exposure_us(self, block: StreamBlock) -> float | None:
+        if "ExposureTime" not in self._chunks or not block.whole:
+            return None
+        return float(self._chunk("float", block, b"ChunkExposureTime"))
+
+    def _device_ns(self, block: StreamBlock) -> int | None:
+        if "Timestamp" not in self._chunks or not block.whole:
+            return block.device_ns
+        ticks: int = self._chunk("integer", block, b"ChunkTimestamp")
+        return ticks * 1_000_000_000 // self._ticks_hz or None
+
+    def _chunk(self, kind: str, block: StreamBlock, name: bytes) -> Any:
+        try:
+            return self.camera.aravis.call(
+                f"arv_chunk_parser_get_{kind}_value", self._parser, block.handle, name
+            )
+        except AravisError as error:
+            raise settings_refusal_error(self._title, error) from error

@@ -1,0 +1,169 @@
+"""What sources of industrial cameras have in common, whichever library reaches the camera."""
+
+import math
+import time
+from dataclasses import dataclass
+
+from app.messages.message import Text, message
+from hardware.clock import now_ns
+from hardware.errors import DeviceError
+from hardware.sensor.genicam.block_ids import BlockCounter
+from hardware.sensor.genicam.features import FeatureCamera, FeatureError
+from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
+from hardware.sensor.genicam.pixel_formats import Bytes, PixelFormat, decode, format_of
+from hardware.sensor.genicam.settings import (
+    CameraOptions,
+    apply_options,
+    settings_refusal_error,
+    switch_laser,
+    unknown_format_error,
+)
+from hardware.sensor.grey import to_grey
+from hardware.sensor.image_source import GrabbedImage, GreyImage, ImageSource, NoImage
+
+_INCOMPLETE_S = 2.0
+_FEWEST_INCOMPLETE = 10
+_LONGEST_GAPS = 3
+_QUEUE_S = 0.4
+_QUEUE_BYTES = 128_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class ArrivedPicture:
+    """One picture as it arrived; its bytes need to be valid only until the next one."""
+
+    block_id: int
+    whole: bool
+    arrival_ns: int
+    """Host-monotonic time at which its first packet arrived."""
+    device_ns: int | None
+    """The camera's stamp; None if it does not stamp its pictures."""
+    exposure_us: float | None
+    """As the camera states it with the picture; None if it does not."""
+    data: Bytes
+    code: int
+    """The value of its pixel format in PFNC."""
+    width_px: int
+    height_px: int
+    padding: int
+    """Bytes after each line."""
+
+
+class CameraSource(ImageSource):
+    """Settings, exposure, laser and pictures of an open camera. Raises ``DeviceError``.
+
+    A subclass opens the camera, calls ``set_up``, and passes what arrives to ``show``.
+
+    Args:
+        title: the camera in words, for errors.
+        options: from station.toml.
+    """
+
+    waits = False
+    no_picture_remedy = message("check-firewall-for-pictures")
+
+    def __init__(self, title: Text, options: CameraOptions) -> None:
+        self._title = title
+        self._options = options
+
+    def set_up(self, camera: FeatureCamera) -> None:
+        """Sets the options in an open camera; raises ``FeatureError``, too."""
+        options = self._options
+        self._features = camera
+        settings = apply_options(self._title, camera, options)
+        self.exposure_range_us = settings.exposure_range_us
+        self.has_laser_switch = options.laser_line is not None
+        self.free_running = options.trigger is None
+        self.stamps, self.stamp_at = "device", options.stamp_at
+        if settings.rate_hz and self.free_running:
+            self.longest_gap_s = _LONGEST_GAPS / settings.rate_hz
+        width_px, height_px = settings.size_px
+        fewest = self.queue_length
+        most = max(fewest, _QUEUE_BYTES // (2 * width_px * height_px))
+        self.queue_length = min(max(fewest, math.ceil(_QUEUE_S * (settings.rate_hz or 0))), most)
+        is_raw = (options.bayer or settings.pixel_format.bayer) is not None
+        self.size_px = (width_px // 2, height_px // 2) if is_raw else (width_px, height_px)
+        self._exposures = SettingHistory(settings.exposure_us)
+        self._laser = SettingHistory(not self.has_laser_switch)
+        self._blocks = BlockCounter()
+        self._times = PictureTimes(self._exposures, options.stamp_at, options.latency_us)
+        self._whole_s = time.monotonic()
+        self._incomplete = 0
+        self._format: PixelFormat | None = None
+
+    def set_exposure_us(self, exposure_us: float) -> None:
+        try:
+            self._features.set_quantity("exposure_time", exposure_us)
+            self._exposures.change(now_ns(), self._features.quantity("exposure_time"))
+        except FeatureError as error:
+            self.require_answer()
+            raise settings_refusal_error(self._title, error) from error
+
+    def set_laser(self, on: bool) -> None:
+        # a picture is lit if the laser was on from the beginning to the end of its exposure
+        if not on:
+            self._laser.change(now_ns(), False)
+        try:
+            switch_laser(self._features, on)
+        except FeatureError as error:
+            raise settings_refusal_error(self._title, error) from error
+        if on:
+            self._laser.change(now_ns(), True)
+
+    def require_answer(self) -> None:
+        """Asks the camera; raises ``DeviceError`` if it is lost."""
+        raise NotImplementedError
+
+    def show(self, picture: ArrivedPicture) -> GrabbedImage | NoImage:
+        """The picture as ``grab`` returns it. An incomplete one is not shown, but counted.
+
+        Raises:
+            DeviceError: only incomplete ones have arrived for some time, or the pixel format is
+                not known.
+        """
+        number = self._blocks.count(picture.block_id)
+        if not picture.whole:
+            self._note_incomplete()
+            return NoImage.SILENCE
+        self._incomplete, self._whole_s = 0, time.monotonic()
+        if number is None:
+            return NoImage.SILENCE
+        image = self._decode(picture)
+        if image is None:
+            return NoImage.DAMAGED
+        mid_ns, exposure_us = self._times.middle(
+            picture.device_ns, picture.arrival_ns, picture.exposure_us
+        )
+        self.stamps, self.stamp_at = self._times.stamps, self._times.stamp_at
+        half_ns = round(exposure_us * 500)
+        lit = self._laser.values_between(mid_ns - half_ns, mid_ns + half_ns)
+        return GrabbedImage(
+            image,
+            mid_ns,
+            exposure_us,
+            sequence=number,
+            full_scale=None if self._format is None else self._format.full_scale,
+            pulse=None if self.free_running else number + 1,
+            laser_on=lit == {True},
+        )
+
+    def _decode(self, picture: ArrivedPicture) -> GreyImage | None:
+        if self._format is None or self._format.code != picture.code:
+            self._format = format_of(picture.code)
+            if self._format is None:
+                raise unknown_format_error(self._title, f"0x{picture.code:08X}")
+        width_px, height_px = picture.width_px, picture.height_px
+        raw = decode(picture.data, self._format, width_px, height_px, picture.padding)
+        if raw is None:
+            return None
+        options = self._options
+        return to_grey(raw, height_px, options.laser_colour, options.bayer or self._format.bayer)
+
+    def _note_incomplete(self) -> None:
+        self._incomplete += 1
+        since_s = time.monotonic() - self._whole_s
+        if self._incomplete >= _FEWEST_INCOMPLETE and since_s > _INCOMPLETE_S:
+            raise DeviceError(
+                message("pictures-arrive-incomplete", title=self._title),
+                message("check-packet-size-and-network"),
+            )

@@ -1,0 +1,59 @@
+"""The features of a camera by their names in GenICam, whichever library reaches it.
+
+Source:
+    EMVA, GenICam Standard Features Naming Convention (SFNC) 2.7.
+"""
+
+from typing import Literal, Protocol
+
+Quantity = Literal["exposure_time", "gain", "frame_rate"]
+
+
+class FeatureError(Exception):
+    """The library or the camera refused a call; the text is that of the library, in English."""
+
+
+class FeatureCamera(Protocol):
+    """An open camera, as the settings need it. Its methods raise ``FeatureError``."""
+
+    def has(self, feature: str) -> bool:
+        """Whether a feature exists, and is available now."""
+
+    def choice(self, feature: str) -> str:
+        """The present value of an enumeration."""
+
+    def choose(self, feature: str, value: str) -> None:
+        """Sets an enumeration."""
+
+    def choices(self, feature: str) -> list[str]:
+        """The values that an enumeration offers now; none if the camera does not have it."""
+
+    def switch(self, feature: str, on: bool) -> None:
+        """Sets a boolean."""
+
+    def offers(self, quantity: Quantity) -> bool:
+        """Whether the camera has a quantity, under the name of SFNC or an older one."""
+
+    def quantity(self, quantity: Quantity) -> float:
+        """Its present value: exposure in µs, gain in dB, frame rate in Hz."""
+
+    def set_quantity(self, quantity: Quantity, value: float) -> None:
+        """Sets it; the camera may round."""
+
+    def bounds(self, quantity: Quantity) -> tuple[float, float]:
+        """Its smallest and largest value."""
+
+    def sensor_size(self) -> tuple[int, int]:
+        """Width and height in px."""
+
+    def region(self) -> tuple[int, int, int, int]:
+        """Offsets x and y, width and height in px."""
+
+    def set_region(self, x: int, y: int, width: int, height: int) -> None:
+        """Sets the region of interest."""
+
+    def clear_triggers(self) -> None:
+        """Switches all triggers off."""
+
+    def set_packet_size(self, size: int) -> None:
+        """Sets the bytes per packet of GigE Vision; without effect on other cameras."""
