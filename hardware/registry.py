@@ -37,6 +37,7 @@ BUILT_IN = {
         "opencv": "hardware.sensor.opencv_camera:from_options",
         "folder": "hardware.sensor.folder:from_options",
         "genicam": "hardware.sensor.genicam.driver:from_options",
+        "pylon": "hardware.sensor.pylon_camera:from_options",
     },
     FINDERS: {
         "genicam": "hardware.sensor.genicam.find_genicam:find_genicam",

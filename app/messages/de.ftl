@@ -976,6 +976,7 @@ firmware-must-answer-hello = Die Firmware muss die Hello-Anfrage beantworten (ha
 firmware-must-answer-pulse-request = Seine Firmware muss Impulsanforderungen beantworten (hardware/arm/protocol.py).
 firmware-must-send-counts-of-hello = Die Firmware muss so viele Werte senden, wie ihr Hello ankündigt.
 firmware-must-send-what-hello-announces = Seine Firmware muss senden, was ihr Hello ankündigt.
+first-basler-camera = Die Kamera von Basler
 first-genicam-camera = Die GenICam-Kamera
 first-line-names = die erste Zeile nennt { $names }
 first-line-names-column-count =
@@ -1273,6 +1274,7 @@ image-processing = Bildverarbeitung
 image-shape-type = ein Bild der Form { $shape } und des Typs { $dtype }
 inner-corners-mm-apart = { $columns } × { $rows } innere Ecken, Abstand { $square }, { $known }
 inputs = Eingangsdaten
+install-extra = Installieren Sie es mit pip install "crenel[{ $extra }]"
 install-system-package = Installieren Sie das Systempaket { $package } (apt install { $package })
 install-version-later-one = Diese oder eine neuere Version installieren
 instrument-moved-or-angles-of-other-pose = das Messgerät wurde bewegt, hat die Messmarke verloren, oder die Gelenkwinkel gehören zu anderen Posen
@@ -2089,6 +2091,7 @@ puts-object-fits-other-pose =
        *[angles] danach läge das Objekt { $off } neben seiner Lage nach den übrigen Posen; sie passt zu den Gelenkwinkeln von Pose { $other }
     }
 puts-object-where-others-put = danach läge das Objekt { $off } neben seiner Lage nach den übrigen Posen
+python-package-missing = Das Python-Paket { $package } fehlt
 quaternion-length = { $place }: (qx, qy, qz, qw) hat die Länge { $length }
 radius-m = Radius, µm
 radius-mm-missing-sphere-judged-size = radius_mm fehlt: Eine Kugel wird nach ihrer Größe beurteilt

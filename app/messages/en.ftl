@@ -972,6 +972,7 @@ firmware-must-answer-hello = Its firmware must answer the hello request (hardwar
 firmware-must-answer-pulse-request = Its firmware must answer pulse requests (hardware/arm/protocol.py).
 firmware-must-send-counts-of-hello = Its firmware must send as many counts as its hello announces.
 firmware-must-send-what-hello-announces = Its firmware must send what its hello announces.
+first-basler-camera = The camera of Basler
 first-genicam-camera = The GenICam camera
 first-line-names = the first line names { $names }
 first-line-names-column-count =
@@ -1269,6 +1270,7 @@ image-processing = Image processing
 image-shape-type = a picture of shape { $shape } and type { $dtype }
 inner-corners-mm-apart = { $columns } × { $rows } inner corners, { $square } apart, { $known }
 inputs = Inputs
+install-extra = Install it with pip install "crenel[{ $extra }]"
 install-system-package = Install the system's package { $package } (apt install { $package })
 install-version-later-one = Install that version or a later one
 instrument-moved-or-angles-of-other-pose = the instrument moved, lost its marker, or the joint angles belong to other poses
@@ -2080,6 +2082,7 @@ puts-object-fits-other-pose =
        *[angles] it places the object { $off } away from where the others place it; it fits the joint angles of pose { $other }
     }
 puts-object-where-others-put = it places the object { $off } away from where the others place it
+python-package-missing = The Python package { $package } is missing
 quaternion-length = { $place }: (qx, qy, qz, qw) is { $length } long
 radius-m = Radius, µm
 radius-mm-missing-sphere-judged-size = radius_mm is missing: a sphere is assessed by its size
