@@ -3,6 +3,7 @@
 import math
 import socket
 import struct
+import threading
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -112,6 +113,23 @@ def test_closing_stops_the_stream(bench: FanucBench) -> None:
     driver.open()
     assert bench.controller.sm.streaming
     driver.close()
+    deadline = time.monotonic() + 5.0
+    while bench.controller.sm.streaming:
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def test_closing_stops_the_stream_while_another_thread_waits(bench: FanucBench) -> None:
+    driver = bench.driver()
+    driver.open()
+    bench.silence(True)
+    reader = threading.Thread(target=lambda: read_until_lost(lambda: driver.read(5.0)), daemon=True)
+    reader.start()
+    while driver.health.received == 0:
+        time.sleep(0.01)
+    driver.close()
+    reader.join()
+    bench.silence(False)
     deadline = time.monotonic() + 5.0
     while bench.controller.sm.streaming:
         assert time.monotonic() < deadline

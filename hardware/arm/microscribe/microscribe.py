@@ -29,12 +29,8 @@ from pydantic import Field, PositiveInt
 
 from app.messages.message import Text, message
 from hardware.arm.microscribe.hci import JOINTS, HciSession
-from hardware.arm.robots.streaming_arm import (
-    RobotReading,
-    StreamingArm,
-    StreamOptions,
-    WrappingCounter,
-)
+from hardware.arm.robots.readings import RobotReading, WrappingCounter
+from hardware.arm.robots.streaming_arm import StreamingArm, StreamOptions
 from hardware.arm.wire import Wire
 from hardware.clock import now_ns
 from hardware.errors import DeviceError

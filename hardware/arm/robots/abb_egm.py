@@ -27,16 +27,9 @@ from pydantic import AfterValidator, Field, FiniteFloat
 from app.messages.message import Text, message
 from hardware.arm.robots.egm_message import decode_robot
 from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.readings import RobotReading, WrappingCounter, require_finite, require_unit
 from hardware.arm.robots.rotations import Quaternion, Vector, flange_behind_tool, place_in_arm
-from hardware.arm.robots.streaming_arm import (
-    RobotOptions,
-    RobotReading,
-    StreamingArm,
-    WrappingCounter,
-    await_readings,
-    require_finite,
-    require_unit,
-)
+from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm, await_readings
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 from hardware.options import read_options

@@ -19,7 +19,6 @@ Source:
 import struct
 import time
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from math import radians
 from typing import Literal
 
@@ -27,14 +26,9 @@ from pydantic import Field
 
 from app.messages.message import Text, message
 from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.readings import RobotReading, WrappingCounter, require_finite
 from hardware.arm.robots.rotations import axis_angles_quaternion
-from hardware.arm.robots.streaming_arm import (
-    RobotOptions,
-    RobotReading,
-    StreamingArm,
-    WrappingCounter,
-    require_finite,
-)
+from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 from hardware.options import read_options
@@ -120,10 +114,7 @@ class StreamMotion:
 
     def close(self) -> None:
         """Stops the stream."""
-        if self._version:
-            with suppress(DeviceError):
-                self._link.send(_REQUEST.pack(_STOP, self._version))
-        self._link.close()
+        self._link.close(_REQUEST.pack(_STOP, self._version) if self._version else b"")
 
     def _reading(self, data: bytes) -> RobotReading:
         _, _, sequence, stamp_ms, *values = _STATUS.unpack_from(data)

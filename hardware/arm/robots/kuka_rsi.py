@@ -28,6 +28,7 @@ from pydantic import Field, FiniteFloat
 
 from app.messages.message import Text, message
 from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.readings import RobotReading, require_finite
 from hardware.arm.robots.rotations import (
     Quaternion,
     Vector,
@@ -35,13 +36,7 @@ from hardware.arm.robots.rotations import (
     flange_behind_tool,
     place_in_arm,
 )
-from hardware.arm.robots.streaming_arm import (
-    RobotOptions,
-    RobotReading,
-    StreamingArm,
-    await_readings,
-    require_finite,
-)
+from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm, await_readings
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
 from hardware.options import read_options

@@ -100,12 +100,15 @@ class ControllerLink:
             except OSError as error:
                 raise self._link_lost_error(_reason(error)) from error
 
-    def close(self) -> None:
-        """Ends a waiting ``receive``; idempotent."""
+    def close(self, farewell: bytes = b"") -> None:
+        """Ends a waiting ``receive``, and sends ``farewell`` first if it is open; idempotent."""
         self._closed = True
         with contextlib.suppress(OSError):
             self._wake.send(b"x")
         with self._lock:
+            if farewell and self._socket is not None:
+                with contextlib.suppress(OSError):
+                    self._socket.send(farewell)
             for end in (self._socket, self._wake, self._woken):
                 if end is not None:
                     end.close()

@@ -26,13 +26,8 @@ from typing import Any, Literal
 from pydantic import Field
 
 from app.messages.message import Text, message
-from hardware.arm.robots.streaming_arm import (
-    RobotReading,
-    StreamingArm,
-    StreamOptions,
-    await_readings,
-    require_finite,
-)
+from hardware.arm.robots.readings import RobotReading, require_finite
+from hardware.arm.robots.streaming_arm import StreamingArm, StreamOptions, await_readings
 from hardware.clock import now_ns
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth

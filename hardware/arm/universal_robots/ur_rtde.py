@@ -26,18 +26,14 @@ from pydantic import Field
 
 from app.messages.message import Text, message, rounded
 from hardware.arm.robots.link import ControllerLink
+from hardware.arm.robots.readings import RobotReading, require_finite
 from hardware.arm.robots.rotations import (
     Quaternion,
     Vector,
     flange_behind_tool,
     rotation_vector_quaternion,
 )
-from hardware.arm.robots.streaming_arm import (
-    RobotOptions,
-    RobotReading,
-    StreamingArm,
-    require_finite,
-)
+from hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm
 from hardware.arm.universal_robots import packages
 from hardware.errors import DeviceError
 from hardware.interfaces import ArmInfo, LinkHealth
