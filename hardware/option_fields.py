@@ -98,17 +98,17 @@ def _first_fitting(info: FieldInfo | None, text: str) -> object:
 
 
 def _readings(text: str) -> Sequence[object]:
-    """A text as a number, a list or true and false, where it looks like one; last, as a text."""
-    listed = f"[{text}]" if "," in text and not text.startswith("[") else text
+    """What a text may mean, the likeliest first: a number, true or false, a list, the text itself,
+    or a list of texts."""
     readings: list[object] = []
-    for form in (text, listed):
+    for form in (text, f"[{text}]"):
         try:
             read = json.loads(form)
         except ValueError:
             continue
-        if isinstance(read, (bool, int, float, list)) and read not in readings:
+        if isinstance(read, (bool, int, float, list)):
             readings.append(read)
-    return [*readings, text]
+    return [*readings, text, [part.strip() for part in text.split(",")]]
 
 
 def _variants(shape: Mapping[str, Any], definitions: Mapping[str, Any]) -> list[Mapping[str, Any]]:

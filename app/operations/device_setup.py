@@ -19,6 +19,7 @@ from app.station.setup.drivers import (
     DriverForm,
     SimulatedDevices,
     check_options,
+    device_address,
     driver_forms,
     is_same_device,
     use_choice,
@@ -146,7 +147,7 @@ class DeviceSetup:
             OperationError: there is no such driver, or it refuses an option.
         """
         options = check_options(kind, driver, entered)
-        in_use = self._is_in_use(kind, driver, options)
+        in_use = self._is_in_use(kind, driver, device_address(kind, driver, options))
         return self.trials.start(TrialSubject(kind, driver, options, in_use))
 
     def choose(

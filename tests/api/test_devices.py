@@ -157,6 +157,9 @@ def test_the_stations_own_device_is_shown_and_not_opened_again(
     station.http.post("/api/devices/trial", json=asked(pictures)).raise_for_status()
     live = wait_for(lambda: trial(station), lambda one: one["state"] == "live")
     assert live["in_use"]
+    slower = asked(pictures, options={"path": str(pictures), "rate_hz": "5"})
+    station.http.post("/api/devices/trial", json=slower).raise_for_status()
+    assert trial(station)["in_use"], "another rate is the same camera"
     station.http.delete("/api/devices/trial").raise_for_status()
     assert station.context.rig.sensor.fresh
 

@@ -153,6 +153,17 @@ def test_a_camera_is_connected_in_a_few_clicks(
     expect(camera.get_by_text("In use")).to_be_visible(timeout=WAIT_MS)
     page.screenshot(path=pictures / "devices.png")
 
+    camera.get_by_role("button", name="Show").click()
+    expect(page.get_by_text("The station uses this device already.")).to_be_visible()
+    expect(page.get_by_role("button", name="Save changes")).to_be_disabled()
+    page.get_by_label("Name", exact=True).fill("Left camera")
+    page.get_by_text("More options").click()
+    page.get_by_label("Rate (Hz)").fill("10")
+    page.get_by_role("button", name="Save changes").click()
+    expect(page.get_by_text("Left camera · ")).to_be_visible(timeout=WAIT_MS)
+    changed = read_settings(station.data / "station.toml").devices["sensor"]
+    assert (changed.label, changed.options["rate_hz"]) == ("Left camera", 10)
+
     page.get_by_role("button", name="Use the simulated one again").click()
     visit.wait_until(
         "simulated again", "/api/devices", lambda now: bool(now["devices"][1]["simulated"])

@@ -18,6 +18,7 @@ class BenchOptions(Options):
     port: int = Field(ge=1, le=65535, description="Of the controller")
     invert: bool = False
     range_mm: list[float] | None = None
+    lines: list[str] = Field(default_factory=list)
     counts: PositiveInt | list[PositiveInt] | None = None
     source: int | str = 0
 
@@ -55,6 +56,7 @@ def test_kinds_units_and_defaults() -> None:
         "port": "number",
         "invert": "switch",
         "range_mm": "list",
+        "lines": "list",
         "counts": "text",
         "source": "text",
     }
@@ -76,6 +78,7 @@ def test_entered_texts_get_the_types_of_the_options() -> None:
         "port": " 7431 ",
         "invert": "true",
         "range_mm": "1, 2.5",
+        "lines": "Line1, Line2",
         "counts": "4096, 8192",
         "source": "/dev/video0",
         "mode": "",
@@ -86,10 +89,20 @@ def test_entered_texts_get_the_types_of_the_options() -> None:
         "port": 7431,
         "invert": True,
         "range_mm": [1, 2.5],
+        "lines": ["Line1", "Line2"],
         "counts": [4096, 8192],
         "source": "/dev/video0",
     }
     assert from_options(typed).counts == [4096, 8192]
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [("Line1", ["Line1"]), ('["Line1"]', ["Line1"]), ("7, Line1", ["7", "Line1"])],
+)
+def test_a_list_of_texts_is_entered_with_commas(text: str, lines: list[str]) -> None:
+    assert read_entered(BenchOptions, {"lines": text}) == {"lines": lines}
+    assert read_entered(BenchOptions, {"range_mm": "4"}) == {"range_mm": [4]}
 
 
 def test_a_number_is_a_text_where_the_option_is_one() -> None:

@@ -81,6 +81,20 @@ def no_device_factory(kind: DeviceName) -> Callable[[], NoReturn]:
     return make
 
 
+_ADDRESSES = frozenset(
+    ("url", "source", "path", "address", "host", "port", "serial_number", "serial", "topic")
+)
+
+
+def device_address(kind: DeviceName, driver: str, options: Options) -> dict[str, object]:
+    """Those of the options that say which device it is; the others say how it is used."""
+    model = registry.driver_options(kind, driver)
+    required = (
+        set() if model is None else {k for k, v in model.model_fields.items() if v.is_required()}
+    )
+    return {key: value for key, value in options.items() if key in required | _ADDRESSES}
+
+
 def is_same_device(
     kind: DeviceName, driver: str, options: Options, other: str, other_options: Options
 ) -> bool:

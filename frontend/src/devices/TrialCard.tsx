@@ -1,5 +1,5 @@
 import type { Choice, Options } from "../api/deviceCommands";
-import type { DevicesView, DriverForm, OptionField, TrialView } from "../api/wire";
+import type { DevicesView, DriverForm, TrialView } from "../api/wire";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
 import { PressButton } from "../parts/PressButton";
@@ -36,11 +36,20 @@ export function TrialCard(props: TrialCardProps) {
   const changed = !sameOptions(choice.options, trial.options);
   const setOptions = (options: Options) => onChoice({ ...choice, options });
   const camera = choice.kind === "sensor";
+  const used = view.devices.find((one) => one.kind === choice.kind);
+  const renamed = used !== undefined && label.trim() !== used.label;
+  const closed = trial.state === "failed" || trial.state === "ended";
   return (
     <>
       <CardHead title={title} text={t(STATES[trial.state])} />
       {trial.in_use && <p className={styles.note}>{t("ui-station-uses-it-already")}</p>}
-      {!trial.in_use && (
+      {trial.in_use ? (
+        <MainAct>
+          <PressButton kind="primary" disabled={!changed && !renamed} onPress={onUse}>
+            {t("ui-save-changes")}
+          </PressButton>
+        </MainAct>
+      ) : (
         <MainAct>
           <PressButton
             kind="primary"
@@ -52,30 +61,28 @@ export function TrialCard(props: TrialCardProps) {
           </PressButton>
         </MainAct>
       )}
-      {(changed || trial.state === "failed" || trial.state === "ended") && (
+      {(closed || (changed && !trial.in_use)) && (
         <PressButton free onPress={onTry}>
           {t("ui-try-again")}
         </PressButton>
       )}
-      {!trial.in_use && (
-        <div className={styles.fields}>
-          <TextField
-            label={t("ui-name-of-the-device")}
-            help={t("ui-as-people-call-it-optional")}
-            value={label}
-            maxLength={60}
-            onText={onLabel}
+      <div className={styles.fields}>
+        <TextField
+          label={t("ui-name-of-the-device")}
+          help={t("ui-as-people-call-it-optional")}
+          value={label}
+          maxLength={60}
+          onText={onLabel}
+        />
+        {form && (
+          <OptionFields
+            fields={form.fields}
+            options={choice.options}
+            isMain={(field) => field.required || field.key in trial.options}
+            onChange={setOptions}
           />
-          {form && (
-            <OptionFields
-              fields={form.fields}
-              options={choice.options}
-              isMain={(field) => field.key in trial.options && isAddress(field)}
-              onChange={setOptions}
-            />
-          )}
-        </div>
-      )}
+        )}
+      </div>
       <div className={styles.foot}>
         <PressButton free kind="quiet" onPress={onBack}>
           {t("ui-back-to-the-list")}
@@ -87,10 +94,6 @@ export function TrialCard(props: TrialCardProps) {
 
 export function formOf(view: DevicesView, { kind, driver }: Choice): DriverForm | undefined {
   return view.drivers.find((one) => one.kind === kind && one.name === driver);
-}
-
-function isAddress({ required }: OptionField): boolean {
-  return required;
 }
 
 /** Whether the fields say what the device was opened with. */

@@ -33,10 +33,11 @@ export function DevicesPage() {
     const now = await tryDevice(wanted);
     if (now) setOpened(now);
   };
-  const tryFound = async ({ kind, driver, options, title: name }: FoundView) => {
+  const tryFound = async ({ kind, driver, options, title: name, in_use }: FoundView) => {
+    const used = in_use ? view?.devices.find((one) => one.kind === kind) : undefined;
     setTitle(name);
-    setLabel("");
-    await attempt({ kind, driver, options });
+    setLabel(used?.label ?? "");
+    await attempt({ kind, driver: used?.driver ?? driver, options: used?.options ?? options });
   };
   const enter = (kind: DeviceKind) => {
     const driver = (view && driversOf(view, kind)[0]?.name) ?? "";

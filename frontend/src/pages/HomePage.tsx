@@ -55,6 +55,7 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
 function Next({ home }: { home: Home }) {
   const { next } = home;
   const admin = useLive((s) => s.session?.you?.role === "admin");
+  const missing = useLive((s) => s.devices?.arm.state === "connecting" || s.devices?.sensor.state === "connecting");
   return (
     <>
       {/* on a phone it is read first, as a verdict is */}
@@ -66,9 +67,9 @@ function Next({ home }: { home: Home }) {
           {next.label}
         </PressButton>
       </MainAct>
-      {admin && home.station.simulated && (
+      {admin && (home.station.simulated || missing) && (
         <PressButton free onPress={() => go("devices")}>
-          {t("ui-connect-your-own-devices")}
+          {home.station.simulated ? t("ui-connect-your-own-devices") : t("ui-devices")}
         </PressButton>
       )}
       <Findings findings={home.findings} />
