@@ -60,6 +60,8 @@ class PatchPart(DocumentPart):
 
     points: int
     frames: int
+    deviation_um: Number | None = None
+    """Of its representative point from the least-squares sphere of all 25, outward."""
 
 
 class SphereMeasurement(DocumentPart):
@@ -71,6 +73,9 @@ class SphereMeasurement(DocumentPart):
     """By the touches at the end."""
     moved_um: NotNegative | None = None
     """Between both."""
+    touch_deviations_um: tuple[Number | None, ...] = ()
+    """Of the 25 touches, by place of the pattern, from their least-squares sphere, outward; None of
+    a place without a touch."""
     tactile_centres_mm: tuple[Vector3, ...] = ()
     """Of the articulations by touch, with a free diameter."""
     scan_centres_mm: tuple[Vector3, ...] = ()
