@@ -36,7 +36,7 @@ class PerformanceFigure(DocumentPart):
     symbol: str
     title: Text
     unit: Literal["µm"] = "µm"
-    value: Number | None
+    value: Number | None = None
     """The worse of the positions; None if it cannot be stated, see ``problem``."""
     values: tuple[Number | None, ...] = ()
     """Of each position, seat or placement."""
